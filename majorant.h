@@ -21,12 +21,12 @@
 #include "majorant/io/write_obj.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/unwrap.h"
-#include "majorant/parametrization/drive/deform.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/initialization/make_seamless.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/parametrization/starts/make_seamless.h"
-#include "majorant/parametrization/starts/texture_seams.h"
-#include "majorant/parametrization/starts/tutte.h"
+#include "majorant/parametrization/solve/deform.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/pictures/write_svg.h"
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

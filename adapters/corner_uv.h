@@ -34,13 +34,13 @@ inline std::vector<std::vector<Vector2>> corner_uv(const PolygonMesh& polygons,
     const auto refuse = [&](const char* what) {
       return "face " + std::to_string(p) + ", vertex " + std::to_string(v) + ": " + what;
     };
-    if (at(p) >= out.size())
+    if (to_size(p) >= out.size())
       throw InvalidArgument(refuse("the map is of another mesh, there is no such face"));
-    const std::vector<Index>& polygon = polygons.polygons[at(p)];
+    const std::vector<Index>& polygon = polygons.polygons[p];
     const auto corner = std::find(polygon.begin(), polygon.end(), v);
     if (corner == polygon.end())
       throw InvalidArgument(refuse("the map is of another mesh, the face lacks this vertex"));
-    Vector2& place = out[at(p)][static_cast<std::size_t>(corner - polygon.begin())];
+    Vector2& place = out[p][static_cast<std::size_t>(corner - polygon.begin())];
     const Vector2 here = uv.row(h);
     if (place.allFinite() && place != here)
       throw Error(ErrorKind::Unsupported,

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "majorant/adapters/corner_uv.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {
 

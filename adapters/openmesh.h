@@ -20,7 +20,7 @@
 #include <memory>
 
 #include "majorant/adapters/corner_uv.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {
 

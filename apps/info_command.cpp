@@ -16,9 +16,9 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/defects.h"
 #include "majorant/mesh/repair.h"
-#include "majorant/parametrization/drive/internal/normalized_start.h"
-#include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/internal/report.h"
 
 namespace majorant::app {

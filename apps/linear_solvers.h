@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/internal/machine_memory.h"
 #include "majorant/results/internal/solver_ladder.h"
 

@@ -8,17 +8,17 @@
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
+#include "apps/or_interrupted.h"
 #include "apps/outputs.h"
 #include "apps/streams.h"
-#include "apps/unless_stopped.h"
 #include "apps/within_memory.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/io/read_face_weights.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/parametrization/drive/internal/free_scale.h"
-#include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/solve/internal/free_scale.h"
 #include "majorant/results/internal/input_points.h"
 
 namespace majorant::app {
@@ -123,7 +123,7 @@ void read_input(const MapRequest& request, MapJob& job, const StartMaker& make_s
   const bool starts_from_texture = request.init == "input" || (request.seamless && !make_start);
   const Strictness strictness =
       std::max(request.strictness, starts_from_texture ? Strictness::Texcoords : Strictness::Shape);
-  unless_stopped("reading " + request.input, [&] {
+  or_interrupted("reading " + request.input, [&] {
     PolygonMesh polygons = within_memory(request.input, [&] {
       return read_mesh(request.input, job.record.start_stop(), strictness);
     });
@@ -131,7 +131,7 @@ void read_input(const MapRequest& request, MapJob& job, const StartMaker& make_s
     job.open(std::make_shared<const PolygonMesh>(std::move(polygons)));
   });
   if (make_start)
-    unless_stopped("making the start of " + request.input, [&] { make_start(job); });
+    or_interrupted("making the start of " + request.input, [&] { make_start(job); });
   else if (request.seamless)
     job.start_from_texture();
   job.options = read_options(request, *job.polygons, job.mapped_mesh());

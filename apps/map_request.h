@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "majorant/io/read_mesh.h"
 #include "majorant/results/internal/map_job.h"
 
 namespace majorant::app {

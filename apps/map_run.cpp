@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "apps/energy_option.h"
+#include "apps/or_interrupted.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/streams.h"
-#include "apps/unless_stopped.h"
 
 namespace majorant::app {
 
@@ -55,13 +55,13 @@ void MapRun::read(const StartMaker& make_start) {
 }
 
 int MapRun::finish(const Json& extra) {
-  unless_stopped("making the start of " + request_.map.input, [&] { job_.solve(); });
+  or_interrupted("making the start of " + request_.map.input, [&] { job_.solve(); });
   solvers_->say_unused_options();
   if (job_.has_result() && (request_.outputs.normalize || request_.outputs.turns_map())) place();
-  job_.wishes = request_.map.to_json();
-  job_.wishes.update(request_.solve.to_json());
-  job_.wishes["strict"] = request_.common.strict;
-  job_.wishes.update(extra);
+  job_.asked = request_.map.to_json();
+  job_.asked.update(request_.solve.to_json());
+  job_.asked["strict"] = request_.common.strict;
+  job_.asked.update(extra);
   job_.linear_solver = solvers_->section();
   job_.memory = solvers_->memory();
   job_.prove();

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/cuts/choose_cuts.h"
+#include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/results/internal/report.h"
 
 namespace majorant::app {

@@ -9,7 +9,7 @@
 #include "apps/progress.h"
 #include "apps/result_files.h"
 #include "majorant/framework/stopping.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/internal/report.h"
 
 namespace majorant::app {

@@ -14,6 +14,7 @@
 #include "apps/energy_option.h"
 #include "apps/linear_solvers.h"
 #include "apps/map_request.h"
+#include "apps/or_interrupted.h"
 #include "apps/page_content.h"
 #include "apps/parts.h"
 #include "apps/process.h"
@@ -22,7 +23,6 @@
 #include "apps/seam_request.h"
 #include "apps/solve_request.h"
 #include "apps/streams.h"
-#include "apps/unless_stopped.h"
 #include "apps/within_memory.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/thread_count.h"
@@ -238,7 +238,7 @@ int unwrap_file(UnwrapVerb request) {
   AtlasJob job(record);
   job.energy = request.map.energy;
   record.begin(Activity::Reading);
-  unless_stopped("reading " + request.map.input, [&] {
+  or_interrupted("reading " + request.map.input, [&] {
     const Strictness strictness = request.common.strictness(request.unwrap.seams.needed_of_file());
     PolygonMesh polygons = within_memory(request.map.input, [&] {
       return read_mesh(request.map.input, record.start_stop(), strictness);
@@ -252,13 +252,13 @@ int unwrap_file(UnwrapVerb request) {
                         LinearSolvers::Runs::Several);
   solvers.apply(job.options.chart.solve);
   job.read_seconds = record.seconds();
-  unless_stopped("unwrapping " + request.map.input, [&] { job.solve(); });
+  or_interrupted("unwrapping " + request.map.input, [&] { job.solve(); });
   if (request.outputs.normalize && !job.place())
     throw Error(ErrorKind::Invalid,
                 request.map.input +
                     ": in the unit square its smallest triangles are too small for doubles; leave "
                     "out --normalize");
-  job.wishes = options_of(request);
+  job.asked = options_of(request);
   job.linear_solver = solvers.section();
   job.memory = solvers.memory();
   job.prove();

@@ -9,9 +9,9 @@
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
-#include "majorant/parametrization/starts/tutte.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {
 

@@ -117,9 +117,9 @@ def print_calls(calls, count):
 
 def sizes(source):
     """Of the library and its commands: files, lines, public headers."""
-    rooms = [source, *(source / room / part for room in include_graph.FLOOR
+    modules = [source, *(source / module / part for module in include_graph.LAYER
                        for part in ('', 'internal', 'detail', 'densities', 'kernels'))]
-    files = {path for room in rooms for path in room.glob('*') if path.suffix in ('.h', '.cpp')}
+    files = {path for module in modules for path in module.glob('*') if path.suffix in ('.h', '.cpp')}
     lines = sum(len(path.read_text().splitlines()) for path in files)
     public = (source / 'cmake/public_headers.txt').read_text().splitlines()
     return [len(files), lines, sum(not line.startswith('#') for line in public)]

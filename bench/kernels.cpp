@@ -15,7 +15,7 @@ namespace {
 
 const BenchProblem& creature(int degree) {
   static std::array<std::unique_ptr<BenchProblem>, 9> problems;
-  auto& p = problems.at(at(degree));
+  auto& p = problems.at(to_size(degree));
   if (!p) p = std::make_unique<BenchProblem>(MAJORANT_MESHES "creature.obj", degree);
   return *p;
 }

@@ -9,7 +9,7 @@
 //   build/release/bench/majorant_multiresolution ../shared/data/public/disks/*_10000.obj
 //   build/release/bench/majorant_multiresolution --start-only /tmp/spot_1000000.obj
 //   build/release/bench/majorant_multiresolution --ratio 2 --sweeps 2 meshes/creature.obj
-#include "majorant/parametrization/starts/multiresolution.h"
+#include "majorant/parametrization/initialization/multiresolution.h"
 
 #include <fmt/format.h>
 
@@ -22,8 +22,8 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/tutte.h"
+#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "unit_fe.h"
 
 using namespace majorant;

@@ -1,4 +1,4 @@
-// What packing costs and fills, by the number of charts: every method on the same parcels, then
+// What packing costs and fills, by the number of charts: every method on the same charts, then
 // pack() with its proofs.
 //
 // Sample runs:
@@ -63,11 +63,12 @@ double seconds(const std::function<void()>& work) {
 
 void report(int count, int corners, double smallest) {
   const std::vector<BezierMap> charts = stars(count, corners, smallest);
-  const PackingJob job = packing_job(charts, std::vector<Freedom>(charts.size()), 4.0 / 1024);
+  const PackingJob job =
+      packing_job(charts, std::vector<AllowedRotations>(charts.size()), 4.0 / 1024);
   fmt::print("{:6} {:7} {:8}", count, corners, smallest);
   double side = std::sqrt(job.area);
   const auto time = [&](const StripPacker& strip, const SquareSearch& search) {
-    std::optional<Arrangement> found;
+    std::optional<Placements> found;
     const double spent = seconds([&] { found = smallest_square(job, strip, search); });
     fmt::print("  {:8.3f} {:6.4f}", spent, found ? job.area / (found->side * found->side) : 0);
     return found ? found->side : side;

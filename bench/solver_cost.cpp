@@ -165,7 +165,7 @@ Phases time_run(const BenchProblem& b, const ParametrizationOptions& options,
     if (entry.level == 0) p.iterations += entry.record.seconds.sum();
   p.setup = counted - p.start - p.iterations;
   p.total = counted;
-  p.within = within.row < 0 ? p.start : trace[at(within.row)].elapsed;
+  p.within = within.row < 0 ? p.start : trace[within.row].elapsed;
   const double factor = options.solve.threads == 1 ? (cpu_seconds() - cpu) / all : 1.0;
   return {factor * p.start, factor * p.setup, factor * p.iterations, factor * p.total,
           factor * p.within};
@@ -207,7 +207,7 @@ void measure_runs(const BenchProblem& b, int degree, const Arguments& asked, dou
   for (const char* key : {"within_fe", "within_iterations", "within_factorizations"})
     row[key] = nullptr;
   if (!within.found) return;
-  trace.resize(at(within.row + 1));
+  trace.resize(to_size(within.row + 1));
   row["within_fe"] = runs[runs.size() / 2].within / unit;
   row["within_iterations"] = steps_taken(trace);
   row["within_factorizations"] = factorizations(trace);

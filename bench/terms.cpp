@@ -49,36 +49,36 @@ std::shared_ptr<const EnergyTerm> bending() {
 
 class ByHand : public EnergyTerm {
  public:
-  explicit ByHand(Index nodes) : stencils_{runs_of(nodes), 2} {}
+  explicit ByHand(Index nodes) : element_dofs_{runs_of(nodes), 2} {}
   std::string_view name() const override { return "by hand"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature c) const override {
     return c == Curvature::Exact || c == Curvature::Projected;
   }
 
  protected:
   Vector2 edge(VecIn x, Index e, Index i) const {
-    const Index a = stencils_.nodes(e, i), b = stencils_.nodes(e, i + 1);
+    const Index a = element_dofs_.nodes(e, i), b = element_dofs_.nodes(e, i + 1);
     return x.segment<2>(2 * b) - x.segment<2>(2 * a);
   }
-  Stencils stencils_;
+  ElementDofs element_dofs_;
 };
 
 // Its projection in closed form.
 class SpringsByHand final : public ByHand {
  public:
   SpringsByHand() : ByHand(2) {}
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const double stretch = edge(x, chunk.elements[p], 0).norm() - kEdge;
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double stretch = edge(x, batch.elements[p], 0).norm() - kEdge;
       f[p] = stretch * stretch / kEdge;
     }
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState&, Workspace&,
-             LocalSystem& out) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Vector2 d = edge(x, chunk.elements[p], 0);
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState&,
+             Workspace&, LocalSystem& out) const override {
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Vector2 d = edge(x, batch.elements[p], 0);
       const double r = d.norm(), across = curvature.clamped(1 - kEdge / r);
       const Vector2 t = d / r;
       const Eigen::Matrix2d along = t * t.transpose(),
@@ -87,9 +87,11 @@ class SpringsByHand final : public ByHand {
       out.value[p] = (r - kEdge) * (r - kEdge) / kEdge;
       for (int i = 0, k = 0; i < 4; ++i) {
         const double sign = i < 2 ? -1 : 1;
-        out.gradient[at(i * LocalSystem::stride) + p] = sign * 2 * (r - kEdge) / kEdge * t[i % 2];
+        out.gradient[to_size(i * LocalSystem::stride) + p] =
+            sign * 2 * (r - kEdge) / kEdge * t[i % 2];
         for (int j = 0; out.hessian && j <= i; ++j, ++k)
-          out.hessian[at(k * LocalSystem::stride) + p] = sign * (j < 2 ? -1 : 1) * h(i % 2, j % 2);
+          out.hessian[to_size(k * LocalSystem::stride) + p] =
+              sign * (j < 2 ? -1 : 1) * h(i % 2, j % 2);
       }
     }
   }
@@ -99,17 +101,17 @@ class SpringsByHand final : public ByHand {
 class BendingByHand final : public ByHand {
  public:
   BendingByHand() : ByHand(3) {}
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const double turn = angle(edge(x, chunk.elements[p], 0), edge(x, chunk.elements[p], 1));
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double turn = angle(edge(x, batch.elements[p], 0), edge(x, batch.elements[p], 1));
       f[p] = turn * turn / (2 * kEdge);
     }
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState&, Workspace&,
-             LocalSystem& out) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Vector2 a = edge(x, chunk.elements[p], 0), b = edge(x, chunk.elements[p], 1);
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState&,
+             Workspace&, LocalSystem& out) const override {
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Vector2 a = edge(x, batch.elements[p], 0), b = edge(x, batch.elements[p], 1);
       const double turn = angle(a, b);
       const Vector2 ga = direction_gradient(a), gb = direction_gradient(b);
       const Eigen::Matrix2d ha = direction_hessian(a), hb = direction_hessian(b);
@@ -126,12 +128,12 @@ class BendingByHand final : public ByHand {
           const double from_b = m > 0 && n > 0 ? (m == n ? 1 : -1) * hb(r, c) : 0;
           h[k] = (g[i] * g[j] + turn * (from_a + from_b)) / kEdge;
         }
-      if (curvature.clamp > 0) clamp_eigenvalues(6, curvature.clamp, h);
+      if (curvature.projection_weight > 0) clamp_eigenvalues(6, curvature.projection_weight, h);
       out.value[p] = turn * turn / (2 * kEdge);
       for (int i = 0; i < 6; ++i)
-        out.gradient[at(i * LocalSystem::stride) + p] = turn * g[i] / kEdge;
+        out.gradient[to_size(i * LocalSystem::stride) + p] = turn * g[i] / kEdge;
       for (int k = 0; out.hessian && k < 21; ++k)
-        out.hessian[at(k * LocalSystem::stride) + p] = h[k];
+        out.hessian[to_size(k * LocalSystem::stride) + p] = h[k];
     }
   }
 
@@ -167,7 +169,7 @@ void evaluate(benchmark::State& state, const std::shared_ptr<const EnergyTerm>& 
   };
   for (auto _ : state) benchmark::DoNotOptimize(run());
   state.counters["ns/element"] = benchmark::Counter(
-      term->stencils().element_count(),
+      term->element_dofs().element_count(),
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 

@@ -24,7 +24,7 @@
 #include "../examples/stretch_bound.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/drive/internal/parametrize_by.h"
+#include "majorant/parametrization/solve/internal/parametrize_by.h"
 
 using namespace majorant;
 
@@ -111,7 +111,7 @@ const std::vector<Rule>& all_rules() {
       {"scaffold.still_moving", [](Settings& s) { return &s.rules.scaffold.still_moving; }},
       {"scaffold.tail_steps", [](Settings& s) { return &s.rules.scaffold.tail_steps; }},
       {"soft_start", [](Settings& s) { return &s.rules.soft_start; }},
-      {"stopping.anchor_step", [](Settings& s) { return &s.rules.stopping.anchor_step; }},
+      {"stopping.fallback_step", [](Settings& s) { return &s.rules.stopping.fallback_step; }},
       {"stopping.decrement", [](Settings& s) { return &s.rules.stopping.decrement; }},
       {"stopping.last_factor", [](Settings& s) { return &s.rules.stopping.last_factor; }},
       {"stopping.plateau_factor", [](Settings& s) { return &s.rules.stopping.plateau_factor; }},

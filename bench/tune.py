@@ -72,7 +72,7 @@ VALUES = {
     'scaffold.still_moving': '0,1e-5,1e300',
     'scaffold.tail_steps': '2,3',
     'soft_start': '1e3,1e300',
-    'stopping.anchor_step': '0.01,0.5',
+    'stopping.fallback_step': '0.01,0.5',
     'stopping.last_factor': '0.01,1,10',
     'stopping.plateau_factor': '0.5,8,1e300',
     'stopping.plateau_steps': '100,10000',

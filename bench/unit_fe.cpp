@@ -34,11 +34,11 @@ class SingleThreaded {
 
 // The graph whose nodes are the pattern's blocks.
 void block_graph(const SparsePattern& p, std::vector<Index>& starts, std::vector<Index>& rows) {
-  std::vector<std::vector<Index>> lower(at(p.block_of.back()) + 1);
+  std::vector<std::vector<Index>> lower(to_size(p.block_of.back()) + 1);
   for (Index c = 0; c < p.size; ++c)
-    for (Index k = p.column_starts[at(c)]; k < p.column_starts[at(c) + 1]; ++k) {
-      const Index a = p.block_of[at(c)], b = p.block_of[at(p.rows[at(k)])];
-      if (a != b) lower[at(std::min(a, b))].push_back(std::max(a, b));
+    for (Index k = p.column_starts[c]; k < p.column_starts[c + 1]; ++k) {
+      const Index a = p.block_of[c], b = p.block_of[p.rows[k]];
+      if (a != b) lower[std::min(a, b)].push_back(std::max(a, b));
     }
   starts.assign(1, 0);
   for (auto& column : lower) {
@@ -110,7 +110,7 @@ class Reference {
     }
     if (common_.status != CHOLMOD_OK) throw std::runtime_error("unit fe: no factorization");
     cholmod_dense b{};
-    b.nrow = b.d = b.nzmax = at(pattern.size);
+    b.nrow = b.d = b.nzmax = to_size(pattern.size);
     b.ncol = 1;
     b.x = const_cast<double*>(rhs.data());
     b.xtype = CHOLMOD_REAL;

@@ -38,11 +38,11 @@ std::string BoundaryLoops::defect() const {
     expected = loop.last;
     if (loop.last - loop.first < 3) return "a boundary loop has fewer than three edges";
     for (Index k = loop.first; k < loop.last; ++k) {
-      const PlanarCurve& curve = curves[at(k)];
+      const PlanarCurve& curve = curves[k];
       if (curve.degree < 1 || curve.degree > PlanarCurve::kMaxDegree)
         return fmt::format("a boundary curve has degree {}", curve.degree);
       if (!curve.in_range()) return "control points are not finite, or too large";
-      const PlanarCurve& after = curves[at(k + 1 < loop.last ? k + 1 : loop.first)];
+      const PlanarCurve& after = curves[k + 1 < loop.last ? k + 1 : loop.first];
       if (curve.back() != after.front()) return "a boundary loop is not closed";
     }
   }
@@ -54,7 +54,7 @@ std::string BoundaryLoops::defect() const {
 std::vector<Index> BoundaryLoops::next() const {
   std::vector<Index> next(curves.size());
   std::iota(next.begin(), next.end(), 1);
-  for (const BoundaryLoop& loop : loops) next[at(loop.last - 1)] = loop.first;
+  for (const BoundaryLoop& loop : loops) next[loop.last - 1] = loop.first;
   return next;
 }
 
@@ -63,17 +63,18 @@ BoundaryLoops boundary_loops(const BezierMap& map) {
   BoundaryLoops boundary;
   const std::vector<Index> component = face_components(mesh.opposites());
   for (const Index c : component) boundary.charts = std::max(boundary.charts, c + 1);
-  std::vector<Index> leaving(at(mesh.vertex_count()), -1);  // boundary half-edge of each vertex
+  std::vector<Index> leaving(to_size(mesh.vertex_count()),
+                             -1);  // boundary half-edge of each vertex
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (mesh.opposite(h) < 0) leaving[at(mesh.from_vertex(h))] = h;
+    if (mesh.opposite(h) < 0) leaving[mesh.from_vertex(h)] = h;
   for (const std::vector<Index>& vertices : mesh.boundary_loops()) {
     std::vector<PlanarCurve> curves;
     std::vector<Index> half_edges;
     for (const Index v : vertices) {
-      half_edges.push_back(leaving[at(v)]);
+      half_edges.push_back(leaving[v]);
       curves.push_back(curve_of(map, half_edges.back()));
     }
-    boundary.add_loop(component[at(face_of(half_edges.front()))], curves, half_edges);
+    boundary.add_loop(component[face_of(half_edges.front())], curves, half_edges);
   }
   return boundary;
 }

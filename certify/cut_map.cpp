@@ -39,14 +39,14 @@ SurfaceMesh welded(const MapFile& file, const std::string& name) {
 // Nearest numbers of quarter turns, 0 at the boundary of the uncut surface.
 std::vector<int> quarter_turns(const SurfaceMesh& mesh, const std::vector<Index>& surface_vertex,
                                VecIn angle_sums) {
-  std::vector<double> sum(at(mesh.vertex_count()), 0);
+  std::vector<double> sum(to_size(mesh.vertex_count()), 0);
   for (std::size_t v = 0; v < surface_vertex.size(); ++v)
-    sum[at(surface_vertex[v])] += angle_sums[static_cast<Index>(v)];
+    sum[surface_vertex[v]] += angle_sums[static_cast<Index>(v)];
   std::vector<int> turns;
   for (const double s : sum)
     turns.push_back(std::max(1, static_cast<int>(std::lround(2 * s / std::numbers::pi))));
   for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) turns[at(v)] = 0;
+    for (const Index v : loop) turns[v] = 0;
   return turns;
 }
 
@@ -63,7 +63,7 @@ Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known)
     return std::array<double, 3>{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
   };
   for (const auto& polygon : known.polygons)
-    for (const Index v : polygon) number.emplace(key(known.positions[at(v)]), v);
+    for (const Index v : polygon) number.emplace(key(known.positions[v]), v);
   auto next = static_cast<Index>(known.positions.size());
   Eigen::VectorXi vertex(points.rows());
   for (Index p = 0; p < points.rows(); ++p) {
@@ -78,8 +78,8 @@ CutMap::CutMap(const MapFile& file, std::string name)
     : file_(file),
       name_(std::move(name)),
       surface_(welded(file, name_)),
-      edge_points_(at(file.degree) + 1),
-      differs_(at(surface_.half_edge_count()), 0),
+      edge_points_(to_size(file.degree) + 1),
+      differs_(to_size(surface_.half_edge_count()), 0),
       is_unshared_(differs_) {
   for (Index h = 0; h < surface_.half_edge_count(); ++h) {
     const Index opposite = surface_.opposite(h);
@@ -91,8 +91,8 @@ CutMap::CutMap(const MapFile& file, std::string name)
       shared += p == q && (!is_end || edge_points_ == 2);
       equal += file.uv.row(p) == file.uv.row(q);
     }
-    differs_[at(h)] = differs_[at(opposite)] = equal < edge_points_;
-    is_unshared_[at(h)] = is_unshared_[at(opposite)] = edge_points_ == 2 ? shared < 2 : shared == 0;
+    differs_[h] = differs_[opposite] = equal < edge_points_;
+    is_unshared_[h] = is_unshared_[opposite] = edge_points_ == 2 ? shared < 2 : shared == 0;
   }
 }
 
@@ -164,9 +164,9 @@ BezierMap CutMap::map_with_seams() const {
                               "differ by {:.3g} after the best rotation by a multiple of 90 "
                               "degrees",
                               name_, place(h), best.mismatch));
-    is_seam[at(h)] = is_seam[at(opposite)] = 1;
-    turns[at(h)] = best.turns;
-    turns[at(opposite)] = (4 - best.turns) % 4;
+    is_seam[h] = is_seam[opposite] = 1;
+    turns[h] = best.turns;
+    turns[opposite] = (4 - best.turns) % 4;
   }
   std::vector<Index> surface_vertex;
   const SurfaceMesh cut = surface_.cut_along(is_seam, &surface_vertex);

@@ -33,10 +33,10 @@ class CutMap {
   const SurfaceMesh& surface() const { return surface_; }
 
   // Whether the two sides of a half-edge have different uv; false at the boundary of the surface.
-  bool differs(Index half_edge) const { return differs_[at(half_edge)]; }
+  bool differs(Index half_edge) const { return differs_[half_edge]; }
   // Whether they share no control points in the file (at degree 1: not both corners), be uv equal
   // or not: files mark cuts so.
-  bool is_unshared(Index half_edge) const { return is_unshared_[at(half_edge)]; }
+  bool is_unshared(Index half_edge) const { return is_unshared_[half_edge]; }
   // 3 #F flags: half-edges that differ.
   const std::vector<char>& cuts() const { return differs_; }
 

@@ -35,7 +35,7 @@ struct DeterminantPiece {
 
   // i + j + k = degree; rows of constant k.
   std::size_t at(int j, int k) const {
-    return majorant::at(k * (degree + 1) - k * (k - 1) / 2 + j);
+    return majorant::to_size(k * (degree + 1) - k * (k - 1) / 2 + j);
   }
 };
 
@@ -48,7 +48,7 @@ const DetCoefficients& det_of_degree(int degree) {
       all.emplace_back(BezierTriangleSpace(face, 3, n).element());
     return all;
   }();
-  return kAll[at(degree - 1)];
+  return kAll[degree - 1];
 }
 
 DeterminantPiece determinant(const Points2& control_points) {
@@ -61,7 +61,7 @@ DeterminantPiece determinant(const Points2& control_points) {
   piece.c.resize(scaled.size());
   for (int t = 0; t < det.count(); ++t) {
     const Exponents& e = det.basis().exponents(t);
-    piece.c[piece.at(e[1], e[2])] = scaled[at(t)];
+    piece.c[piece.at(e[1], e[2])] = scaled[t];
   }
   return piece;
 }
@@ -83,8 +83,8 @@ std::array<DeterminantPiece, 2> halves(const DeterminantPiece& p) {
       // By (old corner 0, middle, old 2) the coefficient has exponents (d - r, r, k); by (middle,
       // old 1, old 2) it has (r, d - r, k).
       half[0].c[half[0].at(d - r, r)] = row.front() << scale;
-      half[1].c[half[1].at(k, r)] = row[at(d - r)] << scale;
-      for (int j = 0; j + r < d; ++j) row[at(j)] += row[at(j) + 1];
+      half[1].c[half[1].at(k, r)] = row[d - r] << scale;
+      for (int j = 0; j + r < d; ++j) row[j] += row[j + 1];
     }
   }
   return half;

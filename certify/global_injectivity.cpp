@@ -66,15 +66,15 @@ class Contacts {
   bool has_enough() const { return certain_ > 0 && out_.contacts.size() >= kMostContacts; }
 
   CurveContact contact(Index i, Index j) {
-    const PlanarCurve &a = boundary_.curves[at(i)], &b = boundary_.curves[at(j)];
-    if (next_[at(i)] == j) return contact_of_neighbours(a, b, budget_);
-    if (next_[at(j)] == i) return contact_of_neighbours(b, a, budget_);
+    const PlanarCurve &a = boundary_.curves[i], &b = boundary_.curves[j];
+    if (next_[i] == j) return contact_of_neighbours(a, b, budget_);
+    if (next_[j] == i) return contact_of_neighbours(b, a, budget_);
     return contact_between(a, b, budget_);
   }
 
   void found(Index i, Index j, const CurveContact& contact) {
     if (contact.apart == ProofStatus::Proven) return;
-    const auto [a, b] = std::minmax(boundary_.half_edge[at(i)], boundary_.half_edge[at(j)]);
+    const auto [a, b] = std::minmax(boundary_.half_edge[i], boundary_.half_edge[j]);
     const auto is_this = [a = a, b = b](const BoundaryContact& c) {
       return c.half_edge_a == a && c.half_edge_b == b;
     };
@@ -150,16 +150,16 @@ std::optional<DoubleCover> find_double_cover(const BoundaryLoops& boundary,
 // Every chart has one counterclockwise loop: these loops, by chart.
 Finding find_outer_loops(const BoundaryLoops& boundary, SubdivisionBudget& budget,
                          std::vector<const BoundaryLoop*>& outer) {
-  outer.assign(at(boundary.charts), nullptr);
+  outer.assign(to_size(boundary.charts), nullptr);
   for (const BoundaryLoop& loop : boundary.loops) {
     if (budget.stopped()) return kStopped;
     const int sense = sense_of(boundary, loop);
     if (sense == 0)
       return {ProofStatus::Undecided, "a boundary loop encloses too little area to tell its sense"};
     if (sense < 0) continue;
-    if (outer[at(loop.chart)])
+    if (outer[loop.chart])
       return {ProofStatus::Violated, "two boundary loops of one component are counterclockwise"};
-    outer[at(loop.chart)] = &loop;
+    outer[loop.chart] = &loop;
   }
   if (std::count(outer.begin(), outer.end(), nullptr) > 0)
     return {ProofStatus::Violated, "a component has no counterclockwise boundary loop"};
@@ -174,8 +174,8 @@ Finding check_nesting(const BoundaryLoops& boundary, SubdivisionBudget& budget) 
   const LoopWinding winding(boundary);
   for (const BoundaryLoop& loop : boundary.loops) {
     if (budget.stopped()) return kStopped;
-    const Vector2& p = boundary.curves[at(loop.first)].front();
-    const BoundaryLoop* const own = outer[at(loop.chart)];
+    const Vector2& p = boundary.curves[loop.first].front();
+    const BoundaryLoop* const own = outer[loop.chart];
     const bool is_outer = own == &loop;
     const std::optional<long> turns = winding.around(p, [&](const BoundaryLoop& other) {
       return is_outer ? other.chart != loop.chart : &other == own;

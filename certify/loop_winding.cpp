@@ -39,18 +39,18 @@ Real binomial(int n, int k) {
 // C(n,i) C(n-1,j) / (2 C(2n-1,i+j)).
 template <class Real>
 int sign_of_area(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
-  const Vector2 origin = boundary.curves[at(loop.first)].front();
+  const Vector2 origin = boundary.curves[loop.first].front();
   const auto difference = [](const Vector2& a, const Vector2& b) {
     return Direction<Real>{Real(a.x()) - Real(b.x()), Real(a.y()) - Real(b.y())};
   };
   Real sum = 0, size = 0;
   for (Index k = loop.first; k < loop.last; ++k) {
-    const PlanarCurve& curve = boundary.curves[at(k)];
+    const PlanarCurve& curve = boundary.curves[k];
     const int n = curve.degree;
     Real of_curve = 0;
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j < n; ++j) {
-        const auto point = [&](int l) { return curve.control_points[at(l)]; };
+        const auto point = [&](int l) { return curve.control_points[l]; };
         const Direction<Real> c = difference(point(i), origin),
                               d = difference(point(j + 1), point(j));
         const Real weight = binomial<Real>(n, i) * binomial<Real>(n - 1, j) /
@@ -84,7 +84,7 @@ std::optional<int> crossings_of_piece(const Piece<double>& piece) {
     const auto range = along(piece, axis);
     if (!(range.low > 0 || range.high < 0)) continue;
     const bool contains_ray = range.low > 0 ? axis.x > 0 : axis.x < 0;
-    return contains_ray ? (piece.y[at(piece.degree)] > 0) - (piece.y[0] > 0) : 0;
+    return contains_ray ? (piece.y[piece.degree] > 0) - (piece.y[0] > 0) : 0;
   }
   if (piece.depth >= Piece<double>::kDeepest || !(piece.size() > 4 * piece.largest_error()))
     return {};
@@ -106,8 +106,8 @@ std::vector<Box2> boxes_of(const std::vector<PlanarCurve>& curves) {
 Box2 box_of(const PlanarCurve& curve) {
   Box2 box{curve.front(), curve.front()};
   for (int k = 1; k <= curve.degree; ++k) {
-    box.low = box.low.cwiseMin(curve.control_points[at(k)]);
-    box.high = box.high.cwiseMax(curve.control_points[at(k)]);
+    box.low = box.low.cwiseMin(curve.control_points[k]);
+    box.high = box.high.cwiseMax(curve.control_points[k]);
   }
   return box;
 }
@@ -124,15 +124,15 @@ int sense_of(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
 LoopWinding::LoopWinding(const BoundaryLoops& boundary)
     : boundary_(boundary), tree_(boxes_of(boundary.curves)) {
   for (std::size_t k = 0; k < boundary.loops.size(); ++k)
-    loop_of_.insert(loop_of_.end(), at(boundary.loops[k].last - boundary.loops[k].first), k);
+    loop_of_.insert(loop_of_.end(), to_size(boundary.loops[k].last - boundary.loops[k].first), k);
 }
 
 std::optional<long> LoopWinding::around(const Vector2& p, const Choice& chosen) const {
   std::optional<long> turns = 0;
   const Vector2 end_of_ray(std::numeric_limits<double>::infinity(), p.y());
   tree_.visit_meeting({p, end_of_ray}, [&](Index k) {
-    if (!turns || !chosen(boundary_.loops[loop_of_[at(k)]])) return;
-    const PlanarCurve& curve = boundary_.curves[at(k)];
+    if (!turns || !chosen(boundary_.loops[loop_of_[k]])) return;
+    const PlanarCurve& curve = boundary_.curves[k];
     const std::optional<int> crossings = curve.degree == 1
                                              ? crossings_of_line(curve.front(), curve.back(), p)
                                              : crossings_of_piece({curve, p});

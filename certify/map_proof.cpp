@@ -11,8 +11,8 @@
 
 #include "majorant/certify/cut_map.h"
 #include "majorant/certify/exact_positivity.h"
-#include "majorant/certify/internal/close_of.h"
 #include "majorant/certify/internal/glued_map.h"
+#include "majorant/certify/internal/match_tolerance.h"
 #include "majorant/certify/internal/repaired_match.h"
 #include "majorant/certify/internal/surface_match.h"
 #include "majorant/constraints/internal/sector_angle.h"
@@ -252,10 +252,10 @@ class MapProof::Judge {
       for (int l = 0; l < ix.count(); ++l) {
         Eigen::RowVector3d flat = Eigen::RowVector3d::Zero();
         for (int k = 0; k < 3; ++k)
-          flat += ix.multi(l)[at(k)] / double(file_.degree) * file_.points.row(file_.cells(c, k));
+          flat += ix.multi(l)[k] / double(file_.degree) * file_.points.row(file_.cells(c, k));
         worst = std::max(worst, (flat - file_.points.row(file_.cells(c, l))).norm());
       }
-    if (std::isfinite(worst) && worst <= close_of(box))
+    if (std::isfinite(worst) && worst <= match_tolerance(box))
       proof_.flat = {ProofStatus::Proven,
                      count_text(static_cast<Index>(file_.cells.rows()), "cell")};
     else
@@ -270,7 +270,7 @@ class MapProof::Judge {
     const bool has_numbers = request_.labels == ProofRequest::FaceLabels::Compared;
     const SurfaceMesh& cells = cut_->surface();
     for (Index v = 0; v < cells.vertex_count() && has_numbers; ++v)
-      if (at(cells.input_vertex(v)) >= request_.surface->positions.size()) {
+      if (to_size(cells.input_vertex(v)) >= request_.surface->positions.size()) {
         proof_.surface = {ProofStatus::Violated,
                           fmt::format("the surface has no vertex {}", cells.input_vertex(v))};
         return;
@@ -293,7 +293,7 @@ class MapProof::Judge {
   void judge_cuts() {
     const SurfaceMesh& surface = cut_->surface();
     const double close = kSeamClose * cut_->diagonal();
-    is_free_.assign(at(surface.half_edge_count()), 0);
+    is_free_.assign(to_size(surface.half_edge_count()), 0);
     AllowedEdges allowed(request_.cut_edges);
     std::vector<Index> tears;  // differ, and are no edges that may
     Index first = -1;
@@ -306,7 +306,7 @@ class MapProof::Judge {
         continue;
       }
       ++proof_.cuts.others;
-      is_free_[at(h)] = is_free_[at(surface.opposite(h))] = 1;
+      is_free_[h] = is_free_[surface.opposite(h)] = 1;
       if (first < 0) first = h;
       if (!is_allowed) tears.push_back(h);
     }
@@ -366,15 +366,15 @@ class MapProof::Judge {
     }
     const SurfaceMesh& surface = cut_->surface();
     const Vec sum = angle_sums();
-    std::vector<char> is_inner(at(surface.vertex_count()), 1), is_on_seam(is_inner.size(), 0);
+    std::vector<char> is_inner(to_size(surface.vertex_count()), 1), is_on_seam(is_inner.size(), 0);
     for (Index h = 0; h < surface.half_edge_count(); ++h)
       for (const Index v : {surface.from_vertex(h), surface.to_vertex(h)}) {
-        if (surface.opposite(h) < 0 || is_free_[at(h)]) is_inner[at(v)] = 0;
-        if (cut_->differs(h)) is_on_seam[at(v)] = 1;
+        if (surface.opposite(h) < 0 || is_free_[h]) is_inner[v] = 0;
+        if (cut_->differs(h)) is_on_seam[v] = 1;
       }
     Index inner = 0;
     for (Index v = 0; v < surface.vertex_count(); ++v) {
-      if (!is_inner[at(v)]) continue;
+      if (!is_inner[v]) continue;
       ++inner;
       const double quarters = 2 * sum[v] / std::numbers::pi;
       const auto nearest = static_cast<int>(std::lround(quarters));

@@ -28,10 +28,11 @@ Vec lower_bounds(const BezierMap& map) {
       .lower_bounds(map.control_points());
 }
 
-// Measures know of bounds alone, which are at most 0 where exact arithmetic was needed.
+// Measures know of bounds alone, which are at most 0 where exact arithmetic was needed. stop ends
+// measuring alone: a run that was stopped has its map proven, too.
 std::optional<PlacedMap> placed(const BezierMap& map, const std::vector<LayoutMotion>& attempts,
                                 const EnergySum& energy, const StopCheck& stop) {
-  std::optional<MovedLayout> moved = moved_layout({map}, attempts, {}, stop);
+  std::optional<MovedLayout> moved = moved_layout({map}, attempts);
   if (!moved) return {};
   BezierMap& there = moved->maps.front();
   MapMeasures measures = measure_normalized(there, moved->motion.size, energy, stop);

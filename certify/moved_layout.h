@@ -74,7 +74,8 @@ struct PlacedMap {
   MapMeasures measures;  // measure_normalized(): in the units of before
 };
 
-// Turned along `direction`. None where that rounds a cell away.
+// Turned along `direction`. None where that rounds a cell away. stop: cuts the measures short, as
+// measure_normalized() does.
 std::optional<PlacedMap> turned_along(const BezierMap& map, const Vector2& direction,
                                       const EnergySum& energy, const StopCheck& stop = {});
 // Turned, then moved into the unit square, aspect ratio kept: lower left corner at the origin, the

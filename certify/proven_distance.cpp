@@ -52,7 +52,7 @@ double distance_below(const Segment& a, const Segment& b) {
   return std::max(0.0, least - kRoundings * scale);
 }
 
-Vector2 point(const Piece<double>& p, int k) { return {p.x[at(k)], p.y[at(k)]}; }
+Vector2 point(const Piece<double>& p, int k) { return {p.x[k], p.y[k]}; }
 
 Segment chord(const Piece<double>& p) { return {point(p, 0), point(p, p.degree)}; }
 
@@ -147,22 +147,20 @@ class Layout {
       std::vector<PlanarCurve> curves(boundary.curves.begin() + loop.first,
                                       boundary.curves.begin() + loop.last);
       for (PlanarCurve& curve : curves)
-        for (int k = 0; k <= curve.degree; ++k) curve.control_points[at(k)] /= unit;
+        for (int k = 0; k <= curve.degree; ++k) curve.control_points[k] /= unit;
       loops_.add_loop(chart, curves, std::vector<Index>(curves.size(), 0));
     }
   }
 
-  bool both_fixed(Index a, Index b) const {
-    return !fixed_.empty() && fixed_[at(a)] && fixed_[at(b)];
-  }
-  Index curve_count(Index chart) const { return first_[at(chart + 1)] - first_[at(chart)]; }
+  bool both_fixed(Index a, Index b) const { return !fixed_.empty() && fixed_[a] && fixed_[b]; }
+  Index curve_count(Index chart) const { return first_[chart + 1] - first_[chart]; }
 
   const BoxTree& tree(Index chart) {
-    std::optional<BoxTree>& known = trees_[at(chart)];
+    std::optional<BoxTree>& known = trees_[chart];
     if (!known) {
       std::vector<Box2> boxes;
-      for (Index k = first_[at(chart)]; k < first_[at(chart + 1)]; ++k)
-        boxes.push_back(box_of(loops_.curves[at(k)]));
+      for (Index k = first_[chart]; k < first_[chart + 1]; ++k)
+        boxes.push_back(box_of(loops_.curves[k]));
       known.emplace(std::move(boxes));
     }
     return *known;
@@ -170,13 +168,13 @@ class Layout {
 
   void compare(Index a, Index b, double at_least, LeastDistance& least, const StopCheck& stop) {
     if (curve_count(a) > curve_count(b)) std::swap(a, b);
-    for (Index k = first_[at(a)]; k < first_[at(a + 1)] && least.value() > 0; ++k) {
-      stop.poll_at(at(k));
-      const PlanarCurve& curve = loops_.curves[at(k)];
+    for (Index k = first_[a]; k < first_[a + 1] && least.value() > 0; ++k) {
+      stop.poll_at(to_size(k));
+      const PlanarCurve& curve = loops_.curves[k];
       const Box2 box = grown(box_of(curve), at_least);
-      if (!box.meets(boxes_[at(b)])) continue;
+      if (!box.meets(boxes_[b])) continue;
       tree(b).visit_meeting(box, [&](Index l) {
-        if (least.value() > 0) least.compare(curve, loops_.curves[at(first_[at(b)] + l)]);
+        if (least.value() > 0) least.compare(curve, loops_.curves[first_[b] + l]);
       });
     }
   }
@@ -189,7 +187,7 @@ class Layout {
       stop.poll_at(k * 64);
       const BoundaryLoop& loop = loops_.loops[k];
       const std::optional<long> turns =
-          winding.around(loops_.curves[at(loop.first)].front(), [&](const BoundaryLoop& other) {
+          winding.around(loops_.curves[loop.first].front(), [&](const BoundaryLoop& other) {
             return other.chart != loop.chart && !both_fixed(loop.chart, other.chart);
           });
       if (turns != 0) return true;

@@ -4,16 +4,16 @@
 # majorant_library(NAME)
 # majorant_module(FOLDER [PUBLIC target...] [PRIVATE target...])
 #
-# One room of the house = one archive `majorant_ROOM` (ROOM is the last part of FOLDER), made of every
+# One module = one archive `majorant_MODULE` (MODULE is the last part of FOLDER), made of every
 # .cpp of FOLDER and FOLDER/internal. Headers are included as "majorant/FOLDER/x.h", inside the tree as
-# after install; a link in the build tree makes that path, one include root per room. Installed are
+# after install; a link in the build tree makes that path, one include root per module. Installed are
 # those that cmake/public_headers.txt lists, of FOLDER/detail what templates in public headers need;
-# the others in FOLDER are for other rooms, those in FOLDER/internal for the room itself. Without MAJORANT_GPL, internal/no_x.cpp, where there is one, stands in for internal/x.cpp.
+# the others in FOLDER are for other modules, those in FOLDER/internal for the module itself. Without MAJORANT_GPL, internal/no_x.cpp, where there is one, stands in for internal/x.cpp.
 #
-# Rooms belong to the last library that was named: the framework, solvers of other projects, or
+# Modules belong to the last library that was named: the framework, solvers of other projects, or
 # everything else. With BUILD_SHARED_LIBS the same objects are one shared object a library, which programs and the installed
-# package link; the archives are then there for tests, which look inside. Programs name rooms as
-# majorant::ROOM, in either case.
+# package link; the archives are then there for tests, which look inside. Programs name modules as
+# majorant::MODULE, in either case.
 
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
              ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt)
@@ -45,7 +45,7 @@ endfunction()
 
 macro(majorant_library name)
   set(MAJORANT_LIBRARY lib${name})
-  set(${MAJORANT_LIBRARY}_rooms)
+  set(${MAJORANT_LIBRARY}_modules)
   if(BUILD_SHARED_LIBS)
     add_library(${MAJORANT_LIBRARY} SHARED)
     set_target_properties(${MAJORANT_LIBRARY} PROPERTIES
@@ -106,19 +106,19 @@ function(majorant_module folder)
     majorant_use_precompiled(majorant_${name} library)
   endif()
 
-  set(room majorant_${name})
+  set(module majorant_${name})
   if(BUILD_SHARED_LIBS)
     target_sources(${MAJORANT_LIBRARY} PRIVATE $<TARGET_OBJECTS:majorant_${name}>)
     target_include_directories(${MAJORANT_LIBRARY} PUBLIC $<BUILD_INTERFACE:${root}>)
     list(FILTER others EXCLUDE REGEX "^majorant::")
     target_link_libraries(${MAJORANT_LIBRARY} PUBLIC ${others} PRIVATE ${ARG_PRIVATE})
-    set(room majorant_${name}_of_library)
-    add_library(${room} INTERFACE)
-    set_target_properties(${room} PROPERTIES EXPORT_NAME ${name})
-    target_link_libraries(${room} INTERFACE ${MAJORANT_LIBRARY})
+    set(module majorant_${name}_of_library)
+    add_library(${module} INTERFACE)
+    set_target_properties(${module} PROPERTIES EXPORT_NAME ${name})
+    target_link_libraries(${module} INTERFACE ${MAJORANT_LIBRARY})
   endif()
-  add_library(majorant::${name} ALIAS ${room})
-  install(TARGETS ${room} EXPORT ${MAJORANT_LIBRARY}Targets
+  add_library(majorant::${name} ALIAS ${module})
+  install(TARGETS ${module} EXPORT ${MAJORANT_LIBRARY}Targets
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   file(STRINGS ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt headers
        REGEX "^majorant/${folder}/(detail/)?[^/]+$")
@@ -133,7 +133,7 @@ function(majorant_module folder)
     string(REPLACE "majorant/" "${PROJECT_SOURCE_DIR}/" header ${header})
     install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${below} COMPONENT development)
   endforeach()
-  set(${MAJORANT_LIBRARY}_rooms ${name} ${${MAJORANT_LIBRARY}_rooms} PARENT_SCOPE)
+  set(${MAJORANT_LIBRARY}_modules ${name} ${${MAJORANT_LIBRARY}_modules} PARENT_SCOPE)
 endfunction()
 
 # A library that the command loads on demand (apps/plugins/plugin.h): lib${target}.so, beside the command in
@@ -159,7 +159,7 @@ function(majorant_plugin target component)
           COMPONENT ${component} OPTIONAL)
 endfunction()
 
-# Objects that are compiled apart from the others of a room.
+# Objects that are compiled apart from the others of a module.
 function(majorant_add_objects name objects)
   target_sources(majorant_${name} PRIVATE $<TARGET_OBJECTS:${objects}>)
   if(BUILD_SHARED_LIBS)
@@ -167,7 +167,7 @@ function(majorant_add_objects name objects)
   endif()
 endfunction()
 
-# majorant::majorant, everything, for programs: every room of both libraries.
+# majorant::majorant, everything, for programs: every module of both libraries.
 function(majorant_umbrella)
   add_library(majorant INTERFACE)
   add_library(majorant::majorant ALIAS majorant)
@@ -179,9 +179,9 @@ function(majorant_umbrella)
       target_link_libraries(majorant INTERFACE libmajorant_solvers)
     endif()
   else()
-    set(rooms ${libmajorant_rooms} ${libmajorant_solvers_rooms} ${libmajorant_framework_rooms})
-    list(TRANSFORM rooms PREPEND majorant_)
-    target_link_libraries(majorant INTERFACE ${rooms})
+    set(modules ${libmajorant_modules} ${libmajorant_solvers_modules} ${libmajorant_framework_modules})
+    list(TRANSFORM modules PREPEND majorant_)
+    target_link_libraries(majorant INTERFACE ${modules})
   endif()
   set(root ${PROJECT_BINARY_DIR}/include/majorant)
   file(MAKE_DIRECTORY ${root}/majorant)

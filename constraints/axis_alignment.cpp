@@ -33,16 +33,15 @@ void AxisAlignment::append_rows(ConstraintRows& rows) const {
     for (const Index node : nodes)
       components.join(2 * node + edge.coordinate, 2 * nodes[0] + edge.coordinate);
   }
-  std::vector<Index> last_of(at(unknowns));  // by component
-  for (Index i = 0; i < unknowns; ++i) last_of[at(components.find(i))] = i;
-  std::vector<char> written(at(unknowns), 0);
+  std::vector<Index> last_of(to_size(unknowns));  // by component
+  for (Index i = 0; i < unknowns; ++i) last_of[components.find(i)] = i;
+  std::vector<char> written(to_size(unknowns), 0);
   for (const AlignedEdge& edge : edges_) {
     const Cells& faces = space_->faces();
     for (const Index node : edge_nodes(*space_, edge.half_edge)) {
-      const Index unknown = 2 * node + edge.coordinate,
-                  last = last_of[at(components.find(unknown))];
-      if (unknown == last || written[at(unknown)]) continue;
-      written[at(unknown)] = 1;
+      const Index unknown = 2 * node + edge.coordinate, last = last_of[components.find(unknown)];
+      if (unknown == last || written[unknown]) continue;
+      written[unknown] = 1;
       rows.begin_row(
           fmt::format("constant {} along edge ({}, {})", edge.coordinate == 0 ? 'u' : 'v',
                       from_vertex(faces, edge.half_edge), to_vertex(faces, edge.half_edge)));

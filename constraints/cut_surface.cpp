@@ -14,7 +14,7 @@ CutSurface cut_open(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
   out.mesh = std::make_shared<const SurfaceMesh>(mesh.cut_along(is_cut, &surface_vertex));
   std::vector<SeamEdge> edges;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_cut[at(h)] && mesh.opposite(h) > h) edges.push_back({h, mesh.opposite(h), turns[at(h)]});
+    if (is_cut[h] && mesh.opposite(h) > h) edges.push_back({h, mesh.opposite(h), turns[h]});
   out.seams = std::make_shared<const Seams>(out.mesh->faces(), std::move(surface_vertex),
                                             std::move(edges), std::move(quarter_turns));
   return out;

@@ -49,7 +49,7 @@ Vec LocalInjectivity::certify(VecIn x, std::vector<long>* proven) const {
   require_enough("LocalInjectivity: x", x.size(), unknowns());
   const Index count = space_->element_count();
   Vec bounds(count);
-  std::vector<int> depths(proven ? at(count) : 0, -1);
+  std::vector<int> depths(proven ? to_size(count) : 0, -1);
   ParallelErrors errors;
 #pragma omp parallel for schedule(static) if (count >= kParallelElements)
   for (Index e = 0; e < count; ++e)
@@ -57,11 +57,11 @@ Vec LocalInjectivity::certify(VecIn x, std::vector<long>* proven) const {
       const PositivityProof proof = space_->certify(e, x, max_depth_);
       const bool certified = proof.result == ProofStatus::Proven;
       bounds[e] = (certified ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / rest_det_[e];
-      if (certified && proven) depths[at(e)] = std::min(proof.depth, max_depth_);
+      if (certified && proven) depths[e] = std::min(proof.depth, max_depth_);
     });
   errors.rethrow();
   for (const int depth : depths)
-    if (depth >= 0) ++(*proven)[at(depth)];
+    if (depth >= 0) ++(*proven)[depth];
   return bounds;
 }
 
@@ -69,7 +69,7 @@ Vec LocalInjectivity::lower_bounds(VecIn x) const { return certify(x, nullptr); 
 
 Verdict LocalInjectivity::check(VecIn x) const {
   Verdict verdict;
-  verdict.proven.resize(at(max_depth_) + 1);
+  verdict.proven.resize(to_size(max_depth_) + 1);
   const Vec bounds = certify(x, &verdict.proven);
   verdict.margin = std::numeric_limits<double>::infinity();
   for (Index e = 0; e < bounds.size(); ++e) {
@@ -136,7 +136,7 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
 AngleSums::AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices which,
                      std::shared_ptr<const Seams> seams)
     : space_(given("AngleSums: the space", std::move(space))), which_(which) {
-  const auto count = at(space_->vertex_count());
+  const auto count = to_size(space_->vertex_count());
   if (seams && !seams->quarter_turns().empty()) {  // cones may lie on no cut
     require_size("AngleSums: the seams' list of vertices",
                  static_cast<Index>(seams->surface_vertex().size()), space_->vertex_count());
@@ -148,7 +148,7 @@ AngleSums::AngleSums(std::shared_ptr<const BezierTriangleSpace> space, Vertices 
   std::iota(vertex_of_.begin(), vertex_of_.end(), 0);
   quarter_turns_.assign(count, 4);
   for (const Index node : space_->boundary_nodes())
-    if (at(node) < count) quarter_turns_[at(node)] = 0;
+    if (to_size(node) < count) quarter_turns_[node] = 0;
 }
 
 Verdict AngleSums::check(VecIn x) const {
@@ -161,13 +161,13 @@ Verdict AngleSums::check(VecIn x) const {
   };
   Vec total = Vec::Zero(static_cast<Index>(quarter_turns_.size()));
   for (Index v = 0; v < sums.size(); ++v) {
-    const Index surface = vertex_of_[at(v)];
+    const Index surface = vertex_of_[v];
     total[surface] += sums[v];
-    if (which_ == Vertices::Boundary && quarter_turns_[at(surface)] == 0)
+    if (which_ == Vertices::Boundary && quarter_turns_[surface] == 0)
       hold(v, kTwoPi + kTolerance - sums[v]);
   }
   for (Index v = 0; v < total.size() && which_ == Vertices::Interior; ++v) {
-    const int turns = quarter_turns_[at(v)];
+    const int turns = quarter_turns_[v];
     if (turns != 0) hold(v, kTolerance - std::abs(total[v] - turns * kTwoPi / 4));
   }
   verdict.feasible = verdict.blocking.empty();

@@ -35,13 +35,13 @@ struct NodePair {
 // The pairs of nodes that a chain joins, each once.
 std::vector<std::vector<NodePair>> pairs_by_chain(const BezierTriangleSpace& space,
                                                   const Seams& seams) {
-  std::vector<std::vector<NodePair>> pairs(at(seams.chain_count()));
+  std::vector<std::vector<NodePair>> pairs(to_size(seams.chain_count()));
   for (std::size_t e = 0; e < seams.edges().size(); ++e) {
     const SeamEdge& edge = seams.edges()[e];
     const std::vector<Index> a = edge_nodes(space, edge.side);
     const std::vector<Index> b = edge_nodes(space, edge.opposite);
     for (std::size_t i = 0; i < a.size(); ++i)
-      pairs[at(edge.chain)].push_back({a[i], b[a.size() - 1 - i], static_cast<Index>(e)});
+      pairs[edge.chain].push_back({a[i], b[a.size() - 1 - i], static_cast<Index>(e)});
   }
   const auto key = [](const NodePair& p) { return std::pair(p.side, p.opposite); };
   for (auto& list : pairs) {
@@ -65,11 +65,11 @@ SeamlessConstraint::SeamlessConstraint(std::shared_ptr<const BezierTriangleSpace
 
 void SeamlessConstraint::append_rows(ConstraintRows& rows) const {
   rows.expect_nodes(2, "SeamlessConstraint", "it is a constraint of maps to the plane");
-  const auto surface_vertex = [&](Index cut) { return seams_->surface_vertex()[at(cut)]; };
+  const auto surface_vertex = [&](Index cut) { return seams_->surface_vertex()[cut]; };
   for (const auto& pairs : pairs_by_chain(*space_, *seams_)) {
     const Index half_translation[2] = {rows.add_auxiliary(), rows.add_auxiliary()};
     for (const NodePair& p : pairs) {
-      const SeamEdge& edge = seams_->edges()[at(p.edge)];
+      const SeamEdge& edge = seams_->edges()[p.edge];
       for (int c = 0; c < 2; ++c) {
         const Turned t = turned(edge.turns, c);
         rows.begin_row(fmt::format("{} of the seam at edge ({}, {})", c == 0 ? 'u' : 'v',
@@ -86,13 +86,12 @@ void SeamlessConstraint::append_rows(ConstraintRows& rows) const {
 
 std::vector<Index> boundary_nodes(const BezierTriangleSpace& space, const Seams& seams) {
   if (seams.empty()) return space.boundary_nodes();
-  std::vector<char> is_seam(at(3 * space.element_count()), 0);
-  for (const SeamEdge& edge : seams.edges())
-    is_seam[at(edge.side)] = is_seam[at(edge.opposite)] = 1;
+  std::vector<char> is_seam(to_size(3 * space.element_count()), 0);
+  for (const SeamEdge& edge : seams.edges()) is_seam[edge.side] = is_seam[edge.opposite] = 1;
   const std::vector<Index> opposite = opposite_half_edges(space.faces());
   std::vector<Index> nodes;
   for (Index h = 0; h < static_cast<Index>(opposite.size()); ++h) {
-    if (opposite[at(h)] >= 0 || is_seam[at(h)]) continue;
+    if (opposite[h] >= 0 || is_seam[h]) continue;
     for (const Index node : edge_nodes(space, h)) nodes.push_back(node);
   }
   std::sort(nodes.begin(), nodes.end());

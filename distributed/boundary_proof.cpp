@@ -6,20 +6,20 @@
 namespace majorant {
 
 BoundaryOrder::BoundaryOrder(const SurfaceMesh& mesh, const std::vector<int>& rank_of_face) {
-  std::vector<Index> counts, place(at(mesh.half_edge_count()), -1);
-  std::vector<Index> leaving(at(mesh.vertex_count()), -1);
+  std::vector<Index> counts, place(to_size(mesh.half_edge_count()), -1);
+  std::vector<Index> leaving(to_size(mesh.vertex_count()), -1);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     if (mesh.opposite(h) >= 0) continue;
-    const auto rank = static_cast<std::size_t>(rank_of_face[at(h / 3)]);
+    const auto rank = static_cast<std::size_t>(rank_of_face[h / 3]);
     if (counts.size() <= rank) counts.resize(rank + 1);
-    place[at(h)] = counts[rank]++;
-    leaving[at(mesh.from_vertex(h))] = h;
+    place[h] = counts[rank]++;
+    leaving[mesh.from_vertex(h)] = h;
   }
   for (const std::vector<Index>& vertices : mesh.boundary_loops()) {
     std::vector<Place>& loop = loops_.emplace_back();
     for (const Index v : vertices) {
-      const Index h = leaving[at(v)];
-      loop.push_back({rank_of_face[at(h / 3)], place[at(h)], h});
+      const Index h = leaving[v];
+      loop.push_back({rank_of_face[h / 3], place[h], h});
     }
   }
 }
@@ -39,7 +39,7 @@ GlobalInjectivity prove_boundary(const MeshPart& part, const BezierMap& map,
     std::vector<Index> half_edges;
     for (const BoundaryOrder::Place& p : loop) {
       const double* points =
-          curves_of[static_cast<std::size_t>(p.rank)].data() + at(p.place) * size;
+          curves_of[static_cast<std::size_t>(p.rank)].data() + to_size(p.place) * size;
       PlanarCurve curve;
       curve.degree = map.degree();
       for (std::size_t k = 0; 2 * k < size; ++k)

@@ -102,7 +102,7 @@ CheckpointFile read_fitting(const std::string& path, const MapRequest& request, 
       throw Error(ErrorKind::Unreadable,
                   fmt::format("{}: {}; ask for the same, or start anew without --resume", path,
                               difference(key, told.at(key.c_str()), asked)));
-  // What a file of this surface and these wishes must say, too.
+  // What a file of this surface and these asked must say, too.
   constexpr auto kMany = std::numeric_limits<std::int64_t>::max();
   header.integer("vertices", job.mesh->vertex_count(), job.mesh->vertex_count());
   header.integer("faces", job.mesh->face_count(), job.mesh->face_count());

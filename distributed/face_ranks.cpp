@@ -15,7 +15,7 @@ void divide_on_one_thread() { setenv("SCOTCH_PTHREAD_NUMBER", "1", 1); }
 
 // The dual graph on rank 0: a row a face, an entry a neighbour across an edge.
 std::vector<int> face_ranks(const SurfaceMesh& mesh, int count) {
-  std::vector<int> ranks(at(mesh.face_count()), 0);
+  std::vector<int> ranks(to_size(mesh.face_count()), 0);
   if (count == 1) return ranks;
   if (mesh.face_count() <= count) {  // one each; others have none
     for (std::size_t f = 0; f < ranks.size(); ++f) ranks[f] = static_cast<int>(f);

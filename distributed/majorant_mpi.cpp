@@ -34,8 +34,8 @@
 #include "apps/streams.h"
 #include "distributed/boundary_proof.h"
 #include "distributed/checkpoint_request.h"
-#include "distributed/internal/agree.h"
 #include "distributed/internal/part_data.h"
+#include "distributed/internal/rethrow_collectively.h"
 #include "distributed/parametrize_parts.h"
 #include "distributed/parts_report.h"
 #include "distributed/petsc_solver.h"
@@ -254,9 +254,9 @@ class SharedJob {
 
   int conclude(const PartResult& result, const GlobalInjectivity& proof) {
     job_.energy = request_.map.energy;
-    job_.wishes = request_.map.to_json();
-    job_.wishes.update(request_.solve.to_json());
-    job_.wishes.update(request_.checkpoint.to_json());
+    job_.asked = request_.map.to_json();
+    job_.asked.update(request_.solve.to_json());
+    job_.asked.update(request_.checkpoint.to_json());
     job_.linear_solver = linear_solver_section(request_.linear_solver, own_solver(), *ladder_);
     PartsRun run{job_,
                  *part_,

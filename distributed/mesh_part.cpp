@@ -58,15 +58,15 @@ class Division {
   Division(const SurfaceMesh& mesh, const std::vector<int>& rank_of_face, int count)
       : mesh_(mesh),
         rank_(rank_of_face),
-        is_cut_(at(mesh.half_edge_count()), 0),
+        is_cut_(to_size(mesh.half_edge_count()), 0),
         cut_([&] {
           for (Index h = 0; h < mesh.half_edge_count(); ++h)
-            is_cut_[at(h)] = mesh.opposite(h) >= 0 && rank(h) != rank(mesh.opposite(h));
+            is_cut_[h] = mesh.opposite(h) >= 0 && rank(h) != rank(mesh.opposite(h));
           return mesh.cut_along(is_cut_, &surface_vertex_);
         }()),
         pieces_(static_cast<std::size_t>(count)),
-        local_face_(at(mesh.face_count())),
-        local_vertex_(at(cut_.vertex_count())) {
+        local_face_(to_size(mesh.face_count())),
+        local_vertex_(to_size(cut_.vertex_count())) {
     number();
     share_vertices();
     share_edges();
@@ -76,8 +76,8 @@ class Division {
   std::vector<double> rest_triangles(int rank) const {
     std::vector<double> list;
     for (const RestTriangle& t : mesh_.rest_triangles()) {
-      if (rank_[at(t.face)] != rank) continue;
-      list.push_back(local_face_[at(t.face)]);
+      if (rank_[t.face] != rank) continue;
+      list.push_back(local_face_[t.face]);
       for (const Vector2& corner : t.corners) list.insert(list.end(), {corner.x(), corner.y()});
     }
     return list;
@@ -93,16 +93,16 @@ class Division {
     std::vector<Index> vertex, face_vertices, input_vertex, input_face, boundary, half_edges;
     std::vector<double> positions;
     for (std::size_t v = 0; v < piece.vertices.size(); ++v) {
-      const Index surface = surface_vertex_[at(piece.vertices[v])];
+      const Index surface = surface_vertex_[piece.vertices[v]];
       vertex.push_back(surface);
       input_vertex.push_back(mesh_.input_vertex(surface));
-      if (on_boundary[at(surface)]) boundary.push_back(static_cast<Index>(v));
+      if (on_boundary[surface]) boundary.push_back(static_cast<Index>(v));
       for (const double x : mesh_.positions().row(surface)) positions.push_back(x);
     }
     for (const Index f : piece.faces) {
       input_face.push_back(mesh_.input_face(f));
       for (Index k = 0; k < 3; ++k) {
-        face_vertices.push_back(local_vertex_[at(cut_.faces()(f, k))]);
+        face_vertices.push_back(local_vertex_[cut_.faces()(f, k)]);
         if (mesh_.opposite(3 * f + k) < 0) half_edges.push_back(local(3 * f + k));
       }
     }
@@ -127,27 +127,27 @@ class Division {
   }
 
  private:
-  int rank(Index half_edge) const { return rank_[at(half_edge / 3)]; }
+  int rank(Index half_edge) const { return rank_[half_edge / 3]; }
   Piece& piece(int rank) { return pieces_[static_cast<std::size_t>(rank)]; }
-  Index local(Index half_edge) const { return 3 * local_face_[at(half_edge / 3)] + half_edge % 3; }
+  Index local(Index half_edge) const { return 3 * local_face_[half_edge / 3] + half_edge % 3; }
 
   void number() {
     rank_of_vertex_.assign(local_vertex_.size(), 0);
     for (Index f = 0; f < mesh_.face_count(); ++f) {
-      Piece& p = piece(rank_[at(f)]);
-      local_face_[at(f)] = static_cast<Index>(p.faces.size());
+      Piece& p = piece(rank_[f]);
+      local_face_[f] = static_cast<Index>(p.faces.size());
       p.faces.push_back(f);
-      for (Index k = 0; k < 3; ++k) rank_of_vertex_[at(cut_.faces()(f, k))] = rank_[at(f)];
+      for (Index k = 0; k < 3; ++k) rank_of_vertex_[cut_.faces()(f, k)] = rank_[f];
     }
     order_.resize(local_vertex_.size());
     std::iota(order_.begin(), order_.end(), 0);
     std::sort(order_.begin(), order_.end(), [&](Index a, Index b) {
-      return std::make_tuple(surface_vertex_[at(a)], rank_of_vertex_[at(a)], a) <
-             std::make_tuple(surface_vertex_[at(b)], rank_of_vertex_[at(b)], b);
+      return std::make_tuple(surface_vertex_[a], rank_of_vertex_[a], a) <
+             std::make_tuple(surface_vertex_[b], rank_of_vertex_[b], b);
     });
     for (const Index v : order_) {
-      Piece& p = piece(rank_of_vertex_[at(v)]);
-      local_vertex_[at(v)] = static_cast<Index>(p.vertices.size());
+      Piece& p = piece(rank_of_vertex_[v]);
+      local_vertex_[v] = static_cast<Index>(p.vertices.size());
       p.vertices.push_back(v);
     }
   }
@@ -156,20 +156,20 @@ class Division {
   void share_vertices() {
     Index owner = -1;
     for (const Index v : order_) {
-      if (owner < 0 || surface_vertex_[at(v)] != surface_vertex_[at(owner)]) {
+      if (owner < 0 || surface_vertex_[v] != surface_vertex_[owner]) {
         owner = v;
         continue;
       }
-      const int mine = rank_of_vertex_[at(owner)], other = rank_of_vertex_[at(v)];
-      piece(mine).border(other).owned.push_back(local_vertex_[at(owner)]);
-      piece(other).border(mine).copies.push_back(local_vertex_[at(v)]);
+      const int mine = rank_of_vertex_[owner], other = rank_of_vertex_[v];
+      piece(mine).border(other).owned.push_back(local_vertex_[owner]);
+      piece(other).border(mine).copies.push_back(local_vertex_[v]);
     }
   }
 
   void share_edges() {
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
       const Index o = mesh_.opposite(h);
-      if (!is_cut_[at(h)] || o < h) continue;
+      if (!is_cut_[h] || o < h) continue;
       piece(rank(h)).border(rank(o)).half_edges.push_back(local(h));
       piece(rank(o)).border(rank(h)).half_edges.push_back(local(o));
     }

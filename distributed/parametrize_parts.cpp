@@ -10,10 +10,10 @@
 #include "distributed/internal/angles_of_parts.h"
 #include "distributed/internal/start_of_part.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/drive/internal/degree_schedule.h"
-#include "majorant/parametrization/drive/internal/valid_options.h"
 #include "majorant/parametrization/maps/measure.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/parametrization/solve/internal/degree_schedule.h"
+#include "majorant/parametrization/solve/internal/valid_options.h"
 
 namespace majorant {
 namespace {

@@ -65,7 +65,7 @@ Json parts_report(const PartsRun& run) {
             {"vertices", part.whole.vertices},
             {"edges", part.whole.edges},
             {"faces", part.whole.faces}}},
-          {"options", run.job.wishes},
+          {"options", run.job.asked},
           {"result", result_section(run, nodes->global_size() / 2)},
           {"iterations", iterations_section(run.job.record.trace())},
           {"injectivity_tests", {{"depth", r.injectivity_tests}}},
@@ -90,12 +90,12 @@ std::string parts_claims(const PartsRun& run) {
                                     {"degree", run.result.map->degree()},
                                     {"energy", run.job.energy},
                                     {"value", run.result.measures.value},
-                                    {"boundary", run.job.wishes["boundary"]},
+                                    {"boundary", run.job.asked["boundary"]},
                                     {"init", run.start},
                                     {"seams", false},
                                     {"bijective", false},
                                     {"cuts", Json::array()},
-                                    {"options", run.job.wishes}}));
+                                    {"options", run.job.asked}}));
 }
 
 }  // namespace majorant

@@ -51,13 +51,13 @@ class MpiRanks final : public Ranks {
     MPI_Bcast(bytes.data(), message_size(bytes.size()), MPI_BYTE, 0, PETSC_COMM_WORLD);
   }
 
-  void exchange(std::span<const Parcel> sent, std::span<const Parcel> received) const override {
+  void exchange(std::span<const Message> sent, std::span<const Message> received) const override {
     std::vector<MPI_Request> requests(sent.size() + received.size());
     auto request = requests.begin();
-    for (const Parcel& p : received)
+    for (const Message& p : received)
       MPI_Irecv(p.values.data(), message_size(p.values.size()), MPI_DOUBLE, p.rank, kTag,
                 PETSC_COMM_WORLD, &*request++);
-    for (const Parcel& p : sent)
+    for (const Message& p : sent)
       MPI_Isend(p.values.data(), message_size(p.values.size()), MPI_DOUBLE, p.rank, kTag,
                 PETSC_COMM_WORLD, &*request++);
     MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);

@@ -4,7 +4,7 @@
 //     const std::shared_ptr<const Ranks> ranks = processes.ranks();
 //     if (failed) processes.abort(2);                // ends all of them
 //
-// The only room that includes headers of MPI and PETSc; they are in its source files.
+// The only module that includes headers of MPI and PETSc; they are in its source files.
 #pragma once
 
 #include <memory>

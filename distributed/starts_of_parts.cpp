@@ -6,13 +6,13 @@
 
 #include "distributed/internal/part_data.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/drive/internal/free_scale.h"
-#include "majorant/parametrization/drive/internal/parametrize_by.h"
-#include "majorant/parametrization/drive/internal/reach_pins.h"
-#include "majorant/parametrization/starts/internal/filled_holes.h"
-#include "majorant/parametrization/starts/internal/mean_of_neighbours.h"
-#include "majorant/parametrization/starts/internal/room.h"
-#include "majorant/parametrization/starts/tutte.h"
+#include "majorant/parametrization/initialization/internal/area_margin.h"
+#include "majorant/parametrization/initialization/internal/filled_holes.h"
+#include "majorant/parametrization/initialization/internal/tutte_system.h"
+#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/solve/internal/free_scale.h"
+#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "majorant/parametrization/solve/internal/pin_homotopy.h"
 
 namespace majorant {
 namespace {
@@ -28,8 +28,8 @@ constexpr double kTutteTolerance = 1e-12;
 // boundary: rank 0's, 2 numbers per vertex of the whole surface, that of `part`.
 Vec mean_map(const MeshPart& part, const Vec& boundary, LinearSolver& solver) {
   Vec x = of_vertices(part, boundary, 2);
-  std::vector<char> held(at(part.mesh->vertex_count()), 0);
-  for (const Index v : part.boundary_vertices) held[at(v)] = 1;
+  std::vector<char> held(to_size(part.mesh->vertex_count()), 0);
+  for (const Index v : part.boundary_vertices) held[v] = 1;
   const MeanOfNeighbours means(part.mesh->faces(), held);
   const Partition partition = part.vertices().part(means.vertices());
   if (partition.global_size() == 0) return x;
@@ -75,7 +75,7 @@ TutteOfParts tutte_of_parts(const MeshPart& part, const SurfaceMesh* whole,
                     : mean_map(part, boundary, *solver());
   const Cells& faces = part.mesh->faces();
   result.on_one_rank =
-      part.ranks().any(faces.rows() > 0 && faces_without_room(faces, result.uv) > 0);
+      part.ranks().any(faces.rows() > 0 && faces_without_area_margin(faces, result.uv) > 0);
   if (result.on_one_rank) result.uv = of_vertices(part, whole ? tutte_map(*whole) : Vec(), 2);
   return result;
 }
@@ -94,7 +94,7 @@ bool led_to_pins(const MeshPart& part, const std::shared_ptr<const SurfaceMesh>&
     moves = !meets_pins(start, options.map.pins);
     if (moves) {
       require_scale(options.map, start);
-      led = reach_pins(start, options.map, options.solve, pin_solver(record), record)
+      led = pin_homotopy(start, options.map, options.solve, pin_solver(record), record)
                 .control_points();
     }
   }

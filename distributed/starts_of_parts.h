@@ -1,5 +1,5 @@
-// Where a map in parts starts: Tutte's map (parametrization/starts/tutte.h), solved by all ranks
-// together, and its way to pins that are elsewhere.
+// Where a map in parts starts: Tutte's map (parametrization/initialization/tutte.h), solved by all
+// ranks together, and its way to pins that are elsewhere.
 //
 //     TutteOfParts tutte = tutte_of_parts(part, whole_mesh, linear_solver);
 //     led_to_pins(part, whole_mesh, tutte.uv, whole_options, record);
@@ -7,7 +7,7 @@
 
 #include "distributed/mesh_part.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {
 
@@ -25,10 +25,10 @@ TutteOfParts tutte_of_parts(const MeshPart& part, const SurfaceMesh* whole,
                             const SolverFactory& solver);
 
 // The start `uv` of this part moved to where the pins are met. That takes maps of degree 1 that are
-// pulled there and proven valid, which rank 0 makes alone, as one process does (reach_pins.h):
+// pulled there and proven valid, which rank 0 makes alone, as one process does (pin_homotopy.h):
 // nothing is done where the start meets its pins. whole, options: rank 0's, of the whole surface;
 // its pins and handles have targets afterwards. Whether the start has moved. Collective. Throws
-// Error on rank 0 as reach_pins().
+// Error on rank 0 as pin_homotopy().
 bool led_to_pins(const MeshPart& part, const std::shared_ptr<const SurfaceMesh>& whole, Vec& uv,
                  ParametrizationOptions& options, RunRecord& record);
 

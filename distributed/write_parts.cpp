@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "distributed/internal/agree.h"
 #include "distributed/internal/collect.h"
+#include "distributed/internal/rethrow_collectively.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/pvtu.h"
@@ -72,7 +72,7 @@ void together(const Ranks& ranks, const Work& work) {
   } catch (...) {
     failure = std::current_exception();
   }
-  agree(ranks, failure);
+  rethrow_collectively(ranks, failure);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace majorant {
 // name before all are complete: on a full disk an earlier map stays as it was. From then on there
 // is no OUT.pvtu until the last piece has its name; pieces that an earlier one named, of more
 // ranks, are gone. Throws on all ranks where one fails: what it failed at there, FailedElsewhere on
-// the others (internal/agree.h).
+// the others (internal/rethrow_collectively.h).
 void write_parts(const std::string& path, const MeshPart& part, const PartResult& result,
                  const std::string& claims);
 

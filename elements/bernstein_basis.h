@@ -29,8 +29,8 @@ class BernsteinBasis {
   const Factors& factors() const { return factors_; }
   int coordinate_count() const { return coordinates_; }
   int count() const { return static_cast<int>(functions_.size()); }
-  const Exponents& exponents(int k) const { return functions_[at(k)]; }
-  double weight(int k) const { return weights_[at(k)]; }
+  const Exponents& exponents(int k) const { return functions_[k]; }
+  double weight(int k) const { return weights_[k]; }
   int find(const Exponents& e) const;  // -1 when no function has these exponents
   // The function that is 1 at a corner of the cell and whose coefficient is the value there.
   bool is_corner(int k) const;

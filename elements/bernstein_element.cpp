@@ -41,7 +41,8 @@ int BernsteinElement::coordinate_count() const {
 std::vector<Exponents> BernsteinElement::functions(const Degrees& of) const {
   std::vector<Exponents> out = lattice(of);
   std::size_t expected = 1;
-  for (std::size_t f = 0; f < of.size(); ++f) expected *= at(function_count(factors[f], of[f]));
+  for (std::size_t f = 0; f < of.size(); ++f)
+    expected *= to_size(function_count(factors[f], of[f]));
   const bool all = std::all_of(out.begin(), out.end(),
                                [&](const Exponents& e) { return has_degrees(factors, of, e); });
   if (!all || out.size() != expected || std::set(out.begin(), out.end()).size() != expected)
@@ -60,13 +61,13 @@ double BernsteinElement::measure() const {
 
 int BernsteinElement::factor_of(int coordinate) const {
   int factor = 0;
-  while (coordinate >= factors[at(factor)]) coordinate -= factors[at(factor++)];
+  while (coordinate >= factors[factor]) coordinate -= factors[factor++];
   return factor;
 }
 
 Degrees BernsteinElement::lowered(int factor) const {
   Degrees d = degrees();
-  --d[at(factor)];
+  --d[factor];
   return d;
 }
 

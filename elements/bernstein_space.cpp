@@ -27,7 +27,7 @@ const BernsteinElement& checked(const BernsteinElement& element) {
 }
 
 std::size_t local_size(const BernsteinSpace& space) {
-  return at(space.reference_dim() * space.nodes_per_element());
+  return to_size(space.reference_dim() * space.nodes_per_element());
 }
 
 // store(i, k): number i of element e (D per local node) is unknown k.
@@ -47,7 +47,7 @@ double largest_step_in(const BernsteinSpace& space, const DetCoefficients& coeff
                        const Subdivision& subdivision, Index e, VecIn x, VecIn d, double s,
                        int max_depth) {
   SmallBuffer<StepPolynomial<1>, 128> c(local_size(space));
-  SmallBuffer<StepPolynomial<K>, 128> det(at(coefficients.count()));
+  SmallBuffer<StepPolynomial<K>, 128> det(to_size(coefficients.count()));
   gather(space, e, [&, at = c.data()](int i, Index k) { at[i] = {{x[k], d[k]}}; });
   coefficients.along_line(c.data(), det.data());
   return largest_positive_step(subdivision, det.data(), s, max_depth);
@@ -142,7 +142,7 @@ PositivityProof BernsteinSpace::certify(Index e, VecIn x, int max_depth) const {
     coefficients.minor_with_error(c, &det, &error);
     if (det - error > 0) return {ProofStatus::Proven, det - error, 0};
   }
-  const std::size_t size = local_size(*this), count = at(coefficients.count());
+  const std::size_t size = local_size(*this), count = to_size(coefficients.count());
   Scratch c(size), det(count), error(count);
   gather(*this, e, [at = c.data(), &x](int i, Index k) { at[i] = x[k]; });
   if (!std::all_of(c.data(), c.data() + size, [](double v) { return std::isfinite(v); }))

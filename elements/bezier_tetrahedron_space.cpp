@@ -15,7 +15,7 @@ void append_vtk_order(int n, int shift, std::vector<Exponents>& out) {
   if (n < 1) return;
   const auto push = [&](std::array<std::array<int, 2>, 3> terms) {
     Exponents e = base;
-    for (const auto& [coordinate, exponent] : terms) e[at(coordinate)] += exponent;
+    for (const auto& [coordinate, exponent] : terms) e[coordinate] += exponent;
     out.push_back(e);
   };
   for (int c = 0; c < 4; ++c) push({{{c, n}}});

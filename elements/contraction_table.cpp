@@ -21,14 +21,14 @@ std::vector<Direction> directions(const BernsteinElement& element) {
   if (element.factors.size() == 1) {  // barycentric: every recombination is a single term
     for (int c = 0; c <= dim; ++c) out.push_back({{{c, 1.0}}, Eigen::RowVectorXd::Zero(dim)});
     for (int d = 0; d < dim; ++d) {
-      const auto [plus, minus] = element.derivatives[at(d)];
-      out[at(plus)].gamma[d] += 1;
-      out[at(minus)].gamma[d] -= 1;
+      const auto [plus, minus] = element.derivatives[d];
+      out[plus].gamma[d] += 1;
+      out[minus].gamma[d] -= 1;
     }
     return out;
   }
   for (int d = 0; d < dim; ++d) {
-    const auto [plus, minus] = element.derivatives[at(d)];
+    const auto [plus, minus] = element.derivatives[d];
     out.push_back({{{plus, 1.0}, {minus, -1.0}}, Eigen::RowVectorXd::Unit(dim, d)});
   }
   return out;
@@ -62,13 +62,13 @@ RowMatrix values_at(const BernsteinBasis& basis, const Quadrature& rule) {
 using Lowered = std::vector<std::vector<std::vector<GradientEntry>>>;
 Lowered fill_gradient(const BernsteinBasis& nodes, const BernsteinBasis& first,
                       const std::vector<Direction>& dirs, ContractionTable& table) {
-  Lowered out(at(nodes.count()));
+  Lowered out(to_size(nodes.count()));
   for (int i = 0; i < nodes.count(); ++i)
     for (int a = 0; a < static_cast<int>(dirs.size()); ++a) {
-      auto& entries = out[at(i)].emplace_back();
-      for (const auto& [coordinate, sign] : dirs[at(a)].terms) {
+      auto& entries = out[i].emplace_back();
+      for (const auto& [coordinate, sign] : dirs[a].terms) {
         Exponents e = nodes.exponents(i);
-        const int exponent = e[at(coordinate)]--;
+        const int exponent = e[coordinate]--;
         if (exponent == 0) continue;
         const int k = first.find(e);
         entries.push_back({i, a, k, sign * nodes.weight(i) * exponent / first.weight(k)});
@@ -78,18 +78,20 @@ Lowered fill_gradient(const BernsteinBasis& nodes, const BernsteinBasis& first,
   return out;
 }
 
-void fill_hessian(const BernsteinBasis& first, const BernsteinBasis& moment, const Lowered& lowered,
-                  ContractionTable& table) {
+void fill_hessian(const BernsteinBasis& first, const BernsteinBasis& gradient_product,
+                  const Lowered& lowered, ContractionTable& table) {
   table.pair_starts.push_back(0);
   for (std::size_t i = 0; i < lowered.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j) {
       const auto add = [&](const GradientEntry& g, const GradientEntry& h) {
-        const int m = moment.find(sum_of(first.exponents(g.first), first.exponents(h.first)));
-        const double value = g.coefficient * h.coefficient * first.weight(g.first) *
-                             first.weight(h.first) / moment.weight(m);
+        const int m = gradient_product.find(
+            sum_of(first.exponents(g.shape_gradient), first.exponents(h.shape_gradient)));
+        const double value = g.coefficient * h.coefficient * first.weight(g.shape_gradient) *
+                             first.weight(h.shape_gradient) / gradient_product.weight(m);
         const auto begin = table.hessian.begin() + table.pair_starts.back();
         const auto same = std::find_if(begin, table.hessian.end(), [&](const HessianEntry& q) {
-          return q.direction_i == g.direction && q.direction_j == h.direction && q.moment == m;
+          return q.direction_i == g.direction && q.direction_j == h.direction &&
+                 q.gradient_product == m;
         });
         if (same != table.hessian.end())
           same->coefficient += value;
@@ -118,16 +120,16 @@ ContractionTable contraction_table(const BernsteinElement& element, const Quadra
       for (std::size_t k = 0; k < lowered[g].size(); ++k) products.back()[k] += lowered[g][k];
     }
   const BernsteinBasis nodes = element.basis(element.degrees()), first = union_of(element, lowered),
-                       moment = union_of(element, products);
+                       gradient_product = union_of(element, products);
   ContractionTable table;
   table.nodes = nodes.count();
   table.directions.resize(static_cast<Index>(dirs.size()), element.dim());
   for (std::size_t a = 0; a < dirs.size(); ++a)
     table.directions.row(static_cast<Index>(a)) = dirs[a].gamma;
   table.weights = rule.weights;
-  table.first = values_at(first, rule);
-  table.moment = values_at(moment, rule);
-  fill_hessian(first, moment, fill_gradient(nodes, first, dirs, table), table);
+  table.shape_gradient = values_at(first, rule);
+  table.gradient_product = values_at(gradient_product, rule);
+  fill_hessian(first, gradient_product, fill_gradient(nodes, first, dirs, table), table);
   return table;
 }
 

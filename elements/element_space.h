@@ -18,15 +18,15 @@ namespace majorant {
 //
 // Derivatives are taken in directions gamma_a of the reference element (for Bezier triangles the
 // three barycentric ones, which makes every recombination a single term). With basis functions B_i:
-//     d_a B_i       = sum_k  G[i,a,k]    first_k     (`gradient` list, `first` table)
-//     d_a B_i d_b B_j = sum_m H[i,a,j,b,m] moment_m  (`hessian` list, `moment` table)
-// so the sums over quadrature points are moments, and basis pairs appear only afterwards.
+//     d_a B_i       = sum_k  G[i,a,k]    shape_gradient_k     (`gradient` list)
+//     d_a B_i d_b B_j = sum_m H[i,a,j,b,m] gradient_product_m  (`hessian` list, `gradient_product` table)
+// so the sums over quadrature points are gradient_products, and basis pairs appear only afterwards.
 struct ContractionTable {
-  int nodes = 0;         // per element
-  RowMatrix directions;  // a row each, by reference coordinate: gamma_a
-  Vec weights;           // L
-  RowMatrix first;       // L by N1
-  RowMatrix moment;      // L by Nm
+  int nodes = 0;               // per element
+  RowMatrix directions;        // a row each, by reference coordinate: gamma_a
+  Vec weights;                 // L
+  RowMatrix shape_gradient;    // L by N1
+  RowMatrix gradient_product;  // L by Nm
   std::vector<GradientEntry> gradient;
   // Entries of node pair (i, j), j <= i, are [pair_starts[p], pair_starts[p+1]), p = i(i+1)/2 + j.
   std::vector<HessianEntry> hessian;

@@ -18,7 +18,7 @@ Cells corners_of_triangles(const BezierTriangleSpace& space) {
     for (int j = n - 1 - i; j >= 0; --j, ++t)
       for (int k = 0; k < 3; ++k) {
         Exponents e{i, j, n - 1 - i - j};
-        ++e[at(k)];
+        ++e[k];
         corners(t, k) = space.basis().find(e);
       }
   return corners;

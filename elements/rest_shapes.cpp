@@ -145,7 +145,7 @@ RowMatrix tabulate_rest(const RestShapes& rest, const ElementSpace& space,
   for (Eigen::Index l = 0; l < points; ++l) {
     Eigen::MatrixXd tangents = Eigen::MatrixXd::Zero(rest.nodes.cols(), rest.dim);
     for (const GradientEntry& g : table.gradient)
-      tangents += g.coefficient * table.first(l, g.first) *
+      tangents += g.coefficient * table.shape_gradient(l, g.shape_gradient) *
                   rest.nodes.row(space.cells()(e, g.node)).transpose() *
                   table.directions.row(g.direction);
     out(l, square) = invert(tangents, inverse);

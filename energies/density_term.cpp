@@ -11,7 +11,8 @@
 
 namespace majorant {
 
-static_assert(ChunkView::stride == Chunk::kMaxSize && ChunkView::stride == LocalSystem::stride);
+static_assert(BatchView::stride == ElementBatch::kMaxSize &&
+              BatchView::stride == LocalSystem::stride);
 
 DensityTerm::DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpace> space,
                          const RestShapes& rest, const std::vector<Quadrature>& rules,
@@ -44,8 +45,8 @@ DensityTerm::DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpac
   if (traits_.elements.value_or(space_->element_count()) != space_->element_count())
     refuse(fmt::format("data for {} elements, the space has {}", *traits_.elements,
                        space_->element_count()));
-  stencils_.nodes = space_->cells();
-  stencils_.block = kernels.rows;
+  element_dofs_.nodes = space_->cells();
+  element_dofs_.block = kernels.rows;
   for (const Quadrature& q : rules) {
     rules_.push_back(std::make_unique<Rule>());
     rules_.back()->quadrature = q;
@@ -61,8 +62,8 @@ const DensityTerm::Rule& DensityTerm::rule(RuleId id) const {
   Rule& r = *rules_[static_cast<std::size_t>(id)];
   std::call_once(r.built, [&] {
     r.table = space_->tabulate(r.quadrature);
-    r.weighted_first = r.table.weights.asDiagonal() * r.table.first;
-    r.weighted_moment = r.table.weights.asDiagonal() * r.table.moment;
+    r.weighted_shape_gradient = r.table.weights.asDiagonal() * r.table.shape_gradient;
+    r.weighted_gradient_product = r.table.weights.asDiagonal() * r.table.gradient_product;
     if (rest_.curved()) tabulate_curved(r);
   });
   return r;
@@ -82,28 +83,28 @@ ContractionView DensityTerm::Rule::view() const {
   ContractionView v{};
   v.nodes = table.nodes;
   v.points = static_cast<int>(table.weights.size());
-  v.first_count = static_cast<int>(table.first.cols());
-  v.moment_count = static_cast<int>(table.moment.cols());
+  v.shape_gradient_count = static_cast<int>(table.shape_gradient.cols());
+  v.gradient_product_count = static_cast<int>(table.gradient_product.cols());
   v.direction_count = static_cast<int>(table.directions.rows());
   v.gradient_count = static_cast<int>(table.gradient.size());
   v.directions = table.directions.data();
   v.weights = table.weights.data();
-  v.first = table.first.data();
-  v.weighted_first = weighted_first.data();
-  v.weighted_moment = weighted_moment.data();
+  v.shape_gradient = table.shape_gradient.data();
+  v.weighted_shape_gradient = weighted_shape_gradient.data();
+  v.weighted_gradient_product = weighted_gradient_product.data();
   v.gradient = table.gradient.data();
   v.hessian = table.hessian.data();
   v.pair_starts = table.pair_starts.data();
   return v;
 }
 
-DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const Rule& rule,
+DensityTerm::Gathered DensityTerm::gather(VecIn x, const ElementBatch& batch, const Rule& rule,
                                           const ContractionView& table, Workspace& w) const {
-  constexpr int stride = ChunkView::stride;
-  const int block = stencils_.block, rows = stencils_.local_size();
+  constexpr int stride = BatchView::stride;
+  const int block = element_dofs_.block, rows = element_dofs_.local_size();
   const int per_point = rest_.dim * rest_.dim + 1;
   const int rest_rows = rest_.curved() ? per_point * table.points : per_point;
-  const auto count = static_cast<int>(chunk.elements.size());
+  const auto count = static_cast<int>(batch.elements.size());
   const auto total =
       static_cast<std::size_t>((rows + rest_rows + 1) * stride + kernels_.scratch_size(table));
   double* memory = w.reserve(total);
@@ -111,10 +112,10 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const Rul
   double* values = rest + rest_rows * stride;
   const int padded = (count + 7) / 8 * 8;
   Index elements[stride], first[stride];  // and the unknowns that their nodes begin with
-  for (int p = 0; p < padded; ++p) elements[p] = chunk.elements[at(std::min(p, count - 1))];
+  for (int p = 0; p < padded; ++p) elements[p] = batch.elements[std::min(p, count - 1)];
   double* to = memory;
   for (int k = 0; k < rows / block; ++k) {
-    for (int p = 0; p < padded; ++p) first[p] = block * stencils_.nodes(elements[p], k);
+    for (int p = 0; p < padded; ++p) first[p] = block * element_dofs_.nodes(elements[p], k);
     for (int c = 0; c < block; ++c, to += stride)
       for (int p = 0; p < padded; ++p) to[p] = x[first[p] + c];
   }
@@ -124,7 +125,7 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const Chunk& chunk, const Rul
       to[p] = rest_.curved()       ? rule.rest(elements[p], k)
               : k == per_point - 1 ? rest_.measure[elements[p]]
                                    : rest_.inverse(elements[p], k);
-  const ChunkView view{count, chunk.elements.data(), memory, rest, rest_.curved() ? per_point : 0};
+  const BatchView view{count, batch.elements.data(), memory, rest, rest_.curved() ? per_point : 0};
   return {view, values + stride, values};
 }
 
@@ -133,23 +134,23 @@ std::shared_ptr<const void> DensityTerm::density(const TermState& state) const {
   return traits_.with_parameters(state.parameters);
 }
 
-void DensityTerm::values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
-                         std::span<double> f) const {
-  if (chunk.elements.empty()) return;
-  const Rule& tables = rule(chunk.rule);
+void DensityTerm::values(VecIn x, const ElementBatch& batch, const TermState& state,
+                         Workspace& workspace, std::span<double> f) const {
+  if (batch.elements.empty()) return;
+  const Rule& tables = rule(batch.rule);
   const ContractionView table = tables.view();
-  const Gathered g = gather(x, chunk, tables, table, workspace);
-  kernels_.values(density(state).get(), table, g.chunk, g.scratch, g.values);
-  std::copy_n(g.values, chunk.elements.size(), f.begin());
+  const Gathered g = gather(x, batch, tables, table, workspace);
+  kernels_.values(density(state).get(), table, g.batch, g.scratch, g.values);
+  std::copy_n(g.values, batch.elements.size(), f.begin());
 }
 
-void DensityTerm::local(VecIn x, const Chunk& chunk, BlendedCurvature curvature,
+void DensityTerm::local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
                         const TermState& state, Workspace& workspace, LocalSystem& out) const {
-  if (chunk.elements.empty()) return;
-  const Rule& tables = rule(chunk.rule);
+  if (batch.elements.empty()) return;
+  const Rule& tables = rule(batch.rule);
   const ContractionView table = tables.view();
-  const Gathered g = gather(x, chunk, tables, table, workspace);
-  kernels_.local(density(state).get(), table, g.chunk, curvature, g.scratch, out.value,
+  const Gathered g = gather(x, batch, tables, table, workspace);
+  kernels_.local(density(state).get(), table, g.batch, curvature, g.scratch, out.value,
                  out.gradient, out.hessian);
 }
 

@@ -40,14 +40,14 @@ class DensityTerm final : public EnergyTerm {
               std::shared_ptr<const void> density, const DensityKernels& kernels);
 
   std::string_view name() const override { return traits_.name; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature curvature) const override;
   RuleId rule_count() const override { return static_cast<RuleId>(rules_.size()); }
   const DensityTraits& traits() const { return traits_; }
   // f = measure * mean density of each element.
-  void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
+  void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
   // The density alone, at TermState{}: summed over the triangles around a vertex at v, which need
@@ -61,7 +61,7 @@ class DensityTerm final : public EnergyTerm {
     Quadrature quadrature;
     std::once_flag built;
     ContractionTable table;
-    decltype(ContractionTable::first) weighted_first, weighted_moment;
+    decltype(ContractionTable::shape_gradient) weighted_shape_gradient, weighted_gradient_product;
     RowMatrix rest;  // curved: #E by (D^2 + 1) L, inverse and measure point by point
     ContractionView view() const;
   };
@@ -69,15 +69,15 @@ class DensityTerm final : public EnergyTerm {
   std::shared_ptr<const void> density(const TermState& state) const;
   void tabulate_curved(Rule& rule) const;
   struct Gathered {
-    ChunkView chunk;
+    BatchView batch;
     double* scratch;
     double* values;  // kMaxSize, aligned
   };
-  Gathered gather(VecIn x, const Chunk& chunk, const Rule& rule, const ContractionView& table,
-                  Workspace& w) const;
+  Gathered gather(VecIn x, const ElementBatch& batch, const Rule& rule,
+                  const ContractionView& table, Workspace& w) const;
 
   DensityTraits traits_;
-  Stencils stencils_;
+  ElementDofs element_dofs_;
   RestShapes rest_;
   std::shared_ptr<const ElementSpace> space_;
   std::vector<std::unique_ptr<Rule>> rules_;

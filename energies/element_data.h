@@ -5,7 +5,7 @@
 //                             stiffness);
 //   RowMatrix fibre(mesh->face_count(), 2);                        // a std::span<const double>
 //   struct Material { double stiffness, limit; };
-//   std::vector<Material> material(at(mesh->face_count()));        // a const Material&
+//   std::vector<Material> material(to_size(mesh->face_count()));        // a const Material&
 //
 // Rows are those of the elements: for parametrize(), the faces of the mesh. They follow the faces
 // through every degree and rule, and into the charts of unwrap(). Not for what changes while
@@ -32,7 +32,7 @@ class ElementValues {
   explicit ElementValues(std::vector<T> values)
       : values_(std::make_shared<const std::vector<T>>(std::move(values))) {}
   Index size() const { return static_cast<Index>(values_->size()); }
-  decltype(auto) operator[](Index e) const { return (*values_)[at(e)]; }
+  decltype(auto) operator[](Index e) const { return (*values_)[e]; }
   // Those of some elements, in their order.
   ElementValues of(std::span<const Index> elements) const {
     std::vector<T> part;

@@ -45,14 +45,14 @@ QuadraticPenalty::QuadraticPenalty(const std::vector<LinearExpression>& rows) {
     longest = std::max(longest, row.terms.size());
   }
   const auto count = static_cast<Index>(rows.size());
-  stencils_.nodes.resize(count, static_cast<Index>(longest));
+  element_dofs_.nodes.resize(count, static_cast<Index>(longest));
   coefficients_.setZero(count, static_cast<Index>(longest));
   rhs_.resize(count);
   for (Index r = 0; r < count; ++r) {
     const LinearExpression& row = rows[static_cast<std::size_t>(r)];
-    stencils_.nodes.row(r).setConstant(row.terms.front().first);
+    element_dofs_.nodes.row(r).setConstant(row.terms.front().first);
     for (std::size_t k = 0; k < row.terms.size(); ++k) {
-      stencils_.nodes(r, static_cast<Index>(k)) = row.terms[k].first;
+      element_dofs_.nodes(r, static_cast<Index>(k)) = row.terms[k].first;
       coefficients_(r, static_cast<Index>(k)) = row.terms[k].second;
     }
     rhs_[r] = row.target;
@@ -62,24 +62,24 @@ QuadraticPenalty::QuadraticPenalty(const std::vector<LinearExpression>& rows) {
 double QuadraticPenalty::residual(VecIn x, Index row) const {
   double sum = -rhs_[row];
   for (Index k = 0; k < coefficients_.cols(); ++k)
-    sum += coefficients_(row, k) * x[stencils_.nodes(row, k)];
+    sum += coefficients_(row, k) * x[element_dofs_.nodes(row, k)];
   return sum;
 }
 
-void QuadraticPenalty::values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+void QuadraticPenalty::values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
                               std::span<double> f) const {
-  for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-    const double r = residual(x, chunk.elements[p]);
+  for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+    const double r = residual(x, batch.elements[p]);
     f[p] = r * r;
   }
 }
 
-void QuadraticPenalty::local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState&,
+void QuadraticPenalty::local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState&,
                              Workspace&, LocalSystem& out) const {
   constexpr int stride = LocalSystem::stride;
   const auto columns = static_cast<int>(coefficients_.cols());
-  for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-    const Index row = chunk.elements[p];
+  for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+    const Index row = batch.elements[p];
     const double r = residual(x, row);
     out.value[p] = r * r;
     for (int i = 0, k = 0; i < columns; ++i) {

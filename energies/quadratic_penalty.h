@@ -34,16 +34,16 @@ class QuadraticPenalty final : public EnergyTerm {
   explicit QuadraticPenalty(const Constraint& constraint);
 
   std::string_view name() const override { return "quadratic penalty"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }  // exact, constant, PSD
-  void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
+  void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
  private:
   double residual(VecIn x, Index row) const;
-  Stencils stencils_;             // short rows repeat an unknown of theirs, with coefficient 0
+  ElementDofs element_dofs_;      // short rows repeat an unknown of theirs, with coefficient 0
   Eigen::MatrixXd coefficients_;  // #rows by longest row
   Vec rhs_;
 };

@@ -29,7 +29,8 @@ namespace detail {
 // The curvature of an isotropic density from its jet.
 template <Curvature C, class Majorant, class T>
 void write_model(const Traits& traits, const Majorant& majorant, const IsotropicJet<T>& j,
-                 const T& x, const T& y, const T (&z)[4], double clamp, PointModel<T, 4>& m) {
+                 const T& x, const T& y, const T (&z)[4], double projection_weight,
+                 PointModel<T, 4>& m) {
   m.f = j.f;
   m.g[0] = j.ga * z[0];
   m.g[1] = j.ga * z[1];
@@ -38,8 +39,8 @@ void write_model(const Traits& traits, const Majorant& majorant, const Isotropic
   const bool convex = traits.convexity == Convexity::Convex;
   if constexpr (C == Curvature::Exact) {
     write_curvature(exact_coefficients(j), z, m);
-  } else if constexpr (C == Curvature::PaperMajorizer) {
-    write_curvature(paper_majorizer(j, x, y), z, m);
+  } else if constexpr (C == Curvature::CompositeMajorizer) {
+    write_curvature(composite_majorizer(j, x, y), z, m);
   } else if constexpr (C == Curvature::Reweighted) {
     write_reweighted(j, x, y, z, m);
   } else if constexpr (C == Curvature::Majorizer && !std::is_same_v<Majorant, NoMajorant>) {
@@ -47,8 +48,9 @@ void write_model(const Traits& traits, const Majorant& majorant, const Isotropic
     c.pa = c.pa + majorant(x, y);
     write_curvature(c, z, m);
   } else {  // for convex k, Projected and Majorizer agree
-    write_curvature(
-        convex ? convex_projection(j, x, T(clamp)) : general_projection(j, x, y, T(clamp)), z, m);
+    write_curvature(convex ? convex_projection(j, x, T(projection_weight))
+                           : general_projection(j, x, y, T(projection_weight)),
+                    z, m);
   }
 }
 
@@ -105,7 +107,7 @@ class IsotropicDensity : public SimilarityCoordinates {
   bool supports(Curvature curvature) const {
     const bool convex = traits.convexity == Convexity::Convex;
     if (curvature == Curvature::Majorizer) return convex || !std::is_same_v<Majorant, NoMajorant>;
-    if (curvature == Curvature::PaperMajorizer) return convex;
+    if (curvature == Curvature::CompositeMajorizer) return convex;
     if (curvature == Curvature::Reweighted) return traits.reweighting == Reweighting::Separable;
     return true;
   }
@@ -127,9 +129,9 @@ class IsotropicDensity : public SimilarityCoordinates {
     return value_at(x, y);
   }
   template <Curvature C, class T>
-  void model(const T (&z)[4], double clamp, PointModel<T, 4>& m) const {
+  void model(const T (&z)[4], double projection_weight, PointModel<T, 4>& m) const {
     const T x = z[0] * z[0] + z[1] * z[1], y = z[2] * z[2] + z[3] * z[3];
-    detail::write_model<C>(traits, majorant_, jet_at(x, y), x, y, z, clamp, m);
+    detail::write_model<C>(traits, majorant_, jet_at(x, y), x, y, z, projection_weight, m);
   }
 
  protected:

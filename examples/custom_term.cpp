@@ -10,34 +10,37 @@
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 using namespace majorant;
 
 // f = (|x_b - x_a| - L)^2 / L for each spring (a, b) of length L at rest.
 class Springs final : public EnergyTerm {
  public:
-  Springs(Cells ends, Vec lengths) : stencils_{std::move(ends), 2}, lengths_(std::move(lengths)) {}
+  Springs(Cells ends, Vec lengths)
+      : element_dofs_{std::move(ends), 2}, lengths_(std::move(lengths)) {}
   std::string_view name() const override { return "springs"; }
-  const Stencils& stencils() const override { return stencils_; }  // 2 nodes of 2 unknowns
+  const ElementDofs& element_dofs() const override {
+    return element_dofs_;
+  }  // 2 nodes of 2 unknowns
   bool supports(Curvature c) const override {
     return c == Curvature::Exact || c == Curvature::Projected;
   }
 
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
       f[p] = std::pow(edge(x, e).norm() - lengths_[e], 2) / lengths_[e];
     }
   }
 
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
-    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const double length = lengths_[chunk.elements[p]];
-      const Vector2 d = edge(x, chunk.elements[p]);
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double length = lengths_[batch.elements[p]];
+      const Vector2 d = edge(x, batch.elements[p]);
       const double r = d.norm();
       const Vector2 t = d / r;
       const double across = curvature.clamped(1 - length / r);  // negative where compressed
@@ -56,10 +59,10 @@ class Springs final : public EnergyTerm {
 
  private:
   Vector2 edge(VecIn x, Index e) const {
-    const Index a = stencils_.nodes(e, 0), b = stencils_.nodes(e, 1);
+    const Index a = element_dofs_.nodes(e, 0), b = element_dofs_.nodes(e, 1);
     return x.segment<2>(2 * b) - x.segment<2>(2 * a);
   }
-  Stencils stencils_;
+  ElementDofs element_dofs_;
   Vec lengths_;
 };
 

@@ -23,7 +23,7 @@ int main() {
   const auto rubber = make_term<4, 3>("neo-Hooke", beam.cells, [=](Index e, const auto& z) {
     using std::log;
     const auto edges = (z.template rightCols<3>().colwise() - z.col(0)).eval();
-    const auto F = (edges * inverse[at(e)]).eval();
+    const auto F = (edges * inverse[e]).eval();
     const auto log_J = log(F.determinant());
     return volume[e] * (0.5 * (F.squaredNorm() - 3.0) - log_J + log_J * log_J);
   });

@@ -10,7 +10,7 @@
 
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 using namespace majorant;
 

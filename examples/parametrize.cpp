@@ -3,7 +3,7 @@
 // Sample runs:
 //   example_parametrize meshes/creature.obj creature.vtu
 //   example_parametrize meshes/cap.obj cap.vtu
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 #include <iostream>
 

@@ -17,7 +17,7 @@ namespace {
 double element_weights(const Problem& problem, TermId id) {
   const TermState& state = problem.state(id);
   const Vec& each = state.element_weight;
-  const Index count = problem.term(id).stencils().element_count();
+  const Index count = problem.term(id).element_dofs().element_count();
   return state.weight * (each.size() ? each.sum() : static_cast<double>(count));
 }
 

@@ -36,7 +36,7 @@ struct CeresOptions {
   double scale = 1;  // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
   // Pairs that L-BFGS keeps. Origin: Ceres' default.
   int history = 20;
-  StopCheck stop = {};  // ends a run between evaluations and chunks of elements
+  StopCheck stop = {};  // ends a run between evaluations and batches of elements
 };
 
 class CeresMinimizer final : public Minimizer {

@@ -3,7 +3,7 @@
 //   Vec g, h;
 //   Evaluator evaluator(problem);
 //   evaluator.linearize(y0, Curvature::Projected, g, h);
-//   evaluator.linearize(y0, BlendedCurvature::projected(0.1), g, h);   // a tenth of the clamp
+//   evaluator.linearize(y0, BlendedCurvature::projected(0.1), g, h);   // a tenth of the projection_weight
 //
 // No includes, nothing but aggregates and inlined functions: kernels compiled for special
 // instruction sets see this file.
@@ -14,36 +14,36 @@ namespace majorant {
 // Which symmetric matrix stands for the second derivatives. Passed by argument, never stored in an
 // energy. Only Exact may be indefinite.
 enum class Curvature {
-  Projected,       // exact Hessian per quadrature point, negative eigenvalues set to 0
-  Majorizer,       // composite majorizer in the (alpha, beta) frame, method.md section 5
-  PaperMajorizer,  // [MC20] Eq. 11 with its sign corrected
+  Projected,           // exact Hessian per quadrature point, negative eigenvalues set to 0
+  Majorizer,           // composite majorizer in the (alpha, beta) frame, method.md section 5
+  CompositeMajorizer,  // [MC20] Eq. 11 with its sign corrected
   Exact,
   Reweighted,  // SLIM's proxy [RPPSH17]
 };
 inline constexpr Curvature kCurvatures[] = {Curvature::Projected, Curvature::Majorizer,
-                                            Curvature::PaperMajorizer, Curvature::Exact,
+                                            Curvature::CompositeMajorizer, Curvature::Exact,
                                             Curvature::Reweighted};
 
 // A model and how much of it: where the projection takes away a part -l of an eigenvalue l < 0 of
-// the exact Hessian at a quadrature point, this takes away clamp times that, so that
-//     H = H_exact + clamp (H_projected - H_exact).
-// A clamp of 0 is the exact Hessian, 1 the projected one; in between H may be indefinite. Other
-// models have no such part: they are what they are.
+// the exact Hessian at a quadrature point, this takes away projection_weight times that, so that
+//     H = H_exact + projection_weight (H_projected - H_exact).
+// A projection_weight of 0 is the exact Hessian, 1 the projected one; in between H may be
+// indefinite. Other models have no such part: they are what they are.
 struct BlendedCurvature {
   Curvature model = Curvature::Projected;
-  double clamp = 1;  // in [0, 1]; 0 for Exact, 1 for all but Projected
+  double projection_weight = 1;  // in [0, 1]; 0 for Exact, 1 for all but Projected
 
   // Implicit: wherever a blend is asked for, a model will do.
   [[gnu::always_inline]] constexpr BlendedCurvature(Curvature whole)
-      : model(whole), clamp(whole == Curvature::Exact ? 0 : 1) {}
-  [[gnu::always_inline]] static constexpr BlendedCurvature projected(double clamp) {
-    BlendedCurvature blend(clamp > 0 ? Curvature::Projected : Curvature::Exact);
-    blend.clamp = clamp;
+      : model(whole), projection_weight(whole == Curvature::Exact ? 0 : 1) {}
+  [[gnu::always_inline]] static constexpr BlendedCurvature projected(double projection_weight) {
+    BlendedCurvature blend(projection_weight > 0 ? Curvature::Projected : Curvature::Exact);
+    blend.projection_weight = projection_weight;
     return blend;
   }
   // What becomes of an eigenvalue of the exact Hessian; for terms that know theirs.
   [[gnu::always_inline]] constexpr double clamped(double eigenvalue) const {
-    return eigenvalue < 0 ? (1 - clamp) * eigenvalue : eigenvalue;
+    return eigenvalue < 0 ? (1 - projection_weight) * eigenvalue : eigenvalue;
   }
 };
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/chunk_plan.h"
+#include "majorant/framework/internal/colored_batches.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
@@ -36,18 +36,18 @@ class ElementProbe {
  public:
   ElementProbe(const EnergyTerm& term, const TermState& state, Index element)
       : term_(term), state_(state), element_{element} {
-    const Stencils& s = term.stencils();
+    const ElementDofs& s = term.element_dofs();
     for (Index k = 0; k < s.nodes.cols(); ++k)
       for (int c = 0; c < s.block; ++c) unknowns_.push_back(s.block * s.nodes(element, k) + c);
-    chunk_.rule = state.element_rule.empty() ? 0 : state.element_rule[at(element)];
-    chunk_.elements = element_;
+    batch_.rule = state.element_rule.empty() ? 0 : state.element_rule[element];
+    batch_.elements = element_;
   }
 
   const std::vector<Index>& unknowns() const { return unknowns_; }
 
   double value(VecIn x) {
     double f = 0;
-    term_.values(x, chunk_, state_, kernel_, {&f, 1});
+    term_.values(x, batch_, state_, kernel_, {&f, 1});
     return f;
   }
 
@@ -56,7 +56,7 @@ class ElementProbe {
     constexpr int stride = LocalSystem::stride;
     LocalSystem out = reserve(n);
     out.hessian = out.gradient + n * stride;
-    term_.local(x, chunk_, curvature, state_, kernel_, out);
+    term_.local(x, batch_, curvature, state_, kernel_, out);
     LocalValues v{out.value[0], gradient_of(out), Eigen::MatrixXd(n, n)};
     for (int i = 0, k = 0; i < n; ++i)
       for (int j = 0; j <= i; ++j, ++k) v.hessian(i, j) = v.hessian(j, i) = out.hessian[k * stride];
@@ -66,7 +66,7 @@ class ElementProbe {
   // Asked for no Hessian; that of the result is empty.
   LocalValues first_order(VecIn x) {
     LocalSystem out = reserve(static_cast<int>(unknowns_.size()));
-    term_.local(x, chunk_, Curvature::Projected, state_, kernel_, out);
+    term_.local(x, batch_, Curvature::Projected, state_, kernel_, out);
     return {out.value[0], gradient_of(out), {}};
   }
 
@@ -75,7 +75,7 @@ class ElementProbe {
   LocalSystem reserve(int n) {
     LocalSystem out;
     constexpr int stride = LocalSystem::stride;
-    out.value = memory_.reserve(at((1 + n + n * (n + 1) / 2) * stride));
+    out.value = memory_.reserve(to_size((1 + n + n * (n + 1) / 2) * stride));
     out.gradient = out.value + stride;
     return out;
   }
@@ -88,7 +88,7 @@ class ElementProbe {
   const EnergyTerm& term_;
   const TermState& state_;
   std::array<Index, 1> element_;
-  Chunk chunk_;
+  ElementBatch batch_;
   std::vector<Index> unknowns_;
   Workspace kernel_, memory_;
 };
@@ -122,7 +122,7 @@ class ElementCheck {
       : term_(term), element_(element), x_(x), probe_(term, state, element) {
     exact_ = term.supports(Curvature::Exact);
     at_ = probe_.local(x_, best_model(term));
-    size_ = size_of_unknowns(term.stencils().block);
+    size_ = size_of_unknowns(term.element_dofs().block);
     const double first_order = at_.gradient.cwiseAbs().maxCoeff() + std::abs(at_.value) / size_;
     hessian_scale_ = at_.hessian.cwiseAbs().maxCoeff() + first_order / size_;
     gradient_scale_ = first_order + kRest * hessian_scale_ * size_;
@@ -171,7 +171,7 @@ class ElementCheck {
     const std::vector<Index>& u = probe_.unknowns();
     double size = 0;
     for (std::size_t i = 0; i < u.size(); ++i)
-      for (std::size_t j = i % at(block); j < i; j += at(block))
+      for (std::size_t j = i % to_size(block); j < i; j += to_size(block))
         size = std::max(size, std::abs(x_[u[i]] - x_[u[j]]));
     return size > 0 ? size : 1;
   }
@@ -180,11 +180,11 @@ class ElementCheck {
   // the derivative by it is the sum over its places.
   void differences(int i) {
     const double h = kStep * size_;
-    const Index u = probe_.unknowns()[at(i)];
+    const Index u = probe_.unknowns()[i];
     double gradient_sum = 0;
     Vec hessian_sum = Vec::Zero(at_.gradient.size());
     for (Index k = 0; k < at_.gradient.size(); ++k) {
-      if (probe_.unknowns()[at(k)] != u) continue;
+      if (probe_.unknowns()[k] != u) continue;
       gradient_sum += at_.gradient[k];
       hessian_sum += at_.hessian.col(k);
     }
@@ -214,24 +214,25 @@ class ElementCheck {
 
 // Elements evaluated together must give what each gives alone: a term that mixes up positions in
 // the arrays passes every other check, which is made at position 0.
-class ChunkCheck {
+class BatchCheck {
  public:
-  ChunkCheck(const EnergyTerm& term, const TermState& state, VecIn x)
+  BatchCheck(const EnergyTerm& term, const TermState& state, VecIn x)
       : term_(term), state_(state), x_(x), model_(best_model(term)) {}
 
   // The worst difference of each element that exceeds the tolerance.
-  void run(const Chunk& chunk, double tolerance, std::vector<DerivativeMismatch>& mismatches) {
+  void run(const ElementBatch& batch, double tolerance,
+           std::vector<DerivativeMismatch>& mismatches) {
     constexpr int stride = LocalSystem::stride;
-    const int n = term_.stencils().local_size();
+    const int n = term_.element_dofs().local_size();
     LocalSystem out;
-    out.value = memory_.reserve(at((1 + n + n * (n + 1) / 2) * stride));
+    out.value = memory_.reserve(to_size((1 + n + n * (n + 1) / 2) * stride));
     out.gradient = out.value + stride;
     out.hessian = out.gradient + n * stride;
-    double f[Chunk::kMaxSize];
-    term_.values(x_, chunk, state_, kernel_, {f, chunk.elements.size()});
-    term_.local(x_, chunk, model_, state_, kernel_, out);
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
+    double f[ElementBatch::kMaxSize];
+    term_.values(x_, batch, state_, kernel_, {f, batch.elements.size()});
+    term_.local(x_, batch, model_, state_, kernel_, out);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
       ElementProbe alone(term_, state_, e);
       const LocalValues v = alone.local(x_, model_);
       Worst worst;
@@ -275,16 +276,16 @@ DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double toler
                                    const TermState& state) {
   require_valid(term, state);
   Index extent = 0;
-  const Stencils& s = term.stencils();
+  const ElementDofs& s = term.element_dofs();
   if (s.nodes.size() > 0) extent = s.block * (s.nodes.maxCoeff() + 1);
   if (x.size() < extent)
     throw InvalidArgument(
-        fmt::format("check_derivatives: x has {} numbers, the term's stencils use "
+        fmt::format("check_derivatives: x has {} numbers, the term's element_dofs use "
                     "{}",
                     x.size(), extent));
   require_finite("check_derivatives: x", x);
   DerivativeReport report;
-  for (Index e = 0; e < term.stencils().element_count(); ++e) {
+  for (Index e = 0; e < term.element_dofs().element_count(); ++e) {
     ElementCheck check(term, state, e, x);
     check.run();
     report.gradient_error = std::max(report.gradient_error, check.gradient.error);
@@ -292,10 +293,10 @@ DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double toler
     for (const Worst* worst : {&check.gradient, &check.hessian, &check.definite})
       if (worst->error > tolerance) report.mismatches.push_back(worst->mismatch);
   }
-  const ChunkPlan plan(term.stencils(), state.element_rule);
-  ChunkCheck together(term, state, x);
-  for (Index c = 0; c < plan.chunk_count(); ++c)
-    together.run(plan.chunk(c), tolerance, report.mismatches);
+  const ColoredBatches plan(term.element_dofs(), state.element_rule);
+  BatchCheck together(term, state, x);
+  for (Index c = 0; c < plan.batch_count(); ++c)
+    together.run(plan.batch(c), tolerance, report.mismatches);
   return report;
 }
 

@@ -7,9 +7,9 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/block_graph.h"
 #include "majorant/framework/internal/block_ordering.h"
-#include "majorant/framework/internal/extended_elimination.h"
 #include "majorant/framework/internal/multifrontal.h"
 #include "majorant/framework/internal/symbolic_analysis.h"
+#include "majorant/framework/internal/symbolic_update.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {
@@ -76,7 +76,7 @@ class DirectSolver final : public LinearSolver {
   void order(const SparsePattern& pattern, const BlockGraph& graph) {
     chosen_ = chosen_ordering(ordering_, graph);
     elimination_ = analyze_elimination(graph, fill_reducing_order(graph, chosen_));
-    tree_ = std::make_unique<const FrontTree>(pattern, elimination_);
+    tree_ = std::make_unique<const AssemblyTree>(pattern, elimination_);
     fresh_operations_ = tree_->operations();
   }
 
@@ -85,8 +85,8 @@ class DirectSolver final : public LinearSolver {
     if (!last_graph_ || last_graph_->size() != graph.size()) return false;
     const BlockEdges edges = graph.edges_beyond(*last_graph_);
     if (static_cast<double>(edges.size()) > kFewEdges * graph.size()) return false;
-    elimination_ = extended_elimination(elimination_, edges);
-    tree_ = std::make_unique<const FrontTree>(pattern, elimination_);
+    elimination_ = symbolic_update(elimination_, edges);
+    tree_ = std::make_unique<const AssemblyTree>(pattern, elimination_);
     return tree_->operations() <= kMoreOperations * fresh_operations_;
   }
 
@@ -104,7 +104,7 @@ class DirectSolver final : public LinearSolver {
   BlockElimination elimination_;  // of it
   bool extended_ = false;         // made for another one
   double fresh_operations_ = 0;   // with its own ordering
-  std::unique_ptr<const FrontTree> tree_;
+  std::unique_ptr<const AssemblyTree> tree_;
   std::unique_ptr<MultifrontalFactor> factor_;
   std::string description_;
 };

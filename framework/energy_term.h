@@ -6,14 +6,14 @@
 //
 //   class Springs final : public EnergyTerm {
 //     std::string_view name() const override { return "springs"; }
-//     const Stencils& stencils() const override ...     // 2 points each
+//     const ElementDofs& element_dofs() const override ...     // 2 points each
 //     bool supports(Curvature c) const override { return c == Curvature::Exact; }
-//     void values(VecIn x, const Chunk&, const TermState&, Workspace&, std::span<double> f) ...
-//     void local(VecIn x, const Chunk&, BlendedCurvature, const TermState&, Workspace&,
+//     void values(VecIn x, const ElementBatch&, const TermState&, Workspace&, std::span<double> f) ...
+//     void local(VecIn x, const ElementBatch&, BlendedCurvature, const TermState&, Workspace&,
 //                LocalSystem&) ...
 //   };
 //
-// A term is immutable and thread-safe: the evaluator calls it for different chunks at the same
+// A term is immutable and thread-safe: the evaluator calls it for different batches at the same
 // time, each call with its own Workspace and output. What changes between steps is in TermState,
 // which the term receives by argument. check_derivatives() (derivative_check.h) tests an
 // implementation.
@@ -32,7 +32,7 @@ namespace majorant {
 
 // Elements as lists of nodes; a node is `block` consecutive unknowns of x, so the local unknown
 // `block * i + c` of element e is x[block * nodes(e, i) + c].
-struct Stencils {
+struct ElementDofs {
   Cells nodes;    // #E by nodes per element
   int block = 1;  // unknowns per node
   Index element_count() const { return static_cast<Index>(nodes.rows()); }
@@ -42,7 +42,7 @@ struct Stencils {
 using RuleId = int;  // a term's own numbering of its quadrature rules; 0 is its default rule
 
 // Elements that one call treats: all use the same rule.
-struct Chunk {
+struct ElementBatch {
   static constexpr int kMaxSize = 128;
   RuleId rule = 0;
   std::span<const Index> elements;  // at most kMaxSize
@@ -70,12 +70,12 @@ class Workspace {
   std::vector<double> buffer_;
 };
 
-// Values, gradients and packed lower triangles of one chunk, structure of arrays: entry k of the
-// element at position p of the chunk is at [k * stride + p]; Hessian entry (i, j), i >= j, is
+// Values, gradients and packed lower triangles of one batch, structure of arrays: entry k of the
+// element at position p of the batch is at [k * stride + p]; Hessian entry (i, j), i >= j, is
 // k = i (i + 1) / 2 + j. Arrays are 64-byte aligned. hessian == nullptr asks for values and
 // gradients only: the curvature argument is ignored then.
 struct LocalSystem {
-  static constexpr int stride = Chunk::kMaxSize;
+  static constexpr int stride = ElementBatch::kMaxSize;
   double* value = nullptr;     // 1 by stride
   double* gradient = nullptr;  // local_size by stride
   double* hessian = nullptr;   // local_size (local_size + 1) / 2 by stride, or null
@@ -85,19 +85,19 @@ class EnergyTerm {
  public:
   virtual ~EnergyTerm() = default;
   virtual std::string_view name() const = 0;
-  virtual const Stencils& stencils() const = 0;  // constant for the term's lifetime
+  virtual const ElementDofs& element_dofs() const = 0;  // constant for the term's lifetime
   virtual bool supports(Curvature curvature) const = 0;
   virtual RuleId rule_count() const { return 1; }  // TermState::element_rule says one of these
 
-  // f[p] = energy of the chunk's element p at x, +inf outside the domain, never NaN. Weights are
+  // f[p] = energy of the batch's element p at x, +inf outside the domain, never NaN. Weights are
   // not the term's business.
-  virtual void values(VecIn x, const Chunk& chunk, const TermState& state, Workspace& workspace,
-                      std::span<double> f) const = 0;
+  virtual void values(VecIn x, const ElementBatch& batch, const TermState& state,
+                      Workspace& workspace, std::span<double> f) const = 0;
 
   // Values, gradients and, unless out.hessian is null, curvature. x lies in the domain. Values and
   // gradients are the same, up to rounding, with and without it and under every curvature. A term
   // that supports Exact and Projected blends them as curvature.h says.
-  virtual void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature,
+  virtual void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
                      const TermState& state, Workspace& workspace, LocalSystem& out) const = 0;
 };
 

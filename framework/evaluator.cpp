@@ -16,18 +16,18 @@
 namespace majorant {
 namespace {
 
-// Fewer chunks are not worth waking threads for.
-constexpr Index kParallelChunks = 16;
+// Fewer batches are not worth waking threads for.
+constexpr Index kParallelBatches = 16;
 
 double weight(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
 }
 
-// run(chunk, workspace), chunk by chunk.
+// run(batch, workspace), batch by batch.
 template <class Run>
-void visit_chunks(Index count, const StopCheck& stop, const Run& run) {
+void visit_batches(Index count, const StopCheck& stop, const Run& run) {
   ParallelErrors errors;
-#pragma omp parallel if (count >= kParallelChunks)
+#pragma omp parallel if (count >= kParallelBatches)
   {
     Workspace workspace;
 #pragma omp for schedule(static)
@@ -42,11 +42,11 @@ void visit_chunks(Index count, const StopCheck& stop, const Run& run) {
 
 void add_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop, double& total) {
   const TermState& state = problem.state(id);
-  const ChunkPlan& plan = ProblemParts::plan(problem, id);
+  const ColoredBatches& plan = ProblemParts::plan(problem, id);
   const Vec f = element_values(problem.term(id), state, plan, x, stop);
-  for (Index c = 0; c < plan.chunk_count(); ++c) {
+  for (Index c = 0; c < plan.batch_count(); ++c) {
     double sum = 0;
-    for (const Index e : plan.chunk(c).elements)
+    for (const Index e : plan.batch(c).elements)
       if (const double w = weight(state, e); w != 0) sum += w * f[e];
     total += sum;
   }
@@ -63,28 +63,29 @@ Evaluator::~Evaluator() = default;
 
 void Evaluator::reset(const Problem& problem) { problem_ = problem; }
 
-Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x,
-                   const StopCheck& stop) {
-  Vec f(term.stencils().element_count());
-  visit_chunks(plan.chunk_count(), stop, [&](Index c, Workspace& workspace) {
-    double local[Chunk::kMaxSize];
-    const Chunk chunk = plan.chunk(c);
-    term.values(x, chunk, state, workspace, {local, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[chunk.elements[p]] = local[p];
+Vec element_values(const EnergyTerm& term, const TermState& state, const ColoredBatches& plan,
+                   VecIn x, const StopCheck& stop) {
+  Vec f(term.element_dofs().element_count());
+  visit_batches(plan.batch_count(), stop, [&](Index c, Workspace& workspace) {
+    double local[ElementBatch::kMaxSize];
+    const ElementBatch batch = plan.batch(c);
+    term.values(x, batch, state, workspace, {local, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) f[batch.elements[p]] = local[p];
   });
   return f;
 }
 
 Vec element_values(const EnergyTerm& term, const TermState& state, RuleId rule,
                    std::span<const Index> elements, VecIn x) {
-  constexpr std::size_t size = Chunk::kMaxSize;
+  constexpr std::size_t size = ElementBatch::kMaxSize;
   Vec f(static_cast<Index>(elements.size()));
-  visit_chunks(static_cast<Index>((elements.size() + size - 1) / size), {},
-               [&](Index c, Workspace& workspace) {
-                 const std::size_t first = size * at(c);
-                 const auto part = elements.subspan(first, std::min(size, elements.size() - first));
-                 term.values(x, {rule, part}, state, workspace, {f.data() + first, part.size()});
-               });
+  visit_batches(static_cast<Index>((elements.size() + size - 1) / size), {},
+                [&](Index c, Workspace& workspace) {
+                  const std::size_t first = size * to_size(c);
+                  const auto part =
+                      elements.subspan(first, std::min(size, elements.size() - first));
+                  term.values(x, {rule, part}, state, workspace, {f.data() + first, part.size()});
+                });
   return f;
 }
 
@@ -117,8 +118,9 @@ double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, 
                             const StopCheck& stop) {
   require_size("Evaluator::linearize: y", y.size(), problem_.size());
   require_curvature("Evaluator::linearize", problem_, curvature.model);
-  if (!(curvature.clamp >= 0 && curvature.clamp <= 1))
-    throw InvalidArgument("Evaluator::linearize: the clamp of a curvature must lie in 0..1");
+  if (!(curvature.projection_weight >= 0 && curvature.projection_weight <= 1))
+    throw InvalidArgument(
+        "Evaluator::linearize: the projection_weight of a curvature must lie in 0..1");
   const AddedSeconds time(counters_.linearize_seconds);
   ++counters_.linearizations;
   hessian_values.setZero(problem_.pattern().nonzeros());
@@ -148,7 +150,7 @@ double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, V
   require_no_stop("Evaluator: the stop check", stop, problem_.partition());
   ProblemParts::elimination(problem_).expand(y, x_);
   gradient.setZero(problem_.size());
-  while (scratch_.size() < at(ThreadCount::current()))
+  while (scratch_.size() < to_size(ThreadCount::current()))
     scratch_.push_back(std::make_unique<Scratch>());
   double total = 0;
   std::vector<double> energies;
@@ -162,27 +164,27 @@ double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, V
 
 void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient,
                               Vec* hessian_values, const StopCheck& stop,
-                              std::vector<double>& chunk_energies) {
+                              std::vector<double>& batch_energies) {
   const EnergyTerm& term = problem_.term(k);
   const TermState& state = problem_.state(k);
-  const ChunkPlan& plan = ProblemParts::plan(problem_, k);
-  const SlotTable& slots = ProblemParts::slots(problem_, k);
-  const auto n = at(term.stencils().local_size());
+  const ColoredBatches& plan = ProblemParts::plan(problem_, k);
+  const ScatterMap& slots = ProblemParts::slots(problem_, k);
+  const auto n = to_size(term.element_dofs().local_size());
   constexpr std::size_t stride = LocalSystem::stride;
-  chunk_energies.assign(at(plan.chunk_count()), 0.0);
-  const auto assemble_chunk = [&](Index c) {
+  batch_energies.assign(to_size(plan.batch_count()), 0.0);
+  const auto assemble_batch = [&](Index c) {
     stop.poll();
-    Scratch& s = *scratch_[at(omp_get_thread_num())];
-    const Chunk chunk = plan.chunk(c);
+    Scratch& s = *scratch_[omp_get_thread_num()];
+    const ElementBatch batch = plan.batch(c);
     LocalSystem local;
     const std::size_t packed = hessian_values ? n * (n + 1) / 2 : 0;
     local.value = s.local.reserve((1 + n + packed) * stride);
     local.gradient = local.value + stride;
     if (hessian_values) local.hessian = local.gradient + n * stride;
-    term.local(x_, chunk, curvature, state, s.kernel, local);
+    term.local(x_, batch, curvature, state, s.kernel, local);
     double sum = 0;
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
       const double w = weight(state, e);
       if (w == 0) continue;
       sum += w * local.value[p];
@@ -190,14 +192,14 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
       if (hessian_values)
         slots.add_hessian(e, local, static_cast<int>(p), w, hessian_values->data());
     }
-    chunk_energies[at(c)] = sum;
+    batch_energies[c] = sum;
   };
   ParallelErrors errors;
   for (const std::vector<Index>& colour : plan.colours()) {
 #pragma omp parallel for schedule(static) if (colour.size() > 1 && \
-                                              plan.chunk_count() >= kParallelChunks)
+                                              plan.batch_count() >= kParallelBatches)
     for (std::size_t q = 0; q < colour.size(); ++q)
-      errors.guard([&] { assemble_chunk(colour[q]); });
+      errors.guard([&] { assemble_batch(colour[q]); });
   }
   errors.rethrow();
 }

@@ -7,8 +7,8 @@
 //   energy = evaluator.linearize(y, Curvature::Projected, g, h);        // Newton
 //
 // One evaluator per solver: it owns scratch memory, counters and timers. Results do not depend on
-// the number of threads (thread_count.h), to the last bit: chunks are fixed, chunks of one colour
-// touch disjoint unknowns, colours run in order, energies add in chunk order. All throw
+// the number of threads (thread_count.h), to the last bit: batches are fixed, batches of one colour
+// touch disjoint unknowns, colours run in order, energies add in batch order. All throw
 // InvalidArgument for another number of unknowns, linearize() for a curvature that a term has not;
 // what a term throws leaves them as it is.
 #pragma once
@@ -23,7 +23,7 @@
 namespace majorant {
 
 // Of one term at x (full unknowns): the unweighted value of each of its elements here, and its part
-// of the (whole) problem's energy, weights included. Poll between chunks of elements, as all
+// of the (whole) problem's energy, weights included. Poll between batches of elements, as all
 // evaluations do that are given a stop check: Stopped.
 Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
@@ -67,7 +67,7 @@ class Evaluator {
   double assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                   const StopCheck& stop);
   void assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
-                     const StopCheck& stop, std::vector<double>& chunk_energies);
+                     const StopCheck& stop, std::vector<double>& batch_energies);
 
   Problem problem_;
   Vec x_;

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "majorant/framework/internal/metric.h"
 #include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/internal/preconditioner.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
 
@@ -14,30 +14,30 @@ class GradientFlowStepper final : public Stepper {
  public:
   GradientFlowStepper(const Problem& problem, const GradientFlowOptions& options)
       : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
-        metric_(metric_problem(problem, options.metric), options.curvature,
-                make_solver("GradientFlowOptions", options.linear_solver)),
-        own_metric_(options.metric.has_value()) {}
+        preconditioner_(preconditioner_problem(problem, options.metric), options.curvature,
+                        make_solver("GradientFlowOptions", options.linear_solver)),
+        own_preconditioner_(options.metric.has_value()) {}
 
  private:
   void advance(Vec& y, double& energy, Step& step) override {
     IterationRecord& r = step.record;
-    if (!metric_.factorize_once(y, r, stop_)) {
-      if (own_metric_) step.why_none = metric_.why_none();
+    if (!preconditioner_.factorize_once(y, r, stop_)) {
+      if (own_preconditioner_) step.why_none = preconditioner_.why_none();
       return;
     }
     Stopwatch watch;
     evaluator_.gradient(y, gradient_, stop_);
     r.seconds.assemble += watch.restart();
     Vec p;
-    metric_.solve(-gradient_, p);
+    preconditioner_.solve(-gradient_, p);
     r.seconds.solve = watch.restart();
     move_along(p, first_, y, energy, step);
     if (step.outcome == Outcome::Moved) first_ = r.step;
   }
 
-  Metric metric_;
-  bool own_metric_;   // not that of the problem
-  double first_ = 1;  // the metric knows nothing of the energy's scale: the last step does
+  Preconditioner preconditioner_;
+  bool own_preconditioner_;  // not that of the problem
+  double first_ = 1;         // the metric knows nothing of the energy's scale: the last step does
 };
 
 }  // namespace

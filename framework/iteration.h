@@ -39,7 +39,7 @@ struct IterationRecord {
   double newton_decrement = 0;                 // -g . p, an energy; before the step
   double shift = 0;                            // added to the Hessian's diagonal
   Curvature curvature = Curvature::Projected;  // model that gave the direction
-  double clamp = 1;                            // BlendedCurvature::clamp of it
+  double projection_weight = 1;                // BlendedCurvature::projection_weight of it
   int trials = 0;                              // energy evaluations of the line search
   double residual = 0;                         // Solution::residual, 0 with a direct solver
   int solver_iterations = 0;                   // Solution::iterations, of all solves

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "majorant/framework/internal/lbfgs_history.h"
-#include "majorant/framework/internal/metric.h"
 #include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/internal/preconditioner.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
 
@@ -15,9 +15,9 @@ class LbfgsStepper final : public Stepper {
  public:
   LbfgsStepper(const Problem& problem, const LbfgsOptions& options)
       : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
-        metric_(metric_problem(problem, options.metric), options.curvature,
-                make_solver("LbfgsOptions", options.linear_solver)),
-        own_metric_(options.metric.has_value()),
+        preconditioner_(preconditioner_problem(problem, options.metric), options.curvature,
+                        make_solver("LbfgsOptions", options.linear_solver)),
+        own_preconditioner_(options.metric.has_value()),
         history_(options.history, options.cautious) {
     require_at_least("LbfgsOptions: history", options.history, 0);
   }
@@ -25,7 +25,7 @@ class LbfgsStepper final : public Stepper {
  private:
   void advance(Vec& y, double& energy, Step& step) override {
     if (!prepare(y, step.record)) {
-      if (own_metric_) step.why_none = metric_.why_none();
+      if (own_preconditioner_) step.why_none = preconditioner_.why_none();
       return;
     }
     bool restarted = history_.empty();
@@ -37,9 +37,9 @@ class LbfgsStepper final : public Stepper {
     }
   }
 
-  // Metric, gradient and history at y; false: no metric.
+  // Preconditioner, gradient and history at y; false: no metric.
   bool prepare(const Vec& y, IterationRecord& r) {
-    if (!metric_.factorize_once(y, r, stop_)) return false;
+    if (!preconditioner_.factorize_once(y, r, stop_)) return false;
     Stopwatch watch;
     evaluator_.gradient(y, gradient_, stop_);
     if (std::exchange(started_, true))
@@ -53,13 +53,14 @@ class LbfgsStepper final : public Stepper {
   void direction_step(Vec& y, double& energy, Step& step) {
     Stopwatch watch;
     Vec p;
-    history_.apply([this](const Vec& r, Vec& out) { metric_.solve(r, out); }, -gradient_, p);
+    history_.apply([this](const Vec& r, Vec& out) { preconditioner_.solve(r, out); }, -gradient_,
+                   p);
     step.record.seconds.solve += watch.restart();
     move_along(p, 1.0, y, energy, step);
   }
 
-  Metric metric_;
-  bool own_metric_;  // not that of the problem
+  Preconditioner preconditioner_;
+  bool own_preconditioner_;  // not that of the problem
   bool started_ = false;
   History history_;
 };

@@ -3,11 +3,11 @@
 //
 // An acceptable step comes first (certified, Armijo, halving), then the minimum of the parabola
 // through E(0), E'(0) and E(s), as long as that pays. Positive semidefinite models overestimate
-// curvature where they clamp it, and barriers flatten quickly, so steps well above 1 are common far
-// from a minimum and in linearly converging tails; an evaluation costs a fraction of a
-// factorization. Where a barrier is all of the energy, E ~ 1 / (1 + s / 3)^2, the parabola asks for
-// s = 1.455 every time although E falls on and on: there the step is doubled instead. No curvature
-// (Wolfe) condition: quasi-Newton methods skip pairs instead.
+// curvature where they projection_weight it, and barriers flatten quickly, so steps well above 1
+// are common far from a minimum and in linearly converging tails; an evaluation costs a fraction of
+// a factorization. Where a barrier is all of the energy, E ~ 1 / (1 + s / 3)^2, the parabola asks
+// for s = 1.455 every time although E falls on and on: there the step is doubled instead. No
+// curvature (Wolfe) condition: quasi-Newton methods skip pairs instead.
 #pragma once
 
 #include "majorant/framework/evaluator.h"

@@ -26,7 +26,7 @@ void LinearSolver::analyze_shared(const SparsePattern& pattern, const Partition&
 
 double mean_diagonal(const SparsePattern& pattern, const Vec& values) {
   double sum = 0;
-  for (Index c = 0; c < pattern.size; ++c) sum += std::abs(values[pattern.column_starts[at(c)]]);
+  for (Index c = 0; c < pattern.size; ++c) sum += std::abs(values[pattern.column_starts[c]]);
   return sum / pattern.size;
 }
 

@@ -99,7 +99,7 @@ inline constexpr double kSmallestShift = 1e-14;
 
 // Residual asked for where one matrix serves many solves as a metric, which has to be the same
 // operator every time. Origin: the square root of the unit roundoff.
-inline constexpr double kMetricTolerance = 1e-8;
+inline constexpr double kPreconditionerTolerance = 1e-8;
 
 struct ShiftedFactorization {
   FactorStatus status = FactorStatus::NotPositiveDefinite;

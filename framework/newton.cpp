@@ -36,9 +36,9 @@ constexpr double kRaised[] = {0.1, 0.5, 1};
 }  // namespace
 
 // L-BFGS around the factor of the last Newton step.
-class NewtonStepper::KeptFactor {
+class NewtonStepper::LaggedFactor {
  public:
-  explicit KeptFactor(const KeptFactorRules& rules)
+  explicit LaggedFactor(const LaggedFactorRules& rules)
       : rules_(rules), history_(rules.history, LbfgsOptions().cautious) {}
 
   bool serves() const { return steps_ > 0; }
@@ -53,7 +53,8 @@ class NewtonStepper::KeptFactor {
   // p = -B g at y, the next point.
   void direction(LinearSolver& solver, const Vec& y, const Vec& g, Vec& p) {
     history_.visit(y, g);
-    history_.apply([&](const Vec& r, Vec& out) { solver.solve(r, out, kMetricTolerance); }, -g, p);
+    history_.apply([&](const Vec& r, Vec& out) { solver.solve(r, out, kPreconditionerTolerance); },
+                   -g, p);
     --steps_;
   }
   void judge(const IterationRecord& r) {
@@ -65,7 +66,7 @@ class NewtonStepper::KeptFactor {
     return r.step < rules_.short_step || r.step_bound < rules_.short_bound;
   }
 
-  KeptFactorRules rules_;
+  LaggedFactorRules rules_;
   History history_;
   int steps_ = 0;  // that the factor may still serve
 };
@@ -76,7 +77,7 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
     : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
       options_(std::move(options)),
       solver_(make_solver("NewtonOptions", options_.linear_solver)),
-      kept_(std::make_unique<KeptFactor>(options_.kept)) {
+      kept_(std::make_unique<LaggedFactor>(options_.kept)) {
   require_curvature(problem);
   require_in("NewtonOptions: forcing.largest", options_.forcing.largest, 0, 1);
   require_at_least("NewtonOptions: kept.history", options_.kept.history, 0);
@@ -218,7 +219,7 @@ bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
   stop_.poll();
   const FactorStatus status = solve_shifted(record.shift, record);
   record.curvature = blend.model;
-  record.clamp = blend.clamp;
+  record.projection_weight = blend.projection_weight;
   ++record.factorizations;
   record.failed_factorizations += status != FactorStatus::Ok;
   return status == FactorStatus::Ok;
@@ -229,7 +230,7 @@ bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   const BlendedCurvature whole = options_.curvature;
   evaluator_.linearize(y, whole, gradient_, hessian_, stop_);
   record.curvature = whole.model;
-  record.clamp = whole.clamp;
+  record.projection_weight = whole.projection_weight;
   record.seconds.assemble += watch.restart();
   if (!partition().all_finite(gradient_)) return false;
   const ShiftedFactorization f =
@@ -247,11 +248,11 @@ void NewtonStepper::learn_clamp(const Step& step) {
   const BlendRules& rules = options_.blend;
   // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
   // cannot tell.
-  const bool misled = step.outcome != Outcome::AtMinimum && r.clamp < 1 &&
+  const bool misled = step.outcome != Outcome::AtMinimum && r.projection_weight < 1 &&
                       relative_decrement_ > LineSearch::kResolution &&
                       r.relative_decrease < kMisleading * relative_decrement_;
   if (misled) {
-    raise_clamp(r.clamp);
+    raise_clamp(r.projection_weight);
   } else if (step.outcome == Outcome::Moved &&
              (r.step < rules.short_step || r.step_bound < rules.short_bound)) {
     clamp_ = 1;
@@ -259,7 +260,7 @@ void NewtonStepper::learn_clamp(const Step& step) {
   } else if (hold_ > 0) {
     --hold_;
   } else if (blends()) {
-    clamp_ = r.clamp * rules.fall < rules.least ? 0 : r.clamp * rules.fall;
+    clamp_ = r.projection_weight * rules.fall < rules.least ? 0 : r.projection_weight * rules.fall;
   }
 }
 

@@ -44,7 +44,7 @@ struct BlendRules {
 // minimum where Newton's steps would still be many: after a start that is nearly there already
 // (levels of a multiresolution start, a map that has changed a little). From far away it wastes
 // steps.
-struct KeptFactorRules {
+struct LaggedFactorRules {
   // Of |E|: a factor is kept where -g.p of its own step was less; 0: never. Origin: bench/tune.py
   // kept.below.
   double below = 0;
@@ -75,7 +75,7 @@ struct ForcingRules {
 struct NewtonOptions {
   Curvature curvature = Curvature::Projected;
   BlendRules blend = {};
-  KeptFactorRules kept = {};
+  LaggedFactorRules kept = {};
   ForcingRules forcing = {};
   StoppingRules stopping = {};
   LineSearchOptions line_search = {};
@@ -84,7 +84,7 @@ struct NewtonOptions {
   };
   // LinearSolver::hint_near_null_space() of a problem, told before its analysis; empty: nothing is.
   std::function<Eigen::MatrixXd(const Problem&)> near_null_space = {};
-  StopCheck stop = {};  // ends a step between chunks of elements, factorizations, trials
+  StopCheck stop = {};  // ends a step between batches of elements, factorizations, trials
 };
 
 class NewtonStepper final : public Stepper {
@@ -125,8 +125,8 @@ class NewtonStepper final : public Stepper {
   double clamp_ = 1;                                                     // t of the next blend
   int hold_ = 0;                                                         // steps that it stays
   int whole_steps_ = 0;                                                  // to come before it
-  class KeptFactor;
-  std::unique_ptr<KeptFactor> kept_;
+  class LaggedFactor;
+  std::unique_ptr<LaggedFactor> kept_;
 };
 
 class NewtonMinimizer final : public Minimizer {

@@ -4,7 +4,7 @@
 
 namespace majorant {
 
-void clamp_eigenvalues(int size, double clamp, double* k) {
+void clamp_eigenvalues(int size, double projection_weight, double* k) {
   Eigen::MatrixXd m(size, size);
   for (int i = 0, p = 0; i < size; ++i)
     for (int j = 0; j <= i; ++j, ++p) m(i, j) = m(j, i) = k[p];
@@ -14,7 +14,7 @@ void clamp_eigenvalues(int size, double clamp, double* k) {
   }
   const SymmetricEigen eigen = symmetric_eigen(m);
   if (eigen.values[0] >= 0) return;
-  const Vec clamped = eigen.values.cwiseMax((1 - clamp) * eigen.values);
+  const Vec clamped = eigen.values.cwiseMax((1 - projection_weight) * eigen.values);
   for (int i = 0, p = 0; i < size; ++i)
     for (int j = 0; j <= i; ++j, ++p) {
       double sum = 0;

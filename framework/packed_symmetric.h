@@ -40,14 +40,15 @@ bool is_semidefinite(const double* k) {
   return true;
 }
 
-// `clamp` of the negative eigenvalues taken away (BlendedCurvature::clamp), 1: set to 0; where one
-// is not finite, the zero matrix. By an eigendecomposition: for sizes up to about 30.
-void clamp_eigenvalues(int size, double clamp, double* k);
+// `projection_weight` of the negative eigenvalues taken away (BlendedCurvature::projection_weight),
+// 1: set to 0; where one is not finite, the zero matrix. By an eigendecomposition: for sizes up to
+// about 30.
+void clamp_eigenvalues(int size, double projection_weight, double* k);
 
 // The same by Jacobi's rotations: faster for N up to 4, and in a few rotations where blocks couple
 // like the ends of a spring, of which half are tried first. Nothing but what is negative changes.
 template <int N>
-void clamp_by_rotations(double clamp, double* k) {
+void clamp_by_rotations(double projection_weight, double* k) {
   double a[N][N], v[N][N] = {}, largest = 0;
   for (int i = 0, p = 0; i < N; ++i) {
     v[i][i] = 1;
@@ -90,21 +91,21 @@ void clamp_by_rotations(double clamp, double* k) {
   for (int e = 0; e < N; ++e)
     if (a[e][e] < 0)
       for (int i = 0, p = 0; i < N; ++i)
-        for (int j = 0; j <= i; ++j, ++p) k[p] -= clamp * a[e][e] * v[i][e] * v[j][e];
+        for (int j = 0; j <= i; ++j, ++p) k[p] -= projection_weight * a[e][e] * v[i][e] * v[j][e];
 }
 
 // What a term's Hessian becomes: clamp_eigenvalues(), in the way that takes the least time.
 template <int N>
-void make_semidefinite(double clamp, double* k) {
+void make_semidefinite(double projection_weight, double* k) {
   // Unknowns: springs with 4 gain, bending with 6 does not.
   constexpr int kFew = 4;
   if (is_semidefinite<N>(k)) return;
   bool finite = true;
   for (int p = 0; p < N * (N + 1) / 2; ++p) finite = finite && std::isfinite(k[p]);
   if (N <= kFew && finite)
-    clamp_by_rotations<N>(clamp, k);
+    clamp_by_rotations<N>(projection_weight, k);
   else
-    clamp_eigenvalues(N, clamp, k);
+    clamp_eigenvalues(N, projection_weight, k);
 }
 
 }  // namespace majorant

@@ -31,7 +31,7 @@ Partition::Partition(std::shared_ptr<const Ranks> ranks, Index size,
   require_at_least("Partition: the number of unknowns", size, 0);
   std::sort(neighbours_.begin(), neighbours_.end(),
             [](const Neighbour& a, const Neighbour& b) { return a.rank < b.rank; });
-  is_copy_.assign(at(size), 0);
+  is_copy_.assign(to_size(size), 0);
   int last = -1;
   for (const Neighbour& n : neighbours_) {
     require_index("Partition: the rank of a neighbour", n.rank, ranks_->count());
@@ -42,13 +42,13 @@ Partition::Partition(std::shared_ptr<const Ranks> ranks, Index size,
     for (const Index i : n.owned) require_index("Partition: a shared unknown", i, size);
     for (const Index i : n.copies) {
       require_index("Partition: a copy", i, size);
-      if (std::exchange(is_copy_[at(i)], 1))
+      if (std::exchange(is_copy_[i], 1))
         throw InvalidArgument("Partition: an unknown is a copy of two others");
     }
   }
   for (const Neighbour& n : neighbours_)
     for (const Index i : n.owned)
-      if (is_copy_[at(i)]) throw InvalidArgument("Partition: a copy is no owner");
+      if (is_copy_[i]) throw InvalidArgument("Partition: a copy is no owner");
   owned_ = size - static_cast<Index>(std::count(is_copy_.begin(), is_copy_.end(), 1));
   is_whole_ = ranks_->count() == 1 && owned_ == size;
   if (is_whole_) {
@@ -77,8 +77,8 @@ void Partition::number() {
   GlobalIndex next = first_;
   for (Index i = 0; i < size_; ++i) numbers[i] = owns(i) ? static_cast<double>(next++) : -1.0;
   copy_from_owners(numbers);
-  global_.resize(at(size_));
-  for (Index i = 0; i < size_; ++i) global_[at(i)] = static_cast<GlobalIndex>(numbers[i]);
+  global_.resize(to_size(size_));
+  for (Index i = 0; i < size_; ++i) global_[i] = static_cast<GlobalIndex>(numbers[i]);
 }
 
 // What the other ranks have for this one, neighbour by neighbour: values of owners for copies, or
@@ -94,7 +94,7 @@ std::vector<double> Partition::send(const Vec& values, bool from_owners) const {
   }
   out.reserve(out_size);
   in.resize(in_size);
-  std::vector<Ranks::Parcel> outgoing, incoming;
+  std::vector<Ranks::Message> outgoing, incoming;
   auto place = in.begin();
   for (const Neighbour& n : neighbours_) {
     if (n.rank == ranks_->rank()) continue;

@@ -58,9 +58,9 @@ class Partition {
   bool is_whole() const { return is_whole_; }
   Index size() const { return size_; }         // copies included
   Index owned_size() const { return owned_; }  // copies not
-  bool owns(Index local) const { return is_copy_.empty() || !is_copy_[at(local)]; }
+  bool owns(Index local) const { return is_copy_.empty() || !is_copy_[local]; }
   // Owned unknowns are numbered rank by rank, in their order; a copy has its owner's number.
-  GlobalIndex global(Index local) const { return global_.empty() ? local : global_[at(local)]; }
+  GlobalIndex global(Index local) const { return global_.empty() ? local : global_[local]; }
   GlobalIndex first_global() const { return first_; }  // of this rank's own
   GlobalIndex global_size() const { return global_size_; }
 

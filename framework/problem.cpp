@@ -18,15 +18,16 @@ std::size_t number(TermId id) { return static_cast<std::size_t>(id); }
 
 using Terms = std::vector<std::shared_ptr<const EnergyTerm>>;
 
-std::vector<const Stencils*> stencils(const Terms& terms, std::size_t first, std::size_t last) {
-  std::vector<const Stencils*> out;
-  for (std::size_t k = first; k < last; ++k) out.push_back(&terms[k]->stencils());
+std::vector<const ElementDofs*> element_dofs(const Terms& terms, std::size_t first,
+                                             std::size_t last) {
+  std::vector<const ElementDofs*> out;
+  for (std::size_t k = first; k < last; ++k) out.push_back(&terms[k]->element_dofs());
   return out;
 }
 
 // Full unknowns up to the last one of a term.
 Index extent(const EnergyTerm& term) {
-  const Stencils& s = term.stencils();
+  const ElementDofs& s = term.element_dofs();
   return s.nodes.size() ? s.block * (s.nodes.maxCoeff() + 1) : 0;
 }
 
@@ -39,7 +40,7 @@ bool same_rules(const std::vector<RuleId>& a, const std::vector<RuleId>& b) {
 }
 
 void require_fitting(const EnergyTerm& term, Index full_size) {
-  const Stencils& s = term.stencils();
+  const ElementDofs& s = term.element_dofs();
   if (s.block < 1)
     throw InvalidArgument(
         fmt::format("term '{}': nodes of {} unknowns, at least 1 is needed", term.name(), s.block));
@@ -59,14 +60,14 @@ void require_expected_nodes(const ConstraintRows& rows, const Terms& terms) {
     const EnergyTerm* other = nullptr;
     bool found = false;
     for (const auto& term : terms) {
-      const int block = term->stencils().block;
+      const int block = term->element_dofs().block;
       found = found || block == expected.unknowns_each;
       if (block > 1 && block != expected.unknowns_each) other = term.get();
     }
     if (other && !found)
       throw InvalidArgument(fmt::format(
           "{}, with {} unknowns each: the nodes of term '{}' have {}; {}", expected.what,
-          expected.unknowns_each, other->name(), other->stencils().block, expected.remedy));
+          expected.unknowns_each, other->name(), other->element_dofs().block, expected.remedy));
   }
 }
 
@@ -76,20 +77,20 @@ void require_expected_nodes(const ConstraintRows& rows, const Terms& terms) {
 struct LeadingTerms {
   std::size_t count;
   SparsePattern pattern;  // columns up to their last unknown
-  std::vector<SlotTable> slots;
+  std::vector<ScatterMap> slots;
 
   LeadingTerms(const Terms& terms, std::size_t first_terms, const Elimination& elimination)
-      : count(first_terms), pattern(reduced_pattern(stencils(terms, 0, count), elimination)) {
+      : count(first_terms), pattern(reduced_pattern(element_dofs(terms, 0, count), elimination)) {
     Index unknowns = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      slots.emplace_back(terms[k]->stencils(), elimination, pattern);
+      slots.emplace_back(terms[k]->element_dofs(), elimination, pattern);
       const auto* const last = elimination.begin(extent(*terms[k]));
       for (auto e = elimination.begin(0); e != last; ++e)
         unknowns = std::max(unknowns, e->reduced + 1);
     }
     pattern.size = unknowns;
-    pattern.column_starts.resize(at(unknowns) + 1);
-    pattern.rows.resize(at(pattern.column_starts.back()));
+    pattern.column_starts.resize(to_size(unknowns) + 1);
+    pattern.rows.resize(to_size(pattern.column_starts.back()));
   }
 };
 
@@ -124,7 +125,7 @@ struct Problem::Structure {
   std::vector<std::shared_ptr<const FeasibilityChecker>> checkers;
   Elimination elimination;
   SparsePattern pattern;
-  std::vector<SlotTable> slots;
+  std::vector<ScatterMap> slots;
   std::shared_ptr<const LeadingTerms> leading;  // those that a problem before had, too
   Partition partition;
 
@@ -173,11 +174,11 @@ const Elimination& ProblemParts::elimination(const Problem& problem) {
   return problem.structure_->elimination;
 }
 
-const ChunkPlan& ProblemParts::plan(const Problem& problem, TermId id) {
+const ColoredBatches& ProblemParts::plan(const Problem& problem, TermId id) {
   return *problem.plans_[number(id)];
 }
 
-const SlotTable& ProblemParts::slots(const Problem& problem, TermId id) {
+const ScatterMap& ProblemParts::slots(const Problem& problem, TermId id) {
   return problem.structure_->slots[number(id)];
 }
 
@@ -187,7 +188,7 @@ void require_valid(const EnergyTerm& term, const TermState& state) {
   const auto refuse = [&](const std::string& what) {
     throw InvalidArgument(fmt::format("term '{}': {}", term.name(), what));
   };
-  const Index count = term.stencils().element_count();
+  const Index count = term.element_dofs().element_count();
   const auto usable = [](double w) { return w >= 0 && std::isfinite(w); };
   if (!usable(state.weight))
     refuse(fmt::format("its weight is {:g}, finite and at least 0 is needed", state.weight));
@@ -198,7 +199,7 @@ void require_valid(const EnergyTerm& term, const TermState& state) {
     if (!usable(w[e]))
       refuse(fmt::format("the weight of element {} is {:g}, finite and at least 0 is needed", e,
                          w[e]));
-  if (!state.element_rule.empty() && state.element_rule.size() != at(count))
+  if (!state.element_rule.empty() && state.element_rule.size() != to_size(count))
     refuse(fmt::format("{} rules of elements for {} elements", state.element_rule.size(), count));
   for (std::size_t e = 0; e < state.element_rule.size(); ++e)
     if (state.element_rule[e] < 0 || state.element_rule[e] >= term.rule_count())
@@ -226,8 +227,8 @@ Problem Problem::with(TermChanges changes) const {
     require_term("Problem::with", id);
     require_valid(term(id), state);
     if (!same_rules(state.element_rule, other.states_[number(id)].element_rule))
-      other.plans_[number(id)] = std::make_shared<const ChunkPlan>(
-          term(id).stencils(), state.element_rule, structure_->elimination);
+      other.plans_[number(id)] = std::make_shared<const ColoredBatches>(
+          term(id).element_dofs(), state.element_rule, structure_->elimination);
     other.states_[number(id)] = std::move(state);
   }
   return other;
@@ -314,25 +315,26 @@ Problem Problem::assembled(Structure s, std::vector<TermState> states, const Pro
   problem.states_ = std::move(states);
   const std::size_t count = s.terms.size(),
                     shared = before ? s.shared_terms(*before->structure_) : 0;
-  s.pattern = reduced_pattern(stencils(s.terms, shared, count), s.elimination);
+  s.pattern = reduced_pattern(element_dofs(s.terms, shared, count), s.elimination);
   if (shared > 0) {
     s.leading = before->structure_->leading;
     if (!s.leading || s.leading->count != shared)
       s.leading = std::make_shared<const LeadingTerms>(s.terms, shared, s.elimination);
-    s.pattern.block_of = node_blocks(stencils(s.terms, 0, count), s.elimination);
+    s.pattern.block_of = node_blocks(element_dofs(s.terms, 0, count), s.elimination);
     std::vector<Index> places;
     s.pattern = s.leading->pattern.joined(s.pattern, places);
-    for (const SlotTable& slots : s.leading->slots) s.slots.push_back(slots.moved(places));
+    for (const ScatterMap& slots : s.leading->slots) s.slots.push_back(slots.moved(places));
   }
   for (std::size_t k = 0; k < count; ++k) {
     s.ids.push_back(TermId(k));
-    const Stencils& stencils = s.terms[k]->stencils();
-    if (k >= shared) s.slots.emplace_back(stencils, s.elimination, s.pattern);
+    const ElementDofs& element_dofs = s.terms[k]->element_dofs();
+    if (k >= shared) s.slots.emplace_back(element_dofs, s.elimination, s.pattern);
     const bool same =
         k < shared && same_rules(before->states_[k].element_rule, problem.states_[k].element_rule);
-    problem.plans_.push_back(same ? before->plans_[k]
-                                  : std::make_shared<const ChunkPlan>(
-                                        stencils, problem.states_[k].element_rule, s.elimination));
+    problem.plans_.push_back(
+        same ? before->plans_[k]
+             : std::make_shared<const ColoredBatches>(element_dofs, problem.states_[k].element_rule,
+                                                      s.elimination));
   }
   problem.structure_ = std::make_shared<const Problem::Structure>(std::move(s));
   return problem;

@@ -31,7 +31,7 @@
 
 namespace majorant {
 
-class ChunkPlan;
+class ColoredBatches;
 class Elimination;
 
 // One term of a problem, as ProblemBuilder::add names it; the same in all problems of one
@@ -83,7 +83,7 @@ class Problem {
 
   std::shared_ptr<const Structure> structure_;
   std::vector<TermState> states_;
-  std::vector<std::shared_ptr<const ChunkPlan>> plans_;
+  std::vector<std::shared_ptr<const ColoredBatches>> plans_;
 };
 
 class ProblemBuilder {
@@ -106,8 +106,8 @@ class ProblemBuilder {
     TermId id_;
   };
 
-  // add() throws InvalidArgument for null pointers, stencils that leave the unknowns, weights that
-  // are negative or not finite, states of another size, rules that a term does not have, and
+  // add() throws InvalidArgument for null pointers, element_dofs that leave the unknowns, weights
+  // that are negative or not finite, states of another size, rules that a term does not have, and
   // constraints that leave a row open.
   explicit ProblemBuilder(Index full_size);
   // Of the unknowns that this rank has, the same kinds of checkers on every rank. Constraints may
@@ -123,7 +123,7 @@ class ProblemBuilder {
   // each other, or hold an unknown on one rank and not on another.
   Problem build() const;
   // The same problem, sooner where `before` begins with the same terms and these have the same
-  // unknowns: their chunks, slots and part of the pattern are taken over. For terms that change
+  // unknowns: their batches, slots and part of the pattern are taken over. For terms that change
   // while others stay.
   Problem build(const Problem& before) const;
 

@@ -12,7 +12,7 @@ class OneProcess final : public Ranks {
   void sum(std::span<double>) const override {}
   void min(std::span<double>) const override {}
   void broadcast(std::span<std::byte>) const override {}
-  void exchange(std::span<const Parcel> sent, std::span<const Parcel> received) const override {
+  void exchange(std::span<const Message> sent, std::span<const Message> received) const override {
     if (!sent.empty() || !received.empty())
       throw InvalidArgument("Ranks::exchange: there is one process, nobody to exchange with");
   }

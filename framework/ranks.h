@@ -33,12 +33,12 @@ class Ranks {
   virtual void broadcast(std::span<std::byte> bytes) const = 0;
 
   // Numbers for one rank, or from it. Nobody is told sizes: both sides know them.
-  struct Parcel {
+  struct Message {
     int rank;
     std::span<double> values;
   };
-  // At most one parcel a rank in either list, none to oneself; each that is sent is received.
-  virtual void exchange(std::span<const Parcel> sent, std::span<const Parcel> received) const = 0;
+  // At most one message a rank in either list, none to oneself; each that is sent is received.
+  virtual void exchange(std::span<const Message> sent, std::span<const Message> received) const = 0;
 
   double sum(double value) const;
   double min(double value) const;

@@ -37,15 +37,15 @@ SparsePattern SparsePattern::joined(const SparsePattern& more, std::vector<Index
   out.size = more.size;
   out.block_of = more.block_of;
   out.column_starts.reserve(more.column_starts.size());
-  out.rows.reserve(rows.size() + more.rows.size() - at(size));
+  out.rows.reserve(rows.size() + more.rows.size() - to_size(size));
   places.clear();
   places.reserve(rows.size());
   for (Index c = 0; c < more.size; ++c) {
-    const Index *theirs = more.rows.data() + more.column_starts[at(c)],
-                *their_end = more.rows.data() + more.column_starts[at(c) + 1];
+    const Index *theirs = more.rows.data() + more.column_starts[c],
+                *their_end = more.rows.data() + more.column_starts[c + 1];
     if (c < size) {
-      const Index* end = rows.data() + column_starts[at(c) + 1];
-      for (const Index* mine = rows.data() + column_starts[at(c)]; mine != end; ++mine) {
+      const Index* end = rows.data() + column_starts[c + 1];
+      for (const Index* mine = rows.data() + column_starts[c]; mine != end; ++mine) {
         while (theirs != their_end && *theirs < *mine) out.rows.push_back(*theirs++);
         if (theirs != their_end && *theirs == *mine) ++theirs;
         places.push_back(counted("entries of a sparse pattern", out.rows.size()));
@@ -62,20 +62,20 @@ void require_valid(const SparsePattern& p) {
   const auto refuse = [](const std::string& what) {
     throw InvalidArgument("sparse pattern: " + what);
   };
-  if (p.size < 0 || p.column_starts.size() != at(p.size) + 1 || p.column_starts.front() != 0 ||
+  if (p.size < 0 || p.column_starts.size() != to_size(p.size) + 1 || p.column_starts.front() != 0 ||
       p.column_starts.back() != p.nonzeros())
     refuse(fmt::format("{} starts of columns, of {} unknowns and {} entries",
                        p.column_starts.size(), p.size, p.nonzeros()));
-  if (p.block_of.size() != at(p.size))
+  if (p.block_of.size() != to_size(p.size))
     refuse(fmt::format("{} blocks for {} unknowns; order_in_blocks() makes them", p.block_of.size(),
                        p.size));
   for (Index c = 0, block = 0; c < p.size; ++c) {
-    const Index first = p.column_starts[at(c)], last = p.column_starts[at(c) + 1];
-    bool sound = first < last && last <= p.nonzeros() && p.rows[at(first)] == c;
+    const Index first = p.column_starts[c], last = p.column_starts[c + 1];
+    bool sound = first < last && last <= p.nonzeros() && p.rows[first] == c;
     for (Index k = first + 1; k < last && sound; ++k)
-      sound = p.rows[at(k)] > p.rows[at(k - 1)] && p.rows[at(k)] < p.size;
+      sound = p.rows[k] > p.rows[k - 1] && p.rows[k] < p.size;
     if (!sound) refuse(fmt::format("column {} is not its diagonal and sorted rows below it", c));
-    const Index next = p.block_of[at(c)];
+    const Index next = p.block_of[c];
     if (next != block && (c == 0 || next != block + 1))
       refuse(fmt::format("block {} of unknown {} follows block {}", next, c, block));
     block = next;
@@ -85,8 +85,8 @@ void require_valid(const SparsePattern& p) {
 Index SparsePattern::slot(Index row, Index column) const {
   if (row < column) std::swap(row, column);
   require_index("SparsePattern::slot: column", column, size);
-  const auto first = rows.begin() + column_starts[at(column)];
-  const auto last = rows.begin() + column_starts[at(column) + 1];
+  const auto first = rows.begin() + column_starts[column];
+  const auto last = rows.begin() + column_starts[column + 1];
   const auto found = std::lower_bound(first, last, row);
   if (found == last || *found != row)
     throw InvalidArgument(

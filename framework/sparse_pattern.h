@@ -37,7 +37,7 @@ struct SparsePattern {
   // Where the value of an entry is: parallel to `rows`; either triangle. Throws InvalidArgument for
   // an entry that is not there.
   Index slot(Index row, Index column) const;
-  Index diagonal_slot(Index column) const { return column_starts[at(column)]; }
+  Index diagonal_slot(Index column) const { return column_starts[column]; }
 };
 
 // Throws InvalidArgument unless a pattern is what the head of this file says, with a block for

@@ -31,14 +31,14 @@ Descent::Answer Descent::after_step(const StepResult&) {
   return {};
 }
 
-void Descent::set_anchor() {
-  anchor_ = result.y;
-  anchor_energy_ = result.energy;
+void Descent::set_fallback() {
+  fallback_ = result.y;
+  fallback_energy_ = result.energy;
 }
 
-void Descent::return_to_anchor() {
-  result.y = anchor_;
-  result.energy = anchor_energy_;
+void Descent::return_to_fallback() {
+  result.y = fallback_;
+  result.energy = fallback_energy_;
 }
 
 Stepper::Stepper(const Problem& problem, const LineSearchOptions& line_search,
@@ -140,7 +140,7 @@ SolveResult Stepper::descend_from(Vec y, double energy, const StoppingRules& rul
 void Stepper::descend(Descent& descent, const StoppingRules& rules) {
   SolveResult& result = descent.result;
   StoppingTest test(rules, descent.energy);
-  descent.set_anchor();
+  descent.set_fallback();
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
     Step step = this->step(result.y, descent.energy);
@@ -160,13 +160,13 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
     const Advice advice = test.after(step, answer.since);
     if ((stop = advice.stop)) break;
     if (advice.polish) polish();
-    if (advice.anchor) descent.set_anchor();
+    if (advice.fallback) descent.set_fallback();
     if (answer.directive != Directive::Continue) {
       stop = Stop{stopped_status(answer.directive), Stopped(answer.directive).what()};
       break;
     }
   }
-  if (stop->at_anchor) descent.return_to_anchor();
+  if (stop->at_fallback) descent.return_to_fallback();
   result.status = stop->status;
   result.message = std::move(stop->message);
 }

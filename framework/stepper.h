@@ -34,13 +34,14 @@ class Descent {
   // Called after every step that was not abandoned; if it moved, result.iterations ends with its
   // record. May give the stepper another problem: result.y and energy are of that one afterwards.
   virtual Answer after_step(const StepResult& step);
-  // The point reached is one to return to (Advice::anchor), or is returned to (Stop::at_anchor).
-  virtual void set_anchor();
-  virtual void return_to_anchor();
+  // The point reached is one to return to (Advice::fallback), or is returned to
+  // (Stop::at_fallback).
+  virtual void set_fallback();
+  virtual void return_to_fallback();
 
  private:
-  Vec anchor_;
-  double anchor_energy_ = 0;
+  Vec fallback_;
+  double fallback_energy_ = 0;
 };
 
 class Stepper {

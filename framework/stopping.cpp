@@ -44,7 +44,7 @@ StoppingRules first_order_rules() {
   // Origin: chosen, not tuned.
   rules.stall_step = 1e-9;
   // Origin: steps are short anyway, every point is one to return to.
-  rules.anchor_step = 0;
+  rules.fallback_step = 0;
   // Origin: ten times Newton's.
   rules.max_iterations = 10000;
   return rules;
@@ -112,7 +112,7 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const bool falls = plateau || (promises && since == Since::Same && falls_visibly());
   const bool goes_on = near_minimum && falls && held_ == 0;
   if (idle_ >= rules_.stall_iterations && !goes_on) advice.stop = idle(near_minimum, promises);
-  advice.anchor = idle_ == 0 && r.step_bound >= rules_.anchor_step;
+  advice.fallback = idle_ == 0 && r.step_bound >= rules_.fallback_step;
   return advice;
 }
 

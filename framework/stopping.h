@@ -6,7 +6,7 @@
 //       const Advice advice = test.after(step);
 //       if ((stop = advice.stop)) break;
 //       if (advice.polish) stepper.polish();
-//       if (advice.anchor) best = y;
+//       if (advice.fallback) best = y;
 //     }
 //
 // That loop is Stepper::descend(). The test sees reports of steps only, no solver and no unknowns:
@@ -36,7 +36,7 @@ namespace majorant {
 //       |E_{k-1}| - unless the certificate lets all these steps pass and this is a plateau, or -g.p
 //       promises more than the last step of the tail may and the energy still falls visibly: then
 //       it goes on -, else Stalled, and the result is the last point reached where the certified
-//       step was at least anchor_step: what follows it led into a corner
+//       step was at least fallback_step: what follows it led into a corner
 //     plateau: with d the sum of the last w relative decreases, d' that of the w before, decreases
 //       of at most `decrement` being none, q = d / d', for w = 1 or w = plateau_window (or half of
 //       the steps there are)
@@ -79,8 +79,8 @@ struct StoppingRules {
   int stall_iterations = 3;
   // Origin: bench/tune.py stopping.stall_step.
   double stall_step = 1e-3;
-  // Origin: bench/tune.py stopping.anchor_step.
-  double anchor_step = 0.1;
+  // Origin: bench/tune.py stopping.fallback_step.
+  double fallback_step = 0.1;
   // Origin: bounds the cost of a solve that nobody watches; parametrize() has no such limit.
   int max_iterations = 1000;
 };
@@ -98,19 +98,19 @@ StoppingRules brief_rules(int steps, double relative_decrease);
 struct Stop {
   Status status = Status::Failed;
   std::string message;
-  bool at_anchor = false;  // the result is the anchor, not the last point
+  bool at_fallback = false;  // the result is the fallback, not the last point
 };
 
 struct Advice {
   std::optional<Stop> stop;
-  bool polish = false;  // Stepper::polish() before the next step
-  bool anchor = false;  // the point reached is one to return to
+  bool polish = false;    // Stepper::polish() before the next step
+  bool fallback = false;  // the point reached is one to return to
 };
 
 class StoppingTest {
  public:
-  // energy: of the start, which is the first anchor. Throws InvalidArgument for rules that are NaN
-  // or numbers of steps below 1 (max_iterations: 0).
+  // energy: of the start, which is the first fallback. Throws InvalidArgument for rules that are
+  // NaN or numbers of steps below 1 (max_iterations: 0).
   StoppingTest(const StoppingRules& rules, double energy);
 
   // Whether the iterations are used up.

@@ -25,9 +25,9 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 using Cells = Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // A number of something, which is not negative, as the place in a standard container:
-// area[at(face)]. Nothing but an Index: longer integers would lose what they have more.
+// area[face]. Nothing but an Index: longer integers would lose what they have more.
 template <std::same_as<Index> I>
-constexpr std::size_t at(I i) {
+constexpr std::size_t to_size(I i) {
   return static_cast<std::size_t>(i);
 }
 

@@ -30,8 +30,8 @@ constexpr mode_t kOwnerOnly = 0600;
   throw Error(ErrorKind::Usage, fmt::format("cannot write {}: {}", path, std::strerror(code)));
 }
 
-// The standard streams by name: opening the name again would start at the beginning of a file that
-// the shell appends to. -1 for other paths.
+// The standard streams by name: message_prefix the name again would start at the beginning of a
+// file that the shell appends to. -1 for other paths.
 int standard_stream(const std::string& path) {
   if (path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1") return 1;
   if (path == "/dev/stderr" || path == "/dev/fd/2" || path == "/proc/self/fd/2") return 2;

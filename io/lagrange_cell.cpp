@@ -57,7 +57,7 @@ CellMatrix evaluation(int degree) {
 // Coefficients of the monomials of degree n in three variables, by exponents of the first two.
 using Form = std::vector<Quad>;
 
-std::size_t place(int degree, int i, int j) { return at(i * (degree + 1) + j); }
+std::size_t place(int degree, int i, int j) { return to_size(i * (degree + 1) + j); }
 
 // form * (n x_axis - s (x_0 + x_1 + x_2)), which is of degree `power` + 1. All numbers are whole.
 Form times_factor(const Form& form, int degree, int power, int axis, int s) {
@@ -79,11 +79,11 @@ Form times_factor(const Form& form, int degree, int power, int axis, int s) {
 CellMatrix interpolation(int degree) {
   CellMatrix matrix(degree);
   for (std::size_t column = 0; column < matrix.size(); ++column) {
-    Form form(at((degree + 1) * (degree + 1)), 0);
+    Form form(to_size((degree + 1) * (degree + 1)), 0);
     form[0] = 1;
     int power = 0;
     for (int axis = 0; axis < 3; ++axis)
-      for (int s = 0; s < matrix.index(column)[at(axis)]; ++s)
+      for (int s = 0; s < matrix.index(column)[axis]; ++s)
         form = times_factor(form, degree, power++, axis, s);
     for (std::size_t row = 0; row < matrix.size(); ++row) {
       const auto& index = matrix.index(row);
@@ -97,14 +97,14 @@ CellMatrix interpolation(int degree) {
 // Which inputs each result is made of: for corners itself, for points of an edge those along it.
 std::vector<std::vector<int>> inputs_of(int degree) {
   const Index size = bezier_cell_size(degree);
-  std::vector<int> all(at(size));
-  for (Index k = 0; k < size; ++k) all[at(k)] = k;
-  std::vector<std::vector<int>> inputs(at(size), all);
+  std::vector<int> all(to_size(size));
+  for (Index k = 0; k < size; ++k) all[k] = k;
+  std::vector<std::vector<int>> inputs(to_size(size), all);
   for (int edge = 0; edge < 3; ++edge) {
     const std::vector<int> along = bezier_edge_points(degree, edge);
-    for (const int k : along) inputs[at(k)] = along;
+    for (const int k : along) inputs[k] = along;
   }
-  for (int k = 0; k < 3; ++k) inputs[at(k)] = {k};
+  for (int k = 0; k < 3; ++k) inputs[k] = {k};
   return inputs;
 }
 
@@ -120,7 +120,7 @@ class CellTransform {
   // Result `row` of a cell of a map.
   Rounded apply(const MapFile& map, Index cell, int row) const {
     const auto input = [&](int k) { return map.cells(cell, k); };
-    std::vector<int> order = inputs_[at(row)];
+    std::vector<int> order = inputs_[row];
     if (order.size() == 1) return {map.uv.row(input(row)), rounding(map, input(row))};
     if (order.size() < matrix_.size() && runs_backwards(map, cell, order))
       std::reverse(order.begin(), order.end());
@@ -129,7 +129,7 @@ class CellTransform {
       Quad sum = 0;
       double size = 0, error = 0;
       for (const int k : order) {
-        const Quad weight = matrix_.weight(at(row), at(k));
+        const Quad weight = matrix_.weight(to_size(row), to_size(k));
         const Quad term = weight * map.uv(input(k), axis);
         sum += term;
         size += std::abs(static_cast<double>(term));
@@ -184,7 +184,7 @@ Points2 lagrange_nodes(const MapFile& map, const StopCheck& stop) {
   if (map.degree == 1) return nodes;
   const CellTransform transform(evaluation(map.degree), map.degree);
   for (Index cell = 0; cell < map.cells.rows(); ++cell) {
-    stop.poll_at(at(cell));
+    stop.poll_at(to_size(cell));
     for (int k = 3; k < map.cells.cols(); ++k)
       nodes.row(map.cells(cell, k)) = transform.apply(map, cell, k).value;
   }
@@ -212,18 +212,18 @@ void take_as_lagrange_nodes(MapFile& map, const std::string& file, const StopChe
   const CellTransform transform(interpolation(map.degree), map.degree);
   Points2 uv = map.uv;
   Points2 rounding = Points2::Zero(uv.rows(), 2);
-  std::vector<char> is_known(at(static_cast<Index>(uv.rows())), 0);
+  std::vector<char> is_known(to_size(static_cast<Index>(uv.rows())), 0);
   for (Index cell = 0; cell < map.cells.rows(); ++cell) {
-    stop.poll_at(at(cell));
+    stop.poll_at(to_size(cell));
     for (int k = 0; k < map.cells.cols(); ++k) {
       const Index point = map.cells(cell, k);
       const Rounded control_point = transform.apply(map, cell, k);
-      if (is_known[at(point)] && Vector2(uv.row(point)) != control_point.value)
+      if (is_known[point] && Vector2(uv.row(point)) != control_point.value)
         throw Error(ErrorKind::Unreadable,
                     fmt::format("{}: cell {}: its point {} is another cell's, on another curve; "
                                 "damaged file",
                                 file, cell, k));
-      is_known[at(point)] = 1;
+      is_known[point] = 1;
       uv.row(point) = control_point.value;
       rounding.row(point) = control_point.error;
     }

@@ -48,8 +48,8 @@ double image_area(const MapFile& file, Index c) {
     const std::vector<int> along = bezier_edge_points(n, edge);
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j < n; ++j) {
-        const Vector2 step = point(along[at(j + 1)]) - point(along[at(j)]);
-        twice += product_integral(n, i, j) * n * cross(point(along[at(i)]), step);
+        const Vector2 step = point(along[j + 1]) - point(along[j]);
+        twice += product_integral(n, i, j) * n * cross(point(along[i]), step);
       }
   }
   return twice / 2;

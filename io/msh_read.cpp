@@ -43,9 +43,9 @@ MapFile read_msh(const std::string& path, const StopCheck& stop) {
   map.uv.resize(count, 2);
   map.uv_rounding.resize(count, 2);
   for (Index p = 0; p < count; ++p) {
-    const auto& node = contents.nodes[at(p)];
-    const MshNumber& u = has_views ? contents.u.values[at(p)] : node[0];
-    const MshNumber& v = has_views ? contents.v.values[at(p)] : node[1];
+    const auto& node = contents.nodes[p];
+    const MshNumber& u = has_views ? contents.u.values[p] : node[0];
+    const MshNumber& v = has_views ? contents.v.values[p] : node[1];
     map.points.row(p) << node[0].value, node[1].value, node[2].value;
     map.uv.row(p) << u.value, v.value;
     map.uv_rounding.row(p) << u.rounding, v.rounding;

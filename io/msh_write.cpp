@@ -21,12 +21,12 @@ class MshText {
  public:
   MshText(const MapFile& map, const Points3& nodes) : map_(map), nodes_(nodes) {
     const auto chart_of = [&](Index cell) { return map.chart.size() == 0 ? 0 : map.chart[cell]; };
-    std::vector<char> is_placed(at(static_cast<Index>(nodes.rows())), 0);
+    std::vector<char> is_placed(to_size(static_cast<Index>(nodes.rows())), 0);
     for (Index c = 0; c < map.cells.rows(); ++c) {
       Chart& chart = charts_[chart_of(c)];
       chart.cells.push_back(c);
       for (const Index p : map.cells.row(c))
-        if (!std::exchange(is_placed[at(p)], 1)) chart.nodes.push_back(p);
+        if (!std::exchange(is_placed[p], 1)) chart.nodes.push_back(p);
     }
     for (std::size_t p = 0; p < is_placed.size(); ++p)  // those of no cell
       if (!is_placed[p]) charts_.begin()->second.nodes.push_back(static_cast<Index>(p));
@@ -44,7 +44,7 @@ class MshText {
     const Index count = static_cast<Index>(map_.cells.rows());
     add("$EndNodes\n$Elements\n{} {} 1 {}\n", charts_.size(), count, count);
     for (const auto& [number, chart] : charts_) {
-      add("2 {} {} {}\n", long{number} + 1, kMshTriangles[at(map_.degree - 1)].first,
+      add("2 {} {} {}\n", long{number} + 1, kMshTriangles[map_.degree - 1].first,
           chart.cells.size());
       for (const Index c : chart.cells) {
         add("{}", c + 1);

@@ -99,7 +99,7 @@ class VtuReader {
   template <class Matrix>
   Matrix matrix(const XmlElement& array, int columns, int components) const {
     const std::vector<double> values = arrays_.doubles(array);
-    const auto stride = at(components);
+    const auto stride = to_size(components);
     if (values.size() % stride != 0) fail("an array does not fit its number of components");
     const auto rows = static_cast<Eigen::Index>(values.size() / stride);
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

@@ -46,7 +46,7 @@ std::string obj_text(const PolygonMesh& mesh) {
   const std::vector<Index> none;
   auto directive = mesh.directives.begin();
   for (std::size_t p = 0; p < mesh.polygons.size(); ++p) {
-    for (; directive != mesh.directives.end() && at(directive->first) <= p; ++directive) {
+    for (; directive != mesh.directives.end() && to_size(directive->first) <= p; ++directive) {
       fmt::format_to(out, "{}\n", directive->second);
     }
     const auto& texcoords = mesh.polygon_texcoords.empty() ? none : mesh.polygon_texcoords[p];

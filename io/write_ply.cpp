@@ -41,7 +41,7 @@ class PlyText {
     for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
       for (std::size_t k = 0; k < mesh.polygons[p].size(); ++k) {
         const Index v = mesh.polygons[p][k];
-        is_used[at(v)] = 1;
+        is_used[v] = 1;
         numbers_.emplace(PlyVertex{v, mesh.polygon_texcoords[p][k]}, 0);
       }
     for (std::size_t v = 0; v < is_used.size(); ++v)
@@ -82,12 +82,12 @@ class PlyText {
   }
 
   void add_vertex(const PlyVertex& vertex, std::string& text) const {
-    for (const double x : mesh_.positions[at(vertex.v)]) append(x, text);
-    const Vector2 st = vertex.vt < 0 ? Vector2::Zero() : mesh_.texcoords[at(vertex.vt)];
+    for (const double x : mesh_.positions[vertex.v]) append(x, text);
+    const Vector2 st = vertex.vt < 0 ? Vector2::Zero() : mesh_.texcoords[vertex.vt];
     for (const double x : st) append(x, text);
     append(std::int32_t{vertex.v}, text);
     if (!has_colors_) return;
-    for (const double channel : mesh_.colors[at(vertex.v)])
+    for (const double channel : mesh_.colors[vertex.v])
       append(static_cast<std::uint8_t>(std::lround(255 * std::clamp(channel, 0.0, 1.0))), text);
   }
 

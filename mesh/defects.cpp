@@ -120,7 +120,7 @@ class Finding {
   std::vector<Index> isolated() const {
     std::vector<char> is_used(input_.positions.size(), 0);
     for (const auto& polygon : input_.polygons)
-      for (const Index v : polygon) is_used[at(v)] = 1;
+      for (const Index v : polygon) is_used[v] = 1;
     std::vector<Index> isolated;
     for (std::size_t v = 0; v < is_used.size(); ++v)
       if (!is_used[v]) isolated.push_back(static_cast<Index>(v));
@@ -130,11 +130,11 @@ class Finding {
   void list_components() {
     const SurfaceMesh& mesh = *repaired_.mesh;
     const std::vector<Index> component = face_components(mesh.opposites());
-    found_.components.assign(at(mesh.topology().components), {-1, 0, 0, 0});
+    found_.components.assign(to_size(mesh.topology().components), {-1, 0, 0, 0});
     const auto shape = [&](Index face) -> ComponentShape& {
-      return found_.components[at(component[at(face)])];
+      return found_.components[component[face]];
     };
-    std::vector<Index> face_at(at(mesh.vertex_count()), -1);
+    std::vector<Index> face_at(to_size(mesh.vertex_count()), -1);
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
       ComponentShape& c = shape(face_of(h));
       if (c.faces == 0) c.first_face = mesh.input_face(face_of(h));
@@ -143,12 +143,11 @@ class Finding {
         ++c.euler_characteristic;
       }
       if (mesh.opposite(h) < h) --c.euler_characteristic;  // every edge once
-      Index& f = face_at[at(mesh.from_vertex(h))];
+      Index& f = face_at[mesh.from_vertex(h)];
       if (f < 0) ++c.euler_characteristic;
       f = face_of(h);
     }
-    for (const auto& loop : mesh.boundary_loops())
-      ++shape(face_at[at(loop.front())]).boundary_loops;
+    for (const auto& loop : mesh.boundary_loops()) ++shape(face_at[loop.front()]).boundary_loops;
   }
 
   const PolygonMesh& input_;

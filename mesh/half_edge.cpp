@@ -25,7 +25,7 @@ std::vector<Index> opposite_half_edges(const Cells& faces) {
   const auto same = [&](std::size_t i, std::size_t j) {
     return j < edges.size() && edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1];
   };
-  std::vector<Index> opposite(at(count), -1);
+  std::vector<Index> opposite(to_size(count), -1);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     if (!same(k, k + 1)) continue;
     const Index h = edges[k][2], o = edges[k + 1][2];
@@ -34,8 +34,8 @@ std::vector<Index> opposite_half_edges(const Cells& faces) {
           fmt::format("opposite_half_edges: edge ({}, {}) has more than two faces, or two that run "
                       "the same way",
                       edges[k][0], edges[k][1]));
-    opposite[at(h)] = o;
-    opposite[at(o)] = h;
+    opposite[h] = o;
+    opposite[o] = h;
   }
   return opposite;
 }
@@ -44,7 +44,7 @@ std::vector<std::vector<Index>> boundary_half_edges(const Cells& faces,
                                                     const std::vector<Index>& opposite) {
   std::map<Index, Index> leaving;  // vertex -> boundary half-edge
   for (Index h = 0; h < static_cast<Index>(opposite.size()); ++h)
-    if (opposite[at(h)] < 0) leaving[from_vertex(faces, h)] = h;
+    if (opposite[h] < 0) leaving[from_vertex(faces, h)] = h;
   std::vector<std::vector<Index>> loops;
   while (!leaving.empty()) {
     std::vector<Index> loop;
@@ -62,11 +62,11 @@ std::vector<Index> face_components(const std::vector<Index>& opposite) {
   const auto count = static_cast<Index>(opposite.size()) / 3;
   UnionFind sets(count);
   for (Index h = 0; h < 3 * count; ++h)
-    if (opposite[at(h)] >= 0) sets.join(face_of(h), face_of(opposite[at(h)]));
+    if (opposite[h] >= 0) sets.join(face_of(h), face_of(opposite[h]));
   std::vector<Index> component;
   Index next_number = 0;
   for (Index f = 0; f < count; ++f)  // a set is named by its first face
-    component.push_back(sets.find(f) == f ? next_number++ : component[at(sets.find(f))]);
+    component.push_back(sets.find(f) == f ? next_number++ : component[sets.find(f)]);
   return component;
 }
 
@@ -75,14 +75,14 @@ Index find_touching_vertex(const Cells& faces, const std::vector<Index>& opposit
   const auto count = static_cast<Index>(opposite.size());
   UnionFind fans(count);
   for (Index h = 0; h < count; ++h)
-    if (opposite[at(h)] >= 0) fans.join(h, next(opposite[at(h)]));
+    if (opposite[h] >= 0) fans.join(h, next(opposite[h]));
   std::vector<Index> fan_of;  // by vertex, -1: not met
   Index touching = -1;
   for (Index h = 0; h < count; ++h) {
     const Index v = from_vertex(faces, h);
-    if (at(v) >= fan_of.size()) fan_of.resize(at(v) + 1, -1);
-    if (fan_of[at(v)] < 0) fan_of[at(v)] = fans.find(h);
-    if (fan_of[at(v)] != fans.find(h) && (touching < 0 || v < touching)) touching = v;
+    if (to_size(v) >= fan_of.size()) fan_of.resize(to_size(v) + 1, -1);
+    if (fan_of[v] < 0) fan_of[v] = fans.find(h);
+    if (fan_of[v] != fans.find(h) && (touching < 0 || v < touching)) touching = v;
   }
   return touching;
 }

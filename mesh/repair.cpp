@@ -13,8 +13,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/internal/mesh_validation.h"
-#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/place_text.h"
 #include "majorant/mesh/internal/sheets.h"
 #include "majorant/mesh/internal/texture_borders.h"
@@ -31,7 +31,10 @@ using Places = std::vector<std::array<Index, 2>>;
 class Regularizing {
  public:
   Regularizing(const Points3& positions, const Cells& faces)
-      : positions_(positions), faces_(faces), sum_(at(vertices())), count_(at(vertices())) {
+      : positions_(positions),
+        faces_(faces),
+        sum_(to_size(vertices())),
+        count_(to_size(vertices())) {
     double total = 0;
     Index edges = 0;
     for (Index f = 0; f < faces.rows(); ++f)
@@ -39,8 +42,8 @@ class Regularizing {
         const double l = length(f, k);
         if (!(l > 0)) continue;
         for (const Index v : {faces(f, k), faces(f, next(k))}) {
-          sum_[at(v)] += l;
-          ++count_[at(v)];
+          sum_[v] += l;
+          ++count_[v];
         }
         total += l;
         ++edges;
@@ -80,9 +83,9 @@ class Regularizing {
   std::array<Vector2, 3> needle(Index f, Index longest, double size) const {
     const Vector3 along = edge(f, longest) / size, up = -edge(f, previous(longest));
     std::array<Vector2, 3> corners;
-    corners[at(longest)] = {0, 0};
-    corners[at(next(longest))] = {size, 0};
-    corners[at(previous(longest))] = {std::clamp(along.dot(up), 0.0, size), kNeedleHeight * size};
+    corners[longest] = {0, 0};
+    corners[next(longest)] = {size, 0};
+    corners[previous(longest)] = {std::clamp(along.dot(up), 0.0, size), kNeedleHeight * size};
     return corners;
   }
 
@@ -90,8 +93,8 @@ class Regularizing {
     double sum = 0;
     Index count = 0;
     for (Index k = 0; k < 3; ++k) {
-      sum += sum_[at(faces_(f, k))];
-      count += count_[at(faces_(f, k))];
+      sum += sum_[faces_(f, k)];
+      count += count_[faces_(f, k)];
     }
     const double side = kNeedleHeight * (count > 0 ? sum / count : mean_);
     return {Vector2(0, 0), Vector2(side, 0), Vector2(side / 2, std::sqrt(0.75) * side)};
@@ -135,8 +138,8 @@ Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vector3 low = Vector3::Constant(kInfinity), high = -low, origin = Vector3::Zero();
   for (const Index v : used) {
-    low = low.cwiseMin(input.positions[at(v)]);
-    high = high.cwiseMax(input.positions[at(v)]);
+    low = low.cwiseMin(input.positions[v]);
+    high = high.cwiseMax(input.positions[v]);
   }
   const double extent = (high - low).maxCoeff();
   const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
@@ -161,8 +164,8 @@ bool disagree(const std::vector<Vector3>& corners,
   Vector3 normal = Vector3::Zero();  // of the largest
   double sum = 0;
   for (const auto& t : triangles) {
-    const Vector3& first = corners[at(t[0])];
-    areas.push_back((corners[at(t[1])] - first).cross(corners[at(t[2])] - first));
+    const Vector3& first = corners[t[0]];
+    areas.push_back((corners[t[1]] - first).cross(corners[t[2]] - first));
     if (areas.back().norm() > normal.norm()) normal = areas.back();
     sum += areas.back().norm();
   }
@@ -200,17 +203,17 @@ class Repairing {
     list_ = triangulate(input_, Crossing::Fanned, stop_);
     given_.resize(static_cast<Index>(list_.triangles.size()), 3);
     for (Index f = 0; f < given_.rows(); ++f)
-      for (Index k = 0; k < 3; ++k) given_(f, k) = welded_[at(list_.triangles[at(f)][at(k)])];
+      for (Index k = 0; k < 3; ++k) given_(f, k) = welded_[list_.triangles[f][k]];
     std::vector<std::vector<Index>> polygons = input_.polygons;
     for (auto& polygon : polygons)
-      for (Index& v : polygon) v = welded_[at(v)];
+      for (Index& v : polygon) v = welded_[v];
     sheets_ =
         make_sheets(given_, list_.polygon, polygons, input_.positions, options_.orientation, stop_);
     out_.one_sided = sheets_.one_sided;
     turn_corners();
     build();
     find_given_cuts();
-    for (const Index v : coincident_vertices(input_)) out_.coincident_left += welded_[at(v)] == v;
+    for (const Index v : coincident_vertices(input_)) out_.coincident_left += welded_[v] == v;
     note_all();
     return std::move(out_);
   }
@@ -243,7 +246,7 @@ class Repairing {
     if (options_.numerics == Numerics::ForSolving) parts.origin = origin_of(input_, sheets_.vertex);
     parts.positions.resize(static_cast<Index>(sheets_.vertex.size()), 3);
     for (Index v = 0; v < parts.positions.rows(); ++v) {
-      const Vector3& p = input_.positions[at(sheets_.vertex[at(v)])];
+      const Vector3& p = input_.positions[sheets_.vertex[v]];
       parts.positions.row(v) = parts.origin.isZero(0) ? p : Vector3(p - parts.origin);
     }
     place_texcoords(input_, list_, parts);
@@ -255,18 +258,16 @@ class Repairing {
         std::make_shared<const SurfaceMesh>(SurfaceMesh::from_parts(std::move(parts), stop_));
     out_.polygon_corner.resize(given_.rows(), 3);
     for (Index f = 0; f < given_.rows(); ++f)
-      for (Index k = 0; k < 3; ++k) out_.polygon_corner(f, k) = list_.corners[at(f)][at(k)];
+      for (Index k = 0; k < 3; ++k) out_.polygon_corner(f, k) = list_.corners[f][k];
   }
 
   // An edge that welding closed, whose two sides have other texture coordinates.
   void find_given_cuts() {
     const SurfaceMesh& mesh = *out_.mesh;
-    out_.given_cuts.assign(at(mesh.half_edge_count()), 0);
+    out_.given_cuts.assign(to_size(mesh.half_edge_count()), 0);
     const CornerPoints& uv = mesh.corner_texcoords();
     if (uv.rows() == 0) return;
-    const auto file_vertex = [&](Index c) {
-      return list_.triangles[at(face_of(c))][at(corner_of(c))];
-    };
+    const auto file_vertex = [&](Index c) { return list_.triangles[face_of(c)][corner_of(c)]; };
     const auto texture = [&](Index c) -> Vector2 {
       return uv.row(face_of(c)).segment<2>(2 * corner_of(c));
     };
@@ -276,7 +277,7 @@ class Repairing {
       const bool is_welded =
           file_vertex(h) != file_vertex(next(o)) || file_vertex(next(h)) != file_vertex(o);
       if (is_welded && (texture(h) != texture(next(o)) || texture(next(h)) != texture(o)))
-        out_.given_cuts[at(h)] = out_.given_cuts[at(o)] = 1;
+        out_.given_cuts[h] = out_.given_cuts[o] = 1;
     }
   }
 
@@ -290,7 +291,7 @@ class Repairing {
   // Polygons that these triangles belong to.
   Places polygons(const std::vector<Index>& triangles) const {
     Places places;
-    for (const Index t : triangles) places.push_back({list_.polygon[at(t)], -1});
+    for (const Index t : triangles) places.push_back({list_.polygon[t], -1});
     places.erase(std::unique(places.begin(), places.end()), places.end());
     return places;
   }
@@ -317,7 +318,7 @@ class Repairing {
       }
       if (triangles.size() == 1) continue;
       std::vector<Vector3> corners;
-      for (const Index v : input_.polygons[at(p)]) corners.push_back(input_.positions[at(v)]);
+      for (const Index v : input_.polygons[p]) corners.push_back(input_.positions[v]);
       if (is_crossing(corners, triangles)) places.push_back({p, -1});
     }
     return places;
@@ -342,9 +343,9 @@ class Repairing {
     note(RepairKind::CutEdge, edges(sheets_.cut_edges));
     out_.cut_edges = static_cast<Index>(sheets_.cut_edges.size());
     for (const Index h : sheets_.cut_edges)
-      out_.cut_length += (input_.positions[at(to_vertex(given_, h))] -
-                          input_.positions[at(from_vertex(given_, h))])
-                             .norm();
+      out_.cut_length +=
+          (input_.positions[to_vertex(given_, h)] - input_.positions[from_vertex(given_, h)])
+              .norm();
     note(RepairKind::CrossingPolygon, crossing_polygons());
     std::vector<Index> regularized;
     for (const RestTriangle& t : out_.mesh->rest_triangles()) regularized.push_back(t.face);
@@ -379,10 +380,10 @@ PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surfa
   const SurfaceMesh& mesh = *surface.mesh;
   for (Index f = 0; f < mesh.face_count(); ++f)
     for (Index k = 0; k < 3; ++k) {
-      auto& polygon = input.polygons[at(mesh.input_face(f))];
-      Index& vertex = polygon[at(surface.polygon_corner(f, k))];
+      auto& polygon = input.polygons[mesh.input_face(f)];
+      Index& vertex = polygon[surface.polygon_corner(f, k)];
       const Index welded = mesh.input_vertex(mesh.faces()(f, k));
-      if (input.positions[at(vertex)] != input.positions[at(welded)]) vertex = welded;
+      if (input.positions[vertex] != input.positions[welded]) vertex = welded;
     }
   return input;
 }

@@ -59,7 +59,7 @@ void Seams::find_chains(const Cells& cut_faces) {
   std::vector<std::vector<Index>> edges_at(quarter_turns_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e)
     for (const Index v : {from(edges_[e].side), to(edges_[e].side)})
-      edges_at[at(surface_vertex_[at(v)])].push_back(static_cast<Index>(e));
+      edges_at[surface_vertex_[v]].push_back(static_cast<Index>(e));
   for (SeamEdge& edge : edges_) edge.chain = -1;
   std::vector<Index> stack;
   for (std::size_t start = 0; start < edges_.size(); ++start) {
@@ -69,13 +69,12 @@ void Seams::find_chains(const Cells& cut_faces) {
     while (!stack.empty()) {
       const Index e = stack.back();
       stack.pop_back();
-      const SeamEdge& edge = edges_[at(e)];
+      const SeamEdge& edge = edges_[e];
       for (const Index v : {from(edge.side), to(edge.side)}) {
-        const Index surface = surface_vertex_[at(v)];
-        const auto& around = edges_at[at(surface)];
-        if (around.size() != 2 || around[0] == around[1] || quarter_turns_[at(surface)] == 0)
-          continue;
-        SeamEdge& other = edges_[at(around[0] == e ? around[1] : around[0])];
+        const Index surface = surface_vertex_[v];
+        const auto& around = edges_at[surface];
+        if (around.size() != 2 || around[0] == around[1] || quarter_turns_[surface] == 0) continue;
+        SeamEdge& other = edges_[around[0] == e ? around[1] : around[0]];
         if (other.chain == chain_count_) continue;
         // The same fan of faces lies on the same side of both edges.
         const bool same = from(other.side) == v || to(other.side) == v;

@@ -12,8 +12,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/internal/mesh_validation.h"
-#include "majorant/mesh/internal/mesh_words.h"
 #include "majorant/mesh/internal/triangle_list.h"
 #include "majorant/mesh/refusal.h"
 
@@ -62,7 +62,7 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck
   parts.input_face = list.polygon;
   std::vector<Index> number(input.positions.size(), -1);
   for (const auto& t : list.triangles)
-    for (const Index v : t) number[at(v)] = 0;
+    for (const Index v : t) number[v] = 0;
   for (std::size_t v = 0; v < input.positions.size(); ++v) {
     if (number[v] < 0) continue;
     number[v] = static_cast<Index>(parts.input_vertex.size());
@@ -70,10 +70,10 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck
   }
   parts.positions.resize(static_cast<Index>(parts.input_vertex.size()), 3);
   for (Index v = 0; v < parts.positions.rows(); ++v)
-    parts.positions.row(v) = input.positions[at(parts.input_vertex[at(v)])];
+    parts.positions.row(v) = input.positions[parts.input_vertex[v]];
   parts.faces.resize(static_cast<Index>(list.triangles.size()), 3);
   for (Index f = 0; f < parts.faces.rows(); ++f)
-    for (Index k = 0; k < 3; ++k) parts.faces(f, k) = number[at(list.triangles[at(f)][at(k)])];
+    for (Index k = 0; k < 3; ++k) parts.faces(f, k) = number[list.triangles[f][k]];
   place_texcoords(input, list, parts);
   return from_parts(std::move(parts), stop);
 }
@@ -128,7 +128,7 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
   if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)
     throw Refusal(ErrorKind::Unsupported, file_,
                   fmt::format("{}vertex {}: sheets of the surface touch there (non-manifold); ",
-                              opening(file_), told(file_, input_vertex(v))),
+                              message_prefix(file_), told(file_, input_vertex(v))),
                   Hint::Repair, " duplicates the vertex");
   Index boundary_edges = 0;
   for (const std::vector<Index>& half_edges : boundary_half_edges(faces_, opposite_)) {
@@ -156,9 +156,9 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
 }
 
 std::vector<char> SurfaceMesh::boundary_flags() const {
-  std::vector<char> flags(at(vertex_count()), 0);
+  std::vector<char> flags(to_size(vertex_count()), 0);
   for (const auto& loop : boundary_loops_)
-    for (const Index v : loop) flags[at(v)] = 1;
+    for (const Index v : loop) flags[v] = 1;
   return flags;
 }
 
@@ -167,29 +167,29 @@ SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
   require_size("SurfaceMesh::cut_along: is_cut", static_cast<Index>(is_cut.size()),
                half_edge_count());
   for (Index h = 0; h < half_edge_count(); ++h)
-    if (const Index o = opposite(h); o >= 0 && !is_cut[at(h)] != !is_cut[at(o)])
+    if (const Index o = opposite(h); o >= 0 && !is_cut[h] != !is_cut[o])
       throw InvalidArgument(
           fmt::format("SurfaceMesh::cut_along: half-edge {} is cut, its opposite "
                       "{} is not",
-                      is_cut[at(h)] ? h : o, is_cut[at(h)] ? o : h));
+                      is_cut[h] ? h : o, is_cut[h] ? o : h));
   SurfaceParts out = parts();
   out.faces.setConstant(-1);
-  std::vector<Index> copy_of(at(vertex_count()));
+  std::vector<Index> copy_of(to_size(vertex_count()));
   std::iota(copy_of.begin(), copy_of.end(), 0);
   std::vector<char> met(copy_of.size(), 0);
   const auto copy = [&](Index h) -> Index& { return out.faces(face_of(h), corner_of(h)); };
   // The corner of the next face around a vertex, across the half-edge that leaves or enters it.
-  const auto crossed = [&](Index h) { return is_cut[at(h)] ? -1 : opposite(h); };
+  const auto crossed = [&](Index h) { return is_cut[h] ? -1 : opposite(h); };
   for (Index c = 0; c < half_edge_count(); ++c) {
     if (copy(c) >= 0) continue;
     const Index v = from_vertex(c);
     Index number = v;
-    if (met[at(v)]) {
+    if (met[v]) {
       number = static_cast<Index>(copy_of.size());
       copy_of.push_back(v);
       out.input_vertex.push_back(input_vertex(v));
     }
-    met[at(v)] = 1;
+    met[v] = 1;
     for (Index h = c; h >= 0 && copy(h) < 0;) {
       copy(h) = number;
       h = crossed(previous(h));
@@ -210,12 +210,12 @@ SurfaceMesh SurfaceMesh::cut_along(const std::vector<char>& is_cut,
 
 std::vector<SurfacePiece> SurfaceMesh::split(const StopCheck& stop) const {
   const std::vector<Index> component = face_components(opposite_);
-  std::vector<SurfacePiece> pieces(at(topology_.components));
-  std::vector<Index> number(at(vertex_count()), -1);  // within its piece, which is one
-  for (Index f = 0; f < face_count(); ++f) pieces[at(component[at(f)])].face.push_back(f);
+  std::vector<SurfacePiece> pieces(to_size(topology_.components));
+  std::vector<Index> number(to_size(vertex_count()), -1);  // within its piece, which is one
+  for (Index f = 0; f < face_count(); ++f) pieces[component[f]].face.push_back(f);
   auto rest = rest_triangles_;
   std::stable_sort(rest.begin(), rest.end(), [&](const RestTriangle& a, const RestTriangle& b) {
-    return component[at(a.face)] < component[at(b.face)];
+    return component[a.face] < component[b.face];
   });
   auto next_rest = rest.begin();
   for (SurfacePiece& piece : pieces) {
@@ -229,19 +229,19 @@ std::vector<SurfacePiece> SurfaceMesh::split(const StopCheck& stop) const {
     parts.file = file_;
     parts.origin = origin_;
     for (std::size_t v = 0; v < piece.vertex.size(); ++v) {
-      number[at(piece.vertex[v])] = static_cast<Index>(v);
+      number[piece.vertex[v]] = static_cast<Index>(v);
       parts.input_vertex.push_back(input_vertex(piece.vertex[v]));
     }
     parts.positions = positions_(piece.vertex, Eigen::all);
     parts.faces = faces_(piece.face, Eigen::all);
-    for (Index& v : parts.faces.reshaped()) v = number[at(v)];
+    for (Index& v : parts.faces.reshaped()) v = number[v];
     for (const Index f : piece.face) parts.input_face.push_back(input_face(f));
     if (corner_texcoords_.rows() > 0) {
       parts.corner_texcoords = corner_texcoords_(piece.face, Eigen::all);
       parts.texcoord_ids = texcoord_ids_(piece.face, Eigen::all);
     }
     for (Index f = 0; f < count && next_rest != rest.end(); ++f)
-      if (next_rest->face == piece.face[at(f)])
+      if (next_rest->face == piece.face[f])
         parts.rest_triangles.push_back({f, next_rest++->corners});
     piece.mesh = std::make_shared<const SurfaceMesh>(from_parts(std::move(parts)));
   }
@@ -266,7 +266,7 @@ Vector3 SurfaceMesh::input_position(Index v) const {
 
 void SurfaceMesh::require_disk() const {
   const auto refuse = [&](const std::string& what, Hint hint) {
-    throw Refusal(ErrorKind::Unsupported, file_, opening(file_) + what + "; ", hint);
+    throw Refusal(ErrorKind::Unsupported, file_, message_prefix(file_) + what + "; ", hint);
   };
   const Index genus_twice = 2 - topology_.boundary_loops - topology_.euler_characteristic();
   if (topology_.boundary_loops == 0)

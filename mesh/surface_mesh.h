@@ -106,8 +106,8 @@ class SurfaceMesh {
   Index vertex_count() const { return static_cast<Index>(positions_.rows()); }
   Index face_count() const { return static_cast<Index>(faces_.rows()); }
   // Index in the file of a vertex, and of the polygon that a face belongs to.
-  Index input_vertex(Index v) const { return input_vertex_[at(v)]; }
-  Index input_face(Index f) const { return input_face_[at(f)]; }
+  Index input_vertex(Index v) const { return input_vertex_[v]; }
+  Index input_face(Index f) const { return input_face_[f]; }
   // Vertex of this mesh for a vertex of the file (of several copies the first), -1 when no face
   // uses it. O(log #V).
   Index find_input_vertex(Index input) const;
@@ -116,7 +116,7 @@ class SurfaceMesh {
   Index from_vertex(Index half_edge) const { return majorant::from_vertex(faces_, half_edge); }
   Index to_vertex(Index half_edge) const { return majorant::to_vertex(faces_, half_edge); }
   // The half-edge of the neighbouring face along the same edge, -1 at the boundary.
-  Index opposite(Index half_edge) const { return opposite_[at(half_edge)]; }
+  Index opposite(Index half_edge) const { return opposite_[half_edge]; }
   const std::vector<Index>& opposites() const { return opposite_; }  // 3 #F
   double edge_length(Index half_edge) const {
     return (positions_.row(to_vertex(half_edge)) - positions_.row(from_vertex(half_edge))).norm();

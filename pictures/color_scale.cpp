@@ -39,7 +39,7 @@ class Arm {
  public:
   explicit Arm(const std::array<Oklab, 3>& curve) : curve_(curve), length_(kCurveSteps + 1, 0.0) {
     for (int k = 1; k <= kCurveSteps; ++k)
-      length_[at(k)] = length_[at(k - 1)] + (point(k) - point(k - 1)).norm();
+      length_[k] = length_[k - 1] + (point(k) - point(k - 1)).norm();
   }
 
   // At this part of its length, 0 to 1.

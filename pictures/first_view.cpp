@@ -41,12 +41,12 @@ double entropy(const MapFile& map, const Vector3& view) {
   rasterize(surface_triangles(map, view, kSize), kSize,
             [&](int y, std::span<const Fragment> samples) {
               for (std::size_t k = 0; k < samples.size(); ++k)
-                shown[at(y) * kRow + k] = samples[k].cell;
+                shown[to_size(y) * kRow + k] = samples[k].cell;
             });
-  std::vector<double> samples(at(static_cast<Index>(map.cells.rows())));
+  std::vector<double> samples(to_size(static_cast<Index>(map.cells.rows())));
   double all = 0;
   for (const Index cell : shown)
-    if (cell >= 0) ++samples[at(cell)], ++all;
+    if (cell >= 0) ++samples[cell], ++all;
   double sum = 0;
   for (const double count : samples)
     if (count > 0) sum -= count / all * std::log2(count / all);

@@ -61,8 +61,7 @@ class SurfaceShade {
   FloatColor operator()(const Fragment& sample, const FloatColor& color) const {
     FloatColor shown = color;
     for (Index k = 0; k < 3; ++k)
-      if (cut_[at(sample.cell)][at(k)] && sample.xi[k] * height_[at(sample.cell)][k] < kCutWidth)
-        shown = kCut;
+      if (cut_[sample.cell][k] && sample.xi[k] * height_[sample.cell][k] < kCutWidth) shown = kCut;
     const double light = std::abs(normals_.at(sample.cell, sample.xi).dot(eye_));
     return (kDarkest + (1 - kDarkest) * light) * shown;
   }
@@ -78,7 +77,8 @@ class SurfaceShade {
 void average(std::span<const FloatColor> colors, PixelImage& image, int y) {
   for (int x = 0; x < image.width; ++x) {
     FloatColor sum = FloatColor::Zero();
-    for (const FloatColor& c : colors.subspan(at(x * kSamplesPerPixel), kSamplesPerPixel)) sum += c;
+    for (const FloatColor& c : colors.subspan(to_size(x * kSamplesPerPixel), kSamplesPerPixel))
+      sum += c;
     const auto channel = [&](Index k) {
       return static_cast<std::uint8_t>(std::lround(sum[k] / kSamplesPerPixel));
     };
@@ -93,10 +93,10 @@ ValueSummary draw_map(const MapFile& map, const PngOptions& options, const Paint
       options.view ? surface_triangles(map, *options.view, size) : layout_triangles(map, size);
   std::optional<SurfaceShade> shade;
   if (options.view) shade.emplace(map, *options.view, triangles);
-  std::vector<ValueSummary> rows(at(size.height));
+  std::vector<ValueSummary> rows(to_size(size.height));
   rasterize(triangles, size, [&](int y, std::span<const Fragment> samples) {
     std::vector<FloatColor> colors(samples.size(), kPaper);
-    painter.paint(samples, colors, rows[at(y)]);
+    painter.paint(samples, colors, rows[y]);
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (samples[k].cell < 0)
         colors[k] = kPaper;
@@ -113,7 +113,7 @@ ValueSummary draw_map(const MapFile& map, const PngOptions& options, const Paint
 PixelImage draw(const MapFile& map, const PngOptions& options) {
   const std::optional<Quantity> heat = heat_of(map, options);
   PixelImage image{options.width, options.height, {}};
-  image.pixels.assign(at(image.width) * at(image.height), Color{255, 255, 255});
+  image.pixels.assign(to_size(image.width) * to_size(image.height), Color{255, 255, 255});
   PixelSize size{options.width, options.height};
   if (!heat) {
     const auto painter = options.image  ? image_painter(map, read_png(*options.image))

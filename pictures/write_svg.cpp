@@ -31,7 +31,7 @@ void add_cells(SvgLayout& layout, const std::vector<Color>* colors) {
              shows_charts ? fmt::format(" fill-opacity=\"{}\"", kTint) : std::string());
   const auto fill_of = [&](Index cell) -> std::string {
     if (shows_charts) return chart_color(map.chart[cell]);
-    return colors ? (*colors)[at(cell)].hex() : "#dddddd";
+    return colors ? (*colors)[cell].hex() : "#dddddd";
   };
   for (Index cell = 0; cell < map.cells.rows(); ++cell) {
     const std::string fill = fill_of(cell);

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""A header as doxygen wants it: the comments of the house, which are plain //, as documentation.
+"""A header as doxygen wants it: the comments of this code, which are plain //, as documentation.
 
     scripts/doxygen_filter.py HEADER > FILTERED
 
@@ -16,7 +16,7 @@ import sys
 COMMENT = re.compile(r'^( *)//( *)(.*)$')
 BEHIND = re.compile(r'^(.*[;,{}(] *)// (.*)$')
 TYPE = re.compile(r'^(?:class|struct|enum class) (\w+)[^;]*$')
-SPECIAL = re.compile(r'([<>@\\#&])')  # to doxygen, not to the house
+SPECIAL = re.compile(r'([<>@\\#&])')  # to doxygen, not to this code
 
 
 def text_of(text, is_code):

@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints the rooms of the house, floor by floor, with their sizes and the rooms they include from.
+"""Prints the modules of the library, layer by layer, with their sizes and the modules they include from.
 
-Fails (exit 1) on an include that does not go down, on rooms that include each other in a circle, on
-a room without a floor, and on an include of what is internal to one of the closed rooms. CMake
-already keeps a room from seeing headers it does not name; this keeps the list of names itself in
+Fails (exit 1) on an include that does not go down, on modules that include each other in a circle, on
+a module without a layer, and on an include of what is internal to one of the closed modules. CMake
+already keeps a module from seeing headers it does not name; this keeps the list of names itself in
 order.
 
 Sample runs:
   scripts/include_graph.py
-  scripts/include_graph.py --arrows parametrization/drive      (the single includes of a room)
+  scripts/include_graph.py --arrows parametrization/solve      (the single includes of a module)
 """
 import argparse
 import re
@@ -18,14 +18,14 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-# A room may include from its own folder and from rooms below.
-FLOORS = [
+# A module may include from its own folder and from modules below.
+LAYERS = [
     ['framework'],
     ['terms', 'elements', 'mesh'],
     ['energies', 'constraints', 'parametrization/fields'],
-    ['parametrization/maps', 'parametrization/cuts'],
-    ['certify', 'parametrization/starts', 'parametrization/scaffold'],
-    ['parametrization/packing', 'parametrization/drive', 'parametrization/tessellation'],
+    ['parametrization/maps', 'parametrization/seams'],
+    ['certify', 'parametrization/initialization', 'parametrization/scaffold'],
+    ['parametrization/packing', 'parametrization/solve', 'parametrization/tessellation'],
     ['parametrization/atlas', 'io'],
     ['pictures'],
     ['results'],
@@ -34,106 +34,106 @@ FLOORS = [
     ['apps/compare', 'apps/check', 'distributed'],
 ]
 COMMANDS = {'apps', 'distributed'}     # on top of the library
-# ROOM/internal/ of these is theirs alone; the others are open until nobody looks into them.
+# MODULE/internal/ of these is theirs alone; the others are open until nobody looks into them.
 CLOSED = {'certify', 'io', 'pictures', 'parametrization/packing', 'parametrization/atlas',
           'parametrization/tessellation'}
 LIST = 'densities'                       # one small file a named energy: counted for itself
-FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
+LAYER = {module: layer for layer, modules in enumerate(LAYERS) for module in modules}
 INCLUDE = re.compile(r'^#include "(?:majorant/)?([^"]+)"', re.MULTILINE)
 
 
-def room_of(path):
-    """The room of a source file: its folder, or the nearest one above that has a floor."""
+def module_of(path):
+    """The module of a source file: its folder, or the nearest one above that has a layer."""
     folder = Path(path).parent
-    while str(folder) not in FLOOR and folder != folder.parent:
+    while str(folder) not in LAYER and folder != folder.parent:
         folder = folder.parent
-    return str(folder) if str(folder) in FLOOR else str(Path(path).parent)
+    return str(folder) if str(folder) in LAYER else str(Path(path).parent)
 
 
-class House:
-    """The sources under `root`: lines and units of each room, arrows between them."""
+class Library:
+    """The sources under `root`: lines and units of each module, arrows between them."""
 
     def __init__(self, root):
         self.lines, self.units = defaultdict(int), defaultdict(set)
         self.arrows = defaultdict(list)  # (from, to) -> "file -> header"
-        tops = sorted({room.split('/')[0] for room in FLOOR})
+        tops = sorted({module.split('/')[0] for module in LAYER})
         for path in sorted(p for top in tops for p in (root / top).rglob('*') if p.suffix in ('.h', '.cpp')):
             self._read(path, path.relative_to(root))
 
     def _read(self, path, name):
-        text, room = path.read_text(), room_of(name)
+        text, module = path.read_text(), module_of(name)
         lines = text.count('\n')
-        self.lines[room] += lines
+        self.lines[module] += lines
         unit = name.with_name(name.stem.removeprefix('no_'))
-        self.units[room + '/' + LIST if LIST in name.parts else room].add(unit)
+        self.units[module + '/' + LIST if LIST in name.parts else module].add(unit)
         for header in INCLUDE.findall(text):
-            other = room_of(header)
-            if '/' in header and not header.startswith('embedded/') and other != room:
-                self.arrows[room, other].append('%s -> %s' % (name, header))
+            other = module_of(header)
+            if '/' in header and not header.startswith('embedded/') and other != module:
+                self.arrows[module, other].append('%s -> %s' % (name, header))
 
     def library_lines(self):
-        return sum(n for room, n in self.lines.items() if room.split('/')[0] not in COMMANDS)
+        return sum(n for module, n in self.lines.items() if module.split('/')[0] not in COMMANDS)
 
     def circle(self):
-        """Rooms that include each other in a circle, or an empty list."""
+        """Modules that include each other in a circle, or an empty list."""
         below = defaultdict(set)
-        for room, other in self.arrows:
-            below[room].add(other)
+        for module, other in self.arrows:
+            below[module].add(other)
         done = set()
 
-        def visit(room, path):
-            if room in path:
-                return path[path.index(room):] + [room]
-            if room in done:
+        def visit(module, path):
+            if module in path:
+                return path[path.index(module):] + [module]
+            if module in done:
                 return []
-            found = next(filter(None, (visit(o, path + [room]) for o in sorted(below[room]))), [])
-            done.add(room)
+            found = next(filter(None, (visit(o, path + [module]) for o in sorted(below[module]))), [])
+            done.add(module)
             return found
 
-        return next(filter(None, (visit(room, []) for room in sorted(below))), [])
+        return next(filter(None, (visit(module, []) for module in sorted(below))), [])
 
     def faults(self):
-        found = ['%s: no floor (FLOORS in this script)' % room for room in sorted(self.lines) if room not in FLOOR]
-        found += ['no room %s' % room for room in FLOOR if room not in self.lines]
-        for (room, other), files in sorted(self.arrows.items()):
-            if other not in FLOOR:
-                found.append('%s: not a room of this house' % files[0])
-            elif FLOOR.get(room, -1) <= FLOOR[other]:
+        found = ['%s: no layer (LAYERS in this script)' % module for module in sorted(self.lines) if module not in LAYER]
+        found += ['no module %s' % module for module in LAYER if module not in self.lines]
+        for (module, other), files in sorted(self.arrows.items()):
+            if other not in LAYER:
+                found.append('%s: not a module of this library' % files[0])
+            elif LAYER.get(module, -1) <= LAYER[other]:
                 found += ['an include that does not go down: ' + file for file in files]
         if self.circle():
             found.append('a circle: ' + ' -> '.join(self.circle()))
-        found += ['%s is internal: %s' % (file.split(' -> ')[1], file) for room in sorted(CLOSED)
-                  for file in self.into_internal(room)]
+        found += ['%s is internal: %s' % (file.split(' -> ')[1], file) for module in sorted(CLOSED)
+                  for file in self.into_internal(module)]
         return found
 
-    def into_internal(self, room):
-        """Includes of what is internal to a room from other rooms."""
-        return [file for (_, other), files in sorted(self.arrows.items()) if other == room
-                for file in files if ' -> %s/internal/' % room in file]
+    def into_internal(self, module):
+        """Includes of what is internal to a module from other modules."""
+        return [file for (_, other), files in sorted(self.arrows.items()) if other == module
+                for file in files if ' -> %s/internal/' % module in file]
 
     def print(self):
-        print('floor  room                            lines  share  units  includes from')
-        for floor, rooms in reversed(list(enumerate(FLOORS, 1))):
-            for room in rooms:
-                below = [o for r, o in sorted(self.arrows) if r == room]
+        print('layer  module                            lines  share  units  includes from')
+        for layer, modules in reversed(list(enumerate(LAYERS, 1))):
+            for module in modules:
+                below = [o for r, o in sorted(self.arrows) if r == module]
                 print('%5d  %-30s %6d %5.1f %% %6d  %s' % (
-                    floor, room, self.lines[room], 100 * self.lines[room] / self.library_lines(),
-                    len(self.units[room]), ' '.join(o.split('/')[-1] if o != 'apps/compare' else o for o in below)))
+                    layer, module, self.lines[module], 100 * self.lines[module] / self.library_lines(),
+                    len(self.units[module]), ' '.join(o.split('/')[-1] if o != 'apps/compare' else o for o in below)))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument('--arrows', metavar='ROOM', help='print the includes of this room from others')
+    parser.add_argument('--arrows', metavar='MODULE', help='print the includes of this module from others')
     parser.add_argument('--root', type=Path, default=Path(__file__).resolve().parent.parent)
     options = parser.parse_args()
-    house = House(options.root)
-    faults = house.faults()
-    house.print()
-    for (room, _), files in sorted(house.arrows.items()):
-        if room == options.arrows:
+    library = Library(options.root)
+    faults = library.faults()
+    library.print()
+    for (module, _), files in sorted(library.arrows.items()):
+        if module == options.arrows:
             print('\n'.join(files))
-    print('includes of internal headers of other rooms: %d' %
-          sum(len(house.into_internal(room)) for room in FLOOR))
+    print('includes of internal headers of other modules: %d' %
+          sum(len(library.into_internal(module)) for module in LAYER))
     print('\n'.join(faults) if faults else 'every include goes down')
     sys.exit(bool(faults))
 

@@ -28,26 +28,26 @@ class BoundBarrier final : public EnergyTerm {
       add(k, lower[k], 1);
       add(k, upper[k], -1);
     }
-    stencils_.nodes =
+    element_dofs_.nodes =
         Eigen::Map<const Cells>(unknowns.data(), static_cast<Index>(unknowns.size()), 1);
   }
   std::string_view name() const override { return "bounds"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }
 
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const double inside = distance(x, chunk.elements[p]);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double inside = distance(x, batch.elements[p]);
       f[p] = inside > 0 ? -std::log(inside) : kNone;
     }
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
-    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const double inverse = 1 / distance(x, chunk.elements[p]);
-      out.gradient[p] = -sides_[at(chunk.elements[p])].sign * inverse;
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double inverse = 1 / distance(x, batch.elements[p]);
+      out.gradient[p] = -sides_[batch.elements[p]].sign * inverse;
       if (out.hessian) out.hessian[p] = inverse * inverse;
     }
   }
@@ -57,11 +57,11 @@ class BoundBarrier final : public EnergyTerm {
     double at, sign;
   };
   double distance(VecIn x, Index e) const {
-    const Side& side = sides_[at(e)];
-    return side.sign * (x[stencils_.nodes(e, 0)] - side.at);
+    const Side& side = sides_[e];
+    return side.sign * (x[element_dofs_.nodes(e, 0)] - side.at);
   }
   std::vector<Side> sides_;
-  Stencils stencils_;
+  ElementDofs element_dofs_;
 };
 
 // Of the gap between two bounds, or of 1, and of what a point exceeds a bound by: how far the

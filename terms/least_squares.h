@@ -51,7 +51,8 @@ struct Residuals {
   Variable model(Index e, const NodeValues<Variable, Block, N>& z,
                  BlendedCurvature curvature) const {
     constexpr std::size_t size = N * Block;
-    const double exact = curvature.model == Curvature::Reweighted ? 0 : 1 - curvature.clamp;
+    const double exact =
+        curvature.model == Curvature::Reweighted ? 0 : 1 - curvature.projection_weight;
     Variable sum;  // value |r|^2, gradient J^T r, second derivatives J^T J and what Exact adds
     for_each(f(e, z), [&](const Variable& r) {
       sum.v += r.v * r.v;

@@ -18,24 +18,24 @@ class LinearTerm final : public EnergyTerm {
     std::vector<Index> used;
     for (Index k = 0; k < coefficients_.size(); ++k)
       if (coefficients_[k] != 0) used.push_back(k);
-    stencils_.nodes = Eigen::Map<const Cells>(used.data(), static_cast<Index>(used.size()), 1);
+    element_dofs_.nodes = Eigen::Map<const Cells>(used.data(), static_cast<Index>(used.size()), 1);
   }
   std::string_view name() const override { return name_; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }
 
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index unknown = stencils_.nodes(chunk.elements[p], 0);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index unknown = element_dofs_.nodes(batch.elements[p], 0);
       f[p] = coefficients_[unknown] * x[unknown];
     }
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
-    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      out.gradient[p] = coefficients_[stencils_.nodes(chunk.elements[p], 0)];
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      out.gradient[p] = coefficients_[element_dofs_.nodes(batch.elements[p], 0)];
       if (out.hessian) out.hessian[p] = 0;
     }
   }
@@ -43,7 +43,7 @@ class LinearTerm final : public EnergyTerm {
  private:
   std::string name_;
   Vec coefficients_;
-  Stencils stencils_;
+  ElementDofs element_dofs_;
 };
 
 }  // namespace

@@ -42,7 +42,7 @@ namespace detail {
 // make_semidefinite() of two nodes. Where only their difference counts, as in springs, the blocks
 // of the Hessian are h, -h and h, and h alone is what has eigenvalues.
 template <int Block>
-void make_pair_semidefinite(double clamp, double* k) {
+void make_pair_semidefinite(double projection_weight, double* k) {
   const auto entry = [k](int i, int j) -> double& { return k[i * (i + 1) / 2 + j]; };
   double largest = 0, off = 0;
   for (int i = 0; i < Block; ++i)
@@ -52,8 +52,9 @@ void make_pair_semidefinite(double clamp, double* k) {
       off = std::max(off, std::abs(entry(Block + i, j) + h));
       if (j <= i) off = std::max(off, std::abs(entry(Block + i, Block + j) - h));
     }
-  if (!(off <= kZeroPivot * largest)) return make_semidefinite<2 * Block>(clamp, k);
-  make_semidefinite<Block>(clamp, k);  // the first block is the packed matrix's beginning
+  if (!(off <= kZeroPivot * largest)) return make_semidefinite<2 * Block>(projection_weight, k);
+  make_semidefinite<Block>(projection_weight,
+                           k);  // the first block is the packed matrix's beginning
   for (int i = 0; i < Block; ++i)
     for (int j = 0; j < Block; ++j) {
       const double h = entry(std::max(i, j), std::min(i, j));
@@ -74,11 +75,11 @@ struct LocalFunction {
                  BlendedCurvature curvature) const {
     Variable result = f(e, z);
     if constexpr (Variable::order == 2) {
-      if (!(curvature.clamp > 0)) return result;
+      if (!(curvature.projection_weight > 0)) return result;
       if constexpr (N == 2)
-        make_pair_semidefinite<Block>(curvature.clamp, result.h.data());
+        make_pair_semidefinite<Block>(curvature.projection_weight, result.h.data());
       else
-        make_semidefinite<N * Block>(curvature.clamp, result.h.data());
+        make_semidefinite<N * Block>(curvature.projection_weight, result.h.data());
     }
     return result;
   }

@@ -11,12 +11,12 @@
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
+#include "apps/or_interrupted.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/streams.h"
-#include "apps/unless_stopped.h"
 #include "apps/within_memory.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/framework/thread_count.h"
@@ -117,7 +117,7 @@ int check(const Request& request) {
   const StopCheck& stop = record.stop();
   set_output_stop(stop);
   const auto read = [&](const std::string& path, const auto& reader) {
-    return unless_stopped("reading " + path, [&] {
+    return or_interrupted("reading " + path, [&] {
       return within_memory(path, [&] { return reader(path, stop, request.common.strictness()); });
     });
   };

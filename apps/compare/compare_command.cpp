@@ -22,17 +22,17 @@
 #include "apps/compare/write_comparison.h"
 #include "apps/energy_option.h"
 #include "apps/map_request.h"
+#include "apps/or_interrupted.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/streams.h"
-#include "apps/unless_stopped.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/waiting_output.h"
-#include "majorant/parametrization/drive/internal/normalized_start.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/solve/internal/normalized_start.h"
 #include "majorant/results/internal/report.h"
 
 namespace majorant::app {
@@ -113,7 +113,7 @@ Contest make_contest(const Request& request) {
   set_output_stop(limits.stop());
   MapJob in(MapTask::Parametrize, limits);
   read_input(request.map, in);
-  const Vec initial = unless_stopped("making the start of " + request.map.input, [&] {
+  const Vec initial = or_interrupted("making the start of " + request.map.input, [&] {
     return initial_map(*in.mesh, in.options.map, limits.start_stop());
   });
   const NormalizedStart start(BezierMap::linear(in.mesh, initial), in.options.map);

@@ -37,8 +37,8 @@ class FaceResiduals final : public ceres::CostFunction {
       const double s = scale_[static_cast<Index>(l)];
       for (int p = 0; p < 2; ++p)
         for (int j = 0; j < 2; ++j) {
-          residuals[8 * l + at(2 * p + j)] = s * J(p, j);
-          residuals[8 * l + at(4 + 2 * p + j)] = s * inverse(p, j);
+          residuals[8 * l + to_size(2 * p + j)] = s * J(p, j);
+          residuals[8 * l + to_size(4 + 2 * p + j)] = s * inverse(p, j);
         }
       if (jacobians)
         for (Eigen::Index i = 0; i < g.rows(); ++i)
@@ -66,13 +66,13 @@ class FaceResiduals final : public ceres::CostFunction {
 // Which unknowns the problem fixes; only that kind of constraint fits parameter blocks.
 std::vector<char> fixed_unknowns(const Problem& problem) {
   const Elimination& z = ProblemParts::elimination(problem);
-  std::vector<char> fixed(at(z.full_size()), 0);
+  std::vector<char> fixed(to_size(z.full_size()), 0);
   for (Index i = 0; i < z.full_size(); ++i) {
     const auto entries = z.end(i) - z.begin(i);
     if (entries > 1 || (entries == 1 && (z.begin(i)->coefficient != 1.0 || z.offset(i) != 0.0 ||
                                          z.full_index(z.begin(i)->reduced) != i)))
       throw InvalidArgument("LeastSquaresMinimizer: only fixed points can be held");
-    fixed[at(i)] = entries == 0;
+    fixed[i] = entries == 0;
   }
   return fixed;
 }
@@ -134,8 +134,8 @@ void add_residuals(const BezierTriangleSpace& space, const RestShapes& rest, con
 
 void hold(const std::vector<char>& fixed, Vec& x, ceres::Problem& out) {
   for (Index i = 0; i < x.size(); i += 2) {
-    const bool u = fixed[at(i)] != 0;
-    const bool v = fixed[at(i + 1)] != 0;
+    const bool u = fixed[i] != 0;
+    const bool v = fixed[i + 1] != 0;
     double* node = x.data() + i;
     if (u && v) out.SetParameterBlockConstant(node);
     if (u != v) out.SetManifold(node, new ceres::SubsetManifold(2, {u ? 0 : 1}));

@@ -13,7 +13,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/parametrization/drive/internal/solver_rules.h"
+#include "majorant/parametrization/solve/internal/solver_rules.h"
 #include "majorant/results/internal/solver_ladder.h"
 
 namespace majorant::app {
@@ -79,8 +79,8 @@ std::unique_ptr<LinearSolver> make(const std::string& name) {
 double residual(const SparsePattern& pattern, const Vec& values, const Vec& p, const Vec& r) {
   Vec rest = r;
   for (Index c = 0; c < pattern.size; ++c)
-    for (Index k = pattern.column_starts[at(c)]; k < pattern.column_starts[at(c) + 1]; ++k) {
-      const Index row = pattern.rows[at(k)];
+    for (Index k = pattern.column_starts[c]; k < pattern.column_starts[c + 1]; ++k) {
+      const Index row = pattern.rows[k];
       rest[row] -= values[k] * p[c];
       if (row != c) rest[c] -= values[k] * p[row];
     }

@@ -28,10 +28,10 @@
 #include "majorant/framework/newton.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/parametrization/starts/texture_seams.h"
-#include "majorant/parametrization/starts/tutte.h"
 
 using namespace majorant;
 
@@ -68,7 +68,7 @@ Quadrature collapsed_gauss_rule(int m) {
 }
 
 Quadrature rule_of(const Asked& asked, int degree) {
-  const int usual = kPoints[std::min<std::size_t>(at(degree), std::size(kPoints)) - 1];
+  const int usual = kPoints[std::min<std::size_t>(to_size(degree), std::size(kPoints)) - 1];
   const int points = asked.points > 0 ? asked.points : usual;
   const bool gauss = asked.rule == "gauss";
   int m = 1;
@@ -127,7 +127,7 @@ class Level {
  private:
   static NewtonOptions options() {
     NewtonOptions newton;
-    newton.curvature = Curvature::PaperMajorizer;
+    newton.curvature = Curvature::CompositeMajorizer;
     newton.blend.below = 0;
     newton.line_search.most_improvements = 0;
     return newton;

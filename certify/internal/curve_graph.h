@@ -56,7 +56,7 @@ constexpr auto binomial_table() {
 }
 inline constexpr auto kBinomials = binomial_table();
 
-inline double binomial(int n, int k) { return kBinomials[at(n)][at(k)]; }
+inline double binomial(int n, int k) { return kBinomials[n][k]; }
 
 // Bernstein coefficients times their binomials: products are convolutions.
 template <class Real>
@@ -66,7 +66,7 @@ template <class Real, class Factor>
 void multiply(Scaled<Real>& product, int& degree, const Factor& factor, int factor_degree) {
   Scaled<Real> result{};
   for (int i = 0; i <= degree; ++i)
-    for (int j = 0; j <= factor_degree; ++j) result[at(i + j)] += product[at(i)] * factor(j);
+    for (int j = 0; j <= factor_degree; ++j) result[i + j] += product[i] * factor(j);
   degree += factor_degree;
   product = result;
 }
@@ -81,7 +81,7 @@ struct LocalPiece {
   LocalPiece(const Piece<Real>& p, const Graph<Real>& graph) : degree(p.degree) {
     const Real length = magnitude(graph.axis.x) + magnitude(graph.axis.y);
     for (int k = 0; k <= degree; ++k) {
-      const std::size_t i = at(k);
+      const std::size_t i = to_size(k);
       const Real dx = p.x[i] - graph.origin.x, dy = p.y[i] - graph.origin.y;
       x[i] = graph.axis.x * dx + graph.axis.y * dy;
       y[i] = graph.axis.x * dy - graph.axis.y * dx;
@@ -110,11 +110,11 @@ std::array<Direction<Real>, kSamples> sample(const LocalPiece<Real>& p) {
     const double t = static_cast<double>(k) / (kSamples - 1);
     auto x = p.x, y = p.y;
     for (int level = p.degree; level > 0; --level)
-      for (std::size_t i = 0; i < at(level); ++i) {
+      for (std::size_t i = 0; i < to_size(level); ++i) {
         x[i] += Real(t) * (x[i + 1] - x[i]);
         y[i] += Real(t) * (y[i + 1] - y[i]);
       }
-    points[at(k)] = {x[0], y[0]};
+    points[k] = {x[0], y[0]};
   }
   return points;
 }
@@ -161,7 +161,7 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
   using namespace detail;
   Graph<Real> graph = frame_along(a, b);
   const std::array points{sample(LocalPiece<Real>(a, graph)), sample(LocalPiece<Real>(b, graph))};
-  const auto point = [&](int row) { return points[at(row / kSamples)][at(row % kSamples)]; };
+  const auto point = [&](int row) { return points[row / kSamples][row % kSamples]; };
   SampleMatrix matrix;
   for (int row = 0; row < 2 * kSamples; ++row) {
     const double x = static_cast<double>(point(row).x);
@@ -177,7 +177,7 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
     for (int row = 0; row < 2 * kSamples; ++row)
       rest(row) = static_cast<double>(point(row).y - value(graph.coefficients, point(row).x));
     const auto fitted = qr.solve(rest).eval();
-    for (int k = 0; k <= kGraphDegree; ++k) graph.coefficients[at(k)] += Real(fitted(k));
+    for (int k = 0; k <= kGraphDegree; ++k) graph.coefficients[k] += Real(fitted(k));
   }
   return graph;
 }
@@ -192,17 +192,16 @@ detail::Scaled<Real> height_coefficients(const detail::LocalPiece<Real>& p,
   int degree = 0;
   for (int j = kGraphDegree - 1; j >= 0; --j) {
     multiply(
-        composed, degree, [&](int k) { return Real(binomial(n, k)) * p.x[at(k)]; }, n);
+        composed, degree, [&](int k) { return Real(binomial(n, k)) * p.x[k]; }, n);
     for (int k = 0; k <= degree; ++k)
-      composed[at(k)] += graph.coefficients[at(j)] * Real(binomial(degree, k));
+      composed[k] += graph.coefficients[j] * Real(binomial(degree, k));
   }
   Scaled<Real> heights{};
-  for (int k = 0; k <= n; ++k) heights[at(k)] = Real(binomial(n, k)) * p.y[at(k)];
+  for (int k = 0; k <= n; ++k) heights[k] = Real(binomial(n, k)) * p.y[k];
   degree = n;
   multiply(
       heights, degree, [&](int k) { return Real(binomial(all - n, k)); }, all - n);
-  for (int k = 0; k <= all; ++k)
-    heights[at(k)] = (heights[at(k)] - composed[at(k)]) / Real(binomial(all, k));
+  for (int k = 0; k <= all; ++k) heights[k] = (heights[k] - composed[k]) / Real(binomial(all, k));
   return heights;
 }
 
@@ -218,8 +217,8 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
   const int n = p.degree;
   Real reach = 0, above = 0;
   for (int k = 0; k <= n; ++k) {
-    reach = std::max(reach, magnitude(local.x[at(k)]));
-    above = std::max(above, magnitude(local.y[at(k)]));
+    reach = std::max(reach, magnitude(local.x[k]));
+    above = std::max(above, magnitude(local.y[k]));
   }
   reach += local.error;
   Real sum = 0, slope = 0;  // of |g| at `reach`
@@ -244,9 +243,9 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
   const auto [low_x, high_x] = std::minmax_element(local.x.begin(), local.x.begin() + n + 1);
   result.x = widened(*low_x, *high_x, local.error);
   result.front_x = widened(local.x[0], local.x[0], local.error);
-  result.back_x = widened(local.x[at(n)], local.x[at(n)], local.error);
+  result.back_x = widened(local.x[n], local.x[n], local.error);
   const Scaled<Real> y = height_coefficients(local, graph);
-  const std::size_t last = at(n * kGraphDegree);
+  const std::size_t last = to_size(n * kGraphDegree);
   const auto [low, high] = std::minmax_element(y.begin(), y.begin() + last + 1);
   result.all = widened(*low, *high, error);
   result.front = widened(y[0], y[0], error);

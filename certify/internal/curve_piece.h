@@ -44,16 +44,14 @@ struct Piece {
   // The curve relative to `origin`.
   Piece(const PlanarCurve& curve, const Vector2& origin) : degree(curve.degree) {
     for (int k = 0; k <= degree; ++k) {
-      const std::size_t i = at(k);
+      const std::size_t i = to_size(k);
       x[i] = Real(curve.control_points[i].x()) - Real(origin.x());
       y[i] = Real(curve.control_points[i].y()) - Real(origin.y());
       error[i] = 2 * kUnit * std::max(magnitude(x[i]), magnitude(y[i]));
     }
   }
 
-  Direction<Real> leg(int from, int to) const {
-    return {x[at(to)] - x[at(from)], y[at(to)] - y[at(from)]};
-  }
+  Direction<Real> leg(int from, int to) const { return {x[to] - x[from], y[to] - y[from]}; }
   Direction<Real> chord() const { return leg(0, degree); }
   Real largest_error() const {
     return *std::max_element(error.begin(), error.begin() + degree + 1);
@@ -77,7 +75,7 @@ Interval<Real> along(const Piece<Real>& p, const Direction<Real>& axis, int firs
   const Real length = magnitude(axis.x) + magnitude(axis.y);
   Interval<Real> range{};
   for (int k = first; k <= last; ++k) {
-    const std::size_t i = at(k), b = at(std::max(base, 0));
+    const std::size_t i = to_size(k), b = to_size(std::max(base, 0));
     const Real x = axis.x * (base < 0 ? p.x[i] : p.x[i] - p.x[b]);
     const Real y = axis.y * (base < 0 ? p.y[i] : p.y[i] - p.y[b]);
     const Real input = base < 0 ? p.error[i] : p.error[i] + p.error[b];
@@ -108,7 +106,7 @@ std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p, double where = 1
   for (int level = 1; level <= p.degree; ++level) {
     // `right` is the triangle's current row up to degree - level, and the result beyond.
     for (int k = 0; k <= p.degree - level; ++k) {
-      const std::size_t i = at(k), j = i + 1;
+      const std::size_t i = to_size(k), j = i + 1;
       const Real size = std::max(std::max(magnitude(right.x[i]), magnitude(right.y[i])),
                                  std::max(magnitude(right.x[j]), magnitude(right.y[j])));
       right.x[i] = first * right.x[i] + second * right.x[j];
@@ -118,9 +116,9 @@ std::pair<Piece<Real>, Piece<Real>> split(const Piece<Real>& p, double where = 1
                            (1 + 8 * Real(kUnitRoundoff<double>)) +
                        3 * kUnit * size + kUnderflow;
     }
-    left.x[at(level)] = right.x[0];
-    left.y[at(level)] = right.y[0];
-    left.error[at(level)] = right.error[0];
+    left.x[level] = right.x[0];
+    left.y[level] = right.y[0];
+    left.error[level] = right.error[0];
   }
   return {left, right};
 }

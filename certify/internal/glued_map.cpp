@@ -16,11 +16,11 @@ std::vector<Index> first_of_equals(const BezierMap& map) {
   std::map<std::array<double, 5>, Index> known;
   std::vector<Index> first(is_boundary.size());
   for (Index v = 0; v < map.mesh().vertex_count(); ++v) {
-    first[at(v)] = v;
-    if (!is_boundary[at(v)]) continue;
+    first[v] = v;
+    if (!is_boundary[v]) continue;
     const Vector3 p = map.mesh().positions().row(v);
     const Vector2 uv = map.control_points().segment<2>(2 * v);
-    first[at(v)] = known.try_emplace({p.x(), p.y(), p.z(), uv.x(), uv.y()}, v).first->second;
+    first[v] = known.try_emplace({p.x(), p.y(), p.z(), uv.x(), uv.y()}, v).first->second;
   }
   return first;
 }
@@ -38,8 +38,8 @@ std::optional<BezierMap> glued(const BezierMap& map) {
     welded.polygons.emplace_back();
     for (Index k = 0; k < 3; ++k) {
       const Index v = map.mesh().faces()(f, k);
-      is_other = is_other || first[at(v)] != v;
-      welded.polygons.back().push_back(first[at(v)]);
+      is_other = is_other || first[v] != v;
+      welded.polygons.back().push_back(first[v]);
     }
   }
   if (!is_other) return std::nullopt;
@@ -48,14 +48,14 @@ std::optional<BezierMap> glued(const BezierMap& map) {
   auto space = std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(),
                                                            map.degree());
   Vec x(2 * space->node_count());
-  std::vector<char> is_set(at(space->node_count()), 0);
+  std::vector<char> is_set(to_size(space->node_count()), 0);
   for (Index f = 0; f < mesh->face_count(); ++f)
     for (Index k = 0; k < space->nodes_per_element(); ++k) {
       const Index node = space->cells()(f, k);
       const Vector2 uv = map.control_points().segment<2>(2 * map.space().cells()(f, k));
-      if (is_set[at(node)] && Vector2(x.segment<2>(2 * node)) != uv) return std::nullopt;
+      if (is_set[node] && Vector2(x.segment<2>(2 * node)) != uv) return std::nullopt;
       x.segment<2>(2 * node) = uv;
-      is_set[at(node)] = 1;
+      is_set[node] = 1;
     }
   return BezierMap(mesh, std::move(space), std::move(x));
 }

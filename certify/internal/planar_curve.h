@@ -26,7 +26,7 @@ struct PlanarCurve {
   }
 
   const Vector2& front() const { return control_points[0]; }
-  const Vector2& back() const { return control_points[at(degree)]; }
+  const Vector2& back() const { return control_points[degree]; }
 };
 
 }  // namespace majorant

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "majorant/certify/internal/close_of.h"
+#include "majorant/certify/internal/match_tolerance.h"
 #include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/weld.h"
 
@@ -100,7 +100,7 @@ class FaceMatcher {
         surface_(surface),
         repaired_(repaired),
         face_of_cell_(face_of_cell),
-        close_(close_of(box_of(surface))),
+        close_(match_tolerance(box_of(surface))),
         place_(weld(surface, 0)) {}
 
   SurfaceMatch run() {
@@ -111,7 +111,7 @@ class FaceMatcher {
     const auto count = surface_.polygons.size();
     std::vector<std::vector<Index>> faces_of(count);
     for (Index f = 0; f < repaired_.mesh->face_count(); ++f)
-      faces_of[at(repaired_.mesh->input_face(f))].push_back(f);
+      faces_of[repaired_.mesh->input_face(f)].push_back(f);
     collect_cells();
     std::vector<Index> left;  // polygons without cells of their own, yet
     for (std::size_t p = 0; p < count; ++p) {
@@ -124,8 +124,8 @@ class FaceMatcher {
     // Pieces last: a whole face may lie in a larger one.
     std::vector<Index> flat;  // faces without area
     for (const Index p : left) {
-      if (!face_of_cell_.empty() || !take_pieces(faces_of[at(p)], flat)) {
-        match.defect = lack(p, faces_of[at(p)].size());
+      if (!face_of_cell_.empty() || !take_pieces(faces_of[p], flat)) {
+        match.defect = lack(p, faces_of[p].size());
         return match;
       }
       ++match.changed;
@@ -133,7 +133,7 @@ class FaceMatcher {
     if (const Index f = lacking(flat); f >= 0)
       match.defect = lack(repaired_.mesh->input_face(f), 1);
     for (Index c = 0; c < cells_.face_count(); ++c)
-      if (!is_taken_[at(c)]) {
+      if (!is_taken_[c]) {
         match.defect = fmt::format("cell {} belongs to no face", cells_.input_face(c));
         break;
       }
@@ -147,33 +147,33 @@ class FaceMatcher {
   std::string name_places() {
     std::vector<char> is_used(place_.size(), 0);
     for (const auto& polygon : surface_.polygons)
-      for (const Index v : polygon) is_used[at(v)] = 1;
+      for (const Index v : polygon) is_used[v] = 1;
     for (Index v = 0; v < cells_.vertex_count(); ++v) {
       const Index name = cells_.input_vertex(v);
-      const bool is_known = at(name) < place_.size() && is_used[at(name)];
+      const bool is_known = to_size(name) < place_.size() && is_used[name];
       if (!is_known && !face_of_cell_.empty())
         return fmt::format("the surface has no vertex {}", name);
-      if (is_known && !((cells_.input_position(v) - surface_.positions[at(name)]).norm() <= close_))
+      if (is_known && !((cells_.input_position(v) - surface_.positions[name]).norm() <= close_))
         return fmt::format("vertex {} is not where the surface has it", name);
-      place_of_.push_back(is_known ? place_[at(name)] : kNew);
+      place_of_.push_back(is_known ? place_[name] : kNew);
     }
     return {};
   }
 
   std::string wrong_label() const {
     for (const Index face : face_of_cell_)
-      if (face < 0 || at(face) >= surface_.polygons.size())
+      if (face < 0 || to_size(face) >= surface_.polygons.size())
         return fmt::format("the surface has no face {}", face);
     return {};
   }
 
   void collect_cells() {
-    is_taken_.assign(at(cells_.face_count()), 0);
+    is_taken_.assign(to_size(cells_.face_count()), 0);
     cells_at_.resize(place_.size());
     for (Index c = 0; c < cells_.face_count(); ++c)
       for (Index k = 0; k < 3; ++k) {
         const Index v = cells_.faces()(c, k), w = cells_.faces()(c, next(k));
-        if (place_of_[at(v)] != kNew) cells_at_[at(place_of_[at(v)])].push_back(c);
+        if (place_of_[v] != kNew) cells_at_[place_of_[v]].push_back(c);
         cells_left_of_[{cells_.input_vertex(v), cells_.input_vertex(w)}].push_back(c);
       }
   }
@@ -186,11 +186,11 @@ class FaceMatcher {
   }
 
   bool may_be_of(Index c, Index polygon) const {
-    return !is_taken_[at(c)] && (face_of_cell_.empty() || face_of_cell_[at(c)] == polygon);
+    return !is_taken_[c] && (face_of_cell_.empty() || face_of_cell_[c] == polygon);
   }
 
   void take(const std::vector<Index>& cells) {
-    for (const Index c : cells) is_taken_[at(c)] = 1;
+    for (const Index c : cells) is_taken_[c] = 1;
   }
 
   Corners polygon_corners(Index face) const {
@@ -199,12 +199,12 @@ class FaceMatcher {
   }
 
   Index place(Index polygon, Index corner) const {
-    return place_[at(surface_.polygons[at(polygon)][at(corner)])];
+    return place_[surface_.polygons[polygon][corner]];
   }
 
   Corners places(Index cell) const {
     Corners out;
-    for (Index k = 0; k < 3; ++k) out[at(k)] = place_of_[at(cells_.faces()(cell, k))];
+    for (Index k = 0; k < 3; ++k) out[k] = place_of_[cells_.faces()(cell, k)];
     return out;
   }
 
@@ -216,7 +216,7 @@ class FaceMatcher {
     for (const Index f : faces) {
       Corners wanted = polygon_corners(f);
       for (Index& corner : wanted) corner = place(p, corner);
-      const std::vector<Index>& candidates = cells_at_[at(wanted[0])];
+      const std::vector<Index>& candidates = cells_at_[wanted[0]];
       const auto it = std::find_if(candidates.begin(), candidates.end(), [&](Index c) {
         const Corners has = places(c);
         return may_be_of(c, p) && std::find(found.begin(), found.end(), c) == found.end() &&
@@ -232,7 +232,7 @@ class FaceMatcher {
   // Of a polygon whose corners are at different places: n - 2 triangles whose edges are those of
   // the polygon, once each, and pairs that cancel are a disk; none faces the other way.
   bool take_triangulation(Index p, const std::vector<Index>& faces) {
-    const auto size = static_cast<Index>(surface_.polygons[at(p)].size());
+    const auto size = static_cast<Index>(surface_.polygons[p].size());
     if (size == 3) return false;
     const bool is_turned = !is_ascending(polygon_corners(faces.front()));
     for (const Index f : faces)
@@ -254,7 +254,7 @@ class FaceMatcher {
                                              [&](Index v) { return corners.contains(v); });
                         },
                         [&](Index v, Index w) {
-                          return border.contains({place_of_[at(v)], place_of_[at(w)]});
+                          return border.contains({place_of_[v], place_of_[w]});
                         },
                         [&](const std::vector<Index>& cells) {
                           return cells.size() == faces.size() && edges_are(border, cells);
@@ -269,7 +269,7 @@ class FaceMatcher {
     for (const Index c : cells) {
       const Corners corners = places(c);
       for (Index k = 0; k < 3; ++k)
-        if (!edges.emplace(corners[at(k)], corners[at(next(k))]).second) return false;
+        if (!edges.emplace(corners[k], corners[next(k)]).second) return false;
     }
     std::erase_if(edges, [edges](const auto& e) { return edges.contains({e.second, e.first}); });
     return edges == border;
@@ -289,7 +289,7 @@ class FaceMatcher {
       }
       const double close_area = close_ * triangle.length();
       const Region region{[&](Index c) {
-                            if (is_taken_[at(c)] || !(area_of(c).dot(triangle.area()) > 0))
+                            if (is_taken_[c] || !(area_of(c).dot(triangle.area()) > 0))
                               return false;
                             for (Index k = 0; k < 3; ++k)
                               if (!triangle.contains(cells_.input_position(cells_.faces()(c, k))))
@@ -314,15 +314,15 @@ class FaceMatcher {
   Index lacking(const std::vector<Index>& flat) {
     std::set<Index> covered;
     for (Index c = 0; c < cells_.face_count() && !flat.empty(); ++c) {
-      if (is_taken_[at(c)]) continue;
-      is_taken_[at(c)] = std::any_of(flat.begin(), flat.end(), [&](Index f) {
+      if (is_taken_[c]) continue;
+      is_taken_[c] = std::any_of(flat.begin(), flat.end(), [&](Index f) {
         const Triangle triangle = face_triangle(f);
         for (Index k = 0; k < 3; ++k)
           if (!triangle.contains(cells_.input_position(cells_.faces()(c, k)))) return false;
         return true;
       });
       const Corners here = places(c);
-      if (is_taken_[at(c)]) covered.insert(here.begin(), here.end());
+      if (is_taken_[c]) covered.insert(here.begin(), here.end());
     }
     for (const Index f : flat)
       for (const Index corner : polygon_corners(f))
@@ -331,11 +331,9 @@ class FaceMatcher {
   }
 
   Triangle face_triangle(Index f) const {
-    const auto& polygon = surface_.polygons[at(repaired_.mesh->input_face(f))];
+    const auto& polygon = surface_.polygons[repaired_.mesh->input_face(f)];
     const Corners corners = polygon_corners(f);
-    const auto corner = [&](std::size_t k) {
-      return surface_.positions[at(polygon[at(corners[k])])];
-    };
+    const auto corner = [&](std::size_t k) { return surface_.positions[polygon[corners[k]]]; };
     return {{corner(0), corner(1), corner(2)}, close_};
   }
 
@@ -353,7 +351,7 @@ class FaceMatcher {
   };
 
   bool take_region(const Region& region, Index corner) {
-    for (const Index seed : cells_at_[at(corner)]) {
+    for (const Index seed : cells_at_[corner]) {
       const std::vector<Index> cells = region_of(region, seed);
       if (cells.empty() || !region.is_covered(cells)) continue;
       take(cells);

@@ -21,7 +21,7 @@ class Sweep {
         budget_(budget) {
     for (std::size_t k = 0; k < next_.size(); ++k) {
       vertices_.push_back(loops.curves[k].front());
-      before_[at(next_[k])] = static_cast<Index>(k);
+      before_[next_[k]] = static_cast<Index>(k);
     }
   }
 
@@ -51,13 +51,13 @@ class Sweep {
   };
   using Active = std::set<Index, Below>;
 
-  const Vector2& point(Index v) const { return vertices_[at(v)]; }
+  const Vector2& point(Index v) const { return vertices_[v]; }
   bool earlier(Index i, Index j) const {
     const Vector2 &p = point(i), &q = point(j);
     return p.x() < q.x() || (p.x() == q.x() && p.y() < q.y());
   }
-  Index left(Index e) const { return earlier(e, next_[at(e)]) ? e : next_[at(e)]; }
-  Index right(Index e) const { return earlier(e, next_[at(e)]) ? next_[at(e)] : e; }
+  Index left(Index e) const { return earlier(e, next_[e]) ? e : next_[e]; }
+  Index right(Index e) const { return earlier(e, next_[e]) ? next_[e] : e; }
   int side(Index e, const Vector2& p) const {
     return orientation(point(left(e)), point(right(e)), p);
   }
@@ -69,11 +69,11 @@ class Sweep {
 
   // What the edges at a vertex change. False: a contact, or the budget is used up.
   bool pass(Index v) {
-    const Index in = before_[at(v)], out = v;
+    const Index in = before_[v], out = v;
     const bool in_ends = right(in) == v, out_ends = right(out) == v;
     if (in_ends && out_ends) {
-      active_.erase(place_[at(in)]);
-      const auto above = active_.erase(place_[at(out)]);
+      active_.erase(place_[in]);
+      const auto above = active_.erase(place_[out]);
       return above == active_.begin() || above == active_.end() || test(*std::prev(above), *above);
     }
     if (in_ends || out_ends) return replace(in_ends ? in : out, in_ends ? out : in);
@@ -81,7 +81,7 @@ class Sweep {
   }
 
   bool replace(Index ending, Index starting) {
-    const auto above = active_.erase(place_[at(ending)]);
+    const auto above = active_.erase(place_[ending]);
     return insert(starting, above);
   }
 
@@ -98,7 +98,7 @@ class Sweep {
   bool insert(Index e, typename Active::iterator above) {
     if (above != active_.end() && !test(e, *above)) return false;
     if (above != active_.begin() && !test(e, *std::prev(above))) return false;
-    place_[at(e)] = active_.insert(above, e);
+    place_[e] = active_.insert(above, e);
     return true;
   }
 
@@ -112,7 +112,7 @@ class Sweep {
   }
 
   bool meet(Index e, Index f) const {
-    const Index e_end = next_[at(e)], f_end = next_[at(f)];
+    const Index e_end = next_[e], f_end = next_[f];
     // Neighbours: the far end of one on the other.
     if (e_end == f)
       return on_segment(point(e), point(e_end), point(f_end)) ||

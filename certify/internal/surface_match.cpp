@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "majorant/certify/internal/close_of.h"
+#include "majorant/certify/internal/match_tolerance.h"
 #include "majorant/mesh/internal/triangle_list.h"
 #include "majorant/mesh/internal/triangulate_polygon.h"
 #include "majorant/mesh/internal/union_find.h"
@@ -40,7 +40,7 @@ class Matcher {
       : cells_(cells),
         surface_(surface),
         face_of_cell_(face_of_cell),
-        face_left_(at(cells.half_edge_count()), kUnknown) {}
+        face_left_(to_size(cells.half_edge_count()), kUnknown) {}
 
   SurfaceMatch run() {
     find_size();
@@ -55,21 +55,21 @@ class Matcher {
  private:
   static constexpr Index kUnknown = -2, kOutside = -1;  // of face_left_
 
-  const Vector3& place(Index v) const { return surface_.positions[at(v)]; }
+  const Vector3& place(Index v) const { return surface_.positions[v]; }
   Vector3 cell_place(Index vertex) const { return cells_.positions().row(vertex); }
   // The surface's number of a vertex of the cells, -1 for a new one.
   Index surface_vertex(Index vertex) const {
     const Index v = cells_.input_vertex(vertex);
-    return at(v) < used_.size() && used_[at(v)] ? v : -1;
+    return to_size(v) < used_.size() && used_[v] ? v : -1;
   }
 
   void find_size() {
     used_.assign(surface_.positions.size(), 0);
     for (const auto& polygon : surface_.polygons)
-      for (const Index v : polygon) used_[at(v)] = 1;
+      for (const Index v : polygon) used_[v] = 1;
     const Eigen::AlignedBox3d box = box_of(surface_);
     size_ = box.sizes().maxCoeff();
-    close_ = close_of(box);
+    close_ = match_tolerance(box);
   }
 
   void check_vertices() const {
@@ -94,11 +94,11 @@ class Matcher {
     }
     for (Index h = 0; h < cells_.half_edge_count(); ++h)
       half_edge_[{cells_.from_vertex(h), cells_.to_vertex(h)}] = h;
-    neighbours_.resize(at(cells_.vertex_count()));
+    neighbours_.resize(to_size(cells_.vertex_count()));
     for (const auto& [edge, h] : half_edge_) {
-      neighbours_[at(edge.first)].push_back(edge.second);
+      neighbours_[edge.first].push_back(edge.second);
       if (!half_edge_.contains({edge.second, edge.first}))
-        neighbours_[at(edge.second)].push_back(edge.first);
+        neighbours_[edge.second].push_back(edge.first);
     }
   }
 
@@ -124,7 +124,7 @@ class Matcher {
         std::reverse(out.begin(), out.end());
         return out;
       }
-      for (const Index v : neighbours_[at(from)]) {
+      for (const Index v : neighbours_[from]) {
         const std::optional<double> t = place_along(edge, v);
         if (t && *t > travelled && before.emplace(v, from).second) open.emplace_back(v, *t);
       }
@@ -170,13 +170,13 @@ class Matcher {
     if (face != kOutside && h == half_edge_.end())
       refuse_match("face {}: no cell lies at its edge ({}, {}), or it is turned over", face,
                    edge.first, edge.second);
-    if (h != half_edge_.end()) face_left_[at(h->second)] = face;
+    if (h != half_edge_.end()) face_left_[h->second] = face;
   }
 
   void compare_patches(UnionFind& faces) {
     UnionFind cells(cells_.face_count());
     for (Index h = 0; h < cells_.half_edge_count(); ++h) {
-      if (face_left_[at(h)] != kUnknown) continue;
+      if (face_left_[h] != kUnknown) continue;
       if (cells_.opposite(h) < 0)
         refuse_match("the cells end at edge ({}, {}), inside the surface",
                      cells_.input_vertex(cells_.from_vertex(h)),
@@ -185,25 +185,25 @@ class Matcher {
     }
     constexpr Index kNone = -1;
     std::vector<Index> cells_of(surface_.polygons.size(), kNone);
-    std::vector<Index> faces_of(at(cells_.face_count()), kNone);
+    std::vector<Index> faces_of(to_size(cells_.face_count()), kNone);
     for (Index h = 0; h < cells_.half_edge_count(); ++h) {
-      if (face_left_[at(h)] < 0) continue;
-      const Index mine = cells.find(face_of(h)), theirs = faces.find(face_left_[at(h)]);
-      if (faces_of[at(mine)] == kNone && cells_of[at(theirs)] == kNone) {
-        faces_of[at(mine)] = theirs;
-        cells_of[at(theirs)] = mine;
+      if (face_left_[h] < 0) continue;
+      const Index mine = cells.find(face_of(h)), theirs = faces.find(face_left_[h]);
+      if (faces_of[mine] == kNone && cells_of[theirs] == kNone) {
+        faces_of[mine] = theirs;
+        cells_of[theirs] = mine;
       }
-      if (faces_of[at(mine)] != theirs || cells_of[at(theirs)] != mine)
-        refuse_match("face {} is mapped by cells that are not its own", face_left_[at(h)]);
+      if (faces_of[mine] != theirs || cells_of[theirs] != mine)
+        refuse_match("face {} is mapped by cells that are not its own", face_left_[h]);
     }
     std::map<Index, Patch> patches;  // by the smallest of the faces
     for (Index p = 0; p < static_cast<Index>(surface_.polygons.size()); ++p) {
       const Index of = faces.find(p);
-      if (cells_of[at(of)] == kNone) refuse_match("face {} is mapped by no cell", p);
+      if (cells_of[of] == kNone) refuse_match("face {} is mapped by no cell", p);
       patches[of].faces.push_back(p);
     }
     for (Index c = 0; c < cells_.face_count(); ++c) {
-      const Index of = faces_of[at(cells.find(c))];
+      const Index of = faces_of[cells.find(c)];
       if (of == kNone) refuse_match("cell {} belongs to no face", cells_.input_face(c));
       patches[of].cells.push_back(c);
     }
@@ -213,10 +213,9 @@ class Matcher {
   void compare(const Patch& patch) {
     for (const Index c : patch.cells) {
       if (face_of_cell_.empty()) break;
-      if (std::find(patch.faces.begin(), patch.faces.end(), face_of_cell_[at(c)]) ==
-          patch.faces.end())
+      if (std::find(patch.faces.begin(), patch.faces.end(), face_of_cell_[c]) == patch.faces.end())
         refuse_match("cell {} is said to belong to face {} of the surface and lies in face {}",
-                     cells_.input_face(c), face_of_cell_[at(c)], patch.faces.front());
+                     cells_.input_face(c), face_of_cell_[c], patch.faces.front());
     }
     if (is_triangulated_polygon(patch)) {
       if (!is_unfolded(patch))
@@ -238,7 +237,7 @@ class Matcher {
   // Whether no cell is turned over in the polygon: cells are those that SurfaceMesh makes of it, of
   // its shape or of its texture coordinates, or all of them face its side.
   bool is_unfolded(const Patch& patch) const {
-    const auto& polygon = surface_.polygons[at(patch.faces.front())];
+    const auto& polygon = surface_.polygons[patch.faces.front()];
     std::vector<Vector3> corners;
     for (const Index v : polygon) corners.push_back(place(v));
     if (corners.size() == 3) return true;
@@ -247,8 +246,7 @@ class Matcher {
     for (const auto& triangles :
          {triangulate_polygon(corners),
           triangles_of(surface_, patch.faces.front(), Crossing::Fanned, {})})
-      for (const auto& t : triangles)
-        usual.insert({polygon[at(t[0])], polygon[at(t[1])], polygon[at(t[2])]});
+      for (const auto& t : triangles) usual.insert({polygon[t[0]], polygon[t[1]], polygon[t[2]]});
     return std::all_of(patch.cells.begin(), patch.cells.end(), [&](Index c) {
       const auto vertex = [&](Index k) { return cells_.faces()(c, k); };
       const auto name = [&](Index k) { return surface_vertex(vertex(k)); };
@@ -260,7 +258,7 @@ class Matcher {
 
   bool is_triangulated_polygon(const Patch& patch) const {
     if (patch.faces.size() != 1) return false;
-    const auto& polygon = surface_.polygons[at(patch.faces.front())];
+    const auto& polygon = surface_.polygons[patch.faces.front()];
     if (patch.cells.size() + 2 != polygon.size()) return false;
     for (const Index c : patch.cells)
       for (Index k = 0; k < 3; ++k) {
@@ -282,7 +280,7 @@ class Matcher {
     std::vector<std::vector<Vector3>> of_faces, of_cells;
     for (const Index p : patch.faces) {
       auto& corners = of_faces.emplace_back();
-      for (const Index v : surface_.polygons[at(p)]) corners.push_back(place(v));
+      for (const Index v : surface_.polygons[p]) corners.push_back(place(v));
     }
     for (const Index c : patch.cells) {
       auto& corners = of_cells.emplace_back();

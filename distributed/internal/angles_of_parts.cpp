@@ -13,14 +13,14 @@ AnglesOfParts angles_of_parts(const MeshPart& part, const BezierMap& map) {
   Vec sums = vertex_angle_sums(map.space(), map.control_points());
   const Partition vertices = part.vertices();
   vertices.add_to_owners(sums);
-  std::vector<char> on_boundary(at(part.mesh->vertex_count()), 0);
-  for (const Index v : part.boundary_vertices) on_boundary[at(v)] = 1;
+  std::vector<char> on_boundary(to_size(part.mesh->vertex_count()), 0);
+  for (const Index v : part.boundary_vertices) on_boundary[v] = 1;
   std::array<double, 2> counts{};
   double largest = 0;
   for (Index v = 0; v < sums.size(); ++v) {
     if (!vertices.owns(v)) continue;
     const double beyond = sums[v] - 2 * std::numbers::pi;
-    if (on_boundary[at(v)]) {
+    if (on_boundary[v]) {
       largest = std::max(largest, sums[v]);
       counts[1] += beyond > AngleSums::kTolerance;
     } else {

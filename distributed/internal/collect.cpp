@@ -5,7 +5,7 @@
 namespace majorant {
 namespace {
 
-using Parcels = std::vector<Ranks::Parcel>;
+using Messages = std::vector<Ranks::Message>;
 
 template <class List>
 List broadcast_list(const Ranks& ranks, List of_first) {
@@ -19,11 +19,11 @@ List broadcast_list(const Ranks& ranks, List of_first) {
 std::vector<double> scattered(const Ranks& ranks, std::vector<std::vector<double>> of_ranks) {
   double size = 0;
   std::vector<double> sizes;
-  Parcels none, told, lists;
+  Messages none, told, lists;
   if (ranks.rank() > 0) {
-    ranks.exchange(none, Parcels{{0, {&size, 1}}});
+    ranks.exchange(none, Messages{{0, {&size, 1}}});
     std::vector<double> mine(static_cast<std::size_t>(size));
-    ranks.exchange(none, Parcels{{0, mine}});
+    ranks.exchange(none, Messages{{0, mine}});
     return mine;
   }
   for (const auto& list : of_ranks) sizes.push_back(static_cast<double>(list.size()));
@@ -38,10 +38,10 @@ std::vector<double> scattered(const Ranks& ranks, std::vector<std::vector<double
 
 std::vector<std::vector<double>> gathered(const Ranks& ranks, std::vector<double> mine) {
   auto size = static_cast<double>(mine.size());
-  Parcels none, told, lists;
+  Messages none, told, lists;
   if (ranks.rank() > 0) {
-    ranks.exchange(Parcels{{0, {&size, 1}}}, none);
-    ranks.exchange(Parcels{{0, mine}}, none);
+    ranks.exchange(Messages{{0, {&size, 1}}}, none);
+    ranks.exchange(Messages{{0, mine}}, none);
     return {};
   }
   std::vector<double> sizes(static_cast<std::size_t>(ranks.count()));

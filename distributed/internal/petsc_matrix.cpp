@@ -19,14 +19,13 @@ PetscInt petsc_index(GlobalIndex i) { return static_cast<PetscInt>(i); }
 PetscInt block_size(const SparsePattern& pattern, const Partition& partition) {
   Index most = 1;
   for (Index i = 0, first = 0; i < pattern.size; ++i) {
-    if (pattern.block_of[at(i)] != pattern.block_of[at(first)]) first = i;
+    if (pattern.block_of[i] != pattern.block_of[first]) first = i;
     most = std::max(most, i - first + 1);
   }
   most = static_cast<Index>(partition.ranks().max(most));
   bool regular = pattern.size % most == 0;
   for (Index i = 0; i < pattern.size && regular; ++i)
-    regular =
-        pattern.block_of[at(i)] == i / most && partition.owns(i) == partition.owns(i - i % most);
+    regular = pattern.block_of[i] == i / most && partition.owns(i) == partition.owns(i - i % most);
   return partition.ranks().all(regular) ? most : 1;
 }
 
@@ -52,8 +51,8 @@ PetscMatrix::PetscMatrix(const SparsePattern& pattern, const Partition& partitio
     columns.push_back(petsc_index(partition.global(column)));
   };
   for (Index c = 0; c < pattern.size; ++c)
-    for (Index k = pattern.column_starts[at(c)]; k < pattern.column_starts[at(c) + 1]; ++k) {
-      const Index r = pattern.rows[at(k)];
+    for (Index k = pattern.column_starts[c]; k < pattern.column_starts[c + 1]; ++k) {
+      const Index r = pattern.rows[k];
       add(r, c);
       if (r != c) add(c, r);
     }
@@ -80,9 +79,9 @@ PetscMatrix::~PetscMatrix() {
 void PetscMatrix::set(const Vec& values, double shift) {
   entries_.clear();
   for (Index c = 0; c < pattern_.size; ++c)
-    for (Index k = pattern_.column_starts[at(c)]; k < pattern_.column_starts[at(c) + 1]; ++k) {
+    for (Index k = pattern_.column_starts[c]; k < pattern_.column_starts[c + 1]; ++k) {
       entries_.push_back(values[k]);
-      if (pattern_.rows[at(k)] != c) entries_.push_back(values[k]);
+      if (pattern_.rows[k] != c) entries_.push_back(values[k]);
     }
   require_petsc(MatSetValuesCOO(mat_, entries_.data(), INSERT_VALUES));
   if (shift != 0) require_petsc(MatShift(mat_, shift));

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "majorant/parametrization/drive/internal/pins.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/parametrization/solve/internal/pins.h"
 
 namespace majorant {
 namespace {
@@ -51,11 +51,11 @@ StartOfPart::StartOfPart(std::shared_ptr<const MeshPart> part, const Vec& uv,
   static_cast<MapObjective&>(spec) = asked;
   spec.part = part;
   spec.rest = rest_shapes(mesh, frame_.scale);
-  std::vector<char> on_boundary(at(mesh.vertex_count()), 0);  // of the whole surface
-  for (const Index v : part->boundary_vertices) on_boundary[at(v)] = 1;
+  std::vector<char> on_boundary(to_size(mesh.vertex_count()), 0);  // of the whole surface
+  for (const Index v : part->boundary_vertices) on_boundary[v] = 1;
   spec.pins = place_pins(
       mesh, asked.pins, uv, pin_tolerance(coordinate_size(*part, uv)),
-      [&](Index v) { return asked.boundary == BoundaryCondition::Fixed && on_boundary[at(v)]; });
+      [&](Index v) { return asked.boundary == BoundaryCondition::Fixed && on_boundary[v]; });
   spec.handles = place_handles(mesh, asked.handles, spec.pins, uv, frame_.scale);
   const bool free = !part->ranks().any(!spec.pins.empty() || !spec.handles.empty()) &&
                     spec.boundary == BoundaryCondition::Free;

@@ -5,12 +5,12 @@
 namespace majorant {
 
 struct GradientEntry {  // d_a B_node contains coefficient * first_k
-  int node, direction, first;
+  int node, direction, shape_gradient;
   double coefficient;
 };
 
-struct HessianEntry {  // d_a B_i d_b B_j contains coefficient * moment_m
-  int direction_i, direction_j, moment;
+struct HessianEntry {  // d_a B_i d_b B_j contains coefficient * gradient_product_m
+  int direction_i, direction_j, gradient_product;
   double coefficient;
 };
 

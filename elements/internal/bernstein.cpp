@@ -33,10 +33,10 @@ int degree_from_control_points(int count) {
 
 TriangleIndices::TriangleIndices(int n) : degree_(n) {
   append_vtk_order(n, 0, multi_);
-  lookup_.assign(at((n + 1) * (n + 1)), -1);
+  lookup_.assign(to_size((n + 1) * (n + 1)), -1);
   for (int l = 0; l < count(); ++l) {
     const auto [i, j, k] = multi(l);
-    lookup_[at(i * (n + 1) + j)] = l;
+    lookup_[i * (n + 1) + j] = l;
     multinomial_.push_back(std::round(factorial(n) / (factorial(i) * factorial(j) * factorial(k))));
   }
   for (int s = 0; s <= n; ++s) {
@@ -52,7 +52,7 @@ const TriangleIndices& TriangleIndices::of_degree(int n) {
     for (int degree = 0; degree <= kMaxDegree; ++degree) all.push_back(TriangleIndices(degree));
     return all;
   }();
-  return tables.at(at(n));
+  return tables.at(to_size(n));
 }
 
 Vec bernstein_values(int n, const Barycentric& xi) {

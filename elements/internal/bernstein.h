@@ -35,20 +35,20 @@ class TriangleIndices {
 
   int degree() const { return degree_; }
   int count() const { return static_cast<int>(multi_.size()); }
-  const MultiIndex& multi(int local) const { return multi_[at(local)]; }
+  const MultiIndex& multi(int local) const { return multi_[local]; }
   int local(int i, int j, int k) const {  // i + j + k = degree
     static_cast<void>(k);
-    return lookup_[at(i * (degree_ + 1) + j)];
+    return lookup_[i * (degree_ + 1) + j];
   }
   // Local numbers along edge 0 (corner 0 -> 1), 1 (1 -> 2) or 2 (2 -> 0), ends included.
-  const std::vector<int>& edge(int e) const { return edges_[at(e)]; }
+  const std::vector<int>& edge(int e) const { return edges_[e]; }
   // Of the points next to a corner on the two edges from it, counterclockwise: the directions of
   // the tangents of a map there.
   std::array<int, 2> beside_corner(int corner) const {
-    return {edge(corner)[1], edge((corner + 2) % 3)[at(degree_) - 1]};
+    return {edge(corner)[1], edge((corner + 2) % 3)[degree_ - 1]};
   }
   // n! / (i! j! k!).
-  double multinomial(int local) const { return multinomial_[at(local)]; }
+  double multinomial(int local) const { return multinomial_[local]; }
 
  private:
   explicit TriangleIndices(int n);

@@ -107,7 +107,7 @@ Degrees operator+(Degrees a, const Degrees& b) {
 }
 
 Degrees derivative_degrees(const BernsteinElement& element, int direction) {
-  return element.lowered(element.factor_of(element.derivatives[at(direction)][0]));
+  return element.lowered(element.factor_of(element.derivatives[direction][0]));
 }
 
 // Of the minors of the last two directions.
@@ -144,7 +144,7 @@ DetCoefficients::DetCoefficients(const BernsteinElement& element)
   for (int d = 0; d < dim_; ++d) {
     const std::vector<Difference> more = differences(element, d);
     differences_.insert(differences_.end(), more.begin(), more.end());
-    starts_[at(d) + 1] = static_cast<int>(differences_.size());
+    starts_[d + 1] = static_cast<int>(differences_.size());
   }
   const auto basis_of = [&](int d) { return element.basis(derivative_degrees(element, d)); };
   const BernsteinBasis minor_basis = element.basis(minor_degrees(element));
@@ -164,10 +164,10 @@ std::vector<DetCoefficients::Difference> DetCoefficients::differences(
     const BernsteinElement& element, int direction) {
   const BernsteinBasis nodes = element.basis(element.degrees()),
                        low = element.basis(derivative_degrees(element, direction));
-  const auto [plus, minus] = element.derivatives[at(direction)];
+  const auto [plus, minus] = element.derivatives[direction];
   const auto raised = [&](int k, int coordinate) {
     Exponents e = low.exponents(k);
-    ++e[at(coordinate)];
+    ++e[coordinate];
     return nodes.find(e);
   };
   std::vector<Difference> out;
@@ -191,7 +191,7 @@ void DetCoefficients::differentiate(const Number* c, First* out) const {
 template <class Real, class First, class Second>
 void DetCoefficients::expand_in_plane(const First* derivatives, Second* out) const {
   std::fill(out, out + count(), Second{});
-  const auto entry = [&](int k) { return derivatives + matrix_[at(k)]; };
+  const auto entry = [&](int k) { return derivatives + matrix_[k]; };
   sum_minors<Real>(minors_, entry(0), entry(1), entry(2), entry(3), out);
 }
 
@@ -222,7 +222,7 @@ template <class Real>
 void DetCoefficients::with_error(const double* c, double unit, double* out, double* error) const {
   SmallBuffer<Real, 256> derivatives(derivative_size());
   differentiate(c, derivatives.data());
-  SmallBuffer<Bounded<Real>, 256> sums(at(count()));
+  SmallBuffer<Bounded<Real>, 256> sums(to_size(count()));
   int most = 0;
   for (int direction = 0; direction < dim_; ++direction)
     most = std::max(most, derivative_count(direction));
@@ -230,7 +230,7 @@ void DetCoefficients::with_error(const double* c, double unit, double* out, doub
   if (dim_ == 2) {
     expand_in_plane<Real>(derivatives.data(), sums.data());
   } else {
-    SmallBuffer<Bounded<Real>, 128> cofactor(at(minors_.target_count()));
+    SmallBuffer<Bounded<Real>, 128> cofactor(to_size(minors_.target_count()));
     expand_in_space<Real>(derivatives.data(), cofactor.data(), sums.data());
     roundings = 16.0 + 4 * most;
     // What underflowed in a cofactor was multiplied by the first derivative.
@@ -292,7 +292,7 @@ void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<2>* 
 void DetCoefficients::along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const {
   SmallBuffer<StepPolynomial<1>, 256> derivatives(derivative_size());
   differentiate(c, derivatives.data());
-  SmallBuffer<StepPolynomial<2>, 128> cofactor(at(minors_.target_count()));
+  SmallBuffer<StepPolynomial<2>, 128> cofactor(to_size(minors_.target_count()));
   expand_in_space<double>(derivatives.data(), cofactor.data(), out);
 }
 

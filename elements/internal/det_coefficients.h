@@ -90,14 +90,14 @@ class DetCoefficients {
   template <class Real>
   void with_error(const double* c, double unit, double* out, double* error) const;
   int derivative_count(int direction) const {  // coefficients of one component of it
-    const auto d = at(direction);
+    const auto d = to_size(direction);
     return starts_[d + 1] - starts_[d];
   }
   // Where the derivative of a component stands in what differentiate() writes.
   int derivative_start(int direction, int component) const {
-    return dim_ * starts_[at(direction)] + component * derivative_count(direction);
+    return dim_ * starts_[direction] + component * derivative_count(direction);
   }
-  std::size_t derivative_size() const { return at(dim_) * differences_.size(); }
+  std::size_t derivative_size() const { return to_size(dim_) * differences_.size(); }
 
   int dim_, degree_;
   BernsteinBasis basis_;
@@ -114,18 +114,17 @@ template <class Integer>
 std::vector<Integer> DetCoefficients::scaled(const std::vector<Integer>& c) const {
   std::vector<std::array<Integer, 2>> derivatives;
   for (const Difference& w : differences_)
-    derivatives.push_back(
-        {c[at(2 * w.plus)] - c[at(2 * w.minus)], c[at(2 * w.plus + 1)] - c[at(2 * w.minus + 1)]});
-  std::vector<Integer> out(at(count()));
+    derivatives.push_back({c[2 * w.plus] - c[2 * w.minus], c[2 * w.plus + 1] - c[2 * w.minus + 1]});
+  std::vector<Integer> out(to_size(count()));
   for (std::size_t e = 0; e < minors_.entries().size(); ++e) {
-    const auto& a = derivatives[e / at(minors_.columns())];
-    const auto& b = derivatives[at(starts_[1]) + e % at(minors_.columns())];
-    out[at(minors_.entries()[e].target)] +=
+    const auto& a = derivatives[e / to_size(minors_.columns())];
+    const auto& b = derivatives[to_size(starts_[1]) + e % to_size(minors_.columns())];
+    out[minors_.entries()[e].target] +=
         static_cast<std::int64_t>(minors_.fractions()[e].numerator) * (a[0] * b[1] - a[1] * b[0]);
   }
   for (int t = 0; t < count(); ++t)
     for (const int exponent : basis_.exponents(t))
-      for (int k = 2; k <= exponent; ++k) out[at(t)] *= k;
+      for (int k = 2; k <= exponent; ++k) out[t] *= k;
   return out;
 }
 

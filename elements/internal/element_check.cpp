@@ -90,17 +90,17 @@ void check_affine(const BernsteinElement& element, const DetCoefficients& det,
   for (int k = 0; k < nodes.count(); ++k)
     for (const auto& row : values.rowwise()) {
       c.push_back(0);
-      for (Index q = 0; q < row.size(); ++q) c.back() += row[q] * nodes.exponents(k)[at(q)];
+      for (Index q = 0; q < row.size(); ++q) c.back() += row[q] * nodes.exponents(k)[q];
     }
   Eigen::MatrixXd j = zeros(element);
   for (int d = 0; d < element.dim(); ++d) {
-    const auto [plus, minus] = element.derivatives[at(d)];
+    const auto [plus, minus] = element.derivatives[d];
     j.col(d) = element.degree * (values.col(plus) - values.col(minus));
   }
   const double expected = determinant(j);
   if (expected == 0)
     refuse(element, fmt::format("det J of the {} is 0, its derivatives are dependent", map));
-  std::vector<double> out(at(det.count())), error(out.size());
+  std::vector<double> out(to_size(det.count())), error(out.size());
   det.at_with_error(c.data(), out.data(), error.data());
   for (std::size_t k = 0; k < out.size(); ++k)
     if (!(std::abs(out[k] - expected) <= error[k]))
@@ -118,7 +118,7 @@ double value(const BernsteinBasis& basis, int k, const Coordinates& x) {
 
 // All coordinates are positive.
 double derivative(const BernsteinBasis& basis, int k, const Coordinates& x, int by) {
-  const auto q = at(by);
+  const auto q = to_size(by);
   return value(basis, k, x) * basis.exponents(k)[q] / x[q];
 }
 
@@ -135,11 +135,11 @@ void check_curved(const BernsteinElement& element, const DetCoefficients& det) {
     for (int row = 0; row < element.dim(); ++row) {
       c.push_back(static_cast<double>(random() % 16));
       for (int d = 0; d < element.dim(); ++d) {
-        const auto [plus, minus] = element.derivatives[at(d)];
+        const auto [plus, minus] = element.derivatives[d];
         j(row, d) += c.back() * (derivative(nodes, k, x, plus) - derivative(nodes, k, x, minus));
       }
     }
-  std::vector<double> out(at(det.count())), error(out.size());
+  std::vector<double> out(to_size(det.count())), error(out.size());
   det.at_with_error(c.data(), out.data(), error.data());
   double sum = 0, size = 0;
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -169,7 +169,7 @@ void check_description(const BernsteinElement& element) {
 
 void check_determinants(const BernsteinElement& element, const DetCoefficients& det) {
   Eigen::MatrixXd identity = Eigen::MatrixXd::Zero(element.dim(), element.coordinate_count());
-  for (int d = 0; d < element.dim(); ++d) identity(d, element.derivatives[at(d)][0]) = 1;
+  for (int d = 0; d < element.dim(); ++d) identity(d, element.derivatives[d][0]) = 1;
   check_affine(element, det, identity, "identity");
   Eigen::Matrix3d
       shear;  // any regular one of small integers, in the plane its first 2 by 2 entries

@@ -90,7 +90,7 @@ NodeLattice::NodeLattice(const BernsteinBasis& nodes) {
   int corners = 0;
   while (corners < nodes.count() && nodes.is_corner(corners)) ++corners;
   weights_.resize(nodes.count(), corners);
-  const auto size = at(nodes.coordinate_count());
+  const auto size = to_size(nodes.coordinate_count());
   for (int l = 0; l < nodes.count(); ++l)
     for (int c = 0; c < corners; ++c) {
       int weight = 1;
@@ -121,7 +121,7 @@ NodeLattice::Part& NodeLattice::part_of(const std::vector<int>& corners) {
 }
 
 Index with_more_nodes(Index nodes, std::size_t more) {
-  return counted("nodes", at(nodes) + more, 3);
+  return counted("nodes", to_size(nodes) + more, 3);
 }
 
 NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
@@ -131,7 +131,7 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
   NodeNumbering out;
   out.cells.resize(cells.rows(), lattice.node_count());
   out.cells.leftCols(cells.cols()) = cells;
-  out.node_count = with_more_nodes(0, at(vertex_count));
+  out.node_count = with_more_nodes(0, to_size(vertex_count));
   const std::vector<Side> sides = sorted_sides(lattice, cells);
   std::vector<const Side*> outer;
   for (auto first = sides.begin(); first != sides.end();) {

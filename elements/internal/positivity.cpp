@@ -23,7 +23,7 @@ class Bisection {
     T *first, *second;
   };
   Children split(int depth, const T* parent) {
-    const auto level = at(depth), n = at(cell_.count());
+    const auto level = to_size(depth), n = to_size(cell_.count());
     if (levels_.size() <= level) levels_.emplace_back(2 * n);
     T* memory = levels_[level].data();  // stays where it is when levels_ grows
     cell_.bisect(depth, parent, memory, memory + n);

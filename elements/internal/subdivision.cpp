@@ -14,15 +14,15 @@ Subdivision::Subdivision(const BernsteinBasis& basis, const std::vector<EdgeBise
 }
 
 Subdivision::Plan Subdivision::plan(const BernsteinBasis& basis, const EdgeBisection& step) {
-  const auto a = at(step.a), b = at(step.b);
+  const auto a = to_size(step.a), b = to_size(step.b);
   // Coefficient of a child whose midpoint has exponent l and whose remaining end of the edge has
   // exponent `rest`.
   const auto child = [&](const std::vector<int>& slots, int end, Exponents parent, int l,
                          int rest) {
-    parent[at(end)] = rest;
+    parent[end] = rest;
     Exponents e{};
     for (std::size_t s = 0; s < slots.size(); ++s)
-      e[s] = slots[s] == EdgeBisection::kMidpoint ? l : parent[at(slots[s])];
+      e[s] = slots[s] == EdgeBisection::kMidpoint ? l : parent[slots[s]];
     return basis.find(e);
   };
   Plan out;

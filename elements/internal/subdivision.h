@@ -38,7 +38,7 @@ class Subdivision {
     int levels = 0;
     std::vector<int> lines;
   };
-  const Plan& step(int depth) const { return plans_[at(depth) % plans_.size()]; }
+  const Plan& step(int depth) const { return plans_[to_size(depth) % plans_.size()]; }
   static Plan plan(const BernsteinBasis& basis, const EdgeBisection& step);
   int count_;
   std::vector<int> corners_;

@@ -9,20 +9,21 @@ namespace majorant {
 
 // A ContractionTable on one rule, quadrature weights folded in. D: reference dimension.
 struct ContractionView {
-  int nodes, points, first_count, moment_count, direction_count, gradient_count;
-  const double* directions;       // direction_count by D
-  const double* weights;          // points
-  const double* first;            // points by first_count
-  const double* weighted_first;   // first * weight
-  const double* weighted_moment;  // points by moment_count, moment * weight
+  int nodes, points, shape_gradient_count, gradient_product_count, direction_count, gradient_count;
+  const double* directions;               // direction_count by D
+  const double* weights;                  // points
+  const double* shape_gradient;           // points by shape_gradient_count
+  const double* weighted_shape_gradient;  // shape_gradient * weight
+  const double*
+      weighted_gradient_product;  // points by gradient_product_count, gradient_product * weight
   const GradientEntry* gradient;
   const HessianEntry* hessian;
   const int* pair_starts;
 };
 
-// Elements of one chunk, structure of arrays with stride `stride`; entries beyond `count` up to the
+// Elements of one batch, structure of arrays with stride `stride`; entries beyond `count` up to the
 // next multiple of 8 repeat the last element. M: unknowns per node.
-struct ChunkView {
+struct BatchView {
   static constexpr int stride = 128;
   int count;
   const int* elements;  // count
@@ -58,17 +59,17 @@ struct StarView {
 // twice-area of its triangles (a, b and v taken as they are): positive where all of them are
 // certainly counterclockwise.
 struct StarModel {
-  double f, gx, gy, hxx, hxy, hyy, room;
+  double f, gx, gy, hxx, hxy, hyy, area_margin;
 };
 
 // Kernels of one density. `density` is the object they were made for.
 struct DensityKernels {
   int rows, dims;  // of the Jacobian: M by D
   // f: measure * mean density per element.
-  void (*values)(const void* density, const ContractionView&, const ChunkView&, double* scratch,
+  void (*values)(const void* density, const ContractionView&, const BatchView&, double* scratch,
                  double* f);
   // Without `hessian` (null) the curvature is not looked at.
-  void (*local)(const void* density, const ContractionView&, const ChunkView&,
+  void (*local)(const void* density, const ContractionView&, const BatchView&,
                 BlendedCurvature curvature, double* scratch, double* f, double* gradient,
                 double* hessian);
   // Doubles of scratch that either kernel needs.

@@ -1,6 +1,6 @@
 // The two ends of the contraction (contraction_kernel.h), for a batch of elements side by side:
-// Jacobians at quadrature points, and moments over those points back to local gradients and
-// Hessians. Templates on Arch, for the reason given there.
+// Jacobians at quadrature points, and gradient_products over those points back to local gradients
+// and Hessians. Templates on Arch, for the reason given there.
 #pragma once
 
 #include <xsimd/xsimd.hpp>
@@ -29,10 +29,10 @@ struct Frame {
   B scaled[kMaxDirections][D];  // times the measure
   const double* rest;
   int rest_step;  // doubles from one quadrature point's rest shape to the next; 0: constant
-  B* z;           // first_count by N
+  B* z;           // shape_gradient_count by N
 
-  Frame(const ContractionView& t, const ChunkView& c, int at, B* scratch)
-      : rest(c.rest + at), rest_step(c.rest_rows_per_point * ChunkView::stride), z(scratch) {
+  Frame(const ContractionView& t, const BatchView& c, int at, B* scratch)
+      : rest(c.rest + at), rest_step(c.rest_rows_per_point * BatchView::stride), z(scratch) {
     const bool constant = rest_step == 0;
     const B measure = constant ? load_rest(0, D * D) : B(1.0);
     for (int a = 0; a < t.direction_count; ++a)
@@ -42,22 +42,22 @@ struct Frame {
           direction[a][j] += B(t.directions[D * a + i]) * load_rest(0, i * D + j);
         scaled[a][j] = measure * direction[a][j];
       }
-    for (int k = 0; k < N * t.first_count; ++k) z[k] = B(0.0);
+    for (int k = 0; k < N * t.shape_gradient_count; ++k) z[k] = B(0.0);
     for (int q = 0; q < t.gradient_count; ++q) {
       const GradientEntry& e = t.gradient[q];
-      const double* x = c.x + M * e.node * ChunkView::stride + at;
-      B* J = z + N * e.first;
+      const double* x = c.x + M * e.node * BatchView::stride + at;
+      B* J = z + N * e.shape_gradient;
       for (int p = 0; p < M; ++p) {
-        const B u = B::load_unaligned(x + p * ChunkView::stride) * B(e.coefficient);
+        const B u = B::load_unaligned(x + p * BatchView::stride) * B(e.coefficient);
         for (int i = 0; i < D; ++i)
           J[p * D + i] = xsimd::fma(u, direction[e.direction][i], J[p * D + i]);
       }
     }
-    for (int k = 0; constant && k < t.first_count; ++k) in_coordinates(z + N * k);
+    for (int k = 0; constant && k < t.shape_gradient_count; ++k) in_coordinates(z + N * k);
   }
 
   B load_rest(int point, int row) const {
-    return B::load_unaligned(rest + point * rest_step + row * ChunkView::stride);
+    return B::load_unaligned(rest + point * rest_step + row * BatchView::stride);
   }
 
   static void in_coordinates(B* jacobian) {
@@ -69,9 +69,9 @@ struct Frame {
 
   // Coordinates of J at quadrature point l.
   void at_point(const ContractionView& t, int l, B (&out)[N]) const {
-    const double* first = t.first + l * t.first_count;
+    const double* first = t.shape_gradient + l * t.shape_gradient_count;
     for (int r = 0; r < N; ++r) out[r] = B(first[0]) * z[r];
-    for (int k = 1; k < t.first_count; ++k)
+    for (int k = 1; k < t.shape_gradient_count; ++k)
       for (int r = 0; r < N; ++r) out[r] = xsimd::fma(B(first[k]), z[N * k + r], out[r]);
     if (rest_step == 0) return;
     B J[N];
@@ -130,15 +130,15 @@ void write_gradient(const Frame<Arch, Density>& frame, const ContractionView& t,
                     const Batch<Arch>* g, double* out, int at) {
   using B = Batch<Arch>;
   constexpr int M = Density::rows, D = Density::dims, N = M * D;
-  for (int i = 0; i < M * t.nodes; ++i) B(0.0).store_unaligned(out + i * ChunkView::stride + at);
+  for (int i = 0; i < M * t.nodes; ++i) B(0.0).store_unaligned(out + i * BatchView::stride + at);
   for (int q = 0; q < t.gradient_count; ++q) {
     const GradientEntry& e = t.gradient[q];
     B J[N];
-    for (int r = 0; r < N; ++r) J[r] = g[N * e.first + r];
-    if (frame.rest_step == 0) Density::gradient_to_jacobian(g + N * e.first, J);
+    for (int r = 0; r < N; ++r) J[r] = g[N * e.shape_gradient + r];
+    if (frame.rest_step == 0) Density::gradient_to_jacobian(g + N * e.shape_gradient, J);
     const B* d = frame.scaled[e.direction];
-    double* x = out + M * e.node * ChunkView::stride + at;
-    for (int p = 0; p < M; ++p, x += ChunkView::stride) {
+    double* x = out + M * e.node * BatchView::stride + at;
+    for (int p = 0; p < M; ++p, x += BatchView::stride) {
       B sum = J[p * D] * d[0];
       for (int i = 1; i < D; ++i) sum = xsimd::fma(J[p * D + i], d[i], sum);
       xsimd::fma(B(e.coefficient), sum, B::load_unaligned(x)).store_unaligned(x);
@@ -146,8 +146,8 @@ void write_gradient(const Frame<Arch, Density>& frame, const ContractionView& t,
   }
 }
 
-// One moment of the curvature -> blocks of direction pairs, for components p <= q of the image:
-// s[packed_index(q, p)][a][b] = measure * dir_a^T K^{pq} dir_b.
+// One gradient_product of the curvature -> blocks of direction pairs, for components p <= q of the
+// image: s[packed_index(q, p)][a][b] = measure * dir_a^T K^{pq} dir_b.
 template <class Arch, class Density>
 void to_directions(const Frame<Arch, Density>& frame, int directions, const Batch<Arch>* k,
                    Batch<Arch>* s) {
@@ -184,7 +184,7 @@ void write_hessian(const ContractionView& t, const Batch<Arch>* s, double* out, 
         for (int q = 0; q < M; ++q) h[p][q] = B(0.0);
       for (int e = t.pair_starts[pair]; e < t.pair_starts[pair + 1]; ++e) {
         const HessianEntry& entry = t.hessian[e];
-        const B* m = s + packed(M) * square * entry.moment;
+        const B* m = s + packed(M) * square * entry.gradient_product;
         const B w(entry.coefficient);
         const int ab = entry.direction_i * n + entry.direction_j;
         const int ba = entry.direction_j * n + entry.direction_i;
@@ -194,7 +194,7 @@ void write_hessian(const ContractionView& t, const Batch<Arch>* s, double* out, 
       }
       for (int p = 0; p < M; ++p)
         for (int q = 0; q < (i == j ? p + 1 : M); ++q)
-          h[p][q].store_unaligned(out + packed_index(M * i + p, M * j + q) * ChunkView::stride +
+          h[p][q].store_unaligned(out + packed_index(M * i + p, M * j + q) * BatchView::stride +
                                   at);
     }
 }

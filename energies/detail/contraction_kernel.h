@@ -2,13 +2,13 @@
 // curvature.
 //
 // Batches of elements side by side in SIMD registers. Per quadrature point only J (in the density's
-// own coordinates), its gradient and its packed curvature appear; sums over points are moments
-// (method.md section 4), recombined into basis pairs once per element. Works for any element with a
-// ContractionTable and any density with
+// own coordinates), its gradient and its packed curvature appear; sums over points are
+// gradient_products (method.md section 4), recombined into basis pairs once per element. Works for
+// any element with a ContractionTable and any density with
 //     rows, dims                                         J is rows by dims
 //     defines(Curvature)                                 constexpr: models worth compiling
-//     value(z), model<Curvature>(z, clamp, PointModel&)  z: rows * dims coordinates of J; clamp:
-//                                                         BlendedCurvature::clamp
+//     value(z), model<Curvature>(z, projection_weight, PointModel&)  z: rows * dims coordinates of J; projection_weight:
+//                                                         BlendedCurvature::projection_weight
 //     slope(z, PointModel&)                              without curvature; where it is a saving
 //     to_coordinates, gradient_to_jacobian, curvature_to_jacobian
 // as energies/spectral.h and energies/density.h have them.
@@ -43,15 +43,15 @@ template <class Density>
 // hessian: null where the curvature is not looked at.
 template <Curvature C, class Density, class B, int N>
 [[gnu::always_inline]] inline void differentiate(const Density& density, const B (&z)[N],
-                                                 double clamp, const double* hessian,
+                                                 double projection_weight, const double* hessian,
                                                  PointModel<B, N>& m) {
   if constexpr (requires { density.slope(z, m); })
     if (!hessian) return density.slope(z, m);
-  density.template model<C>(z, clamp, m);
+  density.template model<C>(z, projection_weight, m);
 }
 
 template <class Arch, class Density>
-[[gnu::flatten]] void values(const void* object, const ContractionView& t, const ChunkView& c,
+[[gnu::flatten]] void values(const void* object, const ContractionView& t, const BatchView& c,
                              double* scratch, double* f) {
   using B = Batch<Arch>;
   using F = Frame<Arch, Density>;
@@ -70,62 +70,65 @@ template <class Arch, class Density>
 
 // Flattened: the compiler's budget for a file with many densities would leave calls in the loop.
 template <class Arch, class Density, Curvature C>
-[[gnu::flatten]] void local_with(const void* object, const ContractionView& t, const ChunkView& c,
-                                 double clamp, double* scratch, double* f, double* gradient,
-                                 double* hessian) {
+[[gnu::flatten]] void local_with(const void* object, const ContractionView& t, const BatchView& c,
+                                 double projection_weight, double* scratch, double* f,
+                                 double* gradient, double* hessian) {
   using B = Batch<Arch>;
   using F = Frame<Arch, Density>;
   constexpr int N = F::N, kEntries = packed(N), kLanes = static_cast<int>(B::size);
   B* z_control = reinterpret_cast<B*>(scratch);
-  B* g = z_control + N * t.first_count;
-  B* moments = g + N * t.first_count;
-  B* s = moments + kEntries * t.moment_count;
+  B* g = z_control + N * t.shape_gradient_count;
+  B* gradient_products = g + N * t.shape_gradient_count;
+  B* s = gradient_products + kEntries * t.gradient_product_count;
   const int blocks = packed(F::M) * t.direction_count * t.direction_count;
   for (int at = 0; at < c.count; at += kLanes) {
     const auto& density = density_on<Density>(object, c.elements + at, c.count - at, kLanes);
     const F frame(t, c, at, z_control);
-    for (int k = 0; k < N * t.first_count; ++k) g[k] = B(0.0);
-    for (int k = 0; hessian && k < kEntries * t.moment_count; ++k) moments[k] = B(0.0);
+    for (int k = 0; k < N * t.shape_gradient_count; ++k) g[k] = B(0.0);
+    for (int k = 0; hessian && k < kEntries * t.gradient_product_count; ++k)
+      gradient_products[k] = B(0.0);
     B sum(0.0), z[N];
     PointModel<B, N> m;
     for (int l = 0; l < t.points; ++l) {
       frame.at_point(t, l, z);
-      differentiate<C>(density, z, clamp, hessian, m);
+      differentiate<C>(density, z, projection_weight, hessian, m);
       sum += frame.weight(t, l) * m.f;
       if (frame.rest_step != 0) frame.pull_back_gradient(l, m.g);
-      const double* wf = t.weighted_first + l * t.first_count;
-      for (int q = 0; q < t.first_count; ++q)
+      const double* wf = t.weighted_shape_gradient + l * t.shape_gradient_count;
+      for (int q = 0; q < t.shape_gradient_count; ++q)
         for (int r = 0; r < N; ++r) g[N * q + r] = xsimd::fma(B(wf[q]), m.g[r], g[N * q + r]);
       if (!hessian) continue;
       if (frame.rest_step != 0) frame.pull_back_curvature(l, m.k);
-      const double* wm = t.weighted_moment + l * t.moment_count;
-      for (int q = 0; q < t.moment_count; ++q) {
+      const double* wm = t.weighted_gradient_product + l * t.gradient_product_count;
+      for (int q = 0; q < t.gradient_product_count; ++q) {
         const B w(wm[q]);
-        B* moment = moments + kEntries * q;
-        for (int r = 0; r < kEntries; ++r) moment[r] = xsimd::fma(w, m.k[r], moment[r]);
+        B* gradient_product = gradient_products + kEntries * q;
+        for (int r = 0; r < kEntries; ++r)
+          gradient_product[r] = xsimd::fma(w, m.k[r], gradient_product[r]);
       }
     }
     (sum * frame.measure()).store_unaligned(f + at);
     write_gradient<Arch, Density>(frame, t, g, gradient, at);
     if (!hessian) continue;
-    for (int q = 0; q < t.moment_count; ++q)
-      to_directions<Arch, Density>(frame, t.direction_count, moments + kEntries * q,
+    for (int q = 0; q < t.gradient_product_count; ++q)
+      to_directions<Arch, Density>(frame, t.direction_count, gradient_products + kEntries * q,
                                    s + blocks * q);
     write_hessian<Arch, F::M>(t, s, hessian, at);
   }
 }
 
 template <class Arch, class Density>
-void local(const void* object, const ContractionView& t, const ChunkView& c,
+void local(const void* object, const ContractionView& t, const BatchView& c,
            BlendedCurvature curvature, double* scratch, double* f, double* gradient,
            double* hessian) {
-  const double clamp = hessian ? curvature.clamp : 0;
+  const double projection_weight = hessian ? curvature.projection_weight : 0;
   const auto run = [&](auto model) {
     constexpr Curvature C = decltype(model)::value;
     // What a density does not define is not compiled; DensityTerm::supports() keeps it from being
     // asked for.
     constexpr Curvature defined = Density::defines(C) ? C : Curvature::Exact;
-    local_with<Arch, Density, defined>(object, t, c, clamp, scratch, f, gradient, hessian);
+    local_with<Arch, Density, defined>(object, t, c, projection_weight, scratch, f, gradient,
+                                       hessian);
   };
   using C = Curvature;
   switch (hessian ? curvature.model : C::Exact) {
@@ -133,8 +136,8 @@ void local(const void* object, const ContractionView& t, const ChunkView& c,
       return run(std::integral_constant<C, C::Projected>());
     case C::Majorizer:
       return run(std::integral_constant<C, C::Majorizer>());
-    case C::PaperMajorizer:
-      return run(std::integral_constant<C, C::PaperMajorizer>());
+    case C::CompositeMajorizer:
+      return run(std::integral_constant<C, C::CompositeMajorizer>());
     case C::Exact:
       return run(std::integral_constant<C, C::Exact>());
     case C::Reweighted:
@@ -146,15 +149,15 @@ template <class Arch, class Density>
 int scratch_size(const ContractionView& t) {
   constexpr int kWidest = 8;  // doubles of the widest batch
   constexpr int M = Density::rows, N = M * Density::dims;
-  return kWidest *
-         (2 * N * t.first_count +
-          (packed(N) + packed(M) * t.direction_count * t.direction_count) * t.moment_count);
+  return kWidest * (2 * N * t.shape_gradient_count +
+                    (packed(N) + packed(M) * t.direction_count * t.direction_count) *
+                        t.gradient_product_count);
 }
 
 // The part of the sums that one batch of triangles gives: f, gx, gy, hxx, hxy, hyy.
 template <class Arch, class Density>
 void add_to_star(const Density& density, const StarView& s, int at, const Batch<Arch>& vx,
-                 const Batch<Arch>& vy, Batch<Arch> (&sums)[6], Batch<Arch>& room) {
+                 const Batch<Arch>& vy, Batch<Arch> (&sums)[6], Batch<Arch>& area_margin) {
   using B = Batch<Arch>;
   const auto row = [&](int r) { return B::load_unaligned(s.rows + r * StarView::stride + at); };
   const B ga0 = row(StarView::GaX), ga1 = row(StarView::GaY);
@@ -162,7 +165,8 @@ void add_to_star(const Density& density, const StarView& s, int at, const Batch<
   const B ax = row(StarView::AX) - vx, ay = row(StarView::AY) - vy;
   const B bx = row(StarView::BX) - vx, by = row(StarView::BY) - vy;
   const B left = ax * by, right = ay * bx;
-  room = xsimd::min(room, left - right - B(kStarRounding) * (xsimd::abs(left) + xsimd::abs(right)));
+  area_margin = xsimd::min(
+      area_margin, left - right - B(kStarRounding) * (xsimd::abs(left) + xsimd::abs(right)));
   const B J[4] = {ax * ga0 + bx * gb0, ax * ga1 + bx * gb1, ay * ga0 + by * gb0,
                   ay * ga1 + by * gb1};
   B z[4], g[4], K[10];
@@ -187,10 +191,10 @@ template <class Arch, class Density>
                            StarModel& out) {
   using B = Batch<Arch>;
   const auto& density = density_on<Density>(object, nullptr, 0, static_cast<int>(B::size));
-  B sums[6], room(std::numeric_limits<double>::max());
+  B sums[6], area_margin(std::numeric_limits<double>::max());
   for (B& sum : sums) sum = B(0.0);
   for (int at = 0; at < s.count; at += static_cast<int>(B::size))
-    add_to_star<Arch, Density>(density, s, at, B(vx), B(vy), sums, room);
+    add_to_star<Arch, Density>(density, s, at, B(vx), B(vy), sums, area_margin);
   double* const totals[] = {&out.f, &out.gx, &out.gy, &out.hxx, &out.hxy, &out.hyy};
   double lanes[B::size];
   for (int k = 0; k < 6; ++k) {
@@ -198,9 +202,9 @@ template <class Arch, class Density>
     *totals[k] = lanes[0];
     for (std::size_t lane = 1; lane < B::size; ++lane) *totals[k] += lanes[lane];
   }
-  room.store_unaligned(lanes);
-  out.room = lanes[0];
-  for (const double lane : lanes) out.room = lane < out.room ? lane : out.room;
+  area_margin.store_unaligned(lanes);
+  out.area_margin = lanes[0];
+  for (const double lane : lanes) out.area_margin = lane < out.area_margin ? lane : out.area_margin;
 }
 
 template <class Arch, class Density>

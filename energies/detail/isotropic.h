@@ -61,22 +61,23 @@ CurvatureCoefficients<T> exact_coefficients(const IsotropicJet<T>& j) {
 }
 
 // Convex k: its Hessian's 2x2 radial block is PSD and gb >= 0; only alpha's perpendicular direction
-// (coefficient ga) can be negative. Projection and composite majorizer coincide. clamp: the part of
-// what is negative that is taken away.
+// (coefficient ga) can be negative. Projection and composite majorizer coincide. projection_weight:
+// the part of what is negative that is taken away.
 template <class T>
-CurvatureCoefficients<T> convex_projection(const IsotropicJet<T>& j, const T& x, const T& clamp) {
+CurvatureCoefficients<T> convex_projection(const IsotropicJet<T>& j, const T& x,
+                                           const T& projection_weight) {
   using namespace scalar_math;
-  const T away = clamp * min(j.ga, T(0.0));
+  const T away = projection_weight * min(j.ga, T(0.0));
   return {j.ga - away, j.gb, j.caa + away / max(x, T(kSmallestA * kSmallestA)), j.cab, j.cbb};
 }
 
 // Eigenvalues of the 2x2 radial block and of both perpendicular directions clamped at 0 or, of the
-// negative ones, the part `clamp` taken away.
+// negative ones, the part `projection_weight` taken away.
 template <class T>
 CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x, const T& y,
-                                            const T& clamp) {
+                                            const T& projection_weight) {
   using namespace scalar_math;
-  const T kept = T(1.0) - clamp;
+  const T kept = T(1.0) - projection_weight;
   const auto clamped = [&kept](const T& value) { return max(value, kept * value); };
   const T zero(0.0), tiny(std::numeric_limits<double>::min());
   const T ax = max(x, tiny), by = max(y, tiny);
@@ -102,7 +103,7 @@ CurvatureCoefficients<T> general_projection(const IsotropicJet<T>& j, const T& x
 // coefficients ((h_S)_+ + (h_s)_+)/A and ((h_S)_+ - (h_s)_-)/B. The latter grows without bound as
 // B -> 0 (method.md N2): B is kept above kLeastRatio A.
 template <class T>
-CurvatureCoefficients<T> paper_majorizer(const IsotropicJet<T>& j, const T& x, const T& y) {
+CurvatureCoefficients<T> composite_majorizer(const IsotropicJet<T>& j, const T& x, const T& y) {
   using namespace scalar_math;
   const T zero(0.0), sx = max(x, T(kSmallestA * kSmallestA)), guard = T(kLeastRatio) * sqrt(sx);
   const T a = sqrt(sx), b = max(sqrt(y), guard);

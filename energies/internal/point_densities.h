@@ -18,7 +18,7 @@ class PointwiseJacobian {
 
   [[gnu::always_inline]] PointwiseJacobian(const Function& function, const PointBatch& points)
       : function_(function), points_(points) {}
-  // One model for both: clamp says which.
+  // One model for both: projection_weight says which.
   [[gnu::always_inline]] static constexpr bool defines(Curvature c) {
     return c == Curvature::Exact;
   }
@@ -39,14 +39,14 @@ class PointwiseJacobian {
     for (int r = 0; r < size; ++r) m.g[r] = T::load_unaligned(g + r * kLanes);
   }
   template <Curvature, class T>
-  void model(const T (&z)[size], double clamp, PointModel<T, size>& m) const {
+  void model(const T (&z)[size], double projection_weight, PointModel<T, size>& m) const {
     double J[size * kLanes], f[kLanes], g[size * kLanes], k[packed * kLanes];
     for (int r = 0; r < size; ++r) z[r].store_unaligned(J + r * kLanes);
     function_.models(function_.formula, points_, J, f, g, k);
     m.f = T::load_unaligned(f);
     for (int r = 0; r < size; ++r) m.g[r] = T::load_unaligned(g + r * kLanes);
     for (int r = 0; r < packed; ++r) m.k[r] = T::load_unaligned(k + r * kLanes);
-    if (clamp > 0) make_semidefinite_batch<size>(clamp, m.k);
+    if (projection_weight > 0) make_semidefinite_batch<size>(projection_weight, m.k);
   }
 
   // J is its own coordinates.
@@ -86,7 +86,7 @@ class PointwiseInvariant : public SimilarityCoordinates {
     return T::load_unaligned(f);
   }
   template <Curvature C, class T>
-  void model(const T (&z)[4], double clamp, PointModel<T, 4>& m) const {
+  void model(const T (&z)[4], double projection_weight, PointModel<T, 4>& m) const {
     const T x = z[0] * z[0] + z[1] * z[1], y = z[2] * z[2] + z[3] * z[3];
     double xs[kLanes], ys[kLanes], jets[6 * kLanes];
     x.store_unaligned(xs);
@@ -99,9 +99,10 @@ class PointwiseInvariant : public SimilarityCoordinates {
         double known[kLanes];
         function_.majorants(function_.formula, points_, xs, ys, known);
         const auto majorant = [&known](const T&, const T&) { return T::load_unaligned(known); };
-        return detail::write_model<C>(function_.traits, majorant, jet, x, y, z, clamp, m);
+        return detail::write_model<C>(function_.traits, majorant, jet, x, y, z, projection_weight,
+                                      m);
       }
-    detail::write_model<C>(function_.traits, NoMajorant{}, jet, x, y, z, clamp, m);
+    detail::write_model<C>(function_.traits, NoMajorant{}, jet, x, y, z, projection_weight, m);
   }
 
  private:

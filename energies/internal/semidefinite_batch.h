@@ -62,10 +62,10 @@ void rotate(int i, int j, const Lanes& turns, T (&a)[N][N], T (&v)[N][N]) {
   a[i][j] = a[j][i] = rest;
 }
 
-// `clamp` of the negative eigenvalues taken away (BlendedCurvature::clamp), 1: set to 0; where an
-// entry is not finite, the zero matrix.
+// `projection_weight` of the negative eigenvalues taken away (BlendedCurvature::projection_weight),
+// 1: set to 0; where an entry is not finite, the zero matrix.
 template <int N, class T>
-void make_semidefinite_batch(double clamp, PackedBatch<N, T>& k) {
+void make_semidefinite_batch(double projection_weight, PackedBatch<N, T>& k) {
   T nothing(0.0), largest(0.0);
   for (const T& entry : k) nothing += entry * T(0.0);
   for (T& entry : k) {
@@ -94,7 +94,8 @@ void make_semidefinite_batch(double clamp, PackedBatch<N, T>& k) {
       }
   }
   for (int e = 0; e < N; ++e) {
-    const T taken = xsimd::select(holds, T(0.0), T(clamp) * xsimd::min(a[e][e], T(0.0)));
+    const T taken =
+        xsimd::select(holds, T(0.0), T(projection_weight) * xsimd::min(a[e][e], T(0.0)));
     for (int i = 0, p = 0; i < N; ++i)
       for (int j = 0; j <= i; ++j, ++p) k[p] -= taken * v[i][e] * v[j][e];
   }

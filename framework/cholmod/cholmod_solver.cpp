@@ -128,7 +128,7 @@ class CholmodSolver final : public LinearSolver {
     p.resize(r.size());
     if (!factor_) return {};
     cholmod_dense b{};
-    b.nrow = b.d = b.nzmax = at(pattern_->size);
+    b.nrow = b.d = b.nzmax = to_size(pattern_->size);
     b.ncol = 1;
     b.x = const_cast<double*>(r.data());
     b.xtype = CHOLMOD_REAL;

@@ -7,7 +7,7 @@ namespace majorant {
 namespace {
 
 // Appends the reduced unknowns of an element, some maybe several times.
-void append_reduced_unknowns(const Stencils& s, const Elimination& z, Index e,
+void append_reduced_unknowns(const ElementDofs& s, const Elimination& z, Index e,
                              std::vector<Index>& out) {
   for (Index k = 0; k < s.nodes.cols(); ++k)
     for (int c = 0; c < s.block; ++c) {
@@ -18,29 +18,29 @@ void append_reduced_unknowns(const Stencils& s, const Elimination& z, Index e,
 
 }  // namespace
 
-SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
+SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
                               const Elimination& elimination) {
   const Index n = elimination.reduced_size();
   // The unknowns of all elements one after the other; by unknown, the elements that have it.
-  std::vector<std::size_t> starts{0}, element_starts(at(n) + 2, 0);
+  std::vector<std::size_t> starts{0}, element_starts(to_size(n) + 2, 0);
   std::vector<Index> all;
-  for (const Stencils* s : terms)
+  for (const ElementDofs* s : terms)
     for (Index e = 0; e < s->element_count(); ++e) {
       append_reduced_unknowns(*s, elimination, e, all);
       starts.push_back(all.size());
     }
-  for (const Index u : all) ++element_starts[at(u) + 2];
+  for (const Index u : all) ++element_starts[u + 2];
   for (std::size_t u = 2; u < element_starts.size(); ++u)
     element_starts[u] += element_starts[u - 1];
   std::vector<std::size_t> elements(all.size());
   for (std::size_t e = 0; e + 1 < starts.size(); ++e)
     for (std::size_t k = starts[e]; k < starts[e + 1]; ++k)
-      elements[element_starts[at(all[k]) + 1]++] = e;
+      elements[element_starts[to_size(all[k]) + 1]++] = e;
   SparsePattern p;
-  std::vector<Index> mark(at(n), -1), below;
+  std::vector<Index> mark(to_size(n), -1), below;
   const auto elements_of = [&](Index c) {
-    return std::span(elements).subspan(element_starts[at(c)],
-                                       element_starts[at(c) + 1] - element_starts[at(c)]);
+    return std::span(elements).subspan(element_starts[c],
+                                       element_starts[c + 1] - element_starts[c]);
   };
   for (Index c = 0; c < n; ++c) {
     const auto with = elements_of(c);
@@ -51,8 +51,8 @@ SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
     } else {
       for (const std::size_t e : with)
         for (std::size_t k = starts[e]; k < starts[e + 1]; ++k)
-          if (const Index r = all[k]; r > c && mark[at(r)] != c) {
-            mark[at(r)] = c;
+          if (const Index r = all[k]; r > c && mark[r] != c) {
+            mark[r] = c;
             below.push_back(r);
           }
     }
@@ -62,11 +62,11 @@ SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
   return p;
 }
 
-std::vector<Index> node_blocks(const std::vector<const Stencils*>& terms,
+std::vector<Index> node_blocks(const std::vector<const ElementDofs*>& terms,
                                const Elimination& elimination) {
   // A node is as many unknowns as in the term that has most of them.
   int block = 1;
-  for (const Stencils* s : terms) block = std::max(block, s->block);
+  for (const ElementDofs* s : terms) block = std::max(block, s->block);
   std::vector<Index> block_of;
   Index previous = -1, blocks = 0;
   for (Index j = 0; j < elimination.reduced_size(); ++j) {
@@ -78,19 +78,20 @@ std::vector<Index> node_blocks(const std::vector<const Stencils*>& terms,
   return block_of;
 }
 
-SlotTable::SlotTable(const Stencils& stencils, const Elimination& elimination,
-                     const SparsePattern& pattern)
-    : local_size_(stencils.local_size()), packed_size_(local_size_ * (local_size_ + 1) / 2) {
-  const Index count = stencils.element_count();
-  direct_.assign(at(count) * at(packed_size_), -1);
-  reduced_.assign(at(count) * at(local_size_), -1);
-  general_of_.assign(at(count), -1);
+ScatterMap::ScatterMap(const ElementDofs& element_dofs, const Elimination& elimination,
+                       const SparsePattern& pattern)
+    : local_size_(element_dofs.local_size()), packed_size_(local_size_ * (local_size_ + 1) / 2) {
+  const Index count = element_dofs.element_count();
+  direct_.assign(to_size(count) * to_size(packed_size_), -1);
+  reduced_.assign(to_size(count) * to_size(local_size_), -1);
+  general_of_.assign(to_size(count), -1);
   std::vector<int> order;
   for (Index e = 0; e < count; ++e) {
-    Index* reduced = reduced_.data() + at(e) * at(local_size_);
+    Index* reduced = reduced_.data() + to_size(e) * to_size(local_size_);
     bool simple = true;
     for (int i = 0; i < local_size_; ++i) {
-      const Index x = stencils.block * stencils.nodes(e, i / stencils.block) + i % stencils.block;
+      const Index x = element_dofs.block * element_dofs.nodes(e, i / element_dofs.block) +
+                      i % element_dofs.block;
       const auto first = elimination.begin(x), last = elimination.end(x);
       if (first == last) continue;
       simple = simple && last - first == 1 && first->coefficient == 1.0;
@@ -100,16 +101,16 @@ SlotTable::SlotTable(const Stencils& stencils, const Elimination& elimination,
     for (int i = 0; i < local_size_; ++i)
       for (int j = 0; j < i; ++j) simple = simple && (reduced[i] < 0 || reduced[i] != reduced[j]);
     if (!simple) {
-      build_general(e, stencils, elimination, pattern);
+      build_general(e, element_dofs, elimination, pattern);
       continue;
     }
-    find_slots(reduced, pattern, order, direct_.data() + at(e) * at(packed_size_));
+    find_slots(reduced, pattern, order, direct_.data() + to_size(e) * to_size(packed_size_));
   }
 }
 
 // Each column is read but once: its rows and the element's unknowns are both ascending.
-void SlotTable::find_slots(const Index* reduced, const SparsePattern& pattern,
-                           std::vector<int>& order, Index* direct) const {
+void ScatterMap::find_slots(const Index* reduced, const SparsePattern& pattern,
+                            std::vector<int>& order, Index* direct) const {
   order.clear();
   for (int i = 0; i < local_size_; ++i)
     if (reduced[i] >= 0) order.push_back(i);
@@ -117,25 +118,25 @@ void SlotTable::find_slots(const Index* reduced, const SparsePattern& pattern,
   for (auto column = order.begin(); column != order.end(); ++column) {
     Index slot = pattern.diagonal_slot(reduced[*column]);
     for (auto row = column; row != order.end(); ++row) {
-      while (pattern.rows[at(slot)] < reduced[*row]) ++slot;
+      while (pattern.rows[slot] < reduced[*row]) ++slot;
       const auto [low, high] = std::minmax(*row, *column);
       direct[high * (high + 1) / 2 + low] = slot;
     }
   }
 }
 
-SlotTable SlotTable::moved(const std::vector<Index>& places) const {
-  SlotTable out = *this;
+ScatterMap ScatterMap::moved(const std::vector<Index>& places) const {
+  ScatterMap out = *this;
   for (Index& slot : out.direct_)
-    if (slot >= 0) slot = places[at(slot)];
+    if (slot >= 0) slot = places[slot];
   for (auto& contributions : out.general_)
-    for (Contribution& c : contributions) c.slot = places[at(c.slot)];
+    for (Contribution& c : contributions) c.slot = places[c.slot];
   return out;
 }
 
-void SlotTable::build_general(Index e, const Stencils& s, const Elimination& z,
-                              const SparsePattern& pattern) {
-  general_of_[at(e)] = static_cast<Index>(general_.size());
+void ScatterMap::build_general(Index e, const ElementDofs& s, const Elimination& z,
+                               const SparsePattern& pattern) {
+  general_of_[e] = static_cast<Index>(general_.size());
   std::vector<Contribution> contributions;
   std::vector<std::pair<int, Target>> gradient;
   const auto full = [&](int i) { return s.block * s.nodes(e, i / s.block) + i % s.block; };
@@ -155,28 +156,28 @@ void SlotTable::build_general(Index e, const Stencils& s, const Elimination& z,
   general_gradient_.push_back(std::move(gradient));
 }
 
-void SlotTable::add_hessian(Index element, const LocalSystem& local, int p, double factor,
-                            double* values) const {
-  if (const Index g = general_of_[at(element)]; g >= 0) {
-    for (const Contribution& c : general_[at(g)])
+void ScatterMap::add_hessian(Index element, const LocalSystem& local, int p, double factor,
+                             double* values) const {
+  if (const Index g = general_of_[element]; g >= 0) {
+    for (const Contribution& c : general_[g])
       values[c.slot] += factor * c.coefficient * local.hessian[c.local * LocalSystem::stride + p];
     return;
   }
-  const Index* slot = direct_.data() + at(element) * at(packed_size_);
+  const Index* slot = direct_.data() + to_size(element) * to_size(packed_size_);
   const double* h = local.hessian + p;
   for (int k = 0; k < packed_size_; ++k, h += LocalSystem::stride)
     if (slot[k] >= 0) values[slot[k]] += factor * *h;
 }
 
-void SlotTable::add_gradient(Index element, const LocalSystem& local, int p, double factor,
-                             double* gradient) const {
-  if (const Index g = general_of_[at(element)]; g >= 0) {
-    for (const auto& [i, target] : general_gradient_[at(g)])
+void ScatterMap::add_gradient(Index element, const LocalSystem& local, int p, double factor,
+                              double* gradient) const {
+  if (const Index g = general_of_[element]; g >= 0) {
+    for (const auto& [i, target] : general_gradient_[g])
       gradient[target.reduced] +=
           factor * target.coefficient * local.gradient[i * LocalSystem::stride + p];
     return;
   }
-  const Index* reduced = reduced_.data() + at(element) * at(local_size_);
+  const Index* reduced = reduced_.data() + to_size(element) * to_size(local_size_);
   for (int i = 0; i < local_size_; ++i)
     if (reduced[i] >= 0)
       gradient[reduced[i]] += factor * local.gradient[i * LocalSystem::stride + p];

@@ -13,14 +13,15 @@ namespace majorant {
 // Slots of one term. An element whose unknowns are all free or fixed (every row of Z has at most
 // one entry, equal to 1) takes the direct path; any other element has a list of weighted
 // contributions.
-class SlotTable {
+class ScatterMap {
  public:
-  SlotTable(const Stencils& stencils, const Elimination& elimination, const SparsePattern& pattern);
+  ScatterMap(const ElementDofs& element_dofs, const Elimination& elimination,
+             const SparsePattern& pattern);
 
   // The same in a pattern that has more entries: slot k of the old one is places[k] there.
-  SlotTable moved(const std::vector<Index>& places) const;
+  ScatterMap moved(const std::vector<Index>& places) const;
 
-  // Adds factor * H of the element at position p of a chunk.
+  // Adds factor * H of the element at position p of a batch.
   void add_hessian(Index element, const LocalSystem& local, int p, double factor,
                    double* values) const;
   // Adds factor * g likewise, into the reduced gradient.
@@ -37,7 +38,7 @@ class SlotTable {
     Index reduced;
     double coefficient;
   };
-  void build_general(Index element, const Stencils& stencils, const Elimination& elimination,
+  void build_general(Index element, const ElementDofs& element_dofs, const Elimination& elimination,
                      const SparsePattern& pattern);
 
   // Of an element with these reduced unknowns, packed. order: scratch.
@@ -53,10 +54,10 @@ class SlotTable {
 };
 
 // The lower-triangular pattern that the given terms fill after elimination.
-SparsePattern reduced_pattern(const std::vector<const Stencils*>& terms,
+SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
                               const Elimination& elimination);
 // Of reduced unknowns, which node each belongs to: SparsePattern::block_of.
-std::vector<Index> node_blocks(const std::vector<const Stencils*>& terms,
+std::vector<Index> node_blocks(const std::vector<const ElementDofs*>& terms,
                                const Elimination& elimination);
 
 }  // namespace majorant

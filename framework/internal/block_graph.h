@@ -27,7 +27,7 @@ class BlockGraph {
   std::size_t edges() const { return larger_.size(); }
   // Nodes above `node` that it is joined with, each once, in the order of the pattern.
   std::span<const Index> larger(Index node) const {
-    return {larger_.data() + starts_[at(node)], larger_.data() + starts_[at(node) + 1]};
+    return {larger_.data() + starts_[node], larger_.data() + starts_[node + 1]};
   }
   // That another graph of as many nodes does not have.
   BlockEdges edges_beyond(const BlockGraph& other) const;

@@ -8,7 +8,7 @@ std::string_view curvature_name(Curvature curvature) {
       return "projected";
     case Curvature::Majorizer:
       return "majorizer";
-    case Curvature::PaperMajorizer:
+    case Curvature::CompositeMajorizer:
       return "paper-majorizer";
     case Curvature::Exact:
       return "exact";

@@ -36,24 +36,24 @@ const double* not_finite(const double* values, std::size_t count, std::size_t p)
 std::string not_finite_derivative(const Problem& problem, TermId id, VecIn x) {
   const EnergyTerm& term = problem.term(id);
   const TermState& state = problem.state(id);
-  const ChunkPlan& plan = ProblemParts::plan(problem, id);
-  const auto n = at(term.stencils().local_size());
+  const ColoredBatches& plan = ProblemParts::plan(problem, id);
+  const auto n = to_size(term.element_dofs().local_size());
   const Curvature model = *std::find_if(std::begin(kCurvatures), std::end(kCurvatures) - 1,
                                         [&](Curvature c) { return term.supports(c); });
   Workspace kernel, memory;
   LocalSystem local;
-  local.value = memory.reserve((1 + n + n * (n + 1) / 2) * at(LocalSystem::stride));
+  local.value = memory.reserve((1 + n + n * (n + 1) / 2) * to_size(LocalSystem::stride));
   local.gradient = local.value + LocalSystem::stride;
   local.hessian = local.gradient + n * LocalSystem::stride;
-  for (Index c = 0; c < plan.chunk_count(); ++c) {
-    const Chunk chunk = plan.chunk(c);
-    term.local(x, chunk, model, state, kernel, local);
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      if (!counts(state, chunk.elements[p])) continue;
+  for (Index c = 0; c < plan.batch_count(); ++c) {
+    const ElementBatch batch = plan.batch(c);
+    term.local(x, batch, model, state, kernel, local);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      if (!counts(state, batch.elements[p])) continue;
       if (const double* v = not_finite(local.gradient, n, p))
-        return place("gradient", *v, chunk.elements[p], term.name());
+        return place("gradient", *v, batch.elements[p], term.name());
       if (const double* v = not_finite(local.hessian, n * (n + 1) / 2, p))
-        return place("Hessian", *v, chunk.elements[p], term.name());
+        return place("Hessian", *v, batch.elements[p], term.name());
     }
   }
   return {};

@@ -1,6 +1,6 @@
 // Values of a term element by element, outside of any problem: who contributes how much.
 //
-//   const ChunkPlan plan(energy->stencils(), {});   // all elements on the first rule
+//   const ColoredBatches plan(energy->element_dofs(), {});   // all elements on the first rule
 //   const Vec values = element_values(*energy, {}, plan, x);
 //   const std::vector<Index> some{7, 3};
 //   const Vec two = element_values(*energy, {}, 0, some, x);   // of elements 7 and 3
@@ -9,15 +9,15 @@
 #include <span>
 
 #include "majorant/framework/energy_term.h"
-#include "majorant/framework/internal/chunk_plan.h"
+#include "majorant/framework/internal/colored_batches.h"
 #include "majorant/framework/stop_check.h"
 
 namespace majorant {
 
 // Unweighted value of each element of a term at x, with the plan that belongs to `state`. Polls
-// between chunks of elements, as all evaluations do that are given a stop check: Stopped.
-Vec element_values(const EnergyTerm& term, const TermState& state, const ChunkPlan& plan, VecIn x,
-                   const StopCheck& stop = {});
+// between batches of elements, as all evaluations do that are given a stop check: Stopped.
+Vec element_values(const EnergyTerm& term, const TermState& state, const ColoredBatches& plan,
+                   VecIn x, const StopCheck& stop = {});
 // Parallel to `elements`, all by the same rule of the term, whatever `state` says of rules: a plan
 // is not worth making for one evaluation, or for few elements.
 Vec element_values(const EnergyTerm& term, const TermState& state, RuleId rule,

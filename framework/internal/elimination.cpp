@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/internal/affine_presolve.h"
 #include "majorant/framework/internal/projection.h"
-#include "majorant/framework/internal/row_reduction.h"
 
 namespace majorant {
 
@@ -23,25 +23,24 @@ Elimination::Elimination(Index full_size, const ConstraintRows& rows)
                         rows.label(r), e->unknown, full_size, auxiliary_size_));
   const SolvedUnknowns solved = solve_rows(full_size, rows);
   const Index all = full_size + auxiliary_size_;
-  std::vector<Index> reduced(at(all), -1);
+  std::vector<Index> reduced(to_size(all), -1);
   for (Index i = 0; i < all; ++i) {
-    if (solved.fixed[at(i)] || solved.others.count(i)) continue;
-    reduced[at(i)] = static_cast<Index>(free_.size());
+    if (solved.fixed[i] || solved.others.count(i)) continue;
+    reduced[i] = static_cast<Index>(free_.size());
     free_.push_back(i);
   }
   offset_ = Vec::Zero(full_size);
   starts_.push_back(0);
-  starts_.reserve(at(full_size) + 1);
-  entries_.reserve(at(full_size));
+  starts_.reserve(to_size(full_size) + 1);
+  entries_.reserve(to_size(full_size));
   for (Index i = 0; i < full_size; ++i) {
-    if (solved.fixed[at(i)]) {
+    if (solved.fixed[i]) {
       offset_[i] = solved.fixed_to[i];
     } else if (const auto it = solved.others.find(i); it != solved.others.end()) {
-      for (const auto& [unknown, c] : it->second.terms)
-        entries_.push_back({reduced[at(unknown)], c});
+      for (const auto& [unknown, c] : it->second.terms) entries_.push_back({reduced[unknown], c});
       offset_[i] = it->second.constant;
     } else {
-      entries_.push_back({reduced[at(i)], 1.0});
+      entries_.push_back({reduced[i], 1.0});
     }
     starts_.push_back(entries_.size());
   }
@@ -49,12 +48,12 @@ Elimination::Elimination(Index full_size, const ConstraintRows& rows)
 }
 
 void Elimination::define_auxiliaries(const ConstraintRows& rows) {
-  std::vector<char> known(at(auxiliary_size_), 0);
+  std::vector<char> known(to_size(auxiliary_size_), 0);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const ConstraintRows::Entry* open = nullptr;
     int open_count = 0;
     for (auto e = rows.begin(r); e != rows.end(r); ++e)
-      if (e->unknown < 0 && !known[at(-1 - e->unknown)]) {
+      if (e->unknown < 0 && !known[-1 - e->unknown]) {
         open = e;
         ++open_count;
       }
@@ -64,7 +63,7 @@ void Elimination::define_auxiliaries(const ConstraintRows& rows) {
     for (auto e = rows.begin(r); e != rows.end(r); ++e)
       if (e != open)
         d.terms.push_back({row_position(e->unknown, full_size()), -e->coefficient / scale});
-    known[at(d.auxiliary)] = 1;
+    known[d.auxiliary] = 1;
     definitions_.push_back(std::move(d));
   }
 }

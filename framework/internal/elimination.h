@@ -2,8 +2,8 @@
 //
 // Rows of integers are reduced over the rationals, row by row, so redundant ones are recognized
 // without a floating point tolerance and Z solves A Z = 0 exactly; other rows follow, to within
-// rounding (row_reduction.h). Every reduced unknown is one of the full unknowns (its row of Z is a
-// unit row) or an auxiliary unknown of the constraints. Rows of integers are divided by their
+// rounding (affine_presolve.h). Every reduced unknown is one of the full unknowns (its row of Z is
+// a unit row) or an auxiliary unknown of the constraints. Rows of integers are divided by their
 // common factor and solved for the first unknown, in numerical order, with coefficient +-1 (where
 // there is none: for the first unknown, and Z gets fractions); auxiliary unknowns come last, so a
 // point that can be expressed by them is. Not for dense or large systems of general rows: fill-in

@@ -67,7 +67,7 @@ class History {
   void add(Vec s, Vec q) {
     const double sq = dot(s, q);
     if (capacity_ <= 0 || !(sq > cautious_ * partition_->norm(s) * partition_->norm(q))) return;
-    if (pairs_.size() == at(capacity_)) pairs_.pop_front();
+    if (pairs_.size() == to_size(capacity_)) pairs_.pop_front();
     pairs_.push_back({std::move(s), std::move(q), sq});
   }
 

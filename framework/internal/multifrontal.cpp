@@ -42,25 +42,25 @@ struct MultifrontalFactor::Work {
   double shift;
 };
 
-MultifrontalFactor::MultifrontalFactor(const FrontTree& tree, const FrontKernels& kernels)
+MultifrontalFactor::MultifrontalFactor(const AssemblyTree& tree, const FrontKernels& kernels)
     : tree_(tree),
       kernels_(kernels),
       threads_(tree.operations() < kParallelOperations ? 1 : ThreadCount::current()),
       update_places_(tree.fronts().size()) {
-  for (const FrontTree::Front& front : tree_.fronts())
+  for (const AssemblyTree::Front& front : tree_.fronts())
     largest_stride_ = std::max(largest_stride_, static_cast<std::size_t>(front.stride));
   make_tasks();
   updates_size_ = place_updates();
 }
 
 std::size_t MultifrontalFactor::bytes() const {
-  return (tree_.panel_size() + updates_size_ + at(threads_) * packed_size()) * sizeof(double);
+  return (tree_.panel_size() + updates_size_ + to_size(threads_) * packed_size()) * sizeof(double);
 }
 
 void MultifrontalFactor::allocate() {
   panels_ = uninitialized(tree_.panel_size());
   updates_ = uninitialized(updates_size_);
-  packed_ = uninitialized(at(threads_) * packed_size());
+  packed_ = uninitialized(to_size(threads_) * packed_size());
   front_values_.resize(static_cast<Eigen::Index>(largest_stride_));
 }
 
@@ -71,22 +71,22 @@ void MultifrontalFactor::make_tasks() {
     tasks_.push_back({0, count, tree_.operations()});
     return;
   }
-  std::vector<double> operations(at(count), 0);
-  std::vector<Index> first(at(count));
+  std::vector<double> operations(to_size(count), 0);
+  std::vector<Index> first(to_size(count));
   for (Index f = 0; f < count; ++f) {
     const std::span<const Index> children = tree_.children(f);
-    first[at(f)] = children.empty() ? f : first[at(children.front())];
-    operations[at(f)] = tree_.fronts()[at(f)].operations();
-    for (const Index child : children) operations[at(f)] += operations[at(child)];
+    first[f] = children.empty() ? f : first[children.front()];
+    operations[f] = tree_.fronts()[f].operations();
+    for (const Index child : children) operations[f] += operations[child];
   }
   const double largest = kTaskPart / threads_ * tree_.operations();
   for (Index f = count; f-- > 0;) {
-    if (operations[at(f)] > largest) {
+    if (operations[f] > largest) {
       above_.push_back(f);
       continue;
     }
-    tasks_.push_back({first[at(f)], f + 1, operations[at(f)]});
-    f = first[at(f)];
+    tasks_.push_back({first[f], f + 1, operations[f]});
+    f = first[f];
   }
   std::reverse(above_.begin(), above_.end());
   std::stable_sort(tasks_.begin(), tasks_.end(),
@@ -98,8 +98,8 @@ std::size_t MultifrontalFactor::place_updates() {
   std::size_t size = 0;
   for (const Task& task : tasks_) size = place_updates(task, size);
   for (const Index f : above_) {
-    update_places_[at(f)] = size;
-    size += tree_.fronts()[at(f)].update_size();
+    update_places_[f] = size;
+    size += tree_.fronts()[f].update_size();
   }
   return size;
 }
@@ -107,27 +107,27 @@ std::size_t MultifrontalFactor::place_updates() {
 // Updates wait on two stacks, of fronts at even and at odd depths: a front's comes on the one
 // while its children's are taken from the top of the other.
 std::size_t MultifrontalFactor::place_updates(const Task& task, std::size_t start) {
-  std::vector<Index> odd(at(task.last - task.first), 0);
-  const auto is_odd = [&](Index f) -> Index& { return odd[at(f - task.first)]; };
+  std::vector<Index> odd(to_size(task.last - task.first), 0);
+  const auto is_odd = [&](Index f) -> Index& { return odd[f - task.first]; };
   for (Index f = task.last; f-- > task.first;)
-    if (const Index parent = tree_.fronts()[at(f)].parent; parent >= 0 && parent < task.last)
+    if (const Index parent = tree_.fronts()[f].parent; parent >= 0 && parent < task.last)
       is_odd(f) = 1 - is_odd(parent);
   std::array<std::size_t, 2> top{}, highest{};
   for (Index f = task.first; f < task.last; ++f) {
-    const std::size_t mine = at(is_odd(f)), theirs = 1 - mine;
-    update_places_[at(f)] = top[mine];
-    top[mine] += tree_.fronts()[at(f)].update_size();
+    const std::size_t mine = to_size(is_odd(f)), theirs = 1 - mine;
+    update_places_[f] = top[mine];
+    top[mine] += tree_.fronts()[f].update_size();
     highest[mine] = std::max(highest[mine], top[mine]);
     if (const auto children = tree_.children(f); !children.empty())
-      top[theirs] = update_places_[at(children.front())];
+      top[theirs] = update_places_[children.front()];
   }
   for (Index f = task.first; f < task.last; ++f)
-    update_places_[at(f)] += start + (is_odd(f) ? highest[0] : 0);
+    update_places_[f] += start + (is_odd(f) ? highest[0] : 0);
   return start + highest[0] + highest[1];
 }
 
 std::size_t MultifrontalFactor::packed_size() const {
-  return at(kPanelColumns) * (largest_stride_ + at(FrontKernels::kTile));
+  return to_size(kPanelColumns) * (largest_stride_ + to_size(FrontKernels::kTile));
 }
 
 bool MultifrontalFactor::factorize(const Vec& values, double shift) {
@@ -137,8 +137,8 @@ bool MultifrontalFactor::factorize(const Vec& values, double shift) {
   const auto count = static_cast<Index>(tasks_.size());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads_) if (threads_ > 1)
   for (Index t = 0; t < count; ++t) {
-    double* packed = packed_.get() + at(omp_get_thread_num()) * packed_size();
-    for (Index f = tasks_[at(t)].first; f < tasks_[at(t)].last && positive; ++f)
+    double* packed = packed_.get() + to_size(omp_get_thread_num()) * packed_size();
+    for (Index f = tasks_[t].first; f < tasks_[t].last && positive; ++f)
       if (!factorize_front(f, work, packed, 1)) positive = false;
   }
   for (const Index f : above_)
@@ -147,11 +147,11 @@ bool MultifrontalFactor::factorize(const Vec& values, double shift) {
 }
 
 bool MultifrontalFactor::factorize_front(Index f, const Work& work, double* packed, int threads) {
-  const FrontTree::Front& front = tree_.fronts()[at(f)];
+  const AssemblyTree::Front& front = tree_.fronts()[f];
   const Index below = front.rows - front.columns;
   take_in_entries(f, work);
   clear_triangle(update(f), front.update_stride, below);
-  for (const Index child : tree_.children(f)) take_in_child(child);
+  for (const Index child : tree_.children(f)) extend_add(child);
   double* l = panel(f);
   for (Index first = 0; first < front.columns; first += kPanelColumns) {
     const Index last = std::min(front.columns, first + kPanelColumns), depth = last - first;
@@ -185,18 +185,18 @@ void MultifrontalFactor::subtract_product(const Target& target, const double* pa
 }
 
 void MultifrontalFactor::take_in_entries(Index f, const Work& work) {
-  const FrontTree::Front& front = tree_.fronts()[at(f)];
+  const AssemblyTree::Front& front = tree_.fronts()[f];
   double* l = panel(f);
   clear_triangle(l, front.stride, front.columns);
-  for (const FrontTree::Entry& entry : tree_.entries(f))
+  for (const AssemblyTree::Entry& entry : tree_.entries(f))
     l[entry.column * front.stride + entry.row] = work.values[entry.slot];
   if (work.shift != 0)
     for (Index c = 0; c < front.columns; ++c) l[c * front.stride + c] += work.shift;
 }
 
-void MultifrontalFactor::take_in_child(Index child) {
-  const FrontTree::Front& front = tree_.fronts()[at(child)];
-  const FrontTree::Front& parent = tree_.fronts()[at(front.parent)];
+void MultifrontalFactor::extend_add(Index child) {
+  const AssemblyTree::Front& front = tree_.fronts()[child];
+  const AssemblyTree::Front& parent = tree_.fronts()[front.parent];
   const Index* place = tree_.rows_of_parent(child);
   const Index count = front.rows - front.columns;
   const double* from = update(child);
@@ -213,28 +213,30 @@ void MultifrontalFactor::take_in_child(Index child) {
 void MultifrontalFactor::solve(const Vec& r, Vec& p) {
   const auto count = static_cast<Index>(tree_.fronts().size()) - 1;
   permuted_.resize(r.size());
-  for (Index k = 0; k < tree_.size(); ++k) permuted_[k] = r[tree_.order()[at(k)]];
+  for (Index k = 0; k < tree_.size(); ++k) permuted_[k] = r[tree_.order()[k]];
   double* x = front_values_.data();
   for (Index f = 0; f < count; ++f) {
-    const FrontTree::Front& front = tree_.fronts()[at(f)];
+    const AssemblyTree::Front& front = tree_.fronts()[f];
     const std::span<const Index> below = tree_.rows_below(f);
     std::copy_n(permuted_.data() + front.first, front.columns, x);
     std::fill(x + front.columns, x + front.stride, 0.0);
     kernels_.forward(panel(f), front.stride, front.columns, x);
     std::copy_n(x, front.columns, permuted_.data() + front.first);
-    for (std::size_t k = 0; k < below.size(); ++k) permuted_[below[k]] += x[at(front.columns) + k];
+    for (std::size_t k = 0; k < below.size(); ++k)
+      permuted_[below[k]] += x[to_size(front.columns) + k];
   }
   for (Index f = count; f-- > 0;) {
-    const FrontTree::Front& front = tree_.fronts()[at(f)];
+    const AssemblyTree::Front& front = tree_.fronts()[f];
     const std::span<const Index> below = tree_.rows_below(f);
     std::copy_n(permuted_.data() + front.first, front.columns, x);
-    for (std::size_t k = 0; k < below.size(); ++k) x[at(front.columns) + k] = permuted_[below[k]];
+    for (std::size_t k = 0; k < below.size(); ++k)
+      x[to_size(front.columns) + k] = permuted_[below[k]];
     std::fill(x + front.rows, x + front.stride, 0.0);
     kernels_.backward(panel(f), front.stride, front.columns, x);
     std::copy_n(x, front.columns, permuted_.data() + front.first);
   }
   p.resize(r.size());
-  for (Index k = 0; k < tree_.size(); ++k) p[tree_.order()[at(k)]] = permuted_[k];
+  for (Index k = 0; k < tree_.size(); ++k) p[tree_.order()[k]] = permuted_[k];
 }
 
 }  // namespace majorant

@@ -5,7 +5,7 @@
 //   SparsePattern pattern;
 //   pattern.append_column({});
 //   pattern.order_in_blocks(1);
-//   const FrontTree tree(pattern, BlockElimination{{0}, {0, 1}, {0, 1}, {0}});   // of one block
+//   const AssemblyTree tree(pattern, BlockElimination{{0}, {0, 1}, {0, 1}, {0}});   // of one block
 //   MultifrontalFactor factor(tree);
 //   Vec p;
 //   if (factor.factorize(Vec::Ones(1), 0.0)) factor.solve(Vec::Ones(1), p);
@@ -18,15 +18,16 @@
 #include <memory>
 #include <vector>
 
+#include "majorant/framework/internal/assembly_tree.h"
 #include "majorant/framework/internal/front_kernels.h"
-#include "majorant/framework/internal/front_tree.h"
 
 namespace majorant {
 
 class MultifrontalFactor {
  public:
   // tree outlives this. Allocates nothing large before the first factorize().
-  explicit MultifrontalFactor(const FrontTree& tree, const FrontKernels& kernels = front_kernels());
+  explicit MultifrontalFactor(const AssemblyTree& tree,
+                              const FrontKernels& kernels = front_kernels());
 
   // Of all that factorize() allocates: the factor, updates that wait, scratch.
   std::size_t bytes() const;
@@ -59,11 +60,11 @@ class MultifrontalFactor {
   bool factorize_front(Index f, const Work& work, double* packed, int threads);
   void subtract_product(const Target& target, const double* packed, int threads) const;
   void take_in_entries(Index f, const Work& work);
-  void take_in_child(Index child);
-  double* panel(Index f) { return panels_.get() + tree_.fronts()[at(f)].panel; }
-  double* update(Index f) { return updates_.get() + update_places_[at(f)]; }
+  void extend_add(Index child);
+  double* panel(Index f) { return panels_.get() + tree_.fronts()[f].panel; }
+  double* update(Index f) { return updates_.get() + update_places_[f]; }
 
-  const FrontTree& tree_;
+  const AssemblyTree& tree_;
   const FrontKernels& kernels_;
   const int threads_;
   std::size_t largest_stride_ = 0, updates_size_ = 0;

@@ -34,7 +34,7 @@ void require_valid(const StoppingRules& rules) {
   number("decrement", rules.decrement);
   number("stall_decrement", rules.stall_decrement);
   number("stall_step", rules.stall_step);
-  number("anchor_step", rules.anchor_step);
+  number("fallback_step", rules.fallback_step);
   require_at_least("StoppingRules: plateau_window", rules.plateau_window, 1);
   require_at_least("StoppingRules: stall_iterations", rules.stall_iterations, 1);
   require_at_least("StoppingRules: max_iterations", rules.max_iterations, 0);

@@ -18,9 +18,9 @@ namespace majorant {
 // (SparsePattern::order_in_blocks).
 template <class Each>
 SparsePattern pattern_of_pairs(Index size, Index block, const Each& each) {
-  std::vector<std::vector<Index>> below(at(size));
+  std::vector<std::vector<Index>> below(to_size(size));
   each([&](Index row, Index column) {
-    if (row != column) below[at(std::min(row, column))].push_back(std::max(row, column));
+    if (row != column) below[std::min(row, column)].push_back(std::max(row, column));
   });
   SparsePattern pattern;
   for (const auto& rows : below) pattern.append_column(rows);

@@ -2,11 +2,11 @@
 // x = Z y + c, and how each term is evaluated and assembled.
 //
 //   const Elimination& z = ProblemParts::elimination(problem);
-//   const ChunkPlan& plan = ProblemParts::plan(problem, problem.terms().front());
+//   const ColoredBatches& plan = ProblemParts::plan(problem, problem.terms().front());
 #pragma once
 
 #include "majorant/framework/internal/assembly.h"
-#include "majorant/framework/internal/chunk_plan.h"
+#include "majorant/framework/internal/colored_batches.h"
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/framework/problem.h"
 
@@ -14,8 +14,8 @@ namespace majorant {
 
 struct ProblemParts {
   static const Elimination& elimination(const Problem& problem);
-  static const ChunkPlan& plan(const Problem& problem, TermId id);
-  static const SlotTable& slots(const Problem& problem, TermId id);
+  static const ColoredBatches& plan(const Problem& problem, TermId id);
+  static const ScatterMap& slots(const Problem& problem, TermId id);
 };
 
 // Throws InvalidArgument naming the term unless the state is one of it: weights finite and not

@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Merged groups of at most so many blocks may be filled with this share of zeros: all of them,
+// Merged supernodes of at most so many blocks may be filled with this share of zeros: all of them,
 // many, some; larger ones the last. Origin: bench/solver_cost --no-runs, factorization of spot,
 // hand, scorpion and helix at 10K faces: 0.22, 0.24, 0.17, 0.25 fe; with 4, 16, 48 blocks 0.24,
 // 0.27, 0.21, 0.32, with 16, 48, 128 0.39, 0.41, 0.38, 0.69. Shares: as CHOLMOD's [CDHR08].
@@ -19,7 +19,7 @@ constexpr std::array<double, 3> kRelaxedZeros{0.8, 0.1, 0.05};
 // By position in an order.
 struct Tree {
   std::vector<Index> parent;  // -1: none
-  std::vector<Index> count;   // positions that are touched, its own included
+  std::vector<Index> count;   // positions that are structure, its own included
 };
 
 // Of every position, those before it that are joined with it.
@@ -28,35 +28,35 @@ struct Earlier {
 
   Earlier(const BlockGraph& graph, const std::vector<Index>& order) {
     std::vector<Index> position(order.size());
-    for (std::size_t p = 0; p < order.size(); ++p) position[at(order[p])] = static_cast<Index>(p);
+    for (std::size_t p = 0; p < order.size(); ++p) position[order[p]] = static_cast<Index>(p);
     starts.assign(order.size() + 1, 0);
     const auto visit = [&](const auto& use) {
       for (Index a = 0; a < graph.size(); ++a)
         for (const Index b : graph.larger(a)) {
-          const auto [low, high] = std::minmax(position[at(a)], position[at(b)]);
+          const auto [low, high] = std::minmax(position[a], position[b]);
           use(low, high);
         }
     };
-    visit([&](Index, Index high) { ++starts[at(high) + 1]; });
+    visit([&](Index, Index high) { ++starts[high + 1]; });
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    positions.resize(at(starts.back()));
+    positions.resize(to_size(starts.back()));
     std::vector<Index> next(starts.begin(), starts.end() - 1);
-    visit([&](Index low, Index high) { positions[at(next[at(high)]++)] = low; });
+    visit([&](Index low, Index high) { positions[next[high]++] = low; });
   }
   std::span<const Index> of(Index p) const {
-    return {positions.data() + starts[at(p)], positions.data() + starts[at(p) + 1]};
+    return {positions.data() + starts[p], positions.data() + starts[p + 1]};
   }
 };
 
 // The elimination tree, by paths that are made shorter as they are walked [Liu90].
 std::vector<Index> elimination_tree(const Earlier& earlier, Index size) {
-  std::vector<Index> parent(at(size), -1), ancestor(at(size), -1);
+  std::vector<Index> parent(to_size(size), -1), ancestor(to_size(size), -1);
   for (Index p = 0; p < size; ++p)
     for (Index q : earlier.of(p))
       while (q != p) {
-        const Index above = std::exchange(ancestor[at(q)], p);
+        const Index above = std::exchange(ancestor[q], p);
         if (above < 0) {
-          parent[at(q)] = p;
+          parent[q] = p;
           break;
         }
         q = above;
@@ -65,14 +65,14 @@ std::vector<Index> elimination_tree(const Earlier& earlier, Index size) {
 }
 
 // Whatever p touches, it touches on behalf of the part of the tree between them.
-std::vector<Index> touched_counts(const Earlier& earlier, const std::vector<Index>& parent) {
+std::vector<Index> column_counts(const Earlier& earlier, const std::vector<Index>& parent) {
   std::vector<Index> count(parent.size(), 1), seen(parent.size(), -1);
   for (Index p = 0; p < static_cast<Index>(parent.size()); ++p) {
-    seen[at(p)] = p;
+    seen[p] = p;
     for (Index q : earlier.of(p))
-      for (; seen[at(q)] != p; q = parent[at(q)]) {
-        seen[at(q)] = p;
-        ++count[at(q)];
+      for (; seen[q] != p; q = parent[q]) {
+        seen[q] = p;
+        ++count[q];
       }
   }
   return count;
@@ -83,33 +83,34 @@ std::vector<Index> by_count(const Tree& tree) {
   std::vector<Index> order(tree.parent.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
-                   [&](Index p, Index q) { return tree.count[at(p)] < tree.count[at(q)]; });
+                   [&](Index p, Index q) { return tree.count[p] < tree.count[q]; });
   return order;
 }
 
 Tree renumbered(const Tree& tree, const std::vector<Index>& order) {
   std::vector<Index> moved(order.size());
-  for (std::size_t p = 0; p < order.size(); ++p) moved[at(order[p])] = static_cast<Index>(p);
+  for (std::size_t p = 0; p < order.size(); ++p) moved[order[p]] = static_cast<Index>(p);
   Tree out;
   for (const Index old : order) {
-    const Index parent = tree.parent[at(old)];
-    out.parent.push_back(parent < 0 ? -1 : moved[at(parent)]);
-    out.count.push_back(tree.count[at(old)]);
+    const Index parent = tree.parent[old];
+    out.parent.push_back(parent < 0 ? -1 : moved[parent]);
+    out.count.push_back(tree.count[old]);
   }
   return out;
 }
 
 // Neighbours in the order that are eliminated together.
-struct Group {
-  Index first, columns, rows;  // rows: positions touched, the columns included
+struct Supernode {
+  Index first, columns, rows;  // rows: positions structure, the columns included
   double zeros;                // that are treated as if they were not
 
   Index end() const { return first + columns; }
 };
 
-// Whether a group of which the one after it has the parent is better eliminated together with it.
-bool worth_merging(const Group& group, const Group& after, double new_zeros) {
-  const Index columns = group.columns + after.columns;
+// Whether a supernode of which the one after it has the parent is better eliminated together with
+// it.
+bool worth_merging(const Supernode& supernode, const Supernode& after, double new_zeros) {
+  const Index columns = supernode.columns + after.columns;
   if (columns <= kRelaxedBlocks[0] || new_zeros == 0) return true;
   const double size =
       0.5 * columns * (columns + 1.0) + static_cast<double>(columns) * (after.rows - after.columns);
@@ -119,63 +120,64 @@ bool worth_merging(const Group& group, const Group& after, double new_zeros) {
 }
 
 // Those that touch the same, then merged from the root down.
-std::vector<Group> groups_of(const Tree& tree) {
+std::vector<Supernode> supernodes_of(const Tree& tree) {
   const auto size = static_cast<Index>(tree.parent.size());
   std::vector<Index> children(tree.parent.size(), 0);
   for (const Index parent : tree.parent)
-    if (parent >= 0) ++children[at(parent)];
-  std::vector<Group> merged;  // the last first
+    if (parent >= 0) ++children[parent];
+  std::vector<Supernode> merged;  // the last first
   for (Index end = size; end > 0;) {
     Index first = end - 1;
-    while (first > 0 && tree.parent[at(first) - 1] == first && children[at(first)] == 1 &&
-           tree.count[at(first) - 1] == tree.count[at(first)] + 1)
+    while (first > 0 && tree.parent[first - 1] == first && children[first] == 1 &&
+           tree.count[first - 1] == tree.count[first] + 1)
       --first;
-    Group group{first, end - first, tree.count[at(first)], 0};
-    const Index parent = tree.parent[at(end) - 1];
+    Supernode supernode{first, end - first, tree.count[first], 0};
+    const Index parent = tree.parent[end - 1];
     end = first;
     if (parent >= 0 && parent < merged.back().end()) {
-      const Group& after = merged.back();
-      const double new_zeros =
-          static_cast<double>(group.columns) * (after.rows + group.columns - group.rows);
-      if (worth_merging(group, after, new_zeros)) {
-        const bool is_small = group.columns + after.columns <= kRelaxedBlocks[0];
-        merged.back() = {first, group.columns + after.columns, group.columns + after.rows,
+      const Supernode& after = merged.back();
+      const double new_zeros = static_cast<double>(supernode.columns) *
+                               (after.rows + supernode.columns - supernode.rows);
+      if (worth_merging(supernode, after, new_zeros)) {
+        const bool is_small = supernode.columns + after.columns <= kRelaxedBlocks[0];
+        merged.back() = {first, supernode.columns + after.columns, supernode.columns + after.rows,
                          after.zeros + (is_small ? 0 : new_zeros)};
         continue;
       }
     }
-    merged.push_back(group);
+    merged.push_back(supernode);
   }
   std::reverse(merged.begin(), merged.end());
   return merged;
 }
 
-// What groups touch: what is joined with their blocks, and what their children leave. As many
-// positions as the groups have rows.
-void add_touched(const BlockGraph& graph, const std::vector<Group>& groups, BlockElimination& out) {
-  out.touched_starts.assign(1, 0);
-  for (const Group& group : groups)
-    out.touched_starts.push_back(out.touched_starts.back() + at(group.rows));
-  out.touched.resize(out.touched_starts.back());
-  std::vector<std::size_t> next(out.touched_starts.begin(), out.touched_starts.end() - 1);
-  std::vector<Index> group_of(out.order.size()), parent(groups.size(), -1);
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (Index p = groups[g].first; p < groups[g].end(); ++p) {
-      group_of[at(p)] = static_cast<Index>(g);
-      out.touched[next[g]++] = p;
+// What supernodes touch: what is joined with their blocks, and what their children leave. As many
+// positions as the supernodes have rows.
+void add_structure(const BlockGraph& graph, const std::vector<Supernode>& supernodes,
+                   BlockElimination& out) {
+  out.structure_starts.assign(1, 0);
+  for (const Supernode& supernode : supernodes)
+    out.structure_starts.push_back(out.structure_starts.back() + to_size(supernode.rows));
+  out.structure.resize(out.structure_starts.back());
+  std::vector<std::size_t> next(out.structure_starts.begin(), out.structure_starts.end() - 1);
+  std::vector<Index> supernode_of(out.order.size()), parent(supernodes.size(), -1);
+  for (std::size_t g = 0; g < supernodes.size(); ++g)
+    for (Index p = supernodes[g].first; p < supernodes[g].end(); ++p) {
+      supernode_of[p] = static_cast<Index>(g);
+      out.structure[next[g]++] = p;
     }
-  // Row by row, so that every list is ascending: p goes to all groups on the way up from those
+  // Row by row, so that every list is ascending: p goes to all supernodes on the way up from those
   // that are joined with it.
   const Earlier earlier(graph, out.order);
-  std::vector<Index> seen(groups.size(), -1);
+  std::vector<Index> seen(supernodes.size(), -1);
   for (Index p = 0; p < static_cast<Index>(out.order.size()); ++p) {
-    const Index own = group_of[at(p)];
-    seen[at(own)] = p;
+    const Index own = supernode_of[p];
+    seen[own] = p;
     for (const Index q : earlier.of(p))
-      for (Index g = group_of[at(q)]; seen[at(g)] != p; g = parent[at(g)]) {
-        seen[at(g)] = p;
-        out.touched[next[at(g)]++] = p;
-        if (parent[at(g)] < 0) parent[at(g)] = own;
+      for (Index g = supernode_of[q]; seen[g] != p; g = parent[g]) {
+        seen[g] = p;
+        out.structure[next[g]++] = p;
+        if (parent[g] < 0) parent[g] = own;
       }
   }
 }
@@ -187,15 +189,15 @@ std::vector<Index> postorder(const std::vector<Index>& parent, const std::vector
   std::vector<Index> first(size + 1, -1), next(size, -1), order, open;
   for (std::size_t k = size; k-- > 0;) {  // roots below an imaginary one
     const Index p = siblings[k];
-    Index& head = first[parent[at(p)] < 0 ? size : at(parent[at(p)])];
-    next[at(p)] = std::exchange(head, p);
+    Index& head = first[parent[p] < 0 ? size : to_size(parent[p])];
+    next[p] = std::exchange(head, p);
   }
-  for (Index root = first[size]; root >= 0; root = next[at(root)]) {
+  for (Index root = first[size]; root >= 0; root = next[root]) {
     open.push_back(root);
     while (!open.empty()) {
       const Index p = open.back();
-      if (const Index child = first[at(p)]; child >= 0) {
-        first[at(p)] = next[at(child)];
+      if (const Index child = first[p]; child >= 0) {
+        first[p] = next[child];
         open.push_back(child);
       } else {
         order.push_back(p);
@@ -211,15 +213,15 @@ BlockElimination analyze_elimination(const BlockGraph& graph, std::vector<Index>
   {
     const Earlier earlier(graph, order);
     tree.parent = elimination_tree(earlier, graph.size());
-    tree.count = touched_counts(earlier, tree.parent);
+    tree.count = column_counts(earlier, tree.parent);
   }
   const std::vector<Index> positions = postorder(tree.parent, by_count(tree));
   BlockElimination out;
-  for (const Index p : positions) out.order.push_back(order[at(p)]);
-  const std::vector<Group> groups = groups_of(renumbered(tree, positions));
-  for (const Group& group : groups) out.group_starts.push_back(group.first);
-  out.group_starts.push_back(graph.size());
-  add_touched(graph, groups, out);
+  for (const Index p : positions) out.order.push_back(order[p]);
+  const std::vector<Supernode> supernodes = supernodes_of(renumbered(tree, positions));
+  for (const Supernode& supernode : supernodes) out.supernode_starts.push_back(supernode.first);
+  out.supernode_starts.push_back(graph.size());
+  add_structure(graph, supernodes, out);
   return out;
 }
 

@@ -9,8 +9,8 @@
 
 #include <vector>
 
+#include "majorant/framework/internal/assembly_tree.h"
 #include "majorant/framework/internal/block_graph.h"
-#include "majorant/framework/internal/front_tree.h"
 
 namespace majorant {
 

@@ -64,7 +64,7 @@ void drop_unusable(std::vector<Vector>& values, std::vector<Vector>& companions,
                    std::vector<std::vector<Index>>& lists, const Dropped& dropped) {
   for (std::size_t p = 0; p < lists.size(); ++p) {
     const auto bad = std::find_if(lists[p].begin(), lists[p].end(), [&](Index k) {
-      return k < 0 || at(k) >= values.size() || !values[at(k)].allFinite();
+      return k < 0 || to_size(k) >= values.size() || !values[k].allFinite();
     });
     if (bad == lists[p].end()) continue;
     dropped(p, *bad);
@@ -82,7 +82,7 @@ void drop_unusable(std::vector<Vector>& values, std::vector<Vector>& companions,
   values.resize(kept);
   if (!companions.empty()) companions.resize(kept);
   for (auto& list : lists)
-    for (Index& k : list) k = numbers[at(k)];
+    for (Index& k : list) k = numbers[k];
 }
 
 }  // namespace majorant

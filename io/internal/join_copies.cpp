@@ -16,24 +16,24 @@ void join_copies(PolygonMesh& mesh, const std::vector<Index>& copy_of) {
                 fmt::format("{}: input_vertex {}; damaged file", mesh.file, problem));
   };
   const Index largest = *std::max_element(copy_of.begin(), copy_of.end());
-  if (at(largest) >= copy_of.size()) damaged(fmt::format("{} is out of range", largest));
-  std::vector<Index> first(at(largest) + 1, -1);
+  if (to_size(largest) >= copy_of.size()) damaged(fmt::format("{} is out of range", largest));
+  std::vector<Index> first(to_size(largest) + 1, -1);
   for (std::size_t k = 0; k < copy_of.size(); ++k) {
-    Index& original = first[at(copy_of[k])];
+    Index& original = first[copy_of[k]];
     if (original < 0) original = static_cast<Index>(k);
-    if (mesh.positions[at(original)] != mesh.positions[k])
+    if (mesh.positions[original] != mesh.positions[k])
       damaged(fmt::format("{} is at two places", copy_of[k]));
   }
   std::vector<Vector3> positions, colors;
   for (std::size_t v = 0; v < first.size(); ++v) {
     if (first[v] < 0) damaged(fmt::format("{} is missing", v));
-    positions.push_back(mesh.positions[at(first[v])]);
-    if (!mesh.colors.empty()) colors.push_back(mesh.colors[at(first[v])]);
+    positions.push_back(mesh.positions[first[v]]);
+    if (!mesh.colors.empty()) colors.push_back(mesh.colors[first[v]]);
   }
   mesh.positions = std::move(positions);
   mesh.colors = std::move(colors);
   for (auto& polygon : mesh.polygons)
-    for (Index& v : polygon) v = copy_of[at(v)];
+    for (Index& v : polygon) v = copy_of[v];
 }
 
 }  // namespace majorant

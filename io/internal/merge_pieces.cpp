@@ -64,7 +64,7 @@ class Merger {
       const auto cell = piece.cells.row(c);
       for (int edge = 0; edge < 3; ++edge) number_edge(p, cell, edge, number);
       for (Index k = 0; k < cell.size(); ++k) {
-        Index& n = number[at(cell[k])];
+        Index& n = number[cell[k]];
         if (n < 0) n = new_point(piece, cell[k]);
         out_.cells(next_cell_, k) = n;
       }
@@ -85,7 +85,7 @@ class Merger {
     const Index a = vertex(along.front()), b = vertex(along.back());
     for (int k = 0; k <= degree_; ++k) {
       const Index point = cell[along[static_cast<std::size_t>(k)]];
-      Index& n = number[at(point)];
+      Index& n = number[point];
       if (n >= 0) continue;
       NodeName name{a, b, k};
       if (k == 0 || k == degree_) name = {k == 0 ? a : b, -1, 0};
@@ -129,7 +129,7 @@ class Merger {
   }
 
   void order_cells() {
-    std::vector<Index> order(at(cells_));
+    std::vector<Index> order(to_size(cells_));
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return out_.input_face[a] < out_.input_face[b]; });

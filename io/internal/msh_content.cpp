@@ -217,7 +217,7 @@ class MshReader {
 
   template <class Value>
   void sort(std::vector<Tagged<Value>>& list, std::string_view what) const {
-    if (list.size() > at(kLargestIndex))
+    if (list.size() > to_size(kLargestIndex))
       refuse("more than 2^31 nodes or elements; simplify the mesh");
     sort_by_tag(list);
     for (std::size_t k = 1; k < list.size(); ++k)
@@ -250,7 +250,7 @@ class MshReader {
     for (const auto& [tag, ignored] : nodes_) {
       const Index place = find(values, tag);
       if (place < 0) refuse(fmt::format("view {} has no value for node {}", name, tag));
-      view.values.push_back(values[at(place)].second);
+      view.values.push_back(values[place].second);
     }
     return view;
   }
@@ -265,7 +265,7 @@ class MshReader {
     for (std::size_t k = 0; k < of.size(); ++k) {
       const Index place = find(numbers, of[k].first);
       if (place < 0) refuse(fmt::format("{} has no line for tag {}", name, of[k].first));
-      result[static_cast<Index>(k)] = numbers[at(place)].second;
+      result[static_cast<Index>(k)] = numbers[place].second;
     }
     return result;
   }
@@ -294,7 +294,7 @@ PolygonMesh read_msh_mesh(const std::string& path, std::string content, const St
   PolygonMesh mesh;
   mesh.file = path;
   std::vector<Index> vertices(contents.nodes.size(), -1);
-  for (const Index node : contents.cells.leftCols<3>().reshaped()) vertices[at(node)] = 0;
+  for (const Index node : contents.cells.leftCols<3>().reshaped()) vertices[node] = 0;
   for (std::size_t node = 0; node < vertices.size(); ++node) {
     if (vertices[node] < 0) continue;
     vertices[node] = static_cast<Index>(mesh.positions.size());
@@ -305,7 +305,7 @@ PolygonMesh read_msh_mesh(const std::string& path, std::string content, const St
   }
   for (Index c = 0; c < contents.cells.rows(); ++c) {
     auto& polygon = mesh.polygons.emplace_back();
-    for (Index k = 0; k < 3; ++k) polygon.push_back(vertices[at(contents.cells(c, k))]);
+    for (Index k = 0; k < 3; ++k) polygon.push_back(vertices[contents.cells(c, k)]);
   }
   if (has_map) mesh.polygon_texcoords = mesh.polygons;
   require_complete(mesh);

@@ -190,7 +190,7 @@ class ObjReader {
   void drop_elements_out_of_range() {
     std::vector<char> is_dropped(mesh_.directives.size(), 0);
     for (const Element& element : elements_)
-      if (at(element.largest) >= mesh_.positions.size()) {
+      if (to_size(element.largest) >= mesh_.positions.size()) {
         is_dropped[element.directive] = 1;
         dropped_.add(DroppedPart::Element, [&] {
           return fmt::format("{}:{}: {}", mesh_.file, element.line,

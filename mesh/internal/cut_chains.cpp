@@ -11,12 +11,12 @@ namespace majorant {
 
 std::vector<CutChain> cut_chains(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
                                  const std::vector<char>& is_terminal) {
-  std::vector<std::vector<Index>> leaving(at(mesh.vertex_count()));
+  std::vector<std::vector<Index>> leaving(to_size(mesh.vertex_count()));
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_cut[at(h)]) leaving[at(mesh.from_vertex(h))].push_back(h);
+    if (is_cut[h]) leaving[mesh.from_vertex(h)].push_back(h);
   const std::vector<char> is_boundary = mesh.boundary_flags();
   const auto is_node = [&](Index v) {
-    return is_terminal[at(v)] || is_boundary[at(v)] || leaving[at(v)].size() != 2;
+    return is_terminal[v] || is_boundary[v] || leaving[v].size() != 2;
   };
   std::vector<char> seen(is_cut.size(), 0);
   std::vector<CutChain> chains;
@@ -24,34 +24,34 @@ std::vector<CutChain> cut_chains(const SurfaceMesh& mesh, const std::vector<char
     CutChain chain;
     for (;;) {
       chain.half_edges.push_back(h);
-      seen[at(h)] = seen[at(mesh.opposite(h))] = 1;
+      seen[h] = seen[mesh.opposite(h)] = 1;
       const Index v = mesh.to_vertex(h);
       if (is_node(v)) break;
-      h = leaving[at(v)][leaving[at(v)][0] == mesh.opposite(h) ? 1 : 0];
-      if (seen[at(h)]) break;
+      h = leaving[v][leaving[v][0] == mesh.opposite(h) ? 1 : 0];
+      if (seen[h]) break;
     }
     chains.push_back(std::move(chain));
   };
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_cut[at(h)] && !seen[at(h)] && is_node(mesh.from_vertex(h))) follow(h);
+    if (is_cut[h] && !seen[h] && is_node(mesh.from_vertex(h))) follow(h);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_cut[at(h)] && !seen[at(h)]) follow(h);
+    if (is_cut[h] && !seen[h]) follow(h);
   return chains;
 }
 
 void set_cut(const SurfaceMesh& mesh, const CutChain& chain, char value,
              std::vector<char>& is_cut) {
-  for (const Index h : chain.half_edges) is_cut[at(h)] = is_cut[at(mesh.opposite(h))] = value;
+  for (const Index h : chain.half_edges) is_cut[h] = is_cut[mesh.opposite(h)] = value;
 }
 
 std::vector<Index> boundary_loops_of_cut(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
-  const auto is_side = [&](Index h) { return is_cut[at(h)] || mesh.opposite(h) < 0; };
+  const auto is_side = [&](Index h) { return is_cut[h] || mesh.opposite(h) < 0; };
   std::vector<Index> loop(is_cut.size(), -1);
   Index count = 0;
   for (Index start = 0; start < mesh.half_edge_count(); ++start) {
-    if (!is_side(start) || loop[at(start)] >= 0) continue;
-    for (Index h = start; loop[at(h)] < 0;) {
-      loop[at(h)] = count;
+    if (!is_side(start) || loop[start] >= 0) continue;
+    for (Index h = start; loop[h] < 0;) {
+      loop[h] = count;
       for (h = next(h); !is_side(h);) h = next(mesh.opposite(h));
     }
     ++count;
@@ -61,11 +61,11 @@ std::vector<Index> boundary_loops_of_cut(const SurfaceMesh& mesh, const std::vec
 
 std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost, const StopCheck& stop) {
   const Topology& t = mesh.topology();
-  std::vector<char> is_cut(at(mesh.half_edge_count()), 0);
+  std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
   if (t.boundary_loops > 0 && t.euler_characteristic() == 2 - t.boundary_loops) return is_cut;
   is_cut = cut_graph(mesh, {}, edge_cost, stop);
   if (t.boundary_loops == 0 && t.euler_characteristic() == 2) return is_cut;
-  const std::vector<char> no_terminal(at(mesh.vertex_count()), 0);
+  const std::vector<char> no_terminal(to_size(mesh.vertex_count()), 0);
   // Chains grow together where one between them is glued: the list is made anew each time.
   for (bool any = true; any;) {
     any = false;
@@ -81,7 +81,7 @@ std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost, cons
     for (const auto& [cost, chain] : chains) {
       stop.poll();
       const Index h = chain.half_edges.front();
-      if (loops[at(h)] != loops[at(mesh.opposite(h))]) continue;
+      if (loops[h] != loops[mesh.opposite(h)]) continue;
       set_cut(mesh, chain, 0, is_cut);
       any = true;
       break;

@@ -10,7 +10,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/cut_shortening.h"
-#include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/internal/union_find.h"
 
 namespace majorant {
@@ -20,19 +20,19 @@ class CutGraph {
  public:
   CutGraph(const SurfaceMesh& mesh, const std::vector<Index>& through, const Vec& edge_cost)
       : mesh_(mesh),
-        is_terminal_(at(mesh.vertex_count()), 0),
+        is_terminal_(to_size(mesh.vertex_count()), 0),
         is_boundary_(mesh.boundary_flags()),
-        leaving_(at(mesh.vertex_count())),
+        leaving_(to_size(mesh.vertex_count())),
         length_(edge_cost),
-        is_cut_(at(mesh.half_edge_count()), 0) {
+        is_cut_(to_size(mesh.half_edge_count()), 0) {
     for (const Index v : through) {
       if (v < 0 || v >= mesh.vertex_count())
         throw InvalidArgument(
-            fmt::format("{}cut: there is no vertex {} (counting from 0)", opening(mesh), v));
-      if (!is_boundary_[at(v)]) is_terminal_[at(v)] = 1;
+            fmt::format("{}cut: there is no vertex {} (counting from 0)", message_prefix(mesh), v));
+      if (!is_boundary_[v]) is_terminal_[v] = 1;
     }
     for (Index h = 0; h < mesh.half_edge_count(); ++h)
-      if (mesh.opposite(h) >= 0) leaving_[at(mesh.from_vertex(h))].push_back(h);
+      if (mesh.opposite(h) >= 0) leaving_[mesh.from_vertex(h)].push_back(h);
   }
 
   std::vector<char> find(const StopCheck& stop) {
@@ -46,30 +46,29 @@ class CutGraph {
   }
 
  private:
-  void set_cut(Index h, char value) { is_cut_[at(h)] = is_cut_[at(mesh_.opposite(h))] = value; }
+  void set_cut(Index h, char value) { is_cut_[h] = is_cut_[mesh_.opposite(h)] = value; }
 
   // Shortest paths to the boundary and the vertices to pass through (or else to vertex 0), from all
   // vertices; they are cut, for the moment.
   void grow_trees() {
-    distance_.assign(at(mesh_.vertex_count()), std::numeric_limits<double>::infinity());
+    distance_.assign(to_size(mesh_.vertex_count()), std::numeric_limits<double>::infinity());
     std::vector<Index> entered(distance_.size(), -1);
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (is_terminal_[at(v)] || is_boundary_[at(v)]) front.emplace(0, v);
+      if (is_terminal_[v] || is_boundary_[v]) front.emplace(0, v);
     if (front.empty()) front.emplace(0, 0);
-    for (auto sources = front; !sources.empty(); sources.pop())
-      distance_[at(sources.top().second)] = 0;
+    for (auto sources = front; !sources.empty(); sources.pop()) distance_[sources.top().second] = 0;
     while (!front.empty()) {
       const auto [d, v] = front.top();
       front.pop();
-      if (d > distance_[at(v)]) continue;
-      for (const Index h : leaving_[at(v)]) {
+      if (d > distance_[v]) continue;
+      for (const Index h : leaving_[v]) {
         const Index w = mesh_.to_vertex(h);
-        if (d + length_[h] >= distance_[at(w)]) continue;
-        distance_[at(w)] = d + length_[h];
-        entered[at(w)] = h;
-        front.emplace(distance_[at(w)], w);
+        if (d + length_[h] >= distance_[w]) continue;
+        distance_[w] = d + length_[h];
+        entered[w] = h;
+        front.emplace(distance_[w], w);
       }
     }
     for (const Index h : entered)
@@ -81,10 +80,9 @@ class CutGraph {
   void keep_longest_uncut() {
     std::vector<std::pair<double, Index>> edges;  // minus the length of the path: longest first
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-      if (mesh_.opposite(h) > h && !is_cut_[at(h)])
+      if (mesh_.opposite(h) > h && !is_cut_[h])
         edges.emplace_back(
-            -(distance_[at(mesh_.from_vertex(h))] + length_[h] + distance_[at(mesh_.to_vertex(h))]),
-            h);
+            -(distance_[mesh_.from_vertex(h)] + length_[h] + distance_[mesh_.to_vertex(h)]), h);
     std::sort(edges.begin(), edges.end());
     UnionFind faces(mesh_.face_count());
     for (const auto& [unused, h] : edges)
@@ -97,11 +95,11 @@ class CutGraph {
     if (!mesh_.boundary_loops().empty()) return;
     Index at_end = 0;
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (is_terminal_[at(v)]) at_end = v;
+      if (is_terminal_[v]) at_end = v;
     for (auto count = std::count(is_cut_.begin(), is_cut_.end(), 1); count < 4; count += 2) {
       Index best = -1;
-      for (const Index h : leaving_[at(at_end)])
-        if (!is_cut_[at(h)] && (best < 0 || length_[h] < length_[best])) best = h;
+      for (const Index h : leaving_[at_end])
+        if (!is_cut_[h] && (best < 0 || length_[h] < length_[best])) best = h;
       set_cut(best, 1);
     }
   }

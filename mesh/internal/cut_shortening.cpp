@@ -25,15 +25,15 @@ class Shortening {
         is_terminal_(is_terminal),
         is_cut_(is_cut),
         is_boundary_(mesh.boundary_flags()),
-        leaving_(at(mesh.vertex_count())),
+        leaving_(to_size(mesh.vertex_count())),
         length_(edge_cost),
-        cuts_at_(at(mesh.vertex_count()), 0),
-        distance_(at(mesh.vertex_count()), kFar),
-        entered_(at(mesh.vertex_count()), -1),
-        side_(at(mesh.half_edge_count()), kNoSide) {
+        cuts_at_(to_size(mesh.vertex_count()), 0),
+        distance_(to_size(mesh.vertex_count()), kFar),
+        entered_(to_size(mesh.vertex_count()), -1),
+        side_(to_size(mesh.half_edge_count()), kNoSide) {
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      if (mesh.opposite(h) >= 0) leaving_[at(mesh.from_vertex(h))].push_back(h);
-      if (is_cut[at(h)]) ++cuts_at_[at(mesh.from_vertex(h))];
+      if (mesh.opposite(h) >= 0) leaving_[mesh.from_vertex(h)].push_back(h);
+      if (is_cut[h]) ++cuts_at_[mesh.from_vertex(h)];
     }
   }
 
@@ -44,7 +44,7 @@ class Shortening {
       for (std::size_t k = 0, count = sides_.size(); k < count; ++k) {
         stop.poll_at(k);
         const Index h = sides_[k];
-        if (!is_cut_[at(h)] || !is_node(mesh_.from_vertex(h))) continue;
+        if (!is_cut_[h] || !is_node(mesh_.from_vertex(h))) continue;
         stop.poll();
         const std::vector<Index> chain = chain_from(h);
         if (h <= mesh_.opposite(chain.back())) any |= shorten(chain);  // else: met from there
@@ -55,7 +55,7 @@ class Shortening {
 
   // Takes back the cuts from v on as long as they end at nothing.
   void prune_from(Index v) {
-    while (!is_terminal_[at(v)] && !is_boundary_[at(v)] && cuts_at_[at(v)] == 1) {
+    while (!is_terminal_[v] && !is_boundary_[v] && cuts_at_[v] == 1) {
       const Index h = cut_leaving(v);
       set_cut(h, 0);
       v = mesh_.to_vertex(h);
@@ -65,24 +65,19 @@ class Shortening {
  private:
   static constexpr char kNoSide = 2;
 
-  bool is_node(Index v) const {
-    return is_terminal_[at(v)] || is_boundary_[at(v)] || cuts_at_[at(v)] != 2;
-  }
+  bool is_node(Index v) const { return is_terminal_[v] || is_boundary_[v] || cuts_at_[v] != 2; }
   // A vertex of the boundary of the surface cut so far; terminals are holes without size.
-  bool is_barrier(Index v) const {
-    return is_terminal_[at(v)] || is_boundary_[at(v)] || cuts_at_[at(v)] > 0;
-  }
-  bool is_side(Index h) const { return is_cut_[at(h)] || mesh_.opposite(h) < 0; }
+  bool is_barrier(Index v) const { return is_terminal_[v] || is_boundary_[v] || cuts_at_[v] > 0; }
+  bool is_side(Index h) const { return is_cut_[h] || mesh_.opposite(h) < 0; }
 
   void set_cut(Index h, char value) {
-    is_cut_[at(h)] = is_cut_[at(mesh_.opposite(h))] = value;
-    for (const Index v : {mesh_.from_vertex(h), mesh_.to_vertex(h)})
-      cuts_at_[at(v)] += value ? 1 : -1;
+    is_cut_[h] = is_cut_[mesh_.opposite(h)] = value;
+    for (const Index v : {mesh_.from_vertex(h), mesh_.to_vertex(h)}) cuts_at_[v] += value ? 1 : -1;
   }
 
   Index cut_leaving(Index v) const {
-    for (const Index h : leaving_[at(v)])
-      if (is_cut_[at(h)]) return h;
+    for (const Index h : leaving_[v])
+      if (is_cut_[h]) return h;
     return -1;
   }
 
@@ -91,8 +86,8 @@ class Shortening {
     std::vector<Index> chain{h};
     while (!is_node(mesh_.to_vertex(chain.back()))) {
       const Index last = chain.back();
-      for (const Index g : leaving_[at(mesh_.to_vertex(last))])
-        if (is_cut_[at(g)] && g != mesh_.opposite(last)) {
+      for (const Index g : leaving_[mesh_.to_vertex(last)])
+        if (is_cut_[g] && g != mesh_.opposite(last)) {
           chain.push_back(g);
           break;
         }
@@ -110,7 +105,7 @@ class Shortening {
     const Index ends[2] = {mesh_.from_vertex(chain.front()), mesh_.to_vertex(chain.back())};
     std::vector<Index> path;
     if (label_sides(ends) == 2) path = shortest_path(length * (1 - kWorthwhile));
-    for (const Index h : labelled_) side_[at(h)] = kNoSide;
+    for (const Index h : labelled_) side_[h] = kNoSide;
     labelled_.clear();
     for (const Index h : path.empty() ? chain : path) set_cut(h, 1);
     if (path.empty()) return false;
@@ -120,7 +115,7 @@ class Shortening {
   }
 
   void label(Index h, char side) {
-    side_[at(h)] = side;
+    side_[h] = side;
     labelled_.push_back(h);
   }
 
@@ -135,8 +130,8 @@ class Shortening {
   int label_sides(const Index (&ends)[2]) {
     int count = 0;
     for (const Index start : sides_) {
-      if (!is_side(start) || side_[at(start)] != kNoSide || count > 2) continue;
-      for (Index h = start; side_[at(h)] == kNoSide;) {
+      if (!is_side(start) || side_[start] != kNoSide || count > 2) continue;
+      for (Index h = start; side_[h] == kNoSide;) {
         label(h, static_cast<char>(count));
         Index g = next(h);
         for (; !is_side(g); g = next(mesh_.opposite(g))) label(g, static_cast<char>(count));
@@ -145,8 +140,8 @@ class Shortening {
       ++count;
     }
     for (const Index v : ends)  // terminals that no other cut meets
-      if (is_terminal_[at(v)] && cuts_at_[at(v)] == 0 && count < 3) {
-        for (const Index h : leaving_[at(v)]) label(h, static_cast<char>(count));
+      if (is_terminal_[v] && cuts_at_[v] == 0 && count < 3) {
+        for (const Index h : leaving_[v]) label(h, static_cast<char>(count));
         ++count;
       }
     return count;
@@ -155,8 +150,8 @@ class Shortening {
   // Half-edges from one component to the other through the inside, empty if none is shorter.
   std::vector<Index> shortest_path(double limit) {
     // From the one with fewer half-edges, often a single vertex.
-    const auto zeros = std::count_if(labelled_.begin(), labelled_.end(),
-                                     [&](Index h) { return side_[at(h)] == 0; });
+    const auto zeros =
+        std::count_if(labelled_.begin(), labelled_.end(), [&](Index h) { return side_[h] == 0; });
     const char start = 2 * zeros <= static_cast<std::ptrdiff_t>(labelled_.size()) ? 0 : 1;
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
@@ -165,25 +160,25 @@ class Shortening {
     const auto reach = [&](Index h, double d) {
       const Index w = mesh_.to_vertex(h);
       if (is_barrier(w)) {
-        if (d < limit && side_[at(mesh_.opposite(h))] == 1 - start) limit = d, last = h;
-      } else if (d < limit && d < distance_[at(w)]) {
-        if (distance_[at(w)] == kFar) touched.push_back(w);
-        distance_[at(w)] = d;
-        entered_[at(w)] = h;
+        if (d < limit && side_[mesh_.opposite(h)] == 1 - start) limit = d, last = h;
+      } else if (d < limit && d < distance_[w]) {
+        if (distance_[w] == kFar) touched.push_back(w);
+        distance_[w] = d;
+        entered_[w] = h;
         front.emplace(d, w);
       }
     };
     for (const Index h : labelled_)
-      if (side_[at(h)] == start && !is_side(h)) reach(h, length_[h]);
+      if (side_[h] == start && !is_side(h)) reach(h, length_[h]);
     while (!front.empty() && front.top().first < limit) {
       const auto [d, v] = front.top();
       front.pop();
-      if (d > distance_[at(v)]) continue;
-      for (const Index h : leaving_[at(v)]) reach(h, d + length_[h]);
+      if (d > distance_[v]) continue;
+      for (const Index h : leaving_[v]) reach(h, d + length_[h]);
     }
     std::vector<Index> path;
-    for (Index h = last; h >= 0; h = entered_[at(mesh_.from_vertex(h))]) path.push_back(h);
-    for (const Index v : touched) distance_[at(v)] = kFar, entered_[at(v)] = -1;
+    for (Index h = last; h >= 0; h = entered_[mesh_.from_vertex(h)]) path.push_back(h);
+    for (const Index v : touched) distance_[v] = kFar, entered_[v] = -1;
     return path;
   }
 

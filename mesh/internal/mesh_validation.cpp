@@ -12,7 +12,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/internal/union_find.h"
 #include "majorant/mesh/refusal.h"
 
@@ -27,7 +27,7 @@ namespace {
 }
 
 [[noreturn]] void refuse_list(const PolygonMesh& input, const std::string& what) {
-  throw InvalidArgument(opening(input.file) + what);
+  throw InvalidArgument(message_prefix(input.file) + what);
 }
 
 // of_polygon: empty, or for each polygon nothing or an index below `count` for every corner.
@@ -42,7 +42,7 @@ void require_parallel(const PolygonMesh& input, const char* name,
       refuse_list(input, fmt::format("polygon {} has {} corners, but {} {}", p,
                                      input.polygons[p].size(), of_polygon[p].size(), name));
     for (const Index i : of_polygon[p])
-      if (i < 0 || at(i) >= count)
+      if (i < 0 || to_size(i) >= count)
         refuse_list(input,
                     fmt::format("polygon {}: {} have index {}, there are {}", p, name, i, count));
   }
@@ -55,7 +55,7 @@ constexpr double kUsableUlps = 1e8;
 // 1e-308 to 1e308. Meshes of 1e-150 units have shorter edges.
 constexpr double kLeastLength = 1e-152, kMostLength = 1e150;
 
-const Vector3& position(const PolygonMesh& m, Index v) { return m.positions[at(v)]; }
+const Vector3& position(const PolygonMesh& m, Index v) { return m.positions[v]; }
 
 struct HalfEdge {
   Index low, high;
@@ -67,7 +67,7 @@ std::vector<HalfEdge> sorted_half_edges(const TriangleList& list) {
   std::vector<HalfEdge> edges;
   for (std::size_t t = 0; t < list.triangles.size(); ++t)
     for (Index k = 0; k < 3; ++k) {
-      const Index a = list.triangles[t][at(k)], b = list.triangles[t][at(next(k))];
+      const Index a = list.triangles[t][k], b = list.triangles[t][next(k)];
       edges.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), a < b});
     }
   std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
@@ -105,7 +105,7 @@ void require_sound_lists(const PolygonMesh& input) {
       refuse_list(input, fmt::format("polygon {} has {} corners, at least 3 are needed", p,
                                      input.polygons[p].size()));
     for (const Index v : input.polygons[p])
-      if (v < 0 || at(v) >= input.positions.size())
+      if (v < 0 || to_size(v) >= input.positions.size())
         refuse_list(input, fmt::format("polygon {} has vertex {}, there are {}", p, v,
                                        input.positions.size()));
   }
@@ -115,7 +115,7 @@ void require_sound_lists(const PolygonMesh& input) {
     if (!input.texcoords[t].allFinite())
       refuse_list(input, fmt::format("texture coordinates {} are not finite", t));
   if (input.polygons.empty())
-    throw Error(ErrorKind::Unsupported, opening(input.file) + "the mesh has no faces");
+    throw Error(ErrorKind::Unsupported, message_prefix(input.file) + "the mesh has no faces");
 }
 
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c) {
@@ -142,7 +142,7 @@ void require_usable_coordinates(const PolygonMesh& input) {
   }
   if (longest > kMostLength || shortest < kLeastLength)
     throw Error(ErrorKind::Unsupported,
-                opening(input.file) +
+                message_prefix(input.file) +
                     fmt::format("edges of length {:.3g} to {:.3g}: areas leave the range of "
                                 "doubles; scale the mesh to lengths between {:g} and {:g}",
                                 shortest, longest, kLeastLength, kMostLength));
@@ -181,14 +181,14 @@ void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) 
   const std::vector<HalfEdge> edges = sorted_half_edges(list);
   for (std::size_t k = 0; k + 2 < edges.size(); ++k)
     if (edges[k].low == edges[k + 2].low && edges[k].high == edges[k + 2].high)
-      refuse(input, face_place(input, list.polygon[at(edges[k + 2].triangle)]),
+      refuse(input, face_place(input, list.polygon[edges[k + 2].triangle]),
              fmt::format("edge ({}, {}) has more than two faces (non-manifold)",
                          told(input.file, edges[k].low), told(input.file, edges[k].high)),
              "splits the surface there");
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
     const HalfEdge &a = edges[k], &b = edges[k + 1];
     if (a.low != b.low || a.high != b.high || a.forward != b.forward) continue;
-    const std::string place = face_place(input, list.polygon[at(b.triangle)]);
+    const std::string place = face_place(input, list.polygon[b.triangle]);
     if (orientable(list, edges))
       refuse(input, place,
              fmt::format("faces on both sides of edge ({}, {}) run against each other "
@@ -213,7 +213,7 @@ void require_one_component(const PolygonMesh& input, const TriangleList& list) {
     first.emplace(components.find(list.triangles[t][0]), static_cast<Index>(t));
   if (first.size() <= 1) return;
   if (first.size() == list.triangles.size())
-    refuse(input, opening(input.file),
+    refuse(input, message_prefix(input.file),
            fmt::format("none of the {} faces shares a vertex with another (unwelded soup)",
                        first.size()),
            "merges coincident vertices");
@@ -221,7 +221,7 @@ void require_one_component(const PolygonMesh& input, const TriangleList& list) {
   const Index home = components.find(list.triangles[0][0]);
   for (const auto& [component, triangle] : first)
     if (component != home && (other == 0 || triangle < other)) other = triangle;
-  refuse(input, face_place(input, list.polygon[at(other)]),
+  refuse(input, face_place(input, list.polygon[other]),
          fmt::format("the mesh has {} components, a second one starts here", first.size()),
          "maps all of them");
 }

@@ -17,7 +17,7 @@ std::string place_text(std::string_view of_what, Index count,
     text += b < 0 ? fmt::format(" {}", a + 1) : fmt::format(" ({}, {})", a + 1, b + 1);
     if (k + 1 < shown) text += ",";
   }
-  return text + (at(count) > shown ? ", ...)" : ")");
+  return text + (to_size(count) > shown ? ", ...)" : ")");
 }
 
 std::string described(const FindingText& text, Index count,

@@ -17,11 +17,10 @@ std::vector<Index> ranks(std::vector<std::vector<Index>> lists) {
   std::iota(order.begin(), order.end(), 0);
   for (auto& list : lists) std::sort(list.begin(), list.end());
   std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return lists[at(a)] < lists[at(b)]; });
+                   [&](Index a, Index b) { return lists[a] < lists[b]; });
   std::vector<Index> rank(lists.size(), 0);
   for (std::size_t k = 1; k < order.size(); ++k)
-    if (lists[at(order[k])] == lists[at(order[k - 1])])
-      rank[at(order[k])] = rank[at(order[k - 1])] + 1;
+    if (lists[order[k]] == lists[order[k - 1]]) rank[order[k]] = rank[order[k - 1]] + 1;
   return rank;
 }
 
@@ -31,9 +30,9 @@ class Gluing {
       : triangles_(triangles),
         positions_(positions),
         stop_(stop),
-        opposite_(at(3 * face_count()), -1),
-        is_turned_(at(face_count()), 0),
-        layer_(at(face_count()), 0) {}
+        opposite_(to_size(3 * face_count()), -1),
+        is_turned_(to_size(face_count()), 0),
+        layer_(to_size(face_count()), 0) {}
 
   Sheets make(const std::vector<Index>& polygon, const std::vector<std::vector<Index>>& polygons,
               Orientation orientation) {
@@ -57,16 +56,16 @@ class Gluing {
   Index from(Index h) const { return from_vertex(triangles_, h); }
   Index to(Index h) const { return to_vertex(triangles_, h); }
   // As given, both sides of an edge run against each other.
-  bool agrees(Index h) const { return from(h) != from(opposite_[at(h)]); }
+  bool agrees(Index h) const { return from(h) != from(opposite_[h]); }
   void join(Index h, Index o) {
-    opposite_[at(h)] = o;
-    opposite_[at(o)] = h;
+    opposite_[h] = o;
+    opposite_[o] = h;
   }
   void open(Index h) {
-    if (opposite_[at(h)] >= 0) opposite_[at(opposite_[at(h)])] = -1;
-    opposite_[at(h)] = -1;
+    if (opposite_[h] >= 0) opposite_[opposite_[h]] = -1;
+    opposite_[h] = -1;
   }
-  double length(Index h) const { return (positions_[at(to(h))] - positions_[at(from(h))]).norm(); }
+  double length(Index h) const { return (positions_[to(h)] - positions_[from(h)]).norm(); }
 
   // Faces of one layer are glued to each other: of duplicates, the second ones are the second
   // layer. Layer -1 is glued to nothing.
@@ -79,12 +78,12 @@ class Gluing {
     for (Index f = 0; f < face_count(); ++f) {
       const auto t = triangles_.row(f);
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
-        layer_[at(f)] = -1;
+        layer_[f] = -1;
         sheets_.repeated.push_back(f);
         continue;
       }
-      layer_[at(f)] = std::max(of_triangle[at(f)], of_polygon[at(polygon[at(f)])]);
-      if (layer_[at(f)] > 0) sheets_.duplicates.push_back(f);
+      layer_[f] = std::max(of_triangle[f], of_polygon[polygon[f]]);
+      if (layer_[f] > 0) sheets_.duplicates.push_back(f);
     }
   }
 
@@ -102,9 +101,9 @@ class Gluing {
     std::vector<Side> sides;
     sides.reserve(opposite_.size());
     for (Index h = 0; h < half_edge_count(); ++h)
-      if (layer_[at(face_of(h))] >= 0)
+      if (layer_[face_of(h)] >= 0)
         sides.push_back(
-            {std::min(from(h), to(h)), std::max(from(h), to(h)), layer_[at(face_of(h))], h});
+            {std::min(from(h), to(h)), std::max(from(h), to(h)), layer_[face_of(h)], h});
     std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
       return std::tie(a.low, a.high, a.layer, a.half_edge) <
              std::tie(b.low, b.high, b.layer, b.half_edge);
@@ -119,34 +118,34 @@ class Gluing {
 
   void open_disagreeing() {
     for (Index h = 0; h < half_edge_count(); ++h)
-      if (opposite_[at(h)] > h && !agrees(h)) {
+      if (opposite_[h] > h && !agrees(h)) {
         sheets_.cut_edges.push_back(h);
         open(h);
       }
   }
 
   bool disagrees(Index h) const {
-    return agrees(h) == (is_turned_[at(face_of(h))] != is_turned_[at(face_of(opposite_[at(h)]))]);
+    return agrees(h) == (is_turned_[face_of(h)] != is_turned_[face_of(opposite_[h])]);
   }
 
   // Every component as its first face is, breadth first: where fronts that disagree meet, a surface
   // with one side is cut.
   void orient() {
-    std::vector<char> seen(at(face_count()), 0);
+    std::vector<char> seen(to_size(face_count()), 0);
     std::vector<Index> component;
     for (Index start = 0; start < face_count(); ++start) {
-      if (seen[at(start)]) continue;
+      if (seen[start]) continue;
       component = {start};
-      seen[at(start)] = 1;
+      seen[start] = 1;
       std::vector<Index> cut;
       for (std::size_t k = 0; k < component.size(); ++k)
         for (Index h = 3 * component[k]; h < 3 * component[k] + 3; ++h) {
-          const Index o = opposite_[at(h)];
+          const Index o = opposite_[h];
           if (o < 0) continue;
-          if (!seen[at(face_of(o))]) {
-            seen[at(face_of(o))] = 1;
-            is_turned_[at(face_of(o))] =
-                agrees(h) ? is_turned_[at(component[k])] : !is_turned_[at(component[k])];
+          if (!seen[face_of(o)]) {
+            seen[face_of(o)] = 1;
+            is_turned_[face_of(o)] =
+                agrees(h) ? is_turned_[component[k]] : !is_turned_[component[k]];
             component.push_back(face_of(o));
           } else if (o > h && disagrees(h)) {
             cut.push_back(h);
@@ -157,14 +156,14 @@ class Gluing {
       turn_the_fewer(component);
     }
     for (Index f = 0; f < face_count(); ++f)
-      if (is_turned_[at(f)]) sheets_.turned.push_back(f);
+      if (is_turned_[f]) sheets_.turned.push_back(f);
   }
 
   double cut_length(const std::vector<Index>& component) const {
     double sum = 0;
     for (const Index f : component)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (opposite_[at(h)] > h && disagrees(h)) sum += length(h);
+        if (opposite_[h] > h && disagrees(h)) sum += length(h);
     return sum;
   }
 
@@ -175,16 +174,16 @@ class Gluing {
     const double length_oriented = cut_length(component);
     std::vector<char> oriented;
     for (const Index f : component) {
-      oriented.push_back(is_turned_[at(f)]);
-      is_turned_[at(f)] = 0;
+      oriented.push_back(is_turned_[f]);
+      is_turned_[f] = 0;
     }
     shorten_cut(component);
     if (cut_length(component) > (1 + kShorter) * length_oriented)
-      for (std::size_t k = 0; k < component.size(); ++k) is_turned_[at(component[k])] = oriented[k];
+      for (std::size_t k = 0; k < component.size(); ++k) is_turned_[component[k]] = oriented[k];
     for (const Index f : component)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (opposite_[at(h)] >= 0 && disagrees(h)) {
-          sheets_.cut_edges.push_back(std::min(h, opposite_[at(h)]));
+        if (opposite_[h] >= 0 && disagrees(h)) {
+          sheets_.cut_edges.push_back(std::min(h, opposite_[h]));
           open(h);
         }
   }
@@ -198,35 +197,35 @@ class Gluing {
       left.pop_back();
       double cut = 0, uncut = 0;
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (opposite_[at(h)] >= 0 && face_of(opposite_[at(h)]) != f)
+        if (opposite_[h] >= 0 && face_of(opposite_[h]) != f)
           (disagrees(h) ? cut : uncut) += length(h);
       if (!(cut > (1 + kShorter) * uncut)) continue;
-      is_turned_[at(f)] ^= 1;
+      is_turned_[f] ^= 1;
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (opposite_[at(h)] >= 0) left.push_back(face_of(opposite_[at(h)]));
+        if (opposite_[h] >= 0) left.push_back(face_of(opposite_[h]));
     }
   }
 
   void turn_the_fewer(const std::vector<Index>& component) {
     const auto turned = std::count_if(component.begin(), component.end(),
-                                      [&](Index f) { return is_turned_[at(f)] != 0; });
+                                      [&](Index f) { return is_turned_[f] != 0; });
     const auto all = static_cast<std::ptrdiff_t>(component.size());
-    if (2 * turned > all || (2 * turned == all && is_turned_[at(component.front())]))
-      for (const Index f : component) is_turned_[at(f)] ^= 1;
+    if (2 * turned > all || (2 * turned == all && is_turned_[component.front()]))
+      for (const Index f : component) is_turned_[f] ^= 1;
   }
 
   // copy_[h]: the fan of the corner that h leaves, named by one of its corners.
   void number_corners() {
     UnionFind fans(half_edge_count());
     for (Index h = 0; h < half_edge_count(); ++h) {
-      const Index o = opposite_[at(h)];
+      const Index o = opposite_[h];
       if (o < h) continue;
       const bool against = agrees(h);
       fans.join(h, against ? next(o) : o);
       fans.join(next(h), against ? o : next(o));
     }
     copy_.resize(opposite_.size());
-    for (Index h = 0; h < half_edge_count(); ++h) copy_[at(h)] = fans.find(h);
+    for (Index h = 0; h < half_edge_count(); ++h) copy_[h] = fans.find(h);
   }
 
   // One side of each edge with more than two faces.
@@ -243,25 +242,25 @@ class Gluing {
   Sheets finished() {
     Index given = 0;
     for (const Index v : triangles_.reshaped()) given = std::max(given, v + 1);
-    std::vector<Index> first(at(given), -1), number(opposite_.size(), -1);
+    std::vector<Index> first(to_size(given), -1), number(opposite_.size(), -1);
     for (Index h = 0; h < half_edge_count(); ++h)
-      if (first[at(from(h))] < 0) first[at(from(h))] = copy_[at(h)];
+      if (first[from(h)] < 0) first[from(h)] = copy_[h];
     for (Index v = 0; v < given; ++v) {
-      if (first[at(v)] < 0) continue;
-      number[at(first[at(v)])] = static_cast<Index>(sheets_.vertex.size());
+      if (first[v] < 0) continue;
+      number[first[v]] = static_cast<Index>(sheets_.vertex.size());
       sheets_.vertex.push_back(v);
     }
-    std::vector<char> is_explained(at(given), 0);
+    std::vector<char> is_explained(to_size(given), 0);
     for (const auto* edges : {&sheets_.split_edges, &sheets_.cut_edges})
-      for (const Index h : *edges) is_explained[at(from(h))] = is_explained[at(to(h))] = 1;
+      for (const Index h : *edges) is_explained[from(h)] = is_explained[to(h)] = 1;
     for (const auto* faces : {&sheets_.repeated, &sheets_.duplicates})
       for (const Index f : *faces)
-        for (Index k = 0; k < 3; ++k) is_explained[at(triangles_(f, k))] = 1;
+        for (Index k = 0; k < 3; ++k) is_explained[triangles_(f, k)] = 1;
     for (Index h = 0; h < half_edge_count(); ++h) {
-      if (number[at(copy_[at(h)])] >= 0) continue;
-      number[at(copy_[at(h)])] = static_cast<Index>(sheets_.vertex.size());
+      if (number[copy_[h]] >= 0) continue;
+      number[copy_[h]] = static_cast<Index>(sheets_.vertex.size());
       sheets_.vertex.push_back(from(h));
-      if (!is_explained[at(from(h))]) sheets_.split_vertices.push_back(from(h));
+      if (!is_explained[from(h)]) sheets_.split_vertices.push_back(from(h));
     }
     auto& split = sheets_.split_vertices;
     std::sort(split.begin(), split.end());
@@ -269,7 +268,7 @@ class Gluing {
     sheets_.faces.resize(face_count(), 3);
     for (Index f = 0; f < face_count(); ++f)
       for (Index k = 0; k < 3; ++k)
-        sheets_.faces(f, is_turned_[at(f)] ? (3 - k) % 3 : k) = number[at(copy_[at(3 * f + k)])];
+        sheets_.faces(f, is_turned_[f] ? (3 - k) % 3 : k) = number[copy_[3 * f + k]];
     sheets_.is_turned = std::move(is_turned_);
     return std::move(sheets_);
   }

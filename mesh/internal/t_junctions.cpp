@@ -97,7 +97,7 @@ std::vector<TJunction> find_t_junctions(const SurfaceMesh& mesh, const StopCheck
   std::vector<TJunction> found;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     if (mesh.opposite(h) >= 0) continue;
-    stop.poll_at(at(h));
+    stop.poll_at(to_size(h));
     const Vector3 a = mesh.positions().row(mesh.from_vertex(h));
     const Vector3 b = mesh.positions().row(mesh.to_vertex(h));
     const double length = (b - a).norm(), reach = kOnEdge * length;

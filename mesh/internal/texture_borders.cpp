@@ -20,20 +20,20 @@ std::vector<char> texture_borders(const SurfaceMesh& mesh) {
   const auto value = [&](Index corner) {
     return Vector2(mesh.corner_texcoords().row(face_of(corner)).segment<2>(2 * corner_of(corner)));
   };
-  std::vector<char> by_id(at(mesh.half_edge_count()), 0), by_value = by_id;
+  std::vector<char> by_id(to_size(mesh.half_edge_count()), 0), by_value = by_id;
   bool any_shared = false;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index o = mesh.opposite(h);
     if (o < 0) continue;
     const bool is_one = is_textured(mesh, face_of(h)), is_other = is_textured(mesh, face_of(o));
     if (!is_one || !is_other) {
-      by_id[at(h)] = by_value[at(h)] = is_one != is_other;
+      by_id[h] = by_value[h] = is_one != is_other;
       continue;
     }
-    by_id[at(h)] = id(h) != id(next(o)) || id(next(h)) != id(o);
-    by_value[at(h)] = value(h) != value(next(o)) || value(next(h)) != value(o);
+    by_id[h] = id(h) != id(next(o)) || id(next(h)) != id(o);
+    by_value[h] = value(h) != value(next(o)) || value(next(h)) != value(o);
     const bool is_inside = mesh.input_face(face_of(h)) == mesh.input_face(face_of(o));
-    any_shared = any_shared || (!by_id[at(h)] && !is_inside);
+    any_shared = any_shared || (!by_id[h] && !is_inside);
   }
   return any_shared ? by_id : by_value;
 }

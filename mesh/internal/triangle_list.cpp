@@ -8,7 +8,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/internal/exact_predicates.h"
-#include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/internal/triangulate_polygon.h"
 
 namespace majorant {
@@ -19,9 +19,8 @@ using Triangles = std::vector<std::array<int, 3>>;
 // Whether all triangles of a polygon turn the same way in the plane, be it the wrong one.
 bool agree(const Triangles& triangles, const std::vector<Vector2>& corners) {
   int sum = 0;
-  for (const auto& t : triangles)
-    sum += orientation(corners[at(t[0])], corners[at(t[1])], corners[at(t[2])]);
-  return at(std::abs(sum)) == triangles.size();
+  for (const auto& t : triangles) sum += orientation(corners[t[0]], corners[t[1]], corners[t[2]]);
+  return to_size(std::abs(sum)) == triangles.size();
 }
 
 Triangles fan(std::size_t corners) {
@@ -31,18 +30,18 @@ Triangles fan(std::size_t corners) {
 }
 
 bool is_textured(const PolygonMesh& input, Index p) {
-  return at(p) < input.polygon_texcoords.size() &&
-         input.polygon_texcoords[at(p)].size() == input.polygons[at(p)].size();
+  return to_size(p) < input.polygon_texcoords.size() &&
+         input.polygon_texcoords[p].size() == input.polygons[p].size();
 }
 
 }  // namespace
 
 Triangles triangles_of(const PolygonMesh& input, Index p, Crossing crossing,
                        const StopCheck& stop) {
-  const auto& polygon = input.polygons[at(p)];
+  const auto& polygon = input.polygons[p];
   if (polygon.size() == 3) return {{0, 1, 2}};
   std::vector<Vector3> in_space, in_plane;
-  for (const Index v : polygon) in_space.push_back(input.positions[at(v)]);
+  for (const Index v : polygon) in_space.push_back(input.positions[v]);
   Triangles of_shape;
   try {
     of_shape = triangulate_polygon(in_space, stop);
@@ -52,8 +51,8 @@ Triangles triangles_of(const PolygonMesh& input, Index p, Crossing crossing,
   }
   if (!is_textured(input, p)) return of_shape;
   std::vector<Vector2> uv;
-  for (const Index t : input.polygon_texcoords[at(p)]) {
-    uv.push_back(input.texcoords[at(t)]);
+  for (const Index t : input.polygon_texcoords[p]) {
+    uv.push_back(input.texcoords[t]);
     in_plane.emplace_back(uv.back().x(), uv.back().y(), 0);
   }
   if (agree(of_shape, uv)) return of_shape;
@@ -69,11 +68,11 @@ TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const Stop
   counted("vertices", input.positions.size(), 3);
   TriangleList list;
   for (Index p = 0; p < static_cast<Index>(input.polygons.size()); ++p) {
-    stop.poll_at(at(p));
-    const auto& polygon = input.polygons[at(p)];
+    stop.poll_at(to_size(p));
+    const auto& polygon = input.polygons[p];
     for (const auto& t : triangles_of(input, p, crossing, stop)) {
       std::array<Index, 3> f{};
-      for (std::size_t k = 0; k < 3; ++k) f[k] = polygon[at(t[k])];
+      for (std::size_t k = 0; k < 3; ++k) f[k] = polygon[t[k]];
       list.triangles.push_back(f);
       list.polygon.push_back(p);
       list.corners.push_back(t);
@@ -91,21 +90,21 @@ void place_texcoords(const PolygonMesh& input, const TriangleList& list, Surface
   parts.corner_texcoords.setConstant(count, 6, std::numeric_limits<double>::quiet_NaN());
   parts.texcoord_ids.setConstant(count, 3, -1);
   for (Index f = 0; f < count; ++f) {
-    if (!is_textured(input, list.polygon[at(f)])) continue;
+    if (!is_textured(input, list.polygon[f])) continue;
     for (Index k = 0; k < 3; ++k) {
-      const auto& corners = input.polygon_texcoords[at(list.polygon[at(f)])];
-      const Index vt = corners[at(list.corners[at(f)][at(k)])];
+      const auto& corners = input.polygon_texcoords[list.polygon[f]];
+      const Index vt = corners[list.corners[f][k]];
       parts.texcoord_ids(f, k) = vt;
-      parts.corner_texcoords.row(f).segment<2>(2 * k) = input.texcoords[at(vt)];
+      parts.corner_texcoords.row(f).segment<2>(2 * k) = input.texcoords[vt];
     }
   }
 }
 
 std::string face_place(const PolygonMesh& input, Index polygon) {
-  const auto p = at(polygon);
+  const auto p = to_size(polygon);
   if (p < input.polygon_lines.size() && !input.file.empty())
     return fmt::format("{}:{}: face {}: ", input.file, input.polygon_lines[p], polygon + 1);
-  return fmt::format("{}face {}: ", opening(input.file), told(input.file, polygon));
+  return fmt::format("{}face {}: ", message_prefix(input.file), told(input.file, polygon));
 }
 
 }  // namespace majorant

@@ -79,8 +79,8 @@ class EarClipping {
   };
 
   int corner(std::size_t k) const { return left_[k % left_.size()]; }
-  const Vector2& point(std::size_t k) const { return flat_[at(corner(k))]; }
-  Ear& ear(std::size_t k) { return ears_[at(corner(k))]; }
+  const Vector2& point(std::size_t k) const { return flat_[corner(k)]; }
+  Ear& ear(std::size_t k) { return ears_[corner(k)]; }
 
   void judge(std::size_t k) {
     stop_.poll();
@@ -92,7 +92,7 @@ class EarClipping {
 
   // After a corner is gone; before it, two ears began whose triangles had it.
   void forget(int clipped, std::size_t best) {
-    const Vector2& gone = flat_[at(clipped)];
+    const Vector2& gone = flat_[clipped];
     // `best` may have been the last corner, with the clipped one at the front.
     const std::size_t at = best < left_.size() ? best : left_.size() - 1;
     for (std::size_t k = at + 1; k < at + left_.size() - 1; ++k)

@@ -17,20 +17,20 @@ namespace majorant {
 
 class UnionFind {
  public:
-  explicit UnionFind(Index count) : parent_(at(count)) {
+  explicit UnionFind(Index count) : parent_(to_size(count)) {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
   // The smallest member of i's set, which names it.
   Index find(Index i) {
-    while (parent_[at(i)] != i) i = parent_[at(i)] = parent_[at(parent_[at(i)])];  // path halving
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];  // path halving
     return i;
   }
 
   // Makes one set of those of i and k; whether they were two.
   bool join(Index i, Index k) {
     const auto [small, large] = std::minmax({find(i), find(k)});
-    parent_[at(large)] = small;
+    parent_[large] = small;
     return small != large;
   }
 

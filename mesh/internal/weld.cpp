@@ -13,7 +13,7 @@ namespace {
 std::vector<Index> used_vertices(const PolygonMesh& mesh) {
   std::vector<char> is_used(mesh.positions.size(), 0);
   for (const auto& polygon : mesh.polygons)
-    for (const Index v : polygon) is_used[at(v)] = 1;
+    for (const Index v : polygon) is_used[v] = 1;
   std::vector<Index> used;
   for (std::size_t v = 0; v < is_used.size(); ++v)
     if (is_used[v]) used.push_back(static_cast<Index>(v));
@@ -23,7 +23,7 @@ std::vector<Index> used_vertices(const PolygonMesh& mesh) {
 // Cells as wide as the distance; a vertex meets those of its own cell and of the 13 behind it.
 void join_near(const PolygonMesh& mesh, const std::vector<Index>& used, double distance,
                const StopCheck& stop, UnionFind& sets) {
-  const auto place = [&](Index v) -> const Vector3& { return mesh.positions[at(v)]; };
+  const auto place = [&](Index v) -> const Vector3& { return mesh.positions[v]; };
   using Cell = std::array<double, 3>;
   struct Entry {
     Cell cell;
@@ -60,13 +60,12 @@ void join_near(const PolygonMesh& mesh, const std::vector<Index>& used, double d
 
 void join_equal(const PolygonMesh& mesh, std::vector<Index> order, UnionFind& sets) {
   const auto less = [&](Index a, Index b) {
-    const Vector3 &p = mesh.positions[at(a)], &q = mesh.positions[at(b)];
+    const Vector3 &p = mesh.positions[a], &q = mesh.positions[b];
     return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
   };
   std::sort(order.begin(), order.end(), less);
   for (std::size_t k = 1; k < order.size(); ++k)
-    if (mesh.positions[at(order[k])] == mesh.positions[at(order[k - 1])])
-      sets.join(order[k], order[k - 1]);
+    if (mesh.positions[order[k]] == mesh.positions[order[k - 1]]) sets.join(order[k], order[k - 1]);
 }
 
 // No two corners of a polygon are welded: of a set with such corners, every vertex goes to the
@@ -76,7 +75,7 @@ void part_corners(const PolygonMesh& mesh, std::vector<Index>& welded) {
   std::vector<std::pair<Index, Index>> apart;  // corners of a polygon in one set, both ways
   for (const auto& polygon : mesh.polygons) {
     std::vector<std::pair<Index, Index>> corners;  // set, vertex
-    for (const Index v : polygon) corners.emplace_back(welded[at(v)], v);
+    for (const Index v : polygon) corners.emplace_back(welded[v], v);
     std::sort(corners.begin(), corners.end());
     for (std::size_t a = 0; a < corners.size(); ++a)
       for (std::size_t b = a + 1; b < corners.size() && corners[b].first == corners[a].first; ++b) {
@@ -88,10 +87,10 @@ void part_corners(const PolygonMesh& mesh, std::vector<Index>& welded) {
   if (apart.empty()) return;
   std::sort(apart.begin(), apart.end());
   std::vector<char> is_torn(welded.size(), 0);  // by the name of the set
-  for (const auto& [a, unused] : apart) is_torn[at(welded[at(a)])] = 1;
+  for (const auto& [a, unused] : apart) is_torn[welded[a]] = 1;
   std::vector<std::pair<Index, Index>> members;  // set, vertex
   for (std::size_t v = 0; v < welded.size(); ++v)
-    if (is_torn[at(welded[v])]) members.emplace_back(welded[v], static_cast<Index>(v));
+    if (is_torn[welded[v]]) members.emplace_back(welded[v], static_cast<Index>(v));
   std::sort(members.begin(), members.end());
   std::vector<Index> parts;  // names of those of the set at hand
   for (std::size_t k = 0; k < members.size(); ++k) {
@@ -100,11 +99,11 @@ void part_corners(const PolygonMesh& mesh, std::vector<Index>& welded) {
     const auto first = std::lower_bound(apart.begin(), apart.end(), std::pair<Index, Index>(v, -1));
     const auto is_free = [&](Index part) {
       for (auto a = first; a != apart.end() && a->first == v; ++a)
-        if (a->second < v && welded[at(a->second)] == part) return false;
+        if (a->second < v && welded[a->second] == part) return false;
       return true;
     };
     const auto part = std::find_if(parts.begin(), parts.end(), is_free);
-    welded[at(v)] = part != parts.end() ? *part : v;
+    welded[v] = part != parts.end() ? *part : v;
     if (part == parts.end()) parts.push_back(v);
   }
 }
@@ -116,8 +115,8 @@ bool is_soup(const PolygonMesh& mesh) {
   for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
     for (const Index v : mesh.polygons[p]) {
       const auto here = static_cast<Index>(p);
-      if (polygon_of[at(v)] >= 0 && polygon_of[at(v)] != here) return false;
-      polygon_of[at(v)] = here;
+      if (polygon_of[v] >= 0 && polygon_of[v] != here) return false;
+      polygon_of[v] = here;
     }
   return mesh.polygons.size() > 1;
 }

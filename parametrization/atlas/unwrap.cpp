@@ -17,12 +17,12 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/internal/model_unit.h"
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
-#include "majorant/parametrization/drive/internal/normalized_start.h"
+#include "majorant/parametrization/solve/internal/normalized_start.h"
 
 namespace majorant {
 namespace {
@@ -89,19 +89,19 @@ class Unwrapping {
   // Of every vertex of the input that is to go to a target.
   void require_one_place(const std::vector<Index>& surface_vertex,
                          const std::vector<Pin>& points) const {
-    std::vector<Index> copies(at(surface_.vertex_count()), 0);
-    for (const Index v : surface_vertex) ++copies[at(v)];
+    std::vector<Index> copies(to_size(surface_.vertex_count()), 0);
+    for (const Index v : surface_vertex) ++copies[v];
     std::map<Index, Index> places;  // by vertex of the input
     for (const Pin& p : points)
-      if (p.target) places[surface_.input_vertex(p.vertex)] += copies[at(p.vertex)];
+      if (p.target) places[surface_.input_vertex(p.vertex)] += copies[p.vertex];
     for (const Pin& p : points) {
       const Index name = surface_.input_vertex(p.vertex);
       if (!p.target || places.at(name) == 1) continue;
-      const bool is_split = copies[at(p.vertex)] == 1;
+      const bool is_split = copies[p.vertex] == 1;
       const bool is_automatic = options_.cuts.method == CutMethod::Automatic;
       const std::string what =
           fmt::format("{}vertex {} has a target, but {} places in the layout: {}; take another",
-                      opening(surface_), name, places.at(name),
+                      message_prefix(surface_), name, places.at(name),
                       is_split ? "sheets were split there" : "it lies on a seam");
       if (is_split || is_automatic) throw Error(ErrorKind::Infeasible, what);
       throw Refusal(ErrorKind::Infeasible, surface_.file(), what + ", or ", Hint::AutomaticCuts,
@@ -117,7 +117,7 @@ class Unwrapping {
     if (points.empty()) return out;
     for (std::size_t v = 0; v < piece.vertex.size(); ++v)
       for (const Pin& p : points)
-        if (surface_vertex[at(piece.vertex[v])] == p.vertex)
+        if (surface_vertex[piece.vertex[v]] == p.vertex)
           out.push_back({static_cast<Index>(v), p.target});
     return out;
   }
@@ -187,7 +187,7 @@ class Unwrapping {
         throw Error(ErrorKind::Infeasible,
                     fmt::format("{}the charts of the pinned vertices {} and {} meet; move their "
                                 "targets apart",
-                                opening(surface_), name(j), name(i)));
+                                message_prefix(surface_), name(j), name(i)));
       }
   }
 
@@ -256,7 +256,7 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
     throw Error(ErrorKind::Unsupported,
                 fmt::format("{}of some {:.0e} units, its areas or the side of its layout leave "
                             "the range of doubles; scale the mesh",
-                            opening(surface), unit));
+                            message_prefix(surface), unit));
 }
 
 }  // namespace

@@ -26,9 +26,9 @@
 #include "majorant/certify/moved_layout.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/atlas/stretch.h"
-#include "majorant/parametrization/cuts/choose_cuts.h"
-#include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/packing/pack.h"
+#include "majorant/parametrization/seams/choose_cuts.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {
 

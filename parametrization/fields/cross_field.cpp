@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_words.h"
-#include "majorant/parametrization/fields/internal/cone_cleanup.h"
+#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/parametrization/fields/internal/cone_optimization.h"
 #include "majorant/parametrization/fields/internal/curvature_field.h"
 #include "majorant/parametrization/fields/internal/trivial_connection.h"
 
@@ -40,7 +40,7 @@ Vec fixed_angles(const SurfaceMesh& mesh, const FieldGeometry& geometry,
   Vec longest = Vec::Zero(mesh.face_count());
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index o = mesh.opposite(h);
-    if (!aligned[at(h)] && (o < 0 || !aligned[at(o)])) continue;
+    if (!aligned[h] && (o < 0 || !aligned[o])) continue;
     const double length =
         (mesh.positions().row(mesh.to_vertex(h)) - mesh.positions().row(mesh.from_vertex(h)))
             .norm();
@@ -56,9 +56,11 @@ class PowerSystem {
  public:
   PowerSystem(const SurfaceMesh& mesh, const FieldGeometry& geometry, const Vec& fixed,
               double mass_weight)
-      : fixed_(fixed), mass_(geometry.face_area / mesh.area()), row_(at(mesh.face_count()), -1) {
+      : fixed_(fixed),
+        mass_(geometry.face_area / mesh.area()),
+        row_(to_size(mesh.face_count()), -1) {
     for (Index f = 0; f < mesh.face_count(); ++f)
-      if (fixed[f] == kNotAligned) row_[at(f)] = free_++;
+      if (fixed[f] == kNotAligned) row_[f] = free_++;
     assemble(mesh, geometry, mass_weight);
   }
 
@@ -85,16 +87,16 @@ class PowerSystem {
     std::vector<SparseSpd::Entry> entries;
     for (Index f = 0; f < mesh.face_count(); ++f)
       for (int k = 0; k < 2; ++k)
-        if (const Index r = row_[at(f)]; r >= 0)
+        if (const Index r = row_[f]; r >= 0)
           entries.push_back({2 * r + k, 2 * r + k, mass_weight * mass_[f]});
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-      const Index o = mesh.opposite(h), r = row_[at(face_of(h))];
+      const Index o = mesh.opposite(h), r = row_[face_of(h)];
       if (o < 0 || r < 0) continue;
       const double w = geometry.weight[h];
       for (int k = 0; k < 2; ++k) entries.push_back({2 * r + k, 2 * r + k, w});
       // z of the neighbour o / 3 as seen from the face of h is e^{-4 i transport[h]} z.
       const Complex turn = std::polar(1.0, -kSymmetry * geometry.transport[h]);
-      const Index c = row_[at(face_of(o))];
+      const Index c = row_[face_of(o)];
       if (c < 0) {
         const Complex z = w * turn * std::polar(1.0, kSymmetry * fixed_[face_of(o)]);
         rhs_.segment<2>(2 * r) += Vector2(z.real(), z.imag());
@@ -168,7 +170,7 @@ void require_valid(const SurfaceMesh& mesh, const CrossFieldOptions& options) {
     throw InvalidArgument("smoothest_cross_field: curvature_weight must be >= 0");
   if (!(options.cone_cost >= 0) || !std::isfinite(options.cone_cost))
     throw InvalidArgument("smoothest_cross_field: cone_cost must be >= 0");
-  if (!options.aligned.empty() && options.aligned.size() != at(mesh.half_edge_count()))
+  if (!options.aligned.empty() && options.aligned.size() != to_size(mesh.half_edge_count()))
     throw InvalidArgument("smoothest_cross_field: aligned must have 3 #F entries");
 }
 
@@ -189,19 +191,19 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
     z = smallest_eigenvector(system, start_vector(curvature), options.stop);
   Vec angle(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f)
-    angle[f] = z[at(f)] == Complex(0) ? 0.0 : std::arg(z[at(f)]) / kSymmetry;
+    angle[f] = z[f] == Complex(0) ? 0.0 : std::arg(z[f]) / kSymmetry;
   for (Index f = 0; f < mesh.face_count(); ++f)
     if (fixed[f] != kNotAligned) angle[f] = fixed[f];
   FieldConnection field = nearest_matching(mesh, geometry, angle);
-  std::vector<char> is_fixed(at(mesh.face_count()), 0);
+  std::vector<char> is_fixed(to_size(mesh.face_count()), 0);
   Vec hold(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    is_fixed[at(f)] = fixed[f] != kNotAligned;
-    hold[f] = is_fixed[at(f)] ? std::numeric_limits<double>::infinity()
-                              : pull * system.mass()[f] * std::abs(curvature[at(f)]);
+    is_fixed[f] = fixed[f] != kNotAligned;
+    hold[f] = is_fixed[f] ? std::numeric_limits<double>::infinity()
+                          : pull * system.mass()[f] * std::abs(curvature[f]);
   }
   options.stop.poll();
-  clean_up_cones(mesh, geometry, is_fixed, field);
+  optimize_cones(mesh, geometry, is_fixed, field);
   options.stop.poll();
   if (pull == 0 && !system.has_fixed()) {
     lower_cone_energy(mesh, geometry, options.cone_cost, field, options.stop);
@@ -221,38 +223,38 @@ std::vector<Index> cone_vertices(const CrossField& field) {
 }
 
 void comb(const SurfaceMesh& mesh, const std::vector<char>& is_cut, CrossField& field) {
-  if (is_cut.size() != at(mesh.half_edge_count()) || field.turns.size() != is_cut.size())
+  if (is_cut.size() != to_size(mesh.half_edge_count()) || field.turns.size() != is_cut.size())
     throw InvalidArgument("comb: is_cut and field.turns must have 3 #F entries");
   const auto turn = [&](Index f, int quarters) {  // the branch of f becomes the one `quarters` on
     field.angle[f] = std::remainder(field.angle[f] + quarters * kQuarter, 4 * kQuarter);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index o = mesh.opposite(h);
       if (o < 0) continue;
-      field.turns[at(h)] = (field.turns[at(h)] - quarters + 8) % 4;
-      field.turns[at(o)] = (4 - field.turns[at(h)]) % 4;
+      field.turns[h] = (field.turns[h] - quarters + 8) % 4;
+      field.turns[o] = (4 - field.turns[h]) % 4;
     }
   };
-  std::vector<char> seen(at(mesh.face_count()), 0);
+  std::vector<char> seen(to_size(mesh.face_count()), 0);
   for (Index start = 0; start < mesh.face_count(); ++start) {
-    if (seen[at(start)]) continue;
-    seen[at(start)] = 1;
+    if (seen[start]) continue;
+    seen[start] = 1;
     std::vector<Index> queue{start};
     for (std::size_t next = 0; next < queue.size(); ++next)
       for (Index h = 3 * queue[next]; h < 3 * queue[next] + 3; ++h) {
         const Index o = mesh.opposite(h);
-        if (o < 0 || is_cut[at(h)] || seen[at(face_of(o))]) continue;
-        seen[at(face_of(o))] = 1;
+        if (o < 0 || is_cut[h] || seen[face_of(o)]) continue;
+        seen[face_of(o)] = 1;
         queue.push_back(face_of(o));
-        turn(face_of(o), -field.turns[at(h)]);
+        turn(face_of(o), -field.turns[h]);
       }
   }
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (mesh.opposite(h) >= 0 && !is_cut[at(h)] && field.turns[at(h)] != 0)
+    if (mesh.opposite(h) >= 0 && !is_cut[h] && field.turns[h] != 0)
       throw Error(ErrorKind::Usage,
                   fmt::format("{}edge ({}, {}): the field cannot be combed, the cut surface has "
                               "a cone inside or is not simply connected",
-                              opening(mesh), told_vertex(mesh, mesh.from_vertex(h)),
-                              told_vertex(mesh, mesh.to_vertex(h))));
+                              message_prefix(mesh), user_vertex(mesh, mesh.from_vertex(h)),
+                              user_vertex(mesh, mesh.to_vertex(h))));
 }
 
 }  // namespace majorant

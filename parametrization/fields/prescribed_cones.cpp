@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/fields/internal/trivial_connection.h"
 
@@ -10,13 +10,13 @@ namespace majorant {
 namespace {
 
 [[noreturn]] void refuse(const SurfaceMesh& mesh, const std::string& what) {
-  throw Error(ErrorKind::Usage, fmt::format("{}cones: {}", opening(mesh), what));
+  throw Error(ErrorKind::Usage, fmt::format("{}cones: {}", message_prefix(mesh), what));
 }
 
 // Per vertex the quarter turns asked for; 0 at the boundary.
 std::vector<int> checked_quarter_turns(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                                        const std::vector<Cone>& cones) {
-  std::vector<int> turns(at(mesh.vertex_count()), 4);
+  std::vector<int> turns(to_size(mesh.vertex_count()), 4);
   for (std::size_t v = 0; v < turns.size(); ++v)
     if (geometry.is_boundary[v]) turns[v] = 0;
   std::vector<char> seen(turns.size(), 0);
@@ -25,20 +25,20 @@ std::vector<int> checked_quarter_turns(const SurfaceMesh& mesh, const FieldGeome
     if (v < 0 || v >= mesh.vertex_count())
       refuse(mesh, fmt::format("there is no vertex {} (counting from 0)", v));
     const Index name = mesh.input_vertex(v);  // from 0, as files of cones do
-    if (geometry.is_boundary[at(v)])
+    if (geometry.is_boundary[v])
       refuse(mesh, fmt::format("vertex {} lies on the boundary, where angles are free", name));
-    if (seen[at(v)]) refuse(mesh, fmt::format("vertex {} is given twice", name));
+    if (seen[v]) refuse(mesh, fmt::format("vertex {} is given twice", name));
     if (cone.quarter_turns < 1)
       refuse(mesh, fmt::format("vertex {} has {} quarter turns, must have at least 1", name,
                                cone.quarter_turns));
     // Angles of a map are below 180 degrees.
-    const int faces = geometry.valence[at(v)];
+    const int faces = geometry.valence[v];
     if (cone.quarter_turns >= 2 * faces)
       refuse(mesh, fmt::format("vertex {} has {} quarter turns, but its {} faces hold at most {}; "
                                "refine the mesh there",
                                name, cone.quarter_turns, faces, 2 * faces - 1));
-    seen[at(v)] = 1;
-    turns[at(v)] = cone.quarter_turns;
+    seen[v] = 1;
+    turns[v] = cone.quarter_turns;
   }
   const Index chi = mesh.topology().euler_characteristic();
   long long sum = 0;

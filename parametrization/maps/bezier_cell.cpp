@@ -40,18 +40,18 @@ std::vector<int> bezier_edge_points(int degree, int edge) {
 Eigen::MatrixXd bernstein_values(int degree, const Points3& barycentric) {
   const auto indices = bezier_multi_indices(degree);
   Eigen::MatrixXd values(barycentric.rows(), static_cast<Eigen::Index>(indices.size()));
-  std::vector<double> factorial(at(degree) + 1, 1.0);
+  std::vector<double> factorial(to_size(degree) + 1, 1.0);
   for (std::size_t k = 1; k < factorial.size(); ++k) {
     factorial[k] = factorial[k - 1] * static_cast<double>(k);
   }
   for (Eigen::Index p = 0; p < values.cols(); ++p) {
     const auto& index = indices[static_cast<std::size_t>(p)];
     double coefficient = factorial.back();
-    for (const int i : index) coefficient /= factorial[at(i)];
+    for (const int i : index) coefficient /= factorial[i];
     for (Eigen::Index s = 0; s < values.rows(); ++s) {
       double value = coefficient;
       for (int c = 0; c < 3; ++c) {
-        value *= std::pow(barycentric(s, c), index[at(c)]);
+        value *= std::pow(barycentric(s, c), index[c]);
       }
       values(s, p) = value;
     }

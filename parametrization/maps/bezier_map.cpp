@@ -68,7 +68,7 @@ Points2 BezierMap::corner_uv() const {
 Points2 BezierMap::sample(const std::vector<Barycentric>& points) const {
   const auto count = static_cast<Index>(points.size());
   Eigen::MatrixXd basis(count, space_->nodes_per_element());
-  for (Index l = 0; l < count; ++l) basis.row(l) = bernstein_values(degree(), points[at(l)]);
+  for (Index l = 0; l < count; ++l) basis.row(l) = bernstein_values(degree(), points[l]);
   Points2 uv(count * space_->element_count(), 2);
   Points2 local(space_->nodes_per_element(), 2);
   for (Index f = 0; f < space_->element_count(); ++f) {
@@ -107,7 +107,7 @@ BezierMap::Refinement BezierMap::refine(int k) const {
     for (int l = 0; l < ix.count(); ++l) {
       const Index p = numbering.cells(f, l);
       r.uv.row(p) = uv.row(f * ix.count() + l);
-      const Barycentric& xi = points[at(l)];
+      const Barycentric& xi = points[l];
       r.positions.row(p) = xi[0] * mesh_->positions().row(mesh_->faces()(f, 0)) +
                            xi[1] * mesh_->positions().row(mesh_->faces()(f, 1)) +
                            xi[2] * mesh_->positions().row(mesh_->faces()(f, 2));

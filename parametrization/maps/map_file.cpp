@@ -18,7 +18,7 @@ namespace {
 
 bool is_positive(const PolygonMesh& mesh, const std::vector<Index>& texture,
                  const std::array<int, 3>& triangle) {
-  const auto uv = [&](int k) { return mesh.texcoords[at(texture[at(triangle[at(k)])])]; };
+  const auto uv = [&](int k) { return mesh.texcoords[texture[triangle[k]]]; };
   return orientation(uv(0), uv(1), uv(2)) > 0;
 }
 
@@ -33,9 +33,9 @@ std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& mesh, std::size_
                        [&](const auto& t) { return is_positive(mesh, texture, t); });
   };
   std::vector<Vector3> in_space, in_plane;
-  for (const Index v : corners) in_space.push_back(mesh.positions[at(v)]);
+  for (const Index v : corners) in_space.push_back(mesh.positions[v]);
   for (const Index t : texture) {
-    const Vector2& uv = mesh.texcoords[at(t)];
+    const Vector2& uv = mesh.texcoords[t];
     in_plane.emplace_back(uv.x(), uv.y(), 0);
   }
   const auto of_shape = triangulate_polygon(in_space);
@@ -53,8 +53,8 @@ void mark_seams(const BezierMap& map, MapFile& file) {
       file.seam_edges(face_of(h), corner_of(h)) = edge.chain + 1;
   file.cone = Eigen::VectorXi::Zero(file.points.rows());
   for (Index v = 0; v < map.mesh().vertex_count(); ++v) {
-    const Index surface = seams.surface_vertex()[at(v)];
-    const int turns = seams.quarter_turns()[at(surface)];
+    const Index surface = seams.surface_vertex()[v];
+    const int turns = seams.quarter_turns()[surface];
     if (turns != 4) file.cone[v] = turns;
   }
 }
@@ -76,7 +76,7 @@ MapFile to_map_file(const BezierMap& map) {
     for (int l = 0; l < ix.count(); ++l) {
       Vector3 point = Vector3::Zero();
       for (int k = 0; k < 3; ++k)
-        point += ix.multi(l)[at(k)] * map.mesh().input_position(map.mesh().faces()(f, k));
+        point += ix.multi(l)[k] * map.mesh().input_position(map.mesh().faces()(f, k));
       file.points.row(space.cells()(f, l)) = point / map.degree();
     }
   }
@@ -108,7 +108,7 @@ MapFile to_map_file(const PolygonMesh& textured) {
     for (const auto& triangle : triangles_of(textured, p)) {
       std::array<Index, 3>& cell = cells.emplace_back();
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto corner = at(triangle[k]);
+        const auto corner = to_size(triangle[k]);
         cell[k] = point_of
                       .emplace(std::pair(corners[corner], texture[corner]),
                                static_cast<Index>(point_of.size()))
@@ -124,9 +124,9 @@ MapFile to_map_file(const PolygonMesh& textured) {
   file.input_vertex.resize(count);
   for (const auto& [key, point] : point_of) {
     if (file.uv_rounding.rows() > 0)
-      file.uv_rounding.row(point) = textured.texcoord_rounding[at(key.second)];
-    file.points.row(point) = textured.positions[at(key.first)];
-    file.uv.row(point) = textured.texcoords[at(key.second)];
+      file.uv_rounding.row(point) = textured.texcoord_rounding[key.second];
+    file.points.row(point) = textured.positions[key.first];
+    file.uv.row(point) = textured.texcoords[key.second];
     file.input_vertex[point] = key.first;
   }
   file.cells.resize(static_cast<Index>(cells.size()), 3);
@@ -137,12 +137,12 @@ MapFile to_map_file(const PolygonMesh& textured) {
 }
 
 Vec node_values(const MapFile& file, const BezierTriangleSpace& space, const std::string& name) {
-  std::vector<Index> point_of(at(space.node_count()), -1);
+  std::vector<Index> point_of(to_size(space.node_count()), -1);
   Vec x(2 * space.node_count());
   for (Index c = 0; c < file.cells.rows(); ++c)
     for (Index k = 0; k < file.cells.cols(); ++k) {
       const Index node = space.cells()(c, k), point = file.cells(c, k);
-      Index& first = point_of[at(node)];
+      Index& first = point_of[node];
       if (first >= 0 && file.uv.row(first) != file.uv.row(point))
         throw Error(ErrorKind::Invalid,
                     fmt::format("{}: cell {}: control point {} differs from the neighbouring "
@@ -189,7 +189,7 @@ MapFile to_map_file(const BezierMesh& mesh) {
   for (Index f = 0; f < mesh.face_count(); ++f)
     for (int l = 0; l < ix.count(); ++l) {
       Eigen::RowVector2d point = Eigen::RowVector2d::Zero();
-      for (int k = 0; k < 3; ++k) point += ix.multi(l)[at(k)] * file.uv.row(file.cells(f, k));
+      for (int k = 0; k < 3; ++k) point += ix.multi(l)[k] * file.uv.row(file.cells(f, k));
       file.points.row(file.cells(f, l)).head<2>() = point / mesh.degree;
     }
   return file;

@@ -63,8 +63,8 @@ std::vector<Index> vertex_components(const BezierTriangleSpace& space) {
   UnionFind components(space.vertex_count());
   for (Index f = 0; f < space.element_count(); ++f)
     for (const int k : {1, 2}) components.join(space.faces()(f, 0), space.faces()(f, k));
-  std::vector<Index> component(at(space.vertex_count()));
-  for (Index v = 0; v < space.vertex_count(); ++v) component[at(v)] = components.find(v);
+  std::vector<Index> component(to_size(space.vertex_count()));
+  for (Index v = 0; v < space.vertex_count(); ++v) component[v] = components.find(v);
   return component;
 }
 
@@ -78,23 +78,23 @@ std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTria
     return spec.part->ranks().any(held) ? std::vector<Index>{} : spec.part->gauge_vertex();
   }
   const std::vector<Index> component = vertex_components(space);
-  std::vector<char> is_held(at(space.vertex_count()), 0);
+  std::vector<char> is_held(to_size(space.vertex_count()), 0);
   std::vector<char> on_seam = is_held;
   for (const auto* points : {&spec.pins, &spec.handles})
-    for (const FixedPoint& p : *points) is_held[at(component[at(p.node)])] = 1;
+    for (const FixedPoint& p : *points) is_held[component[p.node]] = 1;
   if (spec.boundary == BoundaryCondition::Fixed)
     for (const Index node : boundary_nodes(space, seams_of(spec)))
-      if (node < space.vertex_count()) is_held[at(component[at(node)])] = 1;
+      if (node < space.vertex_count()) is_held[component[node]] = 1;
   for (const SeamEdge& edge : seams_of(spec).edges())
     for (const Index h : {edge.side, edge.opposite})
       for (const Index v : {from_vertex(space.faces(), h), to_vertex(space.faces(), h)})
-        on_seam[at(v)] = 1;
+        on_seam[v] = 1;
   // Off the seams first, where holding a point makes no fractions.
   std::vector<Index> gauge;
   for (const char allowed : {0, 1})
     for (Index v = 0; v < space.vertex_count(); ++v) {
-      char& held = is_held[at(component[at(v)])];
-      if (held || on_seam[at(v)] > allowed) continue;
+      char& held = is_held[component[v]];
+      if (held || on_seam[v] > allowed) continue;
       held = 1;
       gauge.push_back(v);
     }
@@ -171,7 +171,7 @@ Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
   TermState state;
   state.element_rule = rules;
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    const ChunkPlan plan(terms[k]->stencils(), rules);
+    const ColoredBatches plan(terms[k]->element_dofs(), rules);
     Vec values = spec.energy[k].weight * element_values(*terms[k], state, plan, x, stop);
     const Vec weight = weight_of_faces(spec, spec.energy[k], {});
     if (weight.size() > 0) values.array() *= weight.array();

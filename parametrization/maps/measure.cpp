@@ -53,7 +53,7 @@ class Measured {
 };
 
 std::vector<Index> all_faces(const RestShapes& rest) {
-  std::vector<Index> faces(at(static_cast<Index>(rest.measure.size())));
+  std::vector<Index> faces(to_size(static_cast<Index>(rest.measure.size())));
   std::iota(faces.begin(), faces.end(), 0);
   return faces;
 }

@@ -90,7 +90,7 @@ class Measurement {
     out_.area = rest.measure;
     for (Index f = 0; f < cells.rows(); ++f)
       if (!(rest.measure[f] > 0) || !rest.inverse.row(f).allFinite()) out_.area[f] = 0;
-    out_.samples.resize(at(points() * static_cast<Index>(cells_.rows())));
+    out_.samples.resize(to_size(points() * static_cast<Index>(cells_.rows())));
   }
 
   MapDistortion run() {
@@ -130,7 +130,7 @@ class Measurement {
     const PointDistortion d = distortion_of(scale_ * steps * rest_.inverse_of(f));
     const double l2 = d.stretch_l2();
     keep_face(f, {d.sigma_1, d.sigma_2, d.area(), d.angle(), l2 * l2}, d.sigma_2);
-    out_.samples[at(f)] = {d, out_.area[f]};
+    out_.samples[f] = {d, out_.area[f]};
   }
 
   Sigmas sigmas(const GradientTable& table, const std::vector<Index>& faces) const {
@@ -138,13 +138,13 @@ class Measurement {
     Eigen::MatrixXd x(cells_.cols(), 2 * count);
     for (Index b = 0; b < count; ++b)
       for (Index k = 0; k < cells_.cols(); ++k)
-        x.block<1, 2>(k, 2 * b) = x_.segment<2>(2 * cells_(faces[at(b)], k)).transpose();
+        x.block<1, 2>(k, 2 * b) = x_.segment<2>(2 * cells_(faces[b], k)).transpose();
     const Eigen::MatrixXd d = table.gradients * x;
     const Eigen::Index size = table.gradients.rows() / 2;
     Eigen::ArrayXXd sum(size, count), turn(size, count), difference(size, count),
         shear(size, count);  // of the entries of J: a + d, c - b, a - d, c + b
     for (Index b = 0; b < count; ++b) {
-      const Eigen::Matrix2d m = scale_ * rest_.inverse_of(faces[at(b)]);
+      const Eigen::Matrix2d m = scale_ * rest_.inverse_of(faces[b]);
       const auto u0 = d.col(2 * b).head(size), u1 = d.col(2 * b).tail(size),
                  v0 = d.col(2 * b + 1).head(size), v1 = d.col(2 * b + 1).tail(size);
       sum.col(b) = m(0, 0) * u0 + m(1, 0) * u1 + m(0, 1) * v0 + m(1, 1) * v1;
@@ -158,8 +158,8 @@ class Measurement {
   }
 
   void measure_curved(Index first, Index count) {
-    std::vector<Index> faces(at(count));
-    for (Index b = 0; b < count; ++b) faces[at(b)] = first + b;
+    std::vector<Index> faces(to_size(count));
+    for (Index b = 0; b < count; ++b) faces[b] = first + b;
     Eigen::ArrayXd least = Eigen::ArrayXd::Constant(count, std::numeric_limits<double>::infinity());
     for (const GradientTable& table : extremes_)
       least = sigmas(table, faces).second.colwise().minCoeff().transpose();
@@ -197,7 +197,7 @@ class Measurement {
   void keep_samples(Index first, const Sigmas& s) {
     for (Index b = 0; b < s.first.cols(); ++b)
       for (Index l = 0; l < points(); ++l)
-        out_.samples[at((first + b) * points() + l)] = {
+        out_.samples[(first + b) * points() + l] = {
             {s.first(l, b), s.second(l, b)}, tables_.front().weights[l] * out_.area[first + b]};
   }
 

@@ -29,7 +29,7 @@ std::vector<Index> number_vertices(const MapFile& map) {
   std::vector<Index> vertices(points, -1);
   const bool keep_numbers = knows_input_vertices(map);
   for (const Index point : map.cells.leftCols<3>().reshaped()) {
-    vertices[at(point)] = keep_numbers ? map.input_vertex[point] : 0;
+    vertices[point] = keep_numbers ? map.input_vertex[point] : 0;
   }
   if (!keep_numbers) {
     Index next = 0;
@@ -62,11 +62,11 @@ std::vector<Vector3> vertex_positions(const MapFile& file,
     throw Error(ErrorKind::Unreadable,
                 fmt::format("{}: input_vertex {} in a map of {} points; damaged file", name,
                             largest, file.points.rows()));
-  std::vector<Vector3> positions(at(largest) + 1, file.points.row(corners(0, 0)));
+  std::vector<Vector3> positions(to_size(largest) + 1, file.points.row(corners(0, 0)));
   std::vector<char> is_placed(positions.size(), 0);
   for (const Index point : corners.reshaped<Eigen::RowMajor>()) {
     const Vector3 position = file.points.row(point);
-    const auto v = at(vertex[point]);
+    const auto v = to_size(vertex[point]);
     if (is_placed[v] && positions[v] != position)
       throw Error(ErrorKind::Unreadable,
                   fmt::format("{}: input_vertex {} is at two places; damaged file", name, v));
@@ -92,7 +92,7 @@ PolygonMesh mesh_from_map(const MapFile& map, const std::string& file) {
     std::vector<Index> polygon(3);
     std::vector<Index> polygon_texcoords(3);
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto point = at(map.cells(cell, static_cast<Index>(k)));
+      const auto point = to_size(map.cells(cell, static_cast<Index>(k)));
       polygon[k] = vertices[point];
       polygon_texcoords[k] = texcoords[point];
     }

@@ -13,7 +13,7 @@ namespace {
 
 RestShapes shape_of(const RestTriangle& triangle, double scale) {
   Points3 corners = Points3::Zero(3, 3);
-  for (Index k = 0; k < 3; ++k) corners.row(k).head<2>() = scale * triangle.corners[at(k)];
+  for (Index k = 0; k < 3; ++k) corners.row(k).head<2>() = scale * triangle.corners[k];
   Cells face(1, 3);
   face << 0, 1, 2;
   return flat_triangles(corners, face);
@@ -25,12 +25,12 @@ RowMatrix in_frames(const SurfaceMesh& mesh, const Points3& vectors) {
   if (vectors.rows() != mesh.face_count())
     throw InvalidArgument(
         fmt::format("in_frames: {} vectors for {} faces", vectors.rows(), mesh.face_count()));
-  std::vector<char> has_plane(at(mesh.face_count()), 1);
-  for (const RestTriangle& triangle : mesh.rest_triangles()) has_plane[at(triangle.face)] = 0;
+  std::vector<char> has_plane(to_size(mesh.face_count()), 1);
+  for (const RestTriangle& triangle : mesh.rest_triangles()) has_plane[triangle.face] = 0;
   RowMatrix out(mesh.face_count(), 2);
   for (Index f = 0; f < mesh.face_count(); ++f) {
     out.row(f) << 1, 0;
-    if (!has_plane[at(f)]) continue;
+    if (!has_plane[f]) continue;
     const auto part = tangent_part(mesh.positions(), mesh.faces(), f, vectors.row(f));
     if (!part)
       throw InvalidArgument(fmt::format("in_frames: the vector of face {} has no tangent part", f));

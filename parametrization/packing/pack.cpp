@@ -9,9 +9,9 @@
 
 #include "majorant/certify/proven_distance.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/packing/internal/arrangement.h"
 #include "majorant/parametrization/packing/internal/nesting.h"
 #include "majorant/parametrization/packing/internal/packing_job.h"
+#include "majorant/parametrization/packing/internal/placements.h"
 #include "majorant/parametrization/packing/internal/raster.h"
 #include "majorant/parametrization/packing/internal/skyline.h"
 
@@ -69,7 +69,7 @@ LayoutMotion turned_further(const LayoutMotion& m, double angle, const Vector2& 
 
 struct Candidate {
   PackMethod method;
-  Arrangement arrangement;
+  Placements placements;
 };
 
 class Packer {
@@ -81,22 +81,22 @@ class Packer {
         least_distance_(charts.size() < 2
                             ? kLeastGap  // from whom?
                             : std::max(options.padding_pixels / options.resolution, kLeastGap)),
-        freedom_(charts.size(), Freedom::Any) {
+        freedom_(charts.size(), AllowedRotations::Any) {
     for (std::size_t k = 0; k < options.fixed.size(); ++k)
-      if (options.fixed[k]) freedom_[k] = Freedom::None;
+      if (options.fixed[k]) freedom_[k] = AllowedRotations::None;
   }
 
   // Starts over with less freedom for charts whose smallest faces rounding turns over.
   Packing pack() {
     if (!(least_distance_ < 1)) refuse_padding();
     for (;;) {
-      const std::vector<Freedom> freedom = freedom_;
+      const std::vector<AllowedRotations> freedom = freedom_;
       const PackingJob job =
           packing_job(charts_, freedom_, least_distance_ * (1 + kGapMargin), stop_);
       std::vector<Candidate> candidates = arrange(job);
       if (candidates.empty()) refuse_padding();
       std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-        return a.arrangement.side < b.arrangement.side;
+        return a.placements.side < b.placements.side;
       });
       for (const Candidate& candidate : candidates) {
         if (std::optional<Packing> packing = realized(job, candidate)) return std::move(*packing);
@@ -119,7 +119,7 @@ class Packer {
 
   std::vector<Candidate> arrange(const PackingJob& job) const {
     std::vector<Candidate> candidates;
-    const auto add = [&](PackMethod method, std::optional<Arrangement> found) {
+    const auto add = [&](PackMethod method, std::optional<Placements> found) {
       if (found) candidates.push_back({method, std::move(*found)});
     };
     const auto skyline = [&](double width) { return skyline_strip(job, width); };
@@ -127,14 +127,14 @@ class Packer {
         smallest_square(job, skyline,
                         {kFirstWidth * std::sqrt(job.area), kSkylineFactor, kSkylineTries}));
     if (candidates.empty()) return candidates;
-    const double of_boxes = candidates[0].arrangement.side;
+    const double of_boxes = candidates[0].placements.side;
     const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;
     const int tries = charts_.size() > kMany ? kFewTries : kTries;
     const auto raster = [&](double width) { return raster_strip(job, cells, width); };
     add(PackMethod::Raster,
         smallest_square(job, raster, {kRasterWidth * of_boxes, kFactor, tries}));
     if (charts_.size() > kMostNested || charts_.size() < 2) return candidates;
-    const double best = std::min(of_boxes, candidates.back().arrangement.side);
+    const double best = std::min(of_boxes, candidates.back().placements.side);
     const auto nesting = [&](double width) { return nested_strip(job, width); };
     add(PackMethod::Nesting,
         smallest_square(job, nesting, {kNestingWidth * best, kFactor, kTries, best}));
@@ -147,12 +147,13 @@ class Packer {
     packing.method = candidate.method;
     for (std::size_t k = 0; k < charts_.size(); ++k) {
       const std::optional<MovedLayout> moved =
-          freedom_[k] == Freedom::None
+          freedom_[k] == AllowedRotations::None
               ? MovedLayout{{charts_[k]}, {}}
-              : moved_layout({charts_[k]}, attempts(job, k, candidate.arrangement.spots[k]), {},
+              : moved_layout({charts_[k]}, attempts(job, k, candidate.placements.poses[k]), {},
                              stop_);
       if (!moved) {
-        freedom_[k] = freedom_[k] == Freedom::Any ? Freedom::QuarterTurns : Freedom::None;
+        freedom_[k] = freedom_[k] == AllowedRotations::Any ? AllowedRotations::QuarterTurns
+                                                           : AllowedRotations::None;
         continue;
       }
       packing.charts.push_back(moved->maps.front());
@@ -168,16 +169,16 @@ class Packer {
     return packing;
   }
 
-  // The motion to its spot, and turned a little further about the middle of the chart.
+  // The motion to its pose, and turned a little further about the middle of the chart.
   std::vector<LayoutMotion> attempts(const PackingJob& job, std::size_t chart,
-                                     const Spot& spot) const {
-    const Parcel& parcel = job.parcels[chart];
-    const double c = parcel.cosine, s = parcel.sine;
+                                     const Pose& pose) const {
+    const ChartOutline& outline = job.charts[chart];
+    const double c = outline.cosine, s = outline.sine;
     const Vector2 directions[4] = {{c, -s}, {-s, -c}, {-c, s}, {s, c}};
-    LayoutMotion there{directions[spot.quarters & 3]};
+    LayoutMotion there{directions[pose.quarters & 3]};
     // Where the origin of the turned chart comes to lie.
-    there.origin = -job.unit * (quarter_turned(-parcel.low, spot.quarters, parcel.size) + spot.low +
-                                job.corner);
+    there.origin = -job.unit * (quarter_turned(-outline.low, pose.quarters, outline.size) +
+                                pose.low + job.corner);
     const auto nodes =
         charts_[chart].control_points().reshaped(2, charts_[chart].space().node_count());
     const Vector2 middle = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
@@ -201,7 +202,7 @@ class Packer {
   const PackOptions& options_;
   const StopCheck& stop_;
   const double least_distance_;  // as a part of the side
-  std::vector<Freedom> freedom_;
+  std::vector<AllowedRotations> freedom_;
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ bool is_simple(const std::vector<Vector2>& corners) {
     boxes.push_back({corner(k).cwiseMin(corner(k + 1)), corner(k).cwiseMax(corner(k + 1))});
   bool result = true;
   BoxTree(boxes).visit_pairs([&](Index i, Index j) {
-    const std::size_t e = at(i), f = at(j);
+    const std::size_t e = to_size(i), f = to_size(j);
     if (f == e + 1)
       result = !segments_fold(corner(e), corner(f), corner(f + 1));
     else if (f + 1 == e + n)
@@ -64,7 +64,7 @@ std::size_t corner_at(const MapFile& map, Index point, const PolygonMesh& input,
     found = find([&](Index v) { return v == map.input_vertex[point]; });
   if (found == polygon.size()) {
     const Vector3 position = map.points.row(point).transpose();
-    found = find([&](Index v) { return input.positions[at(v)] == position; });
+    found = find([&](Index v) { return input.positions[v] == position; });
   }
   if (found == polygon.size())
     refuse_surface(fmt::format("map point {} is no corner of face {} of the input", point, face));
@@ -77,16 +77,16 @@ InputFaces find_input(const MapFile& map, const PolygonMesh& input, PolygonMesh&
   for (std::size_t c = 0; c < coarse.polygons.size(); ++c) {
     const auto cell = static_cast<Index>(coarse.polygon_lines[c] - 1);
     const Index face = map.input_face.size() == 0 ? cell : map.input_face[cell];
-    if (face < 0 || at(face) >= input.polygons.size())
+    if (face < 0 || to_size(face) >= input.polygons.size())
       refuse_surface(
           fmt::format("cell {} belongs to face {}, which the input does not have", cell, face));
-    faces.cells[at(face)].push_back(static_cast<Index>(c));
+    faces.cells[face].push_back(static_cast<Index>(c));
     faces.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       const Index point = map.cells(cell, static_cast<Index>(k));
       const std::span<const std::size_t> taken(faces.corners[c].data(), k);
-      faces.corners[c][k] = corner_at(map, point, input, at(face), taken);
-      coarse.polygons[c][k] = input.polygons[at(face)][faces.corners[c][k]];
+      faces.corners[c][k] = corner_at(map, point, input, to_size(face), taken);
+      coarse.polygons[c][k] = input.polygons[face][faces.corners[c][k]];
     }
   }
   coarse.positions = input.positions;
@@ -98,8 +98,8 @@ void add_triangle(const MapPieces& pieces, Index c, const MapPieces::Piece& piec
   mesh.polygons.emplace_back();
   mesh.polygon_texcoords.emplace_back();
   for (const int p : piece.corners) {
-    mesh.polygons.back().push_back(pieces.points(c)[at(p)].v);
-    mesh.polygon_texcoords.back().push_back(pieces.points(c)[at(p)].vt);
+    mesh.polygons.back().push_back(pieces.points(c)[p].v);
+    mesh.polygon_texcoords.back().push_back(pieces.points(c)[p].vt);
   }
 }
 
@@ -116,7 +116,7 @@ class PolygonTransfer {
     if (!input_.colors.empty()) add_colors();
     auto directive = input_.directives.begin();
     for (std::size_t face = 0; face < input_.polygons.size(); ++face) {
-      while (directive != input_.directives.end() && at(directive->first) <= face)
+      while (directive != input_.directives.end() && to_size(directive->first) <= face)
         keep_directive((directive++)->second);
       add_face(face);
     }
@@ -136,9 +136,9 @@ class PolygonTransfer {
         for (std::size_t k = 0; k < 3; ++k) {
           const double weight = points[p].xi[static_cast<Index>(k)];
           // Not of corners that the edge does not have: they may be without colour.
-          if (weight != 0) color += weight * input_.colors[at(points[k].v)];
+          if (weight != 0) color += weight * input_.colors[points[k].v];
         }
-        result_.colors[at(points[p].v)] = color;
+        result_.colors[points[p].v] = color;
       }
     }
   }
@@ -164,7 +164,7 @@ class PolygonTransfer {
 
   // Whether the map has the face with the other side up: its cells run backwards around it.
   bool is_turned(std::size_t face) const {
-    const auto& [a, b, c] = faces_.corners[at(faces_.cells[face].front())];
+    const auto& [a, b, c] = faces_.corners[faces_.cells[face].front()];
     return (a < b) + (b < c) + (c < a) == 1;
   }
 
@@ -181,7 +181,7 @@ class PolygonTransfer {
       is_whole &= pieces_.pieces(c).size() == 1;
       for (std::size_t k = 0; k < 3; ++k) {
         const Index vt = pieces_.points(c)[k].vt;
-        Index& texcoord = texcoords[faces_.corners[at(c)][k]];
+        Index& texcoord = texcoords[faces_.corners[c][k]];
         is_whole &= texcoord < 0 || texcoord == vt;  // else a cut runs through the polygon
         texcoord = vt;
       }
@@ -195,7 +195,7 @@ class PolygonTransfer {
     constexpr std::size_t kAlwaysSimple = 4;
     if (texcoords.size() <= kAlwaysSimple) return texcoords;
     std::vector<Vector2> uv;
-    for (const Index vt : texcoords) uv.push_back(pieces_.texcoords()[at(vt)]);
+    for (const Index vt : texcoords) uv.push_back(pieces_.texcoords()[vt]);
     return is_simple(uv) ? texcoords : std::vector<Index>();
   }
 
@@ -206,7 +206,7 @@ class PolygonTransfer {
       if (!has_normals()) continue;
       result_.polygon_normals.emplace_back();
       if (normals.empty()) continue;
-      for (const int p : piece.corners) result_.polygon_normals.back().push_back(normals[at(p)]);
+      for (const int p : piece.corners) result_.polygon_normals.back().push_back(normals[p]);
     }
   }
 
@@ -217,12 +217,12 @@ class PolygonTransfer {
     if (!has_normals() || input_.polygon_normals[face].empty()) return {};
     std::vector<Index> numbers;
     for (std::size_t k = 0; k < 3; ++k)
-      numbers.push_back(input_.polygon_normals[face][faces_.corners[at(c)][k]]);
+      numbers.push_back(input_.polygon_normals[face][faces_.corners[c][k]]);
     const auto& points = pieces_.points(c);
     for (std::size_t p = 3; p < points.size(); ++p) {
       Vector3 normal = Vector3::Zero();
       for (std::size_t k = 0; k < 3; ++k)
-        normal += points[p].xi[static_cast<Index>(k)] * input_.normals[at(numbers[k])];
+        normal += points[p].xi[static_cast<Index>(k)] * input_.normals[numbers[k]];
       numbers.push_back(static_cast<Index>(result_.normals.size()));
       result_.normals.push_back(normal.stableNormalized());
     }

@@ -32,12 +32,13 @@ std::array<Vector2, 3> BezierImage::last_triangle(Index cell, const Barycentric&
   thread_local std::vector<Vector2> b;
   b.resize(place_.size());
   for (std::size_t l = 0; l < place_.size(); ++l)
-    b[majorant::at(place_[l])] = map_.uv.row(map_.cells(cell, static_cast<Index>(l)));
+    b[majorant::to_size(place_[l])] = map_.uv.row(map_.cells(cell, static_cast<Index>(l)));
   // Row r holds r + 1 points; a small triangle is a point and the two below it.
   for (int n = map_.degree; n > 1; --n)
     for (int row = 0, first = 0; row < n; first += ++row)
       for (int k = 0; k <= row; ++k) {
-        const std::size_t top = majorant::at(first + k), below = majorant::at(first + row + 1 + k);
+        const std::size_t top = majorant::to_size(first + k),
+                          below = majorant::to_size(first + row + 1 + k);
         b[top] = xi[0] * b[top] + xi[1] * b[below] + xi[2] * b[below + 1];
       }
   return {b[0], b[1], b[2]};
@@ -54,7 +55,7 @@ BezierImage::Point BezierImage::at(Index cell, const Barycentric& xi) const {
   edges.col(0) = p - r;
   edges.col(1) = q - r;
   return {xi[0] * p + xi[1] * q + xi[2] * r,
-          distortion_of(scale_ * map_.degree * edges * rest_[majorant::at(cell)])};
+          distortion_of(scale_ * map_.degree * edges * rest_[majorant::to_size(cell)])};
 }
 
 }  // namespace majorant

@@ -12,11 +12,11 @@
 namespace majorant {
 namespace {
 
-constexpr int kMost = Chunk::kMaxSize;
+constexpr int kMost = ElementBatch::kMaxSize;
 
 }  // namespace
 
-// As many triangles (p0, p1, p2) = ((1, 0), (0, 1), (0, 0)) as a chunk takes, each on its own.
+// As many triangles (p0, p1, p2) = ((1, 0), (0, 1), (0, 0)) as a batch takes, each on its own.
 DensityProbe::DensityProbe(const EnergySum& energy) {
   if (knows_elements(energy))
     throw Error(ErrorKind::Usage,

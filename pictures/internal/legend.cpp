@@ -40,7 +40,7 @@ std::optional<Extremes> extremes_of(const MapFile& map, Quantity quantity) {
   const DensityProbe probe(quantity == Quantity::Density ? claimed_energy(map).sum : EnergySum());
   const std::vector<Barycentric> points = extreme_samples(map.degree);
   const auto faces = static_cast<Index>(map.cells.rows());
-  std::vector<Extremes> blocks(at(faces / kBlock + 1));
+  std::vector<Extremes> blocks(to_size(faces / kBlock + 1));
   ParallelErrors errors;
 #pragma omp parallel for schedule(dynamic)
   for (Index block = 0; block < static_cast<Index>(blocks.size()); ++block)
@@ -53,8 +53,8 @@ std::optional<Extremes> extremes_of(const MapFile& map, Quantity quantity) {
       std::vector<double> values(sigma.size());
       evaluate(quantity, probe, sigma, values);
       for (const double value : values) {
-        blocks[at(block)].smallest = std::min(blocks[at(block)].smallest, value);
-        blocks[at(block)].largest = std::max(blocks[at(block)].largest, value);
+        blocks[block].smallest = std::min(blocks[block].smallest, value);
+        blocks[block].largest = std::max(blocks[block].largest, value);
       }
     });
   errors.rethrow();

@@ -53,7 +53,8 @@ void refuse_unless(bool holds, const std::string& problem) {
 // Points of a map in the order of the page: those that are corners first, unused ones not at all.
 class PageOrder {
  public:
-  explicit PageOrder(const MapFile& map) : number_(at(static_cast<Index>(map.points.rows())), -1) {
+  explicit PageOrder(const MapFile& map)
+      : number_(to_size(static_cast<Index>(map.points.rows())), -1) {
     const Cells corners = map.cells.leftCols(3);
     add(corners);
     corner_count_ = static_cast<Index>(points_.size());
@@ -62,13 +63,13 @@ class PageOrder {
 
   Index corner_count() const { return corner_count_; }
   const std::vector<Index>& points() const { return points_; }  // of the map, by page number
-  Index number(Index point) const { return number_[at(point)]; }
+  Index number(Index point) const { return number_[point]; }
 
   // The map's rows of these points.
   template <class Array>
   Array rows(const Array& of_points, Index count) const {
     Array rows(count, of_points.cols());
-    for (Index p = 0; p < count; ++p) rows.row(p) = of_points.row(points_[at(p)]);
+    for (Index p = 0; p < count; ++p) rows.row(p) = of_points.row(points_[p]);
     return rows;
   }
 
@@ -76,7 +77,7 @@ class PageOrder {
   // By rising numbers of the map.
   void add(const Cells& cells) {
     std::vector<char> is_new(number_.size(), 0);
-    for (const Index point : cells.reshaped()) is_new[at(point)] = number_[at(point)] < 0;
+    for (const Index point : cells.reshaped()) is_new[point] = number_[point] < 0;
     for (std::size_t point = 0; point < is_new.size(); ++point) {
       if (!is_new[point]) continue;
       number_[point] = static_cast<Index>(points_.size());
@@ -120,7 +121,7 @@ Json cones_of(const MapFile& map, const PageOrder& order) {
   Json cones = Json::array();
   if (map.cone.size() == 0) return cones;
   for (Index corner = 0; corner < order.corner_count(); ++corner) {
-    const int turns = map.cone[order.points()[at(corner)]];
+    const int turns = map.cone[order.points()[corner]];
     if (turns != 0) cones.push_back({corner, turns});
   }
   return cones;
@@ -130,7 +131,7 @@ Json points_of(const MapPage& page, const PageOrder& order) {
   std::map<Index, std::vector<Index>> copies;
   for (Index corner = 0; corner < order.corner_count(); ++corner)
     if (page.map.input_vertex.size() > 0)
-      copies[page.map.input_vertex[order.points()[at(corner)]]].push_back(corner);
+      copies[page.map.input_vertex[order.points()[corner]]].push_back(corner);
   Json points = Json::array();
   for (const PagePoint& point : page.points) {
     const auto found = copies.find(point.vertex);

@@ -89,15 +89,15 @@ std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3&
   Vector2 left_low = Vector2::Constant(std::numeric_limits<double>::infinity());
   Vector2 right_high = -left_low;
   for (Index c = 0; c < map.cells.rows(); ++c) {
-    RasterTriangle& t = triangles[at(c)];
+    RasterTriangle& t = triangles[c];
     t.cell = c;
     for (Index k = 0; k < 3; ++k) {
       const Vector3 p = axes * ((Vector3(map.points.row(map.cells(c, k))) - middle) / radius);
-      t.corners[at(k)] = p.head<2>();
-      t.depth[at(k)] = p.z();
-      t.xi[at(k)] = Barycentric::Unit(k);
-      left_low = left_low.cwiseMin(t.corners[at(k)]);
-      right_high = right_high.cwiseMax(t.corners[at(k)]);
+      t.corners[k] = p.head<2>();
+      t.depth[k] = p.z();
+      t.xi[k] = Barycentric::Unit(k);
+      left_low = left_low.cwiseMin(t.corners[k]);
+      right_high = right_high.cwiseMax(t.corners[k]);
     }
   }
   const Frame frame(left_low, right_high, size);
@@ -157,11 +157,11 @@ std::vector<std::array<bool, 3>> cut_edges(const MapFile& map) {
   for (Index c = 0; c < map.cells.rows(); ++c)
     for (Index k = 0; k < 3; ++k)
       sides[ends(c, k)].emplace_back(std::minmax(map.cells(c, next(k)), map.cells(c, previous(k))));
-  std::vector<std::array<bool, 3>> cut(majorant::at(static_cast<Index>(map.cells.rows())));
+  std::vector<std::array<bool, 3>> cut(majorant::to_size(static_cast<Index>(map.cells.rows())));
   for (Index c = 0; c < map.cells.rows(); ++c)
     for (Index k = 0; k < 3; ++k) {
       const auto& same = sides.at(ends(c, k));
-      cut[majorant::at(c)][majorant::at(k)] =
+      cut[majorant::to_size(c)][majorant::to_size(k)] =
           std::any_of(same.begin(), same.end(), [&](const auto& side) { return side != same[0]; });
     }
   return cut;

@@ -19,7 +19,7 @@ class Band {
       : first_(first * kSamplesPerSide),
         rows_(std::min(kBand, size.height - first) * kSamplesPerSide),
         width_(size.width * kSamplesPerSide),
-        fragments_(static_cast<std::size_t>(rows_) * at(width_)),
+        fragments_(static_cast<std::size_t>(rows_) * to_size(width_)),
         depth_(fragments_.size(), -std::numeric_limits<double>::infinity()) {}
 
   void draw(const RasterTriangle& t) {
@@ -56,7 +56,7 @@ class Band {
   }
 
  private:
-  std::size_t place(int x, int y) const { return at(y) * at(width_) + at(x); }
+  std::size_t place(int x, int y) const { return to_size(y) * to_size(width_) + to_size(x); }
   static std::pair<int, int> range(const std::array<Vector2, 3>& p, int axis, int count) {
     const auto [low, high] = std::minmax({p[0][axis], p[1][axis], p[2][axis]});
     const double end = count - 1;
@@ -72,7 +72,7 @@ class Band {
 // Of every band the triangles that reach it, in order.
 std::vector<std::vector<Index>> by_band(const std::vector<RasterTriangle>& triangles,
                                         PixelSize size) {
-  std::vector<std::vector<Index>> bands(at((size.height + kBand - 1) / kBand));
+  std::vector<std::vector<Index>> bands(to_size((size.height + kBand - 1) / kBand));
   const double last = static_cast<double>(bands.size()) - 1;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
     const auto& p = triangles[k].corners;
@@ -96,7 +96,7 @@ void rasterize(const std::vector<RasterTriangle>& triangles, PixelSize size,
   for (Index b = 0; b < static_cast<Index>(bands.size()); ++b)
     errors.guard([&] {
       Band band(b * kBand, size);
-      for (const Index k : bands[at(b)]) band.draw(triangles[at(k)]);
+      for (const Index k : bands[b]) band.draw(triangles[k]);
       for (int y = 0; y < std::min(kBand, size.height - b * kBand); ++y)
         paint(b * kBand + y, band.row(y));
     });

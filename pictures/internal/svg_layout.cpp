@@ -34,7 +34,7 @@ SvgLayout::SvgLayout(const MapFile& map) : map_(map) {
   const Vector2 extent = (0.5 * high_ - 0.5 * low_).cwiseMax(1e-300);
   scale_ = std::min((kWidth - 2 * kMargin) / extent[0], kTallest / extent[1]);
   height_ = scale_ * extent[1] + 2 * kMargin;
-  for (int edge = 0; edge < 3; ++edge) edges_[at(edge)] = bezier_edge_points(map.degree, edge);
+  for (int edge = 0; edge < 3; ++edge) edges_[edge] = bezier_edge_points(map.degree, edge);
 }
 
 double SvgLayout::stroke_width() const {
@@ -68,7 +68,7 @@ void SvgLayout::add_point(char separator, const Vector2& point) {
 
 void SvgLayout::add_edge(const MapFile& other, Index cell, int edge) {
   std::vector<Vector2> control;
-  for (const int local : edges_[at(edge)])
+  for (const int local : edges_[edge])
     control.push_back(place(Vector2(other.uv.row(other.cells(cell, local)))));
   if (map_.degree > 3) {
     add_hermite_pieces(control);

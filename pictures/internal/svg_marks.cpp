@@ -136,7 +136,7 @@ bool has_charts(const MapFile& map) {
   return map.chart.size() > 0 && map.chart.minCoeff() != map.chart.maxCoeff();
 }
 
-const char* chart_color(Index chart) { return kColors[at(chart) % std::size(kColors)]; }
+const char* chart_color(Index chart) { return kColors[to_size(chart) % std::size(kColors)]; }
 
 void add_chart_outlines(SvgLayout& layout) {
   const MapFile& map = layout.map();

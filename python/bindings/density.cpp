@@ -100,29 +100,29 @@ void answer(const PythonDensity& density, Points& points, bool models) {
   copy_into(points.H, derivatives[1], n * kSize * kSize);
 }
 
-Points recorded(const ContractionView& table, const ChunkView& chunk, double* scratch) {
+Points recorded(const ContractionView& table, const BatchView& batch, double* scratch) {
   Points points;
   const JacobianFunction function = recorder(points);
-  double f[ChunkView::stride];
-  kernels().values(&function, table, chunk, scratch, f);
+  double f[BatchView::stride];
+  kernels().values(&function, table, batch, scratch, f);
   return points;
 }
 
-void values(const void* object, const ContractionView& table, const ChunkView& chunk,
+void values(const void* object, const ContractionView& table, const BatchView& batch,
             double* scratch, double* f) {
-  Points points = recorded(table, chunk, scratch);
+  Points points = recorded(table, batch, scratch);
   answer(*static_cast<const PythonDensity*>(object), points, false);
   const JacobianFunction function = player(points);
-  kernels().values(&function, table, chunk, scratch, f);
+  kernels().values(&function, table, batch, scratch, f);
 }
 
-void local(const void* object, const ContractionView& table, const ChunkView& chunk,
+void local(const void* object, const ContractionView& table, const BatchView& batch,
            BlendedCurvature curvature, double* scratch, double* f, double* gradient,
            double* hessian) {
-  Points points = recorded(table, chunk, scratch);
+  Points points = recorded(table, batch, scratch);
   answer(*static_cast<const PythonDensity*>(object), points, true);
   const JacobianFunction function = player(points);
-  kernels().local(&function, table, chunk, curvature, scratch, f, gradient, hessian);
+  kernels().local(&function, table, batch, curvature, scratch, f, gradient, hessian);
 }
 
 Barrier barrier_named(const std::string& name) {

@@ -1,6 +1,6 @@
 // Densities of the Jacobian in Python: a formula on arrays, everything else in C++.
 //
-// The kernels of the library run over a chunk of elements twice. The first time they see a density
+// The kernels of the library run over a batch of elements twice. The first time they see a density
 // that notes the Jacobians they come by and is 0; then Python is called once, with all of them; the
 // second time they see one that answers from what Python said. So a call of Python is paid once for
 // some thousand points, and element tables, contraction and packing stay ours.

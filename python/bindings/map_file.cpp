@@ -110,7 +110,7 @@ py::array multi_indices(int degree) {
   const auto indices = bezier_multi_indices(degree);
   Cells rows(indices.size(), 3);
   for (Index k = 0; k < rows.rows(); ++k)
-    for (Index corner = 0; corner < 3; ++corner) rows(k, corner) = indices[at(k)][at(corner)];
+    for (Index corner = 0; corner < 3; ++corner) rows(k, corner) = indices[k][corner];
   return moved(std::move(rows));
 }
 

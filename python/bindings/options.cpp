@@ -12,9 +12,9 @@ namespace majorant::python {
 namespace {
 
 // Rows of targets that are NaN: where the initial map has the vertex.
-std::vector<Pin> points(const py::dict& wishes, const char* name, const SurfaceMesh& mesh) {
-  if (wishes[name].is_none()) return {};
-  const auto [numbers, targets] = wish<std::pair<Integers, Doubles>>(wishes, name);
+std::vector<Pin> points(const py::dict& keywords, const char* name, const SurfaceMesh& mesh) {
+  if (keywords[name].is_none()) return {};
+  const auto [numbers, targets] = keyword<std::pair<Integers, Doubles>>(keywords, name);
   std::vector<Handle> handles;
   for (py::ssize_t k = 0; k < numbers.size(); ++k) {
     const Vector2 target(targets.at(k, 0), targets.at(k, 1));
@@ -24,18 +24,18 @@ std::vector<Pin> points(const py::dict& wishes, const char* name, const SurfaceM
 }
 
 // One a polygon.
-Vec face_weights(const py::dict& wishes, const SurfaceMesh& mesh) {
-  if (wishes["weights"].is_none()) return {};
-  const auto of_polygon = wish<Doubles>(wishes, "weights");
+Vec face_weights(const py::dict& keywords, const SurfaceMesh& mesh) {
+  if (keywords["weights"].is_none()) return {};
+  const auto of_polygon = keyword<Doubles>(keywords, "weights");
   Vec weights(mesh.face_count());
   for (Index f = 0; f < weights.size(); ++f) weights[f] = of_polygon.at(mesh.input_face(f));
   return weights;
 }
 
 template <class Choice>
-Choice pick(const py::dict& wishes, const char* name, std::string_view word, Choice yes,
+Choice pick(const py::dict& keywords, const char* name, std::string_view word, Choice yes,
             Choice no) {
-  return wish<std::string>(wishes, name) == word ? yes : no;
+  return keyword<std::string>(keywords, name) == word ? yes : no;
 }
 
 }  // namespace
@@ -52,28 +52,29 @@ EnergySum energy_sum(const py::handle& energies) {
   return sum;
 }
 
-ParametrizationOptions read_options(const py::dict& wishes, const SurfaceMesh& mesh) {
+ParametrizationOptions read_options(const py::dict& keywords, const SurfaceMesh& mesh) {
   ParametrizationOptions options;
   MapOptions& map = options.map;
-  map.energy = energy_sum(wishes["energies"]);
-  map.degree = wish<int>(wishes, "degree");
-  map.boundary = pick(wishes, "boundary", "fixed", BoundaryCondition::Fixed, map.boundary);
-  if (wish<bool>(wishes, "boundary_angles")) map.boundary_angles = BoundaryAngles::AtMostFullTurn;
-  if (wish<bool>(wishes, "bijective")) map.injectivity = MapInjectivity::Global;
-  map.pins = points(wishes, "pins", mesh);
-  map.handles = points(wishes, "handles", mesh);
-  map.handle_weight = wish<double>(wishes, "soft");
-  map.face_weight = face_weights(wishes, mesh);
+  map.energy = energy_sum(keywords["energies"]);
+  map.degree = keyword<int>(keywords, "degree");
+  map.boundary = pick(keywords, "boundary", "fixed", BoundaryCondition::Fixed, map.boundary);
+  if (keyword<bool>(keywords, "boundary_angles"))
+    map.boundary_angles = BoundaryAngles::AtMostFullTurn;
+  if (keyword<bool>(keywords, "bijective")) map.injectivity = MapInjectivity::Global;
+  map.pins = points(keywords, "pins", mesh);
+  map.handles = points(keywords, "handles", mesh);
+  map.handle_weight = keyword<double>(keywords, "soft");
+  map.face_weight = face_weights(keywords, mesh);
   for (const StartMethod method : {StartMethod::Tutte, StartMethod::Multiresolution})
-    map.start = pick(wishes, "init", start_name(method), method, map.start);
+    map.start = pick(keywords, "init", start_name(method), method, map.start);
   SolveOptions& solve = options.solve;
   for (const Curvature c : kCurvatures)
-    solve.curvature = pick(wishes, "curvature", curvature_name(c), c, solve.curvature);
-  solve.elevation = pick(wishes, "elevation", "direct", Elevation::Direct, solve.elevation);
-  solve.tolerance = wish<double>(wishes, "tolerance");
-  solve.quadrature_points = wish<int>(wishes, "quadrature");
-  if (wish<bool>(wishes, "improve_mesh")) solve.triangles = Triangles::Flipped;
-  solve.threads = wish<int>(wishes, "threads");
+    solve.curvature = pick(keywords, "curvature", curvature_name(c), c, solve.curvature);
+  solve.elevation = pick(keywords, "elevation", "direct", Elevation::Direct, solve.elevation);
+  solve.tolerance = keyword<double>(keywords, "tolerance");
+  solve.quadrature_points = keyword<int>(keywords, "quadrature");
+  if (keyword<bool>(keywords, "improve_mesh")) solve.triangles = Triangles::Flipped;
+  solve.threads = keyword<int>(keywords, "threads");
   return options;
 }
 

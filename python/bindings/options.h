@@ -7,15 +7,15 @@
 #include <pybind11/pybind11.h>
 
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant::python {
 
 namespace py = pybind11;
 
 template <class T>
-T wish(const py::dict& wishes, const char* name) {
-  return wishes[name].cast<T>();
+T keyword(const py::dict& keywords, const char* name) {
+  return keywords[name].cast<T>();
 }
 
 // [(name or density, weight), ...].
@@ -23,7 +23,7 @@ EnergySum energy_sum(const py::handle& energies);
 
 // mesh: what the vertices of pins and handles, which are those of the arrays, are looked up in: the
 // surface, or the surface of a start, cut open. Throws Error(Unsupported) for a vertex of no face.
-ParametrizationOptions read_options(const py::dict& wishes, const SurfaceMesh& mesh);
+ParametrizationOptions read_options(const py::dict& keywords, const SurfaceMesh& mesh);
 
 }  // namespace majorant::python
 

@@ -85,14 +85,14 @@ std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& n
   return [] { return make_direct_solver(); };
 }
 
-std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::dict& wishes,
+std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::dict& keywords,
                                            const StopCheck& stop) {
-  const auto tolerance = wish<std::optional<double>>(wishes, "tolerance");
+  const auto tolerance = keyword<std::optional<double>>(keywords, "tolerance");
   const auto fill = [&](auto options) {
-    options.curvature = curvature_named(wish<std::string>(wishes, "curvature"));
-    options.stopping.max_iterations = wish<int>(wishes, "max_iterations");
+    options.curvature = curvature_named(keyword<std::string>(keywords, "curvature"));
+    options.stopping.max_iterations = keyword<int>(keywords, "max_iterations");
     if (tolerance) options.stopping.relative_decrease = *tolerance;
-    options.linear_solver = solver_named(wish<std::string>(wishes, "linear_solver"));
+    options.linear_solver = solver_named(keyword<std::string>(keywords, "linear_solver"));
     options.stop = stop;
     return options;
   };
@@ -102,7 +102,7 @@ std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::di
     return std::make_unique<GradientFlowMinimizer>(fill(GradientFlowOptions()));
   CeresOptions options;
   if (name == "ceres-nlcg") options.method = CeresOptions::Method::NonlinearConjugateGradient;
-  options.max_iterations = wish<int>(wishes, "max_iterations");
+  options.max_iterations = keyword<int>(keywords, "max_iterations");
   options.function_tolerance = tolerance.value_or(options.function_tolerance);
   options.stop = stop;
   return std::make_unique<CeresMinimizer>(options);
@@ -119,9 +119,9 @@ py::dict as_dict(const IterationRecord& r) {
 }
 
 // (x, energy, status, message, [record, ...]); callback(record, x), as Run has it.
-py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& wishes,
+py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords,
                    const py::object& callback) {
-  Run run(wish<double>(wishes, "time_limit"), std::numeric_limits<int>::max(), py::none());
+  Run run(keyword<double>(keywords, "time_limit"), std::numeric_limits<int>::max(), py::none());
   const Problem& problem = p.built();
   const Vec start = matrix<Vec>(x0);
   const auto watch = [&](const IterationRecord& record, const Vec& y) {
@@ -133,8 +133,8 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& wishes,
     return ends ? Directive::Interrupt : run.record().directive();
   };
   const auto minimizer =
-      minimizer_named(wish<std::string>(wishes, "method"), wishes, run.record().stop());
-  const int threads = wish<int>(wishes, "threads");
+      minimizer_named(keyword<std::string>(keywords, "method"), keywords, run.record().stop());
+  const int threads = keyword<int>(keywords, "threads");
   const SolveResult result = run([&] {
     const ThreadCount count(threads);
     return minimizer->minimize(problem, problem.reduce(start), watch);
@@ -202,7 +202,7 @@ void bind_problems(py::module_& module) {
           py::arg("x"))
       .def("value", &value, py::arg("y"))
       .def("linearize", &linearize, py::arg("y"), py::arg("curvature"))
-      .def("minimize", &minimize, py::arg("x0"), py::arg("wishes"), py::arg("callback"));
+      .def("minimize", &minimize, py::arg("x0"), py::arg("keywords"), py::arg("callback"));
 }
 
 }  // namespace majorant::python

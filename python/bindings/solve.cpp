@@ -6,7 +6,7 @@
 
 #include "arrays.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/results/internal/map_job.h"
 #include "majorant/results/internal/solver_ladder.h"
 #include "map_file.h"
@@ -22,17 +22,18 @@ namespace {
 struct PythonJob {
   PythonJob(MapTask task, SharedPolygons polygons_, py::dict wishes_, const py::object& callback)
       : polygons(std::move(polygons_)),
-        wishes(std::move(wishes_)),
-        run(wish<double>(wishes, "time_limit"), wish<int>(wishes, "max_iterations"), callback),
+        keywords(std::move(wishes_)),
+        run(keyword<double>(keywords, "time_limit"), keyword<int>(keywords, "max_iterations"),
+            callback),
         job(task, run.record()) {
-    job.energy = wish<std::string>(wishes, "energy_text");
-    job.init = wish<std::string>(wishes, "init");
-    job.wishes = Json::parse(wish<std::string>(wishes, "as_json"));
+    job.energy = keyword<std::string>(keywords, "energy_text");
+    job.init = keyword<std::string>(keywords, "init");
+    job.asked = Json::parse(keyword<std::string>(keywords, "as_json"));
     job.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
   }
 
   SharedPolygons polygons;
-  py::dict wishes;
+  py::dict keywords;
   Run run;
   MapJob job;
 };
@@ -57,7 +58,7 @@ py::tuple solved(PythonJob& asked, const MakeStart& make_start) {
     make_start();
     return &job.mapped_mesh();
   });
-  job.options = read_options(asked.wishes, mapped);
+  job.options = read_options(asked.keywords, mapped);
   const bool has_initial = job.init == "input" && !job.start;
   asked.run([&] {
     if (has_initial) job.options.map.initial = texture_map(*job.mesh);
@@ -79,30 +80,30 @@ py::tuple solved(PythonJob& asked, const MakeStart& make_start) {
                         files.report);
 }
 
-py::tuple parametrize_mesh(SharedPolygons polygons, py::dict wishes, const py::object& callback) {
-  PythonJob asked(MapTask::Parametrize, std::move(polygons), std::move(wishes), callback);
-  const bool is_seamless = wish<bool>(asked.wishes, "seamless");
+py::tuple parametrize_mesh(SharedPolygons polygons, py::dict keywords, const py::object& callback) {
+  PythonJob asked(MapTask::Parametrize, std::move(polygons), std::move(keywords), callback);
+  const bool is_seamless = keyword<bool>(asked.keywords, "seamless");
   return solved(asked, [&] {
     if (is_seamless) asked.job.start_from_texture();
   });
 }
 
-py::tuple seamless_mesh(SharedPolygons polygons, py::dict wishes, const py::object& callback) {
-  PythonJob asked(MapTask::Seamless, std::move(polygons), std::move(wishes), callback);
+py::tuple seamless_mesh(SharedPolygons polygons, py::dict keywords, const py::object& callback) {
+  PythonJob asked(MapTask::Seamless, std::move(polygons), std::move(keywords), callback);
   SeamlessOptions options;
-  options.method = method_called(wish<std::string>(asked.wishes, "start"));
-  options.field.curvature_weight = wish<double>(asked.wishes, "curvature_alignment");
-  options.threads = wish<int>(asked.wishes, "threads");
+  options.method = method_called(keyword<std::string>(asked.keywords, "start"));
+  options.field.curvature_weight = keyword<double>(asked.keywords, "curvature_alignment");
+  options.threads = keyword<int>(asked.keywords, "threads");
   using Cones = std::optional<std::vector<std::pair<Index, int>>>;
-  if (const auto cones = wish<Cones>(asked.wishes, "cones")) {
+  if (const auto cones = keyword<Cones>(asked.keywords, "cones")) {
     options.cones.emplace();
     for (const auto& [vertex, turns] : *cones) options.cones->push_back({vertex, turns});
   }
   return solved(asked, [&] { asked.job.start_seamless(options, "cones"); });
 }
 
-py::tuple deform_mesh(SharedPolygons polygons, py::dict wishes, const py::object& callback) {
-  PythonJob asked(MapTask::Deform, std::move(polygons), std::move(wishes), callback);
+py::tuple deform_mesh(SharedPolygons polygons, py::dict keywords, const py::object& callback) {
+  PythonJob asked(MapTask::Deform, std::move(polygons), std::move(keywords), callback);
   return solved(asked, [&] { asked.job.start_in_plane(); });
 }
 
@@ -110,7 +111,7 @@ py::tuple deform_mesh(SharedPolygons polygons, py::dict wishes, const py::object
 
 void bind_solvers(py::module_& module) {
   const auto add = [&](const char* name, auto solver) {
-    module.def(name, solver, py::arg("mesh"), py::arg("wishes"), py::arg("callback"));
+    module.def(name, solver, py::arg("mesh"), py::arg("keywords"), py::arg("callback"));
   };
   add("parametrize", &parametrize_mesh);
   add("seamless", &seamless_mesh);

@@ -5,7 +5,7 @@
 
 namespace majorant::python {
 
-// Registers parametrize, seamless, deform and unwrap. Each takes a Mesh, wishes (options.h) and a
+// Registers parametrize, seamless, deform and unwrap. Each takes a Mesh, keywords (options.h) and a
 // callback, and returns
 //     (MapFile, Mesh, promise, input, status, message, report)
 // for Python to make a Map of: the mesh as writers want it, what files must be proven to be,

@@ -11,9 +11,9 @@
 #include "kept.h"
 #include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
+#include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
-#include "majorant/parametrization/starts/tutte.h"
 #include "majorant/terms/linear_term.h"
 #include "mesh.h"
 #include "options.h"
@@ -86,40 +86,42 @@ Term linear(const Doubles& coefficients) {
   return {linear_term("linear", matrix<Vec>(coefficients))};
 }
 
-// sum over elements of f(the element's unknowns), f in Python, a chunk at a time.
+// sum over elements of f(the element's unknowns), f in Python, a batch at a time.
 class PythonTerm final : public EnergyTerm {
  public:
-  PythonTerm(std::string name, Stencils stencils, py::object function)
-      : name_(std::move(name)), stencils_(std::move(stencils)), function_(std::move(function)) {}
+  PythonTerm(std::string name, ElementDofs element_dofs, py::object function)
+      : name_(std::move(name)),
+        element_dofs_(std::move(element_dofs)),
+        function_(std::move(function)) {}
 
   std::string_view name() const override { return name_; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature c) const override {
     return c == Curvature::Exact || c == Curvature::Projected;
   }
 
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
     const py::gil_scoped_acquire lock;
-    const Doubles found = ask("evaluate", x, chunk).cast<Doubles>();
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[p] = finite(found.at(p));
+    const Doubles found = ask("evaluate", x, batch).cast<Doubles>();
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) f[p] = finite(found.at(p));
   }
 
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState&, Workspace&,
-             LocalSystem& out) const override {
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState&,
+             Workspace&, LocalSystem& out) const override {
     const py::gil_scoped_acquire lock;
-    const int n = stencils_.local_size();
-    const Doubles value = ask("evaluate", x, chunk).cast<Doubles>();
-    const py::tuple derivatives = ask("differentiate", x, chunk);
+    const int n = element_dofs_.local_size();
+    const Doubles value = ask("evaluate", x, batch).cast<Doubles>();
+    const py::tuple derivatives = ask("differentiate", x, batch);
     const Doubles gradient = derivatives[0].cast<Doubles>();
     const Doubles hessian = derivatives[1].cast<Doubles>();
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
       out.value[p] = finite(value.at(p));
       for (int i = 0; i < n; ++i)
         out.gradient[static_cast<std::size_t>(i) * LocalSystem::stride + p] = gradient.at(p, i);
       if (!out.hessian) continue;
       Eigen::MatrixXd H = Eigen::Map<const RowMatrix>(hessian.data(p), n, n);
-      if (curvature.clamp > 0) clamp(H, curvature.clamp);
+      if (curvature.projection_weight > 0) clamp(H, curvature.projection_weight);
       for (int i = 0, k = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j, ++k)
           out.hessian[static_cast<std::size_t>(k) * LocalSystem::stride + p] = H(i, j);
@@ -131,37 +133,38 @@ class PythonTerm final : public EnergyTerm {
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   }
 
-  static void clamp(Eigen::MatrixXd& H, double clamp) {
+  static void clamp(Eigen::MatrixXd& H, double projection_weight) {
     const SymmetricEigen eigen = symmetric_eigen(H);
     const Vec& l = eigen.values;
     if (l.size() == 0 || l[0] >= 0) return;
-    H = eigen.vectors * l.cwiseMax((1 - clamp) * l).asDiagonal() * eigen.vectors.transpose();
+    H = eigen.vectors * l.cwiseMax((1 - projection_weight) * l).asDiagonal() *
+        eigen.vectors.transpose();
   }
 
-  // The chunk's unknowns, an element a row, and the elements' numbers.
-  py::object ask(const char* what, VecIn x, const Chunk& chunk) const {
-    const int n = stencils_.local_size(), block = stencils_.block;
-    const auto count = static_cast<py::ssize_t>(chunk.elements.size());
+  // The batch's unknowns, an element a row, and the elements' numbers.
+  py::object ask(const char* what, VecIn x, const ElementBatch& batch) const {
+    const int n = element_dofs_.local_size(), block = element_dofs_.block;
+    const auto count = static_cast<py::ssize_t>(batch.elements.size());
     py::array_t<double> unknowns({count, static_cast<py::ssize_t>(n)});
     Integers elements(count);
     for (py::ssize_t p = 0; p < count; ++p) {
-      const Index e = chunk.elements[static_cast<std::size_t>(p)];
+      const Index e = batch.elements[static_cast<std::size_t>(p)];
       elements.mutable_at(p) = e;
       for (int k = 0; k < n; ++k)
-        unknowns.mutable_at(p, k) = x[block * stencils_.nodes(e, k / block) + k % block];
+        unknowns.mutable_at(p, k) = x[block * element_dofs_.nodes(e, k / block) + k % block];
     }
     return function_.get().attr(what)(unknowns, elements);
   }
 
   std::string name_;
-  Stencils stencils_;
+  ElementDofs element_dofs_;
   Kept function_;
 };
 
 Term element_term(const std::string& name, const Integers& nodes, int block,
                   const py::object& function) {
   return {
-      std::make_shared<const PythonTerm>(name, Stencils{matrix<Cells>(nodes), block}, function)};
+      std::make_shared<const PythonTerm>(name, ElementDofs{matrix<Cells>(nodes), block}, function)};
 }
 
 }  // namespace

@@ -16,19 +16,19 @@
 namespace majorant::python {
 namespace {
 
-CutOptions cut_options(const py::dict& wishes) {
+CutOptions cut_options(const py::dict& keywords) {
   CutOptions cuts;
   using Number = std::optional<double>;
-  cuts.max_stretch = wish<Number>(wishes, "max_stretch").value_or(cuts.max_stretch);
-  const auto method = wish<std::string>(wishes, "cut_method");
+  cuts.max_stretch = keyword<Number>(keywords, "max_stretch").value_or(cuts.max_stretch);
+  const auto method = keyword<std::string>(keywords, "cut_method");
   if (method == "uv") cuts.method = CutMethod::Texture;
   if (method == "sharp") cuts.method = CutMethod::Sharp;
   if (method == "sharp")
-    cuts.sharp_angle = wish<Number>(wishes, "sharp_angle").value_or(cuts.sharp_angle);
+    cuts.sharp_angle = keyword<Number>(keywords, "sharp_angle").value_or(cuts.sharp_angle);
   if (method != "edges") return cuts;
   cuts.method = CutMethod::Given;
   cuts.edges_source = "seams";
-  cuts.edges = wish<std::vector<std::array<Index, 2>>>(wishes, "cut_edges");
+  cuts.edges = keyword<std::vector<std::array<Index, 2>>>(keywords, "cut_edges");
   return cuts;
 }
 
@@ -40,13 +40,15 @@ std::string message_of(const Atlas& atlas) {
 
 }  // namespace
 
-py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& wishes,
+py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
                       const py::object& callback) {
-  Run run(wish<double>(wishes, "time_limit"), wish<int>(wishes, "max_iterations"), callback);
+  Run run(keyword<double>(keywords, "time_limit"), keyword<int>(keywords, "max_iterations"),
+          callback);
   AtlasJob job(run.record());
   RepairOptions how;
-  how.weld = wish<std::optional<double>>(wishes, "weld");
-  const bool is_strict = wish<bool>(wishes, "strict"), normalizes = wish<bool>(wishes, "normalize");
+  how.weld = keyword<std::optional<double>>(keywords, "weld");
+  const bool is_strict = keyword<bool>(keywords, "strict"),
+             normalizes = keyword<bool>(keywords, "normalize");
   run([&] {
     job.open(*given, how);
     return true;
@@ -54,15 +56,15 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& wishes,
   if (const Repair* const first = job.first_repair(); first && is_strict)
     throw Error(ErrorKind::Unsupported, describe(*first) + "; strict=False repairs it so");
   job.read_seconds = job.record.seconds();
-  job.energy = wish<std::string>(wishes, "energy_text");
-  job.wishes = Json::parse(wish<std::string>(wishes, "as_json"));
+  job.energy = keyword<std::string>(keywords, "energy_text");
+  job.asked = Json::parse(keyword<std::string>(keywords, "as_json"));
   job.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
-  job.options.cuts = cut_options(wishes);
+  job.options.cuts = cut_options(keywords);
   job.options.packing.reset();
-  if (wish<bool>(wishes, "pack"))
-    job.options.packing = PackOptions{.padding_pixels = wish<double>(wishes, "padding"),
-                                      .resolution = wish<double>(wishes, "resolution")};
-  job.options.chart = read_options(wishes, *job.surface.mesh);
+  if (keyword<bool>(keywords, "pack"))
+    job.options.packing = PackOptions{.padding_pixels = keyword<double>(keywords, "padding"),
+                                      .resolution = keyword<double>(keywords, "resolution")};
+  job.options.chart = read_options(keywords, *job.surface.mesh);
 
   const bool is_placed = run([&] {
     job.solve();

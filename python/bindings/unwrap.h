@@ -8,7 +8,7 @@
 namespace majorant::python {
 
 // As the other solvers (solve.h).
-pybind11::tuple unwrap_mesh(const SharedPolygons& polygons, const pybind11::dict& wishes,
+pybind11::tuple unwrap_mesh(const SharedPolygons& polygons, const pybind11::dict& keywords,
                             const pybind11::object& callback);
 
 }  // namespace majorant::python

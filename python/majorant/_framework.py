@@ -278,7 +278,7 @@ class Problem:
         something true ends the run.
         """
         limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
-        wishes = {
+        keywords = {
             'method': _options.choice('method', method, _METHODS),
             'curvature': _curvature(curvature),
             'linear_solver': _options.choice('linear_solver', linear_solver, ('direct', 'eigen')),
@@ -287,7 +287,7 @@ class Problem:
             'time_limit': limit,
             'threads': _options.integer('threads', threads, 0, 1024),
         }
-        return Solution(*self._core.minimize(_arrays.floats('x0', x0, (self.full_size,)), wishes,
+        return Solution(*self._core.minimize(_arrays.floats('x0', x0, (self.full_size,)), keywords,
                                              _options.callback(callback)))
 
 

@@ -277,7 +277,7 @@ def kernels() -> dict[str, str]:
 def _solve(solver: Callable[..., tuple], mesh: _core.Mesh, said: dict[str, Any],
            extra: dict[str, Any] | None = None) -> Map:
     callback = _options.callback(said.pop('callback'))
-    return Map(*solver(mesh, {**_options.wishes(mesh, said), **(extra or {})}, callback))
+    return Map(*solver(mesh, {**_options.keywords(mesh, said), **(extra or {})}, callback))
 
 
 def _cones(cones: Any, vertices: int) -> list[tuple[int, int]]:

@@ -89,7 +89,7 @@ def _summand(text: str, weight: str | None, name: str) -> tuple[str, float]:
     return name, number(f"weight of '{name}'", weight, 1 / LARGEST, LARGEST, zero=True)
 
 
-def wishes(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
+def keywords(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
     """What the solvers of the module take. said: arguments by name; what is not said has no effect
     in the function that does not take it."""
     vertices = len(mesh.positions)

@@ -52,7 +52,7 @@ std::string claims(const AtlasJob& job, const MapFile& file) {
               {"pins", pins_section(job)},
               {"other_triangles", false},
               {"cuts", unshared_edges(file, job.polygons->file)},
-              {"options", job.wishes}};
+              {"options", job.asked}};
   if (!is_measured_anew(job)) claims.erase("value");
   if (job.energy.empty()) {  // nobody else could tell
     claims.erase("energy");
@@ -221,7 +221,7 @@ Json atlas_report(const AtlasJob& job) {
               {"warnings", job.polygons->warnings},
               {"input", input_section(*job.polygons, *job.surface.mesh)},
               {"repairs", repairs_section(job.surface)},
-              {"options", job.wishes},
+              {"options", job.asked},
               {"result", result_section(job)},
               {"charts", charts_section(atlas)},
               {"outputs", nullptr},

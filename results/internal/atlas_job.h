@@ -38,8 +38,8 @@ struct AtlasJob {
   void prove();
 
   RunRecord& record;
-  std::string energy = {};       // as said; empty: one without a name
-  Json wishes = Json::object();  // likewise, all of it, for reports and claims
+  std::string energy = {};      // as said; empty: one without a name
+  Json asked = Json::object();  // likewise, all of it, for reports and claims
 
   std::shared_ptr<PolygonMesh> polygons;  // as with_welded_vertices() has them
   RepairedSurface surface;

@@ -12,8 +12,8 @@
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/mesh/internal/geometry.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/starts/texture_seams.h"
-#include "majorant/parametrization/starts/tutte.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/results/internal/check_seams.h"
 
 namespace majorant {

@@ -9,7 +9,7 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
 
 namespace majorant {
 namespace {

@@ -28,15 +28,15 @@ constexpr std::size_t kFactorBytesOfEntry = 120;
 
 FactorSize factor_size_at_most(const SurfaceMesh& mesh, int degree) {
   const auto local = static_cast<std::size_t>((degree + 1) * (degree + 2));
-  const std::size_t entries = at(mesh.face_count()) * (local * (local + 1) / 2);
+  const std::size_t entries = to_size(mesh.face_count()) * (local * (local + 1) / 2);
   return {kFactorBytesOfEntry * entries, entries};
 }
 
 FactorSize factor_size(const SurfaceMesh& mesh, int degree) {
   const BezierTriangleSpace space(mesh.faces(), mesh.vertex_count(), degree);
-  const Stencils stencils{space.cells(), 2};
+  const ElementDofs element_dofs{space.cells(), 2};
   const SparsePattern pattern =
-      reduced_pattern({&stencils}, Elimination(2 * space.node_count(), ConstraintRows{}));
+      reduced_pattern({&element_dofs}, Elimination(2 * space.node_count(), ConstraintRows{}));
   const auto solver = make_direct_solver();
   solver->analyze(pattern);
   return {solver->bytes(), pattern.rows.size()};

@@ -5,8 +5,8 @@
 #include "majorant/certify/cut_map.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/parametrization/drive/deform.h"
-#include "majorant/parametrization/starts/texture_seams.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/solve/deform.h"
 #include "majorant/results/internal/global_verdict.h"
 #include "majorant/results/internal/input_points.h"
 #include "majorant/results/internal/write_map.h"
@@ -69,7 +69,7 @@ std::string claims(const MapJob& job, const MapFile& file) {
               {"pins", pins},
               {"other_triangles", job.result.other_triangles},
               {"cuts", unshared_edges(file, job.polygons->file)},
-              {"options", job.wishes}};
+              {"options", job.asked}};
   if (job.result.measures.cut_short) claims.erase("value");  // not good enough to be claimed
   if (job.energy.empty()) {                                  // nobody else could tell
     claims.erase("energy");
@@ -249,7 +249,7 @@ Json map_report(const MapJob& job) {
               {"message", r.message},
               {"warnings", job.polygons->warnings},
               {"input", input_section(*job.polygons, *job.mesh)},
-              {"options", job.wishes},
+              {"options", job.asked},
               {"result", result_section(job)},
               {"outputs", nullptr},
               {"iterations", iterations_section(job.record.trace())},

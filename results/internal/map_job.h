@@ -22,10 +22,10 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/certify/moved_layout.h"
-#include "majorant/parametrization/cuts/choose_cuts.h"
-#include "majorant/parametrization/drive/parametrize.h"
-#include "majorant/parametrization/starts/make_seamless.h"
-#include "majorant/parametrization/starts/start.h"
+#include "majorant/parametrization/initialization/make_seamless.h"
+#include "majorant/parametrization/initialization/start.h"
+#include "majorant/parametrization/seams/choose_cuts.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/pictures/film.h"
 #include "majorant/results/internal/report.h"
 
@@ -48,7 +48,7 @@ enum class Turned { Held, Free, Required };
 // solve() is optional: majorant-mpi solves on several processes what it has opened on one.
 struct MapJob {
   // record: outlives the job.
-  MapJob(MapTask asked, RunRecord& of_run) : task(asked), record(of_run) {}
+  MapJob(MapTask kind, RunRecord& of_run) : task(kind), record(of_run) {}
   MapJob(const MapJob&) = delete;  // films are told of by address
   MapJob& operator=(const MapJob&) = delete;
 
@@ -83,9 +83,9 @@ struct MapJob {
 
   MapTask task;
   RunRecord& record;
-  std::string energy = {};       // as said; empty: one without a name
-  std::string init = "auto";     // likewise, or what the start was made from
-  Json wishes = Json::object();  // likewise, all of it, for reports and claims
+  std::string energy = {};      // as said; empty: one without a name
+  std::string init = "auto";    // likewise, or what the start was made from
+  Json asked = Json::object();  // likewise, all of it, for reports and claims
 
   std::shared_ptr<const PolygonMesh> polygons;
   std::shared_ptr<const SurfaceMesh> mesh;  // of these, not cut

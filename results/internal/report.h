@@ -8,8 +8,8 @@
 #include "majorant/framework/run_record.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/cuts/choose_cuts.h"
 #include "majorant/parametrization/maps/measure.h"
+#include "majorant/parametrization/seams/choose_cuts.h"
 
 namespace majorant {
 

@@ -34,44 +34,44 @@ class ElementTerm final : public EnergyTerm {
   static constexpr int N = Model::nodes, Block = Model::block, size = N * Block;
 
   ElementTerm(std::string name, Cells nodes, Model model)
-      : name_(std::move(name)), stencils_{std::move(nodes), Block}, model_(std::move(model)) {
-    if (stencils_.nodes.cols() != N)
+      : name_(std::move(name)), element_dofs_{std::move(nodes), Block}, model_(std::move(model)) {
+    if (element_dofs_.nodes.cols() != N)
       throw InvalidArgument("term '" + name_ + "': its lambda takes " + std::to_string(N) +
-                            " nodes, the list has " + std::to_string(stencils_.nodes.cols()) +
+                            " nodes, the list has " + std::to_string(element_dofs_.nodes.cols()) +
                             " columns");
   }
 
   std::string_view name() const override { return name_; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature curvature) const override { return model_.supports(curvature); }
 
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
     NodeValues<double, Block, N> z;
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
       for_each_unknown(e, [&](int k, Index unknown) { z(k % Block, k / Block) = x[unknown]; });
       f[p] = inside_domain(model_.value(e, z));
     }
   }
 
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState&, Workspace&,
-             LocalSystem& out) const override {
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState&,
+             Workspace&, LocalSystem& out) const override {
     if (out.hessian)
-      differentiate<Dual2<double, size>>(x, chunk, curvature, out);
+      differentiate<Dual2<double, size>>(x, batch, curvature, out);
     else
-      differentiate<Dual1<double, size>>(x, chunk, curvature, out);
+      differentiate<Dual1<double, size>>(x, batch, curvature, out);
   }
 
  private:
   template <class Variable>
-  void differentiate(VecIn x, const Chunk& chunk, BlendedCurvature curvature,
+  void differentiate(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
                      LocalSystem& out) const {
     constexpr std::size_t stride = LocalSystem::stride;
     NodeValues<Variable, Block, N> z;
     for (int k = 0; k < size; ++k) z(k % Block, k / Block) = Variable::variable(0, k);
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
       for_each_unknown(e, [&](int k, Index unknown) { z(k % Block, k / Block).v = x[unknown]; });
       const Variable result = model_.model(e, z, curvature);
       out.value[p] = inside_domain(result.v);
@@ -82,14 +82,14 @@ class ElementTerm final : public EnergyTerm {
   template <class Visit>
   void for_each_unknown(Index e, const Visit& visit) const {
     for (int i = 0, k = 0; i < N; ++i)
-      for (int c = 0; c < Block; ++c, ++k) visit(k, Block * stencils_.nodes(e, i) + c);
+      for (int c = 0; c < Block; ++c, ++k) visit(k, Block * element_dofs_.nodes(e, i) + c);
   }
   static double inside_domain(double f) {
     return std::isnan(f) ? std::numeric_limits<double>::infinity() : f;
   }
 
   std::string name_;
-  Stencils stencils_;
+  ElementDofs element_dofs_;
   Model model_;
 };
 

@@ -17,7 +17,7 @@
 
 #include "expected_error.h"
 #include "majorant/adapters/eigen.h"
-#include "majorant/parametrization/starts/make_seamless.h"
+#include "majorant/parametrization/initialization/make_seamless.h"
 
 namespace majorant {
 namespace {
@@ -85,10 +85,10 @@ TEST(CornerUv, RefusesOtherMeshesAndPolygonsThatASeamCrosses) {
   expect_contains(error_message(ErrorKind::Usage, [&] { corner_uv(other, map); }),
                   {"the face lacks this vertex"});
 
-  std::vector<char> is_cut(at(mesh->half_edge_count()), 0);
+  std::vector<char> is_cut(to_size(mesh->half_edge_count()), 0);
   for (Index h = 0; h < mesh->half_edge_count(); ++h)
     if (const Index o = mesh->opposite(h); o >= 0 && mesh->input_face(h / 3) == 0)
-      is_cut[at(h)] = is_cut[at(o)] = mesh->input_face(o / 3) == 0;
+      is_cut[h] = is_cut[o] = mesh->input_face(o / 3) == 0;
   const auto cut = std::make_shared<const SurfaceMesh>(mesh->cut_along(is_cut, nullptr));
   Vec uv = Vec::Zero(2 * cut->vertex_count());
   for (Index v = 0; v < cut->vertex_count(); ++v) uv[2 * v] = v;  // copies apart
@@ -169,7 +169,7 @@ TEST(OpenMesh, TexcoordsBeforeAndAfterGarbageCollection) {
         const Index of_corner =
             static_cast<Index>(std::find(place.begin(), place.end(), h.to().idx()) - place.begin());
         // Which corner a face begins with is OpenMesh's choice, and may change what it is cut into.
-        EXPECT_EQ(here, corner_uv(polygons_of(mesh), *result.map)[polygon][at(of_corner)]);
+        EXPECT_EQ(here, corner_uv(polygons_of(mesh), *result.map)[polygon][of_corner]);
         if (!collects) {
           EXPECT_NEAR((here - uv_at(uv, polygon, h.to().idx())).norm(), 0, 1e-6);
         }

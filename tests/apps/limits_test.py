@@ -46,6 +46,11 @@ class Limits(CommandTest):
             self.assertLessEqual(len(data['iterations']), 1)
             self.assertEqual(data['result']['degree'], degree)
 
+    def test_what_is_moved_after_the_limit_is_proven_nevertheless(self):
+        for flag in ('--normalize', '--align'):
+            data = self.stops('time_limit', '--time-limit', '0', '--degree', '2', flag)
+            self.assertEqual(data['result']['degree'], 2)
+
     def test_fixed_boundary_and_pins_hold_at_a_limit(self):
         pins = self.write('pins.json', '{"handles": [{"vertex": 100, "target": "initial"}]}')
         for n in (1, 4):

@@ -11,8 +11,8 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/parametrization/starts/texture_seams.h"
 
 namespace majorant {
 namespace {

@@ -162,17 +162,17 @@ BezierMap two_pieces(const std::function<bool(const Vector3&)>& second,
     for (Index k = 0; k < 3; ++k) center += whole->positions().row(whole->faces()(face, k)) / 3;
     return second(center);
   };
-  std::vector<char> cut(at(whole->half_edge_count()), 0);
+  std::vector<char> cut(to_size(whole->half_edge_count()), 0);
   for (Index h = 0; h < whole->half_edge_count(); ++h)
-    cut[at(h)] = whole->opposite(h) >= 0 && is_second(h / 3) != is_second(whole->opposite(h) / 3);
+    cut[h] = whole->opposite(h) >= 0 && is_second(h / 3) != is_second(whole->opposite(h) / 3);
   const auto pieces = std::make_shared<const SurfaceMesh>(whole->cut_along(cut, nullptr));
   EXPECT_EQ(pieces->topology().components, 2);
   Vec uv = uv_of(*pieces, flat_place);
-  std::vector<char> done(at(pieces->vertex_count()), 0);
+  std::vector<char> done(to_size(pieces->vertex_count()), 0);
   for (Index h = 0; h < pieces->half_edge_count(); ++h) {
     const Index v = pieces->from_vertex(h);
-    if (!is_second(h / 3) || done[at(v)]) continue;
-    done[at(v)] = 1;
+    if (!is_second(h / 3) || done[v]) continue;
+    done[v] = 1;
     uv.segment<2>(2 * v) = move(uv.segment<2>(2 * v));
   }
   return BezierMap::linear(pieces, uv);
@@ -235,7 +235,7 @@ TEST(GlobalInjectivity, PolygonsAgreeWithBruteForce) {
       rim.push_back(uv.segment<2>(2 * (k + 1)));
     }
     bool expected = false;
-    const auto segment = [&](int k) { return std::array{rim[at(k)], rim[at((k + 1) % count)]}; };
+    const auto segment = [&](int k) { return std::array{rim[k], rim[(k + 1) % count]}; };
     for (int i = 0; i < count; ++i)
       for (int j = i + 2; j < count - (i == 0); ++j) expected |= cross(segment(i), segment(j));
     ++(expected ? crossing : simple);

@@ -10,8 +10,8 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/vtu.h"
 #include "majorant/io/write_obj.h"
+#include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/parametrization/starts/tutte.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 
 namespace majorant {

@@ -45,7 +45,7 @@ PolygonMesh soup() {
     auto& corners = out.polygons.emplace_back();
     for (const Index v : polygon) {
       corners.push_back(static_cast<Index>(out.positions.size()));
-      out.positions.push_back(mesh.positions[at(v)]);
+      out.positions.push_back(mesh.positions[v]);
     }
   }
   return out;
@@ -164,7 +164,7 @@ PolygonMesh in_pieces(const PolygonMesh& cells, Middles middles) {
       const Index a = cell[k], b = cell[(k + 1) % 3];
       const auto [entry, is_new] =
           known.emplace(std::minmax(a, b), static_cast<Index>(out.positions.size()));
-      if (is_new) out.positions.emplace_back((cells.positions[at(a)] + cells.positions[at(b)]) / 2);
+      if (is_new) out.positions.emplace_back((cells.positions[a] + cells.positions[b]) / 2);
       middle[k] = entry->second;
     }
     out.polygons.push_back({middle[0], middle[1], middle[2]});

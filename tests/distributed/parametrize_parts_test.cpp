@@ -13,7 +13,7 @@ namespace {
 
 std::shared_ptr<const MeshPart> one_part(const SurfaceMesh& mesh) {
   return std::make_shared<const MeshPart>(
-      distributed(&mesh, std::vector<int>(at(mesh.face_count()), 0), one_process()));
+      distributed(&mesh, std::vector<int>(to_size(mesh.face_count()), 0), one_process()));
 }
 
 // Where vertices of a grid lie in the plane.
@@ -118,8 +118,7 @@ TEST_F(Parts, SurfacesWithoutAnExtentHaveAScale) {
   mesh_ = repair(point).mesh;
   ASSERT_EQ(mesh_->rest_triangles().size(), 1u);
   uv_.resize(6);
-  for (Index k = 0; k < 3; ++k)
-    uv_.segment<2>(2 * k) = mesh_->rest_triangles().front().corners[at(k)];
+  for (Index k = 0; k < 3; ++k) uv_.segment<2>(2 * k) = mesh_->rest_triangles().front().corners[k];
   options_.map.degree = 1;
   expect_solved_alike();
 }

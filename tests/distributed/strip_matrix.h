@@ -52,8 +52,8 @@ class StripMatrix {
   Vec times(const Vec& p) const {
     Vec r = Vec::Zero(p.size());
     for (Index c = 0; c < pattern.size; ++c)
-      for (Index k = pattern.column_starts[at(c)]; k < pattern.column_starts[at(c) + 1]; ++k) {
-        const Index row = pattern.rows[at(k)];
+      for (Index k = pattern.column_starts[c]; k < pattern.column_starts[c + 1]; ++k) {
+        const Index row = pattern.rows[k];
         r[row] += values[k] * p[c];
         if (row != c) r[c] += values[k] * p[row];
       }

@@ -11,7 +11,7 @@ rest inside main(argc, argv). Each program is compiled with the includes of its 
 A block of any language after a line `<!-- from: FILE -->` must consist of lines of that file, in
 their order; such excerpts are fenced as ```c++ where they are no program by themselves.
 
-**Headers.** In the comments of the rooms' and the command's headers, lines indented by three spaces
+**Headers.** In the comments of the modules' and the command's headers, lines indented by three spaces
 after // are code, as in
 
     //   Scaffold scaffold(space, x);
@@ -37,7 +37,7 @@ sys.path.insert(0, str(SOURCE / 'scripts'))
 import include_graph  # noqa: E402
 
 BUILD = pathlib.Path(os.environ['MAJORANT_BUILD_DIR'])
-ROOMS = sorted(path.name for path in (BUILD / 'include').iterdir())
+MODULES = sorted(path.name for path in (BUILD / 'include').iterdir())
 TOP_LINE = re.compile(r'#include|using ')
 FENCED = re.compile(r'^```.*?^```', re.S | re.M)
 DEFINITION = re.compile(r'(class|struct|template|inline|namespace)\b')
@@ -114,13 +114,13 @@ def compile_text(text, *flags):
         path.write_text('#include "eigen.h"\n' + text)
         return subprocess.run(
             [*COMPILER, '-fsyntax-only', '-I', EIGEN.name, *flags,
-             *('-I%s' % (BUILD / 'include' / room) for room in ROOMS), str(path)],
+             *('-I%s' % (BUILD / 'include' / module) for module in MODULES), str(path)],
             capture_output=True, text=True)
 
 
 def headers():
-    """Of the rooms, internal ones included, and of the command."""
-    folders = [SOURCE, *(SOURCE / room / part for room in include_graph.FLOOR for part in ('.', 'internal', 'detail'))]
+    """Of the modules, internal ones included, and of the command."""
+    folders = [SOURCE, *(SOURCE / module / part for module in include_graph.LAYER for part in ('.', 'internal', 'detail'))]
     return sorted(path.resolve() for folder in folders for path in folder.glob('*.h'))
 
 

@@ -59,7 +59,8 @@ std::string in_words(FreeScale scale) {
 // Beside `projected` and `exact`, which all have.
 std::string special_curvatures(const DensityTraits& traits) {
   std::string list;
-  for (const Curvature c : {Curvature::Majorizer, Curvature::PaperMajorizer, Curvature::Reweighted})
+  for (const Curvature c :
+       {Curvature::Majorizer, Curvature::CompositeMajorizer, Curvature::Reweighted})
     if (std::count(traits.curvatures.begin(), traits.curvatures.end(), c))
       list += (list.empty() ? "" : ", ") + std::string(curvature_name(c));
   return list.empty() ? "-" : list;

@@ -32,11 +32,11 @@ MAY_BOUND = {'parametrization/maps/measure.cpp', 'parametrization/scaffold/inter
 def proofs_outside(root):
     """Sources outside of certify/ and of what it stands on that prove det J > 0 of a result."""
     found = []
-    for room in sorted(include_graph.FLOOR, key=str):
-        for path in (p for pattern in ('*.cpp', 'internal/*.cpp') for p in sorted((root / room).glob(pattern))):
+    for module in sorted(include_graph.LAYER, key=str):
+        for path in (p for pattern in ('*.cpp', 'internal/*.cpp') for p in sorted((root / module).glob(pattern))):
             name = str(path.relative_to(root))
             code = re.sub(r'//[^\n]*', '', path.read_text())
-            if room not in ('certify', 'constraints', 'elements') and name not in MAY_BOUND and PROOF.search(code):
+            if module not in ('certify', 'constraints', 'elements') and name not in MAY_BOUND and PROOF.search(code):
                 found.append(name)
     return found
 
@@ -58,7 +58,7 @@ class PlantedFaults(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.root = Path(self.folder.name)
-        for top in {room.split('/')[0] for room in include_graph.FLOOR}:
+        for top in {module.split('/')[0] for module in include_graph.LAYER}:
             shutil.copytree(SOURCE / top, self.root / top)
 
     def tearDown(self):
@@ -77,8 +77,8 @@ class PlantedFaults(unittest.TestCase):
             self.assertIn(word, done.stdout)
 
     def test_an_include_upwards(self):
-        self.append('mesh/seams.cpp', '#include "majorant/parametrization/drive/parametrize.h"\n')
-        self.assert_found('does not go down: mesh/seams.cpp -> parametrization/drive/parametrize.h', 'a circle: ')
+        self.append('mesh/seams.cpp', '#include "majorant/parametrization/solve/parametrize.h"\n')
+        self.assert_found('does not go down: mesh/seams.cpp -> parametrization/solve/parametrize.h', 'a circle: ')
 
     def test_an_include_of_the_same_floor(self):
         self.append('elements/quadrature.cpp', '#include "majorant/mesh/seams.h"\n')
@@ -90,11 +90,11 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_room_without_a_floor(self):
         self.append('parametrization/attic/box.h', '#pragma once\n')
-        self.assert_found('parametrization/attic: no floor')
+        self.assert_found('parametrization/attic: no layer')
 
     def test_a_room_that_is_gone(self):
         shutil.rmtree(self.root / 'mesh')
-        self.assert_found('no room mesh')
+        self.assert_found('no module mesh')
 
     def test_what_is_internal_to_a_closed_room(self):
         self.append('results/report.cpp', '#include "majorant/io/internal/xml_tree.h"\n')

@@ -48,8 +48,8 @@ class Messages(unittest.TestCase):
             self.assertEqual(faults(code), [], code)
 
     def test_the_library_has_none(self):
-        rooms = [room for room in include_graph.FLOOR if room.split('/')[0] not in include_graph.COMMANDS]
-        files = sorted({path for room in rooms for path in (SOURCE / room).rglob('*') if path.suffix in ('.h', '.cpp')})
+        modules = [module for module in include_graph.LAYER if module.split('/')[0] not in include_graph.COMMANDS]
+        files = sorted({path for module in modules for path in (SOURCE / module).rglob('*') if path.suffix in ('.h', '.cpp')})
         self.assertGreater(len(files), 300)
         found = ['%s: %s' % (path.relative_to(SOURCE), text) for path in files for text in faults(path.read_text())]
         self.assertEqual(found, [])

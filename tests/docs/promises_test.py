@@ -67,7 +67,7 @@ class Names(unittest.TestCase):
         known = re.findall(r'^\| (\[\w+\])', (SOURCE / 'docs/references.md').read_text(), re.M)
         self.assertEqual(len(known), len(set(known)))
         used = {}
-        tops = {room.split('/')[0] for room in include_graph.FLOOR} | {'bench', 'examples', 'python'}
+        tops = {module.split('/')[0] for module in include_graph.LAYER} | {'bench', 'examples', 'python'}
         files = [path for top in tops for path in (SOURCE / top).rglob('*') if path.suffix in ('.h', '.cpp', '.py')]
         for path in files + list((SOURCE / 'docs').glob('*.md')):
             for key in re.findall(r'\[[A-Z][A-Za-z]+\d\d\](?!\()', path.read_text()):

@@ -1,5 +1,5 @@
-// The identities that make moments enough: gradients and products of gradients are sparse
-// combinations of first and moment rows.
+// The identities that make gradient_products enough: gradients and products of gradients are sparse
+// combinations of first and gradient_product rows.
 #include <gtest/gtest.h>
 
 #include "majorant/elements/bezier_triangle_space.h"
@@ -25,10 +25,10 @@ TEST_P(Table, Shapes) {
   EXPECT_EQ(table_.nodes, control_point_count(n()));
   EXPECT_EQ(table_.weights, rule_.weights);
   EXPECT_EQ(table_.directions.cols(), 2);
-  EXPECT_EQ(table_.first.rows(), rule_.size());
-  EXPECT_EQ(table_.moment.rows(), rule_.size());
-  EXPECT_EQ(table_.first.cols(), n() * (n() + 1) / 2);
-  EXPECT_EQ(table_.moment.cols(), control_point_count(2 * n() - 2));
+  EXPECT_EQ(table_.shape_gradient.rows(), rule_.size());
+  EXPECT_EQ(table_.gradient_product.rows(), rule_.size());
+  EXPECT_EQ(table_.shape_gradient.cols(), n() * (n() + 1) / 2);
+  EXPECT_EQ(table_.gradient_product.cols(), control_point_count(2 * n() - 2));
   const auto pairs = static_cast<std::size_t>(table_.nodes * (table_.nodes + 1) / 2);
   ASSERT_EQ(table_.pair_starts.size(), pairs + 1);
   EXPECT_EQ(table_.pair_starts.front(), 0);
@@ -39,7 +39,7 @@ TEST_P(Table, Shapes) {
 Eigen::MatrixXd directional(const ContractionTable& t, Index l) {
   Eigen::MatrixXd d = Eigen::MatrixXd::Zero(t.nodes, t.directions.rows());
   for (const GradientEntry& e : t.gradient)
-    d(e.node, e.direction) += e.coefficient * t.first(l, e.first);
+    d(e.node, e.direction) += e.coefficient * t.shape_gradient(l, e.shape_gradient);
   return d;
 }
 
@@ -61,7 +61,8 @@ TEST_P(Table, ProductsAreRecombinedMoments) {
         Eigen::MatrixXd product = Eigen::MatrixXd::Zero(dirs, dirs);
         for (int q = table_.pair_starts[p]; q < table_.pair_starts[p + 1]; ++q) {
           const HessianEntry& e = table_.hessian[static_cast<std::size_t>(q)];
-          product(e.direction_i, e.direction_j) += e.coefficient * table_.moment(l, e.moment);
+          product(e.direction_i, e.direction_j) +=
+              e.coefficient * table_.gradient_product(l, e.gradient_product);
         }
         EXPECT_LE((product - d.row(i).transpose() * d.row(j)).norm(), 1e-12 * n() * n());
       }

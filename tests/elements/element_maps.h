@@ -189,7 +189,8 @@ inline Vec map_point(const BernsteinSpace& space, VecIn unknowns, Index e,
 inline RowMatrix reference_gradients(const ContractionTable& table, Index l) {
   RowMatrix g = RowMatrix::Zero(table.nodes, table.directions.cols());
   for (const GradientEntry& e : table.gradient)
-    g.row(e.node) += e.coefficient * table.first(l, e.first) * table.directions.row(e.direction);
+    g.row(e.node) += e.coefficient * table.shape_gradient(l, e.shape_gradient) *
+                     table.directions.row(e.direction);
   return g;
 }
 

@@ -40,14 +40,15 @@ TEST_P(Element, TableShapes) {
   EXPECT_EQ(t.weights, sample().rule.weights);
   EXPECT_EQ(t.directions.cols(), dim());
   EXPECT_LE(t.directions.rows(), 4);
-  EXPECT_EQ(t.first.rows(), sample().rule.size());
-  EXPECT_EQ(t.moment.rows(), sample().rule.size());
+  EXPECT_EQ(t.shape_gradient.rows(), sample().rule.size());
+  EXPECT_EQ(t.gradient_product.rows(), sample().rule.size());
   for (const GradientEntry& e : t.gradient) {
     EXPECT_TRUE(e.node >= 0 && e.node < t.nodes);
     EXPECT_TRUE(e.direction >= 0 && e.direction < t.directions.rows());
-    EXPECT_TRUE(e.first >= 0 && e.first < t.first.cols());
+    EXPECT_TRUE(e.shape_gradient >= 0 && e.shape_gradient < t.shape_gradient.cols());
   }
-  for (const HessianEntry& e : t.hessian) EXPECT_TRUE(e.moment >= 0 && e.moment < t.moment.cols());
+  for (const HessianEntry& e : t.hessian)
+    EXPECT_TRUE(e.gradient_product >= 0 && e.gradient_product < t.gradient_product.cols());
   ASSERT_EQ(t.pair_starts.size(), static_cast<std::size_t>(t.nodes * (t.nodes + 1) / 2 + 1));
   EXPECT_EQ(t.pair_starts.front(), 0);
   EXPECT_EQ(t.pair_starts.back(), static_cast<int>(t.hessian.size()));
@@ -96,14 +97,15 @@ TEST_P(Element, ProductsAreRecombinedMoments) {
   for (Index l = 0; l < t.weights.size(); ++l) {
     RowMatrix d = RowMatrix::Zero(t.nodes, dirs);
     for (const GradientEntry& e : t.gradient)
-      d(e.node, e.direction) += e.coefficient * t.first(l, e.first);
+      d(e.node, e.direction) += e.coefficient * t.shape_gradient(l, e.shape_gradient);
     std::size_t p = 0;
     for (int i = 0; i < t.nodes; ++i)
       for (int j = 0; j <= i; ++j, ++p) {
         RowMatrix product = RowMatrix::Zero(dirs, dirs);
         for (int q = t.pair_starts[p]; q < t.pair_starts[p + 1]; ++q) {
           const HessianEntry& e = t.hessian[static_cast<std::size_t>(q)];
-          product(e.direction_i, e.direction_j) += e.coefficient * t.moment(l, e.moment);
+          product(e.direction_i, e.direction_j) +=
+              e.coefficient * t.gradient_product(l, e.gradient_product);
         }
         EXPECT_LE((product - d.row(i).transpose() * d.row(j)).norm(), 1e-12 * n() * n());
       }
@@ -126,10 +128,10 @@ TEST_P(Element, RulesIntegrateTheTables) {
   Quadrature rule = composite_rule(sample().rule, 2);
   rule = composite_rule(rule, 2);
   const ContractionTable t = space().tabulate(rule);
-  const RowMatrix mean = t.weights.transpose() * t.moment;
+  const RowMatrix mean = t.weights.transpose() * t.gradient_product;
   const Index spaces = static_cast<Index>(factors().size() * (factors().size() + 1) / 2);
   EXPECT_NEAR(mean.sum(), double(spaces), 1e-12);
-  EXPECT_NEAR((t.weights.transpose() * t.first).sum(), double(factors().size()), 1e-12);
+  EXPECT_NEAR((t.weights.transpose() * t.shape_gradient).sum(), double(factors().size()), 1e-12);
 }
 
 class SimplexElement : public Element {};  // one factor
@@ -138,8 +140,8 @@ class SimplexElement : public Element {};  // one factor
 TEST_P(SimplexElement, MomentsHaveOneMean) {
   const Quadrature rule = composite_rule(composite_rule(sample().rule, 2), 2);
   const ContractionTable t = space().tabulate(rule);
-  const RowMatrix mean = t.weights.transpose() * t.moment;
-  EXPECT_LE((mean.array() * double(t.moment.cols()) - 1).abs().maxCoeff(), 1e-3);
+  const RowMatrix mean = t.weights.transpose() * t.gradient_product;
+  EXPECT_LE((mean.array() * double(t.gradient_product.cols()) - 1).abs().maxCoeff(), 1e-3);
 }
 
 // ---- Positions. ----

@@ -77,7 +77,7 @@ TEST(Quadrature, LatticeIsExactForLinearFunctions) {
     expect_sound(q);
     expect_symmetric(q);
   }
-  // Second moments of method.md E5.
+  // Second gradient_products of method.md E5.
   EXPECT_NEAR(mean(lattice_rule(8), 2, 0, 0), 0.171875, 5e-7);
   EXPECT_NEAR(mean(lattice_rule(12), 2, 0, 0), 0.170525, 5e-7);
   EXPECT_NEAR(mean(lattice_rule(100), 2, 0, 0), 0.167211, 5e-7);

@@ -34,9 +34,9 @@ TEST(SparsePattern, FindsEveryEntryFromBothTriangles) {
   p.append_column({});
   for (Index c = 0; c < p.size; ++c) {
     EXPECT_EQ(p.diagonal_slot(c), p.slot(c, c));
-    for (Index k = p.column_starts[at(c)]; k < p.column_starts[at(c) + 1]; ++k) {
-      EXPECT_EQ(p.slot(p.rows[at(k)], c), k);
-      EXPECT_EQ(p.slot(c, p.rows[at(k)]), k);
+    for (Index k = p.column_starts[c]; k < p.column_starts[c + 1]; ++k) {
+      EXPECT_EQ(p.slot(p.rows[k], c), k);
+      EXPECT_EQ(p.slot(c, p.rows[k]), k);
     }
   }
 }

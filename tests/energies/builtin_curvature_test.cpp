@@ -45,7 +45,7 @@ TEST(BuiltinCurvature, SupportIsWhatTheHeadersSay) {
     EXPECT_TRUE(term->supports(Curvature::Exact)) << p.name;
     EXPECT_TRUE(term->supports(Curvature::Projected)) << p.name;
     EXPECT_EQ(term->supports(Curvature::Majorizer), p.majorizer) << p.name;
-    EXPECT_EQ(term->supports(Curvature::PaperMajorizer), p.paper_majorizer) << p.name;
+    EXPECT_EQ(term->supports(Curvature::CompositeMajorizer), p.composite_majorizer) << p.name;
     EXPECT_EQ(term->supports(Curvature::Reweighted), p.reweighted) << p.name;
   }
 }
@@ -182,7 +182,7 @@ TEST(BuiltinCurvature, MajorizersAreOrdered) {
     const Jacobians j = jacobians(p.everywhere);
     const auto majorizer = models(p.name, j, Curvature::Majorizer);
     std::vector<PointResult> paper;
-    if (p.paper_majorizer) paper = models(p.name, j, Curvature::PaperMajorizer);
+    if (p.composite_majorizer) paper = models(p.name, j, Curvature::CompositeMajorizer);
     for (std::size_t e = 0; e < j.size(); ++e) {
       const Matrix4 exact = test::builtin_oracle(p.name, j[e]).hessian;
       EXPECT_GE(test::smallest_eigenvalue(majorizer[e].hessian - exact), -1e-12 * exact.norm())
@@ -227,12 +227,12 @@ TEST(BuiltinCurvature, MipsMajorizerIsTheFormOfSection3) {
 }
 
 // E9: the paper's recipe keeps a superfluous 4 |beta| hess |alpha|; the composite one does not.
-TEST(BuiltinCurvature, AsapPaperMajorizerHasTheSuperfluousTerm) {
+TEST(BuiltinCurvature, AsapCompositeMajorizerHasTheSuperfluousTerm) {
   const Jacobians j = test::generic_jacobians(true, 60);
   const auto exact = models("asap", j, Curvature::Exact);
   const auto projected = models("asap", j, Curvature::Projected);
   const auto majorizer = models("asap", j, Curvature::Majorizer);
-  const auto paper = models("asap", j, Curvature::PaperMajorizer);
+  const auto paper = models("asap", j, Curvature::CompositeMajorizer);
   const Matrix4 constant = 8 * beta_rows().transpose() * beta_rows();
   for (std::size_t e = 0; e < j.size(); ++e) {
     EXPECT_LE((exact[e].hessian - constant).norm(), 1e-14);
@@ -335,7 +335,7 @@ TEST(BuiltinCurvature, ReweightedProxyHasTheGradient) {
 // Whoever builds a problem by hand is refused as well.
 TEST(BuiltinCurvature, NewtonRefusesWhatATermDoesNotSupport) {
   const test::Triangles t(1);
-  for (const auto& [energy, curvature] : {std::pair("mips", Curvature::PaperMajorizer),
+  for (const auto& [energy, curvature] : {std::pair("mips", Curvature::CompositeMajorizer),
                                           {"mips", Curvature::Reweighted},
                                           {"asap", Curvature::Reweighted},
                                           {"log-isometric", Curvature::Majorizer}}) {

@@ -103,7 +103,7 @@ inline bool finite(const PointResult& m) {
 struct Promise {
   std::string name;
   bool everywhere;  // defined for every J
-  bool majorizer, paper_majorizer, reweighted;
+  bool majorizer, composite_majorizer, reweighted;
   double identity;  // value of an isometry
 };
 inline const std::vector<Promise>& promises() {

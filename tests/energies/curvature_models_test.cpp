@@ -78,14 +78,14 @@ TEST(CurvatureModels, SupportsFollowsConvexity) {
     EXPECT_TRUE(c.term->supports(Curvature::Exact));
     EXPECT_TRUE(c.term->supports(Curvature::Projected));
     EXPECT_EQ(c.term->supports(Curvature::Majorizer), c.convex);
-    EXPECT_EQ(c.term->supports(Curvature::PaperMajorizer), c.convex);
+    EXPECT_EQ(c.term->supports(Curvature::CompositeMajorizer), c.convex);
   });
 }
 
 TEST(CurvatureModels, ModelsArePositiveSemidefinite) {
   for_each([](const Case& c) {
     for (const Curvature curvature :
-         {Curvature::Projected, Curvature::Majorizer, Curvature::PaperMajorizer}) {
+         {Curvature::Projected, Curvature::Majorizer, Curvature::CompositeMajorizer}) {
       if (!c.term->supports(curvature)) continue;
       const auto models = test::point_models(*c.term, c.jacobians, curvature);
       const auto elements = test::element_models(*c.term, test::corners_of(c.jacobians), curvature);
@@ -138,16 +138,16 @@ TEST(CurvatureModels, MajorizersAreOrdered) {
   for_each_convex([](const Case& c) {
     expect_ordered(c, Curvature::Exact, Curvature::Majorizer);
     expect_ordered(c, Curvature::Projected, Curvature::Majorizer);
-    expect_ordered(c, Curvature::Majorizer, Curvature::PaperMajorizer);
+    expect_ordered(c, Curvature::Majorizer, Curvature::CompositeMajorizer);
   });
 }
 
 // [MC20] Eq. A.1 with h'' of the singular values, built from its definition.
-TEST(CurvatureModels, PaperMajorizerIsEquationA1) {
+TEST(CurvatureModels, CompositeMajorizerIsEquationA1) {
   const Jacobians jacobians = test::injective_jacobians();
   const test::Triangles t(jacobians.size());
   const auto term = test::baseline("symmetric-dirichlet")(t.space, t.rest, {lattice_rule(1)});
-  const auto models = test::point_models(*term, jacobians, Curvature::PaperMajorizer);
+  const auto models = test::point_models(*term, jacobians, Curvature::CompositeMajorizer);
   Eigen::Matrix<double, 2, 4> p, q;
   p << 0.5, 0, 0, 0.5, 0, -0.5, 0.5, 0;  // alpha = P x, beta = Q x
   q << 0.5, 0, 0, -0.5, 0, 0.5, 0.5, 0;

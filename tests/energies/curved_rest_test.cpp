@@ -9,7 +9,7 @@ namespace majorant {
 namespace {
 
 constexpr Curvature kHessians[] = {Curvature::Exact, Curvature::Projected, Curvature::Majorizer,
-                                   Curvature::PaperMajorizer, Curvature::Reweighted};
+                                   Curvature::CompositeMajorizer, Curvature::Reweighted};
 
 // `dims` numbers per node, where the flat triangles of `mesh` have it.
 RowMatrix lattice_positions(const BezierTriangleSpace& space, const test::Mesh& mesh, int dims) {
@@ -209,7 +209,7 @@ TEST(CurvedRest, ARestShapeIsItsOwnIsometry) {
   }
 }
 
-// A batch with a different rest shape in every lane, over several chunks.
+// A batch with a different rest shape in every lane, over several batches.
 TEST(CurvedRest, ManyElements) {
   const test::Mesh mesh = test::grid(9, 8, 0.2);
   const auto space = std::make_shared<const BezierTriangleSpace>(mesh.faces, 90, 2);

@@ -131,7 +131,8 @@ TEST(DensityDerivatives, InstructionSetsAgree) {
     const auto here = test::baseline("symmetric-dirichlet")(t.space, t.rest, {radon_rule()});
     const auto best = symmetric_dirichlet()(t.space, t.rest, {radon_rule()});
     EXPECT_EQ(here->name(), best->name());
-    for (const Curvature c : {Curvature::Exact, Curvature::Projected, Curvature::PaperMajorizer}) {
+    for (const Curvature c :
+         {Curvature::Exact, Curvature::Projected, Curvature::CompositeMajorizer}) {
       const auto a = test::point_models(*here, jacobians, c),
                  b = test::point_models(*best, jacobians, c);
       for (std::size_t e = 0; e < count; ++e) {

@@ -75,23 +75,24 @@ struct ElementModels {
 
 inline ElementModels element_models(const EnergyTerm& term, VecIn x, BlendedCurvature curvature) {
   ElementModels out;
-  const Index count = term.stencils().element_count();
-  const int n = term.stencils().local_size();
+  const Index count = term.element_dofs().element_count();
+  const int n = term.element_dofs().local_size();
   std::vector<Index> all(static_cast<std::size_t>(count));
   std::iota(all.begin(), all.end(), 0);
   Workspace workspace, local_workspace;
   constexpr std::size_t stride = LocalSystem::stride;
-  for (Index first = 0; first < count; first += Chunk::kMaxSize) {
-    const auto size = static_cast<std::size_t>(std::min<Index>(Chunk::kMaxSize, count - first));
-    const Chunk chunk{0, std::span<const Index>(all.data() + first, size)};
+  for (Index first = 0; first < count; first += ElementBatch::kMaxSize) {
+    const auto size =
+        static_cast<std::size_t>(std::min<Index>(ElementBatch::kMaxSize, count - first));
+    const ElementBatch batch{0, std::span<const Index>(all.data() + first, size)};
     std::vector<double> f(size);
-    term.values(x, chunk, {}, workspace, f);
+    term.values(x, batch, {}, workspace, f);
     LocalSystem local;
     const auto unknowns = static_cast<std::size_t>(n);
     local.value = local_workspace.reserve((1 + unknowns + unknowns * (unknowns + 1) / 2) * stride);
     local.gradient = local.value + stride;
     local.hessian = local.gradient + unknowns * stride;
-    term.local(x, chunk, curvature, {}, workspace, local);
+    term.local(x, batch, curvature, {}, workspace, local);
     for (std::size_t p = 0; p < size; ++p) {
       out.values.push_back(f[p]);
       out.f.push_back(local.value[p]);

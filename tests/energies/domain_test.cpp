@@ -33,7 +33,7 @@ std::vector<double> values(const EnergyTerm& term, const Jacobians& jacobians) {
   Workspace workspace;
   for (Index e = 0; e < static_cast<Index>(jacobians.size()); ++e) {
     f.push_back(-1);
-    term.values(x, Chunk{0, {&e, 1}}, {}, workspace, {&f.back(), 1});
+    term.values(x, ElementBatch{0, {&e, 1}}, {}, workspace, {&f.back(), 1});
   }
   return f;
 }
@@ -97,13 +97,13 @@ TEST(Domain, OneBadPointMakesTheElementInfinite) {
   const Index e = 0;
   double f = 0;
   Workspace workspace;
-  term->values(x, Chunk{0, {&e, 1}}, {}, workspace, {&f, 1});
+  term->values(x, ElementBatch{0, {&e, 1}}, {}, workspace, {&f, 1});
   EXPECT_NEAR(f, 0.5 * 4, 1e-14);
   x.segment<2>(2 * space->cells()(0, 3)) = Vector2(-0.01, 0.6);  // det < 0 at a corner only
   ASSERT_LT(test::det_at(*space, x, 0, Barycentric(0, 1, 0)) *
                 test::det_at(*space, x, 0, Barycentric::Constant(1.0 / 3)),
             0);
-  term->values(x, Chunk{0, {&e, 1}}, {}, workspace, {&f, 1});
+  term->values(x, ElementBatch{0, {&e, 1}}, {}, workspace, {&f, 1});
   EXPECT_EQ(f, kInfinity);
 }
 

@@ -54,9 +54,9 @@ void expect_own_rows(const EnergyTerm& with_data,
                      const std::function<std::shared_ptr<const EnergyTerm>(Index)>& of_element,
                      VecIn x) {
   const std::vector<double> all = element_values_of(with_data, x);
-  for (Index e = 0; e < with_data.stencils().element_count(); ++e) {
-    const double expected = element_values_of(*of_element(e), x)[at(e)];
-    EXPECT_EQ(all[at(e)], expected) << "element " << e;
+  for (Index e = 0; e < with_data.element_dofs().element_count(); ++e) {
+    const double expected = element_values_of(*of_element(e), x)[e];
+    EXPECT_EQ(all[e], expected) << "element " << e;
   }
 }
 
@@ -219,7 +219,7 @@ TEST(ElementData, FactoriesOfPartsHaveTheirRows) {
   EXPECT_EQ(part.traits().elements, 3);
   const std::vector<double> some =
       element_values_of(*part(space, flat_triangles(s.mesh.positions, faces), rules), s.x);
-  for (std::size_t q = 0; q < chosen.size(); ++q) EXPECT_EQ(some[q], all[at(chosen[q])]);
+  for (std::size_t q = 0; q < chosen.size(); ++q) EXPECT_EQ(some[q], all[chosen[q]]);
   // Parts of parts; and energies that are the same everywhere are their own parts.
   const std::vector<Index> second{1};
   const Cells one = s.mesh.faces(std::vector<Index>{2}, Eigen::all);

@@ -155,7 +155,7 @@ TEST_P(Assembled, Arap) {
   expect_consistent(s, make_energy(s.space, s.rest, test::arap(), {radon_rule()}));
 }
 
-// The integral by point evaluation of the map, without moments.
+// The integral by point evaluation of the map, without gradient_products.
 TEST_P(Assembled, ValueIsTheQuadratureSum) {
   const Fixture s(GetParam());
   const Quadrature rule = composite_rule(radon_rule(), 2);
@@ -181,14 +181,14 @@ TEST_P(Assembled, ElementModelsArePositiveSemidefinite) {
            make_energy(s.space, s.rest, test::mips(), rules),
            make_energy(s.space, s.rest, test::arap(), rules)})
     for (const Curvature c :
-         {Curvature::Projected, Curvature::Majorizer, Curvature::PaperMajorizer}) {
+         {Curvature::Projected, Curvature::Majorizer, Curvature::CompositeMajorizer}) {
       if (!term->supports(c)) continue;
       for (const Eigen::MatrixXd& h : test::element_models(*term, s.x, c).hessians)
         EXPECT_GE(test::smallest_eigenvalue(h), -1e-12 * h.trace()) << term->name();
     }
 }
 
-// Chunks mix rules; each element is summed with its own.
+// Batches mix rules; each element is summed with its own.
 TEST_P(Assembled, RulesPerElement) {
   const Fixture s(GetParam());
   const std::vector<Quadrature> rules{lattice_rule(2), radon_rule(), lattice_rule(5)};
@@ -198,7 +198,7 @@ TEST_P(Assembled, RulesPerElement) {
   std::vector<Vec> by_rule;
   for (const Quadrature& q : rules) {
     const auto single = symmetric_dirichlet()(s.space, s.rest, {q});
-    by_rule.push_back(element_values(*single, {}, ChunkPlan(single->stencils(), {}), s.x));
+    by_rule.push_back(element_values(*single, {}, ColoredBatches(single->element_dofs(), {}), s.x));
   }
   for (Index e = 0; e < s.space->element_count(); ++e) {
     state.element_rule.push_back(e % 3);
@@ -213,11 +213,11 @@ TEST_P(Assembled, ValuesOfListedElements) {
   const Fixture s(GetParam());
   const auto term = symmetric_dirichlet()(s.space, s.rest, {lattice_rule(2), radon_rule()});
   TermState state;
-  state.element_rule.assign(at(s.space->element_count()), 1);
-  const ChunkPlan plan(term->stencils(), state.element_rule);
+  state.element_rule.assign(to_size(s.space->element_count()), 1);
+  const ColoredBatches plan(term->element_dofs(), state.element_rule);
   const Vec all = element_values(*term, state, plan, s.x);
   std::vector<Index> listed;
-  while (listed.size() < 20 * Chunk::kMaxSize)
+  while (listed.size() < 20 * ElementBatch::kMaxSize)
     for (Index e = s.space->element_count(); e-- > 0;) listed.push_back(e);
   for (const int threads : {1, 2}) {
     const ThreadCount count(threads);

@@ -150,7 +150,7 @@ TEST(GeneralDensity, TetrahedraMatchNestedJets) {
   EXPECT_GT(t.rest.measure.minCoeff(), 0.02);
   const auto term = make_energy(std::shared_ptr<const ElementSpace>(t.space), t.rest,
                                 volume_symmetric_dirichlet(), {test::tetrahedron_centroid()});
-  ASSERT_EQ(term->stencils().block, 3);
+  ASSERT_EQ(term->element_dofs().block, 3);
   const Vec rest_x = Eigen::Map<const Vec>(t.positions.data(), 21);
   for (const Curvature curvature : {Curvature::Exact, Curvature::Projected}) {
     const auto models = test::element_models(*term, t.x, curvature);
@@ -242,7 +242,7 @@ TEST(GeneralDensity, MembraneEnergyOfASurfaceInSpace) {
   const auto term = make_energy(
       s.space, s.rest, density<3, 2>("membrane", [](const auto& J) { return J.squaredNorm(); }),
       {lattice_rule(1)});
-  ASSERT_EQ(term->stencils().block, 3);
+  ASSERT_EQ(term->element_dofs().block, 3);
   for (const Curvature c : {Curvature::Exact, Curvature::Projected}) {
     const auto models = test::element_models(*term, s.x, c);
     for (Index f = 0; f < s.mesh.faces.rows(); ++f) {

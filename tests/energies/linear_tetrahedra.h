@@ -10,7 +10,8 @@
 
 namespace majorant::test {
 
-// d_a B_i = delta_ai in the four formal barycentric directions, so `first` and `moment` are 1.
+// d_a B_i = delta_ai in the four formal barycentric directions, so `first` and `gradient_product`
+// are 1.
 class LinearTetrahedra final : public ElementSpace {
  public:
   LinearTetrahedra(const Cells& cells, Index node_count) : cells_(cells), node_count_(node_count) {}
@@ -25,8 +26,8 @@ class LinearTetrahedra final : public ElementSpace {
     t.directions.resize(4, 3);
     t.directions << -1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1;
     t.weights = rule.weights;
-    t.first.setOnes(rule.size(), 1);
-    t.moment.setOnes(rule.size(), 1);
+    t.shape_gradient.setOnes(rule.size(), 1);
+    t.gradient_product.setOnes(rule.size(), 1);
     t.pair_starts.push_back(0);
     for (int i = 0; i < 4; ++i) {
       t.gradient.push_back({i, i, 0, 1.0});

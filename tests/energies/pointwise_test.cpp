@@ -158,7 +158,7 @@ TEST(Pointwise, StarsAreThoseOfTheBuiltInEnergy) {
     const double numbers[] = {
         1,           0,           0.2,         1.1,        p < kCount ? 0.3 + 0.1 * k : 0.0,
         std::cos(a), std::sin(a), std::cos(b), std::sin(b)};
-    for (int r = 0; r < StarView::Rows; ++r) rows[at(r * stride + p)] = numbers[r];
+    for (int r = 0; r < StarView::Rows; ++r) rows[r * stride + p] = numbers[r];
   }
   const StarView view{kCount, rows.data()};
   const StarModel expected = builtin->star(view, Vector2(0.1, -0.05));
@@ -168,7 +168,7 @@ TEST(Pointwise, StarsAreThoseOfTheBuiltInEnergy) {
     EXPECT_NEAR(m.gx, expected.gx, 1e-9 * expected.f);
     EXPECT_NEAR(m.hxy, expected.hxy, 1e-9 * expected.f);
     EXPECT_NEAR(m.hyy, expected.hyy, 1e-9 * expected.f);
-    EXPECT_NEAR(m.room, expected.room, 1e-14);
+    EXPECT_NEAR(m.area_margin, expected.area_margin, 1e-14);
   }
 }
 
@@ -193,7 +193,7 @@ TEST(Pointwise, GradientsAloneAreTheSame) {
   term->local(x, {0, one}, Curvature::Projected, {}, workspace, local);
   EXPECT_EQ(local.value[0], models.f[3]);
   for (Index i = 0; i < 6; ++i)
-    EXPECT_EQ(local.gradient[at(i) * LocalSystem::stride], models.gradients[3][i]);
+    EXPECT_EQ(local.gradient[to_size(i) * LocalSystem::stride], models.gradients[3][i]);
 }
 
 TEST(Pointwise, JacobiansOfOtherSizesHaveNoKernels) {

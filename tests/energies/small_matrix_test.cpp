@@ -83,13 +83,13 @@ void expect_lanes_by_themselves(test::Random& random) {
       all[p] = Batch::load_unaligned(row);
       copies[p] = Batch(matrices[kLanes - 1][p]);
     }
-    const double clamp = round % 3 == 0 ? 1 : 0.3;
-    make_semidefinite_batch<N>(clamp, all);
-    make_semidefinite_batch<N>(clamp, copies);
+    const double projection_weight = round % 3 == 0 ? 1 : 0.3;
+    make_semidefinite_batch<N>(projection_weight, all);
+    make_semidefinite_batch<N>(projection_weight, copies);
     for (int p = 0; p < kPacked; ++p) EXPECT_EQ(all[p].get(kLanes - 1), copies[p].get(0));
     for (int l = 0; l < kLanes; ++l) {
       const double size = Eigen::Map<const Vec>(matrices[l], kPacked).cwiseAbs().maxCoeff();
-      make_semidefinite<N>(clamp, matrices[l]);
+      make_semidefinite<N>(projection_weight, matrices[l]);
       for (int p = 0; p < kPacked; ++p)
         EXPECT_LE(std::abs(all[p].get(l) - matrices[l][p]),
                   l == 0 && round % 4 == 1 ? 0 : 1e-13 * size);

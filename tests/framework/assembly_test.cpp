@@ -47,14 +47,14 @@ void expect_matches_dense(const Problem& problem, const TermList& terms, Random&
   EXPECT_NEAR(f, evaluator.value(y), 1e-12 * (1 + std::abs(f)));
 }
 
-// Lower triangle of the union of cliques, plus the diagonal; from Z and the stencils alone.
+// Lower triangle of the union of cliques, plus the diagonal; from Z and the element_dofs alone.
 Eigen::MatrixXi structure(const Problem& problem, const TermList& terms) {
   const Eigen::MatrixXd z = test::dense_z(ProblemParts::elimination(problem));
   Eigen::MatrixXi s = Eigen::MatrixXi::Identity(problem.size(), problem.size());
   for (const auto& term : terms)
-    for (Index e = 0; e < term->stencils().element_count(); ++e)
-      for (int i = 0; i < term->stencils().local_size(); ++i)
-        for (int j = 0; j < term->stencils().local_size(); ++j)
+    for (Index e = 0; e < term->element_dofs().element_count(); ++e)
+      for (int i = 0; i < term->element_dofs().local_size(); ++i)
+        for (int j = 0; j < term->element_dofs().local_size(); ++j)
           for (Index p = 0; p < problem.size(); ++p)
             for (Index q = 0; q <= p; ++q)
               if (z(term->full(e, i), p) != 0 && z(term->full(e, j), q) != 0) s(p, q) = 1;
@@ -86,19 +86,19 @@ TEST_P(Assembly, Unconstrained) {
   Random random(1);
   const int block = GetParam();
   const auto term = std::make_shared<const QuadraticTerm>(
-      test::random_stencils(random, 40, 3, 12, block), random);  // repeats nodes within elements
+      test::random_elements(random, 40, 3, 12, block), random);  // repeats nodes within elements
   const Problem problem = ProblemBuilder(12 * block).add(term, 2.5).build();
   expect_matches_dense(problem, {term}, random);
   expect_exact_pattern(problem, {term});
 }
 
-TEST_P(Assembly, ManyChunks) {
+TEST_P(Assembly, ManyBatches) {
   Random random(2);
   const int block = GetParam();
   const auto term =
-      std::make_shared<const QuadraticTerm>(test::band_stencils(300, 4, block), random);
+      std::make_shared<const QuadraticTerm>(test::band_elements(300, 4, block), random);
   const Problem problem = ProblemBuilder(303 * block).add(term, 1.0).build();
-  EXPECT_GT(ProblemParts::plan(problem, problem.terms().front()).chunk_count(), 2);
+  EXPECT_GT(ProblemParts::plan(problem, problem.terms().front()).batch_count(), 2);
   expect_matches_dense(problem, {term}, random);
 }
 
@@ -109,7 +109,7 @@ TEST_P(Assembly, GeneralConstraints) {
   const int block = GetParam();
   const Index size = 12 * block;
   const auto term = std::make_shared<const QuadraticTerm>(
-      test::random_stencils(random, 30, 4, 12, block), random);
+      test::random_elements(random, 30, 4, 12, block), random);
   Rows rows;
   rows.row({{0, 1}, {3, -1}}, 0.25)
       .row({{1, 1}, {4, 1}, {7, -1}}, -1)
@@ -139,14 +139,14 @@ TEST_P(Assembly, TakesOverTheTermsThatStay) {
   Random random(7);
   const int block = GetParam();
   const auto stays = std::make_shared<const QuadraticTerm>(
-      test::random_stencils(random, 200, 3, 20, block), random);
+      test::random_elements(random, 200, 3, 20, block), random);
   Rows rows;
   rows.row({{0, 1}, {7, -1}}, 0).row({{3, 1}}, 1);
   Problem before;
   // More nodes behind its own, then less; the same edges and others among its own nodes.
   for (const Index nodes : {24, 30, 30, 22}) {
     const auto changes = std::make_shared<const QuadraticTerm>(
-        test::random_stencils(random, 40, 2, nodes, block), random);
+        test::random_elements(random, 40, 2, nodes, block), random);
     TermState state;
     state.element_rule.assign(200, 0);  // the default, spelled out
     Rows last;
@@ -168,7 +168,7 @@ TEST_P(Assembly, TakesNothingOverWhereUnknownsAreOthers) {
   Random random(8);
   const int block = GetParam();
   const auto term = std::make_shared<const QuadraticTerm>(
-      test::random_stencils(random, 50, 3, 20, block), random);
+      test::random_elements(random, 50, 3, 20, block), random);
   Rows rows;
   rows.row({{3, 1}}, 1);
   ProblemBuilder free(20 * block), held(20 * block);
@@ -182,9 +182,9 @@ TEST_P(Assembly, SeveralTermsWeightsAndRules) {
   Random random(4);
   const int block = GetParam();
   const auto a = std::make_shared<const QuadraticTerm>(
-      test::random_stencils(random, 200, 3, 20, block), random);
+      test::random_elements(random, 200, 3, 20, block), random);
   const auto b = std::make_shared<const QuadraticTerm>(
-      test::random_stencils(random, 9, 2, 20 * block, 1), random);
+      test::random_elements(random, 9, 2, 20 * block, 1), random);
   TermState state;
   state.weight = 0.5;
   state.element_weight = random.vector(200, 0, 2);
@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(Blocks, Assembly, testing::Values(1, 2));
 
 TEST(Assembly, BlocksHoldTheUnknownsOfOneNode) {
   Random random(5);
-  const auto term = std::make_shared<const QuadraticTerm>(test::band_stencils(6, 2, 2), random);
+  const auto term = std::make_shared<const QuadraticTerm>(test::band_elements(6, 2, 2), random);
   Rows rows;
   rows.row({{3, 1}}, 0);
   const Problem problem = ProblemBuilder(14).add(term, 1).add(rows).build();
@@ -230,16 +230,16 @@ TEST(Assembly, BlocksHoldTheUnknownsOfOneNode) {
                 z.full_index(i) / 2 == z.full_index(j) / 2);
 }
 
-TEST(Assembly, StencilsOutsideTheUnknownsAreRefused) {
+TEST(Assembly, ElementsOutsideTheUnknownsAreRefused) {
   Random random(6);
-  const auto term = std::make_shared<const QuadraticTerm>(test::band_stencils(6, 2, 2), random);
+  const auto term = std::make_shared<const QuadraticTerm>(test::band_elements(6, 2, 2), random);
   EXPECT_THROW(ProblemBuilder(13).add(term, 1).build(), InvalidArgument);
   EXPECT_NO_THROW(ProblemBuilder(14).add(term, 1).build());
 }
 
 TEST(Assembly, SupportsAsksEveryTerm) {
   Random random(7);
-  const auto term = std::make_shared<const QuadraticTerm>(test::band_stencils(6, 2, 1), random);
+  const auto term = std::make_shared<const QuadraticTerm>(test::band_elements(6, 2, 1), random);
   const Problem problem = ProblemBuilder(7).add(term, 1).build();
   EXPECT_TRUE(problem.supports(Curvature::Exact));
   EXPECT_FALSE(problem.supports(Curvature::Reweighted));
@@ -249,18 +249,18 @@ TEST(Assembly, SupportsAsksEveryTerm) {
 class Wall final : public EnergyTerm {
  public:
   std::string_view name() const override { return "wall"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p)
-      f[p] = x[chunk.elements[p]] < 0 ? std::numeric_limits<double>::infinity() : 1.0;
+    for (std::size_t p = 0; p < batch.elements.size(); ++p)
+      f[p] = x[batch.elements[p]] < 0 ? std::numeric_limits<double>::infinity() : 1.0;
   }
-  void local(VecIn, const Chunk&, BlendedCurvature, const TermState&, Workspace&,
+  void local(VecIn, const ElementBatch&, BlendedCurvature, const TermState&, Workspace&,
              LocalSystem&) const override {}
 
  private:
-  Stencils stencils_ = test::band_stencils(2, 1, 1);
+  ElementDofs element_dofs_ = test::band_elements(2, 1, 1);
 };
 
 TEST(Assembly, InfinityIsPassedOnAndNeverTurnsIntoNaN) {

@@ -18,24 +18,24 @@ namespace majorant::test {
 class BarrierChain final : public EnergyTerm {
  public:
   BarrierChain(Index gaps, Random& random)
-      : lengths_(random.vector(gaps, 0.5, 2)), stencils_(band_stencils(gaps, 2, 1)) {}
+      : lengths_(random.vector(gaps, 0.5, 2)), element_dofs_(band_elements(gaps, 2, 1)) {}
   std::string_view name() const override { return "barrier chain"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature c) const override {
     return c == Curvature::Exact || c == Curvature::Projected;
   }
 
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p)
-      f[p] = phi(x[chunk.elements[p] + 1] - x[chunk.elements[p]], lengths_[chunk.elements[p]]);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p)
+      f[p] = phi(x[batch.elements[p] + 1] - x[batch.elements[p]], lengths_[batch.elements[p]]);
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature curvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
     constexpr std::size_t stride = LocalSystem::stride;
-    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
       const double d = x[e + 1] - x[e], u = d - lengths_[e], q = kW * kW + u * u;
       const double s = slope(d, lengths_[e]);
       out.gradient[p] = -s;
@@ -77,7 +77,7 @@ class BarrierChain final : public EnergyTerm {
     return -kMu / d + 2 * (d - l) / (kW * kW + (d - l) * (d - l)) + kSpring * d;
   }
   Vec lengths_;
-  Stencils stencils_;
+  ElementDofs element_dofs_;
 };
 
 // The chain with x_0 + x_n = 1 eliminated (a row -1 in Z) and a start whose gaps lie between

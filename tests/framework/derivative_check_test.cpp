@@ -26,15 +26,15 @@ class Quartic final : public EnergyTerm {
  public:
   explicit Quartic(Mistake mistake) : mistake_(mistake) {}
   std::string_view name() const override { return "quartic"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature c) const override {
     return c == Curvature::Exact || c == Curvature::Projected;
   }
-  void values(VecIn x, const Chunk&, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch&, const TermState&, Workspace&,
               std::span<double> f) const override {
     f[0] = std::pow(x[0], 4) / 12;
   }
-  void local(VecIn x, const Chunk&, BlendedCurvature curvature, const TermState&, Workspace&,
+  void local(VecIn x, const ElementBatch&, BlendedCurvature curvature, const TermState&, Workspace&,
              LocalSystem& out) const override {
     const auto off = [&](Mistake m) { return m == mistake_ ? 1.01 : 1.0; };
     out.value[0] = std::pow(x[0], 4) / 12;
@@ -47,17 +47,17 @@ class Quartic final : public EnergyTerm {
     out.hessian[0] = off(Mistake::Hessian) * x[0] * x[0];
     if (mistake_ == Mistake::Definiteness && curvature.model == Curvature::Projected)
       out.hessian[0] = -1;
-    if (mistake_ == Mistake::Blend && curvature.clamp == 0.5) out.hessian[0] *= 1.01;
+    if (mistake_ == Mistake::Blend && curvature.projection_weight == 0.5) out.hessian[0] *= 1.01;
   }
 
  private:
   Mistake mistake_;
-  Stencils stencils_ = test::band_stencils(1, 1, 1);
+  ElementDofs element_dofs_ = test::band_elements(1, 1, 1);
 };
 
 TEST(DerivativeCheck, CorrectTermsPass) {
   Random random(1);
-  const QuadraticTerm quadratic(test::band_stencils(5, 2, 2), random, true);
+  const QuadraticTerm quadratic(test::band_elements(5, 2, 2), random, true);
   const DerivativeReport q = check_derivatives(quadratic, random.vector(12));
   EXPECT_TRUE(q.ok()) << q.message();
   const test::ChainProblem chain(10);
@@ -80,28 +80,28 @@ TEST(DerivativeCheck, MistakesAreFoundAndNamed) {
   }
 }
 
-// x^2 of every unknown; its gradients all come from the first element of the chunk.
+// x^2 of every unknown; its gradients all come from the first element of the batch.
 class MixedUp final : public EnergyTerm {
  public:
   std::string_view name() const override { return "mixed up"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature c) const override { return c == Curvature::Exact; }
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p)
-      f[p] = x[chunk.elements[p]] * x[chunk.elements[p]];
+    for (std::size_t p = 0; p < batch.elements.size(); ++p)
+      f[p] = x[batch.elements[p]] * x[batch.elements[p]];
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
-    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      out.gradient[p] = 2 * x[chunk.elements.front()];
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      out.gradient[p] = 2 * x[batch.elements.front()];
       if (out.hessian) out.hessian[p] = 2;
     }
   }
 
  private:
-  Stencils stencils_ = test::band_stencils(3, 1, 1);
+  ElementDofs element_dofs_ = test::band_elements(3, 1, 1);
 };
 
 TEST(DerivativeCheck, ElementsTogetherAreThoseAlone) {
@@ -116,23 +116,23 @@ TEST(DerivativeCheck, ElementsTogetherAreThoseAlone) {
 class Hinge final : public EnergyTerm {
  public:
   std::string_view name() const override { return "hinge"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }
   // min(1 - x, 0)^2
-  void values(VecIn x, const Chunk&, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch&, const TermState&, Workspace&,
               std::span<double> f) const override {
     f[0] = std::pow(std::min(1 - x[0], 0.0), 2);
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
-    values(x, chunk, state, workspace, {out.value, 1});
+    values(x, batch, state, workspace, {out.value, 1});
     out.gradient[0] = -2 * std::min(1 - x[0], 0.0) + wrong;
     if (out.hessian) out.hessian[0] = x[0] > 1 ? 2 : 0;
   }
   double wrong = 0;
 
  private:
-  Stencils stencils_ = test::band_stencils(1, 1, 1);
+  ElementDofs element_dofs_ = test::band_elements(1, 1, 1);
 };
 
 TEST(DerivativeCheck, ElementsWithoutEnergy) {

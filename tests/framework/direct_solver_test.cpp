@@ -115,7 +115,7 @@ TEST_P(Factorization, RefactorizesOtherValues) {
 TEST_P(DirectSolver, KeepsAnOrderingWhileItServes) {
   Random random(4);
   const auto solver = make();
-  Stencils s = test::random_stencils(random, 150, 3, 200, 2);
+  ElementDofs s = test::random_elements(random, 150, 3, 200, 2);
   const Elimination all(400, ConstraintRows{});
   int kept = 0, ordered = 0;
   for (int round = 0; round < 40; ++round) {

@@ -16,21 +16,21 @@ using test::Rows;
 // sum of d^2 / 2 over the gaps, the chain's Dirichlet energy, under constraints of its problem.
 class Springs final : public EnergyTerm {
  public:
-  explicit Springs(Index gaps) : stencils_(test::band_stencils(gaps, 2, 1)) {}
+  explicit Springs(Index gaps) : element_dofs_(test::band_elements(gaps, 2, 1)) {}
   std::string_view name() const override { return "springs"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p)
-      f[p] = std::pow(x[chunk.elements[p] + 1] - x[chunk.elements[p]], 2) / 2;
+    for (std::size_t p = 0; p < batch.elements.size(); ++p)
+      f[p] = std::pow(x[batch.elements[p] + 1] - x[batch.elements[p]], 2) / 2;
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
     constexpr std::size_t stride = LocalSystem::stride;
-    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const double d = x[chunk.elements[p] + 1] - x[chunk.elements[p]];
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double d = x[batch.elements[p] + 1] - x[batch.elements[p]];
       out.gradient[p] = -d;
       out.gradient[stride + p] = d;
       if (!out.hessian) continue;
@@ -40,7 +40,7 @@ class Springs final : public EnergyTerm {
   }
 
  private:
-  Stencils stencils_;
+  ElementDofs element_dofs_;
 };
 
 // The Dirichlet problem over the unknowns of `problem`, if it is a chain's.
@@ -85,7 +85,7 @@ namespace {
 TEST(GradientFlow, SolvesAQuadraticInOneStepWithItsOwnMetric) {
   Random random(1);
   const auto term =
-      std::make_shared<const QuadraticTerm>(test::band_stencils(30, 3, 2), random, true);
+      std::make_shared<const QuadraticTerm>(test::band_elements(30, 3, 2), random, true);
   Rows rows;
   rows.row({{0, 1}, {7, 1}}, 1).row({{5, 1}, {9, -1}}, 0.5);
   const Problem problem = ProblemBuilder(64).add(term, 1.0).add(rows).build();

@@ -16,13 +16,13 @@ using test::Rows;
 class Spy final : public EnergyTerm {
  public:
   std::string_view name() const override { return "spy"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature c) const override { return c == Curvature::Exact; }
-  void values(VecIn, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    std::fill_n(f.begin(), chunk.elements.size(), 0.0);
+    std::fill_n(f.begin(), batch.elements.size(), 0.0);
   }
-  void local(VecIn, const Chunk&, BlendedCurvature, const TermState&, Workspace&,
+  void local(VecIn, const ElementBatch&, BlendedCurvature, const TermState&, Workspace&,
              LocalSystem& out) const override {
     ++(out.hessian ? with_hessian : without_hessian);
     std::fill_n(out.value, LocalSystem::stride, 0.0);
@@ -32,13 +32,13 @@ class Spy final : public EnergyTerm {
   mutable int with_hessian = 0, without_hessian = 0;
 
  private:
-  Stencils stencils_ = test::band_stencils(3, 1, 1);
+  ElementDofs element_dofs_ = test::band_elements(3, 1, 1);
 };
 
 Problem random_problem(Random& random, int block) {
-  const auto a = std::make_shared<const QuadraticTerm>(test::band_stencils(3000, 3, block), random);
+  const auto a = std::make_shared<const QuadraticTerm>(test::band_elements(3000, 3, block), random);
   const auto b = std::make_shared<const QuadraticTerm>(
-      test::random_stencils(random, 300, 2, 3002, block), random);
+      test::random_elements(random, 300, 2, 3002, block), random);
   TermState state;
   state.weight = 0.7;
   state.element_weight = random.vector(3000, 0, 2);

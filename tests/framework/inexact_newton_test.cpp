@@ -157,7 +157,7 @@ TEST(InexactNewton, MetricsAreAskedForAccurately) {
   GradientFlowMinimizer({.stopping = brief_rules(3, kAnyDecrease), .linear_solver = make})
       .minimize(s.problem, s.y0, {});
   ASSERT_FALSE(s.asked->tolerances.empty());
-  for (const double tolerance : s.asked->tolerances) EXPECT_EQ(tolerance, kMetricTolerance);
+  for (const double tolerance : s.asked->tolerances) EXPECT_EQ(tolerance, kPreconditionerTolerance);
 }
 
 class Short final : public LinearSolver {

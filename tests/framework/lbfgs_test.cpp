@@ -4,7 +4,7 @@
 #include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/metric.h"
+#include "majorant/framework/internal/preconditioner.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {
@@ -33,7 +33,7 @@ using test::Rows;
 Problem random_quadratic(unsigned seed) {
   Random random(seed);
   const auto term =
-      std::make_shared<const QuadraticTerm>(test::band_stencils(30, 3, 2), random, true);
+      std::make_shared<const QuadraticTerm>(test::band_elements(30, 3, 2), random, true);
   Rows rows;
   rows.row({{0, 1}, {7, 1}}, 1).row({{5, 1}, {9, -1}}, 0.5);
   return ProblemBuilder(64).add(term, 1.0).add(rows).build();
@@ -70,7 +70,7 @@ TEST(Lbfgs, RecordsCountFactorizations) {
 TEST(Lbfgs, HistoryMakesUpForAPoorMetric) {
   Random random(3);
   const auto term =
-      std::make_shared<const QuadraticTerm>(test::band_stencils(10, 3, 1), random, true);
+      std::make_shared<const QuadraticTerm>(test::band_elements(10, 3, 1), random, true);
   const Problem problem = ProblemBuilder(12).add(term, 1).build();
   LbfgsOptions o;
   o.metric = test::chain_of(12, test::parabola(0, 0));

@@ -215,7 +215,7 @@ TYPED_TEST_P(MinimizerCases, EnergiesThatEndAreNotMinima) {
 
 TYPED_TEST_P(MinimizerCases, DoesNotDependOnThreads) {
   const ChainProblem chain(3000);
-  ASSERT_GT(ProblemParts::plan(chain.problem, chain.problem.terms().front()).chunk_count(), 16);
+  ASSERT_GT(ProblemParts::plan(chain.problem, chain.problem.terms().front()).batch_count(), 16);
   const ThreadCount alone(1);
   const SolveResult one = this->minimize(chain.problem, chain.start, {}, 15);
   ASSERT_EQ(one.iterations.size(), 15u);

@@ -20,25 +20,25 @@ using test::random_matrix;
 // One front of all blocks.
 BlockElimination one_front(const SparsePattern& pattern) {
   const Index blocks = pattern.block_of.back() + 1;
-  BlockElimination e{std::vector<Index>(at(blocks)), {0, blocks}, {0, at(blocks)}, {}};
+  BlockElimination e{std::vector<Index>(to_size(blocks)), {0, blocks}, {0, to_size(blocks)}, {}};
   std::iota(e.order.begin(), e.order.end(), 0);
-  e.touched = e.order;
+  e.structure = e.order;
   return e;
 }
 
 // The last `top` blocks a front of all of them, below a front that touches some of these.
 BlockElimination two_fronts(const SparsePattern& pattern, Index top) {
   BlockElimination e = one_front(pattern);
-  const Index blocks = e.group_starts.back();
-  e.group_starts = {0, blocks - top, blocks};
-  e.touched_starts = {0, at(blocks), at(blocks + top)};
-  for (Index i = blocks - top; i < blocks; ++i) e.touched.push_back(i);
+  const Index blocks = e.supernode_starts.back();
+  e.supernode_starts = {0, blocks - top, blocks};
+  e.structure_starts = {0, to_size(blocks), to_size(blocks + top)};
+  for (Index i = blocks - top; i < blocks; ++i) e.structure.push_back(i);
   return e;
 }
 
 double residual(const Matrix& m, const BlockElimination& elimination, const FrontKernels& kernels) {
   Random random(7);
-  const FrontTree tree(m.pattern, elimination);
+  const AssemblyTree tree(m.pattern, elimination);
   MultifrontalFactor factor(tree, kernels);
   // In memory that another one has left.
   if (!factor.factorize(3 * m.values, 0.5) || !factor.factorize(m.values, 0.5)) return 1;
@@ -67,22 +67,22 @@ TEST(Multifrontal, CountsPanelsOf64Bits) {
   SparsePattern pattern;
   for (Index c = 0; c < kSize; ++c) pattern.append_column({});
   pattern.order_in_blocks(1);
-  const FrontTree tree(pattern, two_fronts(pattern, 4));
-  const std::size_t panel = at(kSize - 4) * at(kSize);
+  const AssemblyTree tree(pattern, two_fronts(pattern, 4));
+  const std::size_t panel = to_size(kSize - 4) * to_size(kSize);
   EXPECT_EQ(tree.fronts()[0].panel_size(), panel);
   EXPECT_EQ(tree.fronts()[1].panel, panel);
   EXPECT_EQ(tree.panel_size(), panel + 4 * 8);
-  const FrontTree::Entry last = tree.entries(0).back();
+  const AssemblyTree::Entry last = tree.entries(0).back();
   EXPECT_EQ(last.slot, kSize - 5);
   EXPECT_EQ(last.row, kSize - 5);
   EXPECT_EQ(last.column, kSize - 5);
   // An update of 4 columns, and room to pack 64 columns for each thread.
   const std::size_t bytes = MultifrontalFactor(tree).bytes() / sizeof(double);
-  EXPECT_GE(bytes, tree.panel_size() + 4 * 8 + 64 * at(kSize));
-  EXPECT_LE(bytes, tree.panel_size() + 4 * 8 + 64 * at(kSize + 8) * 64);
+  EXPECT_GE(bytes, tree.panel_size() + 4 * 8 + 64 * to_size(kSize));
+  EXPECT_LE(bytes, tree.panel_size() + 4 * 8 + 64 * to_size(kSize + 8) * 64);
 }
 
-// The last columns of such a panel, of which nothing else is touched: as those of a small one.
+// The last columns of such a panel, of which nothing else is structure: as those of a small one.
 TEST(Multifrontal, ReachesPanelsOf64Bits) {
   constexpr FrontKernels::Stride kStride = 47000;
   constexpr Index kColumns = 16, kFirst = kStride - kColumns;
@@ -97,7 +97,7 @@ TEST(Multifrontal, ReachesPanelsOf64Bits) {
     std::vector<double> small(kColumns * kColumns, 0.0);
     for (Index c = 0; c < kColumns; ++c)
       for (Index r = 0; r < kColumns; ++r)
-        large[(kFirst + c) * kStride + kFirst + r] = small[at(c * kColumns + r)] =
+        large[(kFirst + c) * kStride + kFirst + r] = small[c * kColumns + r] =
             r == c ? 40 : random.uniform();
     ASSERT_TRUE(kernels->factorize(small.data(), kColumns, 0, kColumns));
     ASSERT_TRUE(kernels->factorize(large, kStride, kFirst, static_cast<Index>(kStride)));
@@ -107,14 +107,14 @@ TEST(Multifrontal, ReachesPanelsOf64Bits) {
                   static_cast<Index>(kStride), other.data());
     for (Index c = 0; c < kColumns; ++c)
       for (Index r = c; r < kColumns; ++r)
-        EXPECT_EQ(large[(kFirst + c) * kStride + kFirst + r], small[at(c * kColumns + r)]);
+        EXPECT_EQ(large[(kFirst + c) * kStride + kFirst + r], small[c * kColumns + r]);
     EXPECT_EQ(packed, other);
   }
   ::munmap(memory, bytes);
 }
 
 Vec solution(const Matrix& m, const BlockElimination& e, const FrontKernels& kernels) {
-  const FrontTree tree(m.pattern, e);
+  const AssemblyTree tree(m.pattern, e);
   MultifrontalFactor factor(tree, kernels);
   EXPECT_TRUE(factor.factorize(m.values, 0));
   Vec p;

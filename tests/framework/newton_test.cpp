@@ -50,7 +50,7 @@ NewtonOptions options(Curvature curvature = Curvature::Exact) {
 TEST(Newton, SolvesAQuadraticInOneStep) {
   Random random(1);
   const auto term =
-      std::make_shared<const QuadraticTerm>(test::band_stencils(30, 3, 2), random, true);
+      std::make_shared<const QuadraticTerm>(test::band_elements(30, 3, 2), random, true);
   Rows rows;
   rows.row({{0, 1}}, 1).row({{5, 1}, {9, -2}}, 0.5);
   const Problem problem = ProblemBuilder(64).add(term, 1.0).add(rows).build();
@@ -148,7 +148,7 @@ TEST(Newton, BlendsFollowTheFactorizations) {
          step = stepper.step(y, energy)) {
       const IterationRecord& r = step.record;
       for (int k = 0; k < r.failed_factorizations; ++k) raise();
-      EXPECT_EQ(r.clamp, t) << seed;
+      EXPECT_EQ(r.projection_weight, t) << seed;
       EXPECT_EQ(r.curvature == Curvature::Exact, t == 0);
       failed += r.failed_factorizations;
       exact += t == 0;
@@ -177,9 +177,9 @@ TEST(Newton, NoBlendFarFromAMinimumNorAfterShortSteps) {
     for (std::size_t k = 1; k < r.iterations.size(); ++k) {
       const double before = k == 1 ? start : r.iterations[k - 2].energy;
       if (relative_to(before, r.iterations[k - 1].newton_decrement) > below)
-        EXPECT_EQ(r.iterations[k].clamp, 1) << k;
+        EXPECT_EQ(r.iterations[k].projection_weight, 1) << k;
       else
-        blends += r.iterations[k].clamp < 1;
+        blends += r.iterations[k].projection_weight < 1;
     }
     EXPECT_EQ(blends > 0, below > 0);
   }
@@ -187,7 +187,7 @@ TEST(Newton, NoBlendFarFromAMinimumNorAfterShortSteps) {
   o.blend.short_step = kInfinity;  // every step is short
   for (const IterationRecord& r :
        NewtonMinimizer(o).minimize(chain.problem, chain.start, {}).iterations)
-    EXPECT_EQ(r.clamp, 1);
+    EXPECT_EQ(r.projection_weight, 1);
 }
 
 // The whole Hessian is negative: a shift of one mean diagonal is not enough.
@@ -306,18 +306,18 @@ class LeastSquares final : public EnergyTerm {
     }
   }
   std::string_view name() const override { return "least squares"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p)
-      f[p] = std::pow(residual(x, chunk.elements[p]), 2);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p)
+      f[p] = std::pow(residual(x, batch.elements[p]), 2);
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
-    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
       for (int i = 0, k = 0; i < 3; ++i) {
         out.gradient[static_cast<std::size_t>(i) * LocalSystem::stride + p] =
             2 * residual(x, e) * a_(e, i);
@@ -332,7 +332,7 @@ class LeastSquares final : public EnergyTerm {
   double residual(VecIn x, Index e) const { return a_.row(e).dot(x.segment<3>(e)) - b_[e]; }
   Points3 a_;
   Vec b_;
-  Stencils stencils_ = test::band_stencils(40, 3, 1);
+  ElementDofs element_dofs_ = test::band_elements(40, 3, 1);
 };
 
 // The minimum has energy zero: a rule relative to the energy alone never holds there.

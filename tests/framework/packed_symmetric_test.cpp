@@ -23,19 +23,20 @@ template <int N>
 void clamp_random_matrices() {
   test::Random random(N);
   for (int trial = 0; trial < 20; ++trial)
-    for (const double clamp : {0.0, 0.3, 1.0}) {
+    for (const double projection_weight : {0.0, 0.3, 1.0}) {
       double k[N * (N + 1) / 2];
       for (double& entry : k) entry = random.uniform();
       const Eigen::MatrixXd before = unpacked(N, k);
       double rotated[N * (N + 1) / 2];
       std::copy(std::begin(k), std::end(k), rotated);
-      clamp_eigenvalues(N, clamp, k);
-      make_semidefinite<N>(clamp, rotated);
+      clamp_eigenvalues(N, projection_weight, k);
+      make_semidefinite<N>(projection_weight, rotated);
       const SymmetricEigen eigen = symmetric_eigen(before);
       Eigen::MatrixXd expected = before;
       for (int i = 0; i < N; ++i)
         if (const double l = eigen.values[i]; l < 0)
-          expected -= clamp * l * eigen.vectors.col(i) * eigen.vectors.col(i).transpose();
+          expected -=
+              projection_weight * l * eigen.vectors.col(i) * eigen.vectors.col(i).transpose();
       EXPECT_LE((unpacked(N, k) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
       EXPECT_LE((unpacked(N, rotated) - expected).norm(), 1e-13 * (1 + before.norm())) << N;
     }

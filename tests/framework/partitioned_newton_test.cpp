@@ -20,31 +20,33 @@ class Gaps final : public EnergyTerm {
  public:
   Gaps(std::vector<std::array<Index, 2>> ends, std::vector<double> weight)
       : weight_(std::move(weight)) {
-    stencils_.block = 1;
-    stencils_.nodes.resize(static_cast<Index>(ends.size()), 2);
+    element_dofs_.block = 1;
+    element_dofs_.nodes.resize(static_cast<Index>(ends.size()), 2);
     for (std::size_t e = 0; e < ends.size(); ++e)
-      stencils_.nodes.row(static_cast<Index>(e)) << ends[e][0], ends[e][1];
+      element_dofs_.nodes.row(static_cast<Index>(e)) << ends[e][0], ends[e][1];
   }
   std::string_view name() const override { return "gaps"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature c) const override {
     return c == Curvature::Projected || c == Curvature::Exact;
   }
-  double gap(VecIn x, Index e) const { return x[stencils_.nodes(e, 1)] - x[stencils_.nodes(e, 0)]; }
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  double gap(VecIn x, Index e) const {
+    return x[element_dofs_.nodes(e, 1)] - x[element_dofs_.nodes(e, 0)];
+  }
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const double d = gap(x, chunk.elements[p]);
-      f[p] = d > 0 ? weight_[at(chunk.elements[p])] * (d + 1 / d)
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double d = gap(x, batch.elements[p]);
+      f[p] = d > 0 ? weight_[batch.elements[p]] * (d + 1 / d)
                    : std::numeric_limits<double>::infinity();
     }
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
-    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
     constexpr std::size_t n = LocalSystem::stride;
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const double d = gap(x, chunk.elements[p]), w = weight_[at(chunk.elements[p])];
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double d = gap(x, batch.elements[p]), w = weight_[batch.elements[p]];
       const double slope = w * (1 - 1 / (d * d)), bend = w * 2 / (d * d * d);
       out.gradient[p] = -slope;
       out.gradient[n + p] = slope;
@@ -56,7 +58,7 @@ class Gaps final : public EnergyTerm {
   }
 
  private:
-  Stencils stencils_;
+  ElementDofs element_dofs_;
   std::vector<double> weight_;
 };
 
@@ -66,14 +68,14 @@ class Ordered final : public FeasibilityChecker {
   std::string_view name() const override { return "order"; }
   Verdict check(VecIn x) const override {
     Verdict v;
-    for (Index e = 0; e < gaps_->stencils().element_count(); ++e)
+    for (Index e = 0; e < gaps_->element_dofs().element_count(); ++e)
       if (!(gaps_->gap(x, e) > 0)) v.blocking.push_back(e);
     v.feasible = v.blocking.empty();
     return v;
   }
   StepBound max_step(VecIn x, VecIn d, double s) const override {
     StepBound bound{s, {}};
-    for (Index e = 0; e < gaps_->stencils().element_count(); ++e)
+    for (Index e = 0; e < gaps_->element_dofs().element_count(); ++e)
       if (const double fall = -gaps_->gap(d, e); fall > 0 && gaps_->gap(x, e) / fall < bound.step)
         bound = {gaps_->gap(x, e) / fall, {e}};
     return bound;
@@ -98,10 +100,10 @@ class DenseSolver final : public LinearSolver {
     const auto n = static_cast<Index>(partition_->global_size());
     Eigen::MatrixXd h = Eigen::MatrixXd::Zero(n, n);
     for (Index c = 0; c < pattern_->size; ++c)
-      for (Index k = pattern_->column_starts[at(c)]; k < pattern_->column_starts[at(c) + 1]; ++k) {
-        const auto i = number(pattern_->rows[at(k)]), j = number(c);
+      for (Index k = pattern_->column_starts[c]; k < pattern_->column_starts[c + 1]; ++k) {
+        const auto i = number(pattern_->rows[k]), j = number(c);
         h(i, j) += values[k];
-        if (i != j || pattern_->rows[at(k)] != c) h(j, i) += values[k];
+        if (i != j || pattern_->rows[k] != c) h(j, i) += values[k];
       }
     partition_->ranks().sum({h.data(), static_cast<std::size_t>(h.size())});
     factor_.compute(h + shift * Eigen::MatrixXd::Identity(n, n));
@@ -169,7 +171,7 @@ struct Part {
       const int r = rank_of(gap, count);
       Index& size = sizes[static_cast<std::size_t>(r)];
       const auto add = [&](Index n) {
-        of_node[at(n)].push_back({r, size++});
+        of_node[n].push_back({r, size++});
         if (r == me) node.push_back(n);
       };
       if (gap == 0 || (count > 1 && gap % 4 == 0)) add(gap);
@@ -235,9 +237,9 @@ Solved solve(const std::shared_ptr<const Ranks>& ranks, NewtonOptions options) {
   const Vec x = problem.expand(solved.result.y);
   solved.line = Vec::Constant(kGaps + 1, -1e300);
   for (Index i = 0; i < x.size(); ++i) {
-    double& place = solved.line[part.node[at(i)]];
+    double& place = solved.line[part.node[i]];
     if (place != -1e300) {
-      EXPECT_EQ(place, x[i]) << "copies differ at node " << part.node[at(i)];
+      EXPECT_EQ(place, x[i]) << "copies differ at node " << part.node[i];
     }
     place = x[i];
   }
@@ -304,7 +306,7 @@ TEST_P(PartitionedNewton, WhatOneRankRefusesAllRefuse) {
     options.linear_solver = [] { return std::make_unique<DenseSolver>(); };
     Vec x = part.x0();
     for (Index i = 0; i < x.size(); ++i)
-      if (part.node[at(i)] == 5) x[i] = 100;  // inside a run: of one rank
+      if (part.node[i] == 5) x[i] = 100;  // inside a run: of one rank
     const SolveResult result = NewtonStepper(problem, options).minimize(problem.reduce(x), {});
     EXPECT_EQ(result.status, Status::Infeasible);
     EXPECT_NE(result.message.find("order"), std::string::npos);

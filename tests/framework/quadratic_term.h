@@ -13,10 +13,10 @@ namespace majorant::test {
 
 class QuadraticTerm final : public EnergyTerm {
  public:
-  QuadraticTerm(Stencils stencils, Random& random, bool definite = false)
-      : stencils_(std::move(stencils)) {
-    const int n = stencils_.local_size();
-    for (Index e = 0; e < stencils_.element_count(); ++e) {
+  QuadraticTerm(ElementDofs element_dofs, Random& random, bool definite = false)
+      : element_dofs_(std::move(element_dofs)) {
+    const int n = element_dofs_.local_size();
+    for (Index e = 0; e < element_dofs_.element_count(); ++e) {
       Eigen::MatrixXd a(n, n);
       for (int i = 0; i < n; ++i) a.row(i) = random.vector(n).transpose();
       hessians_.push_back(definite ? Eigen::MatrixXd(a * a.transpose())
@@ -25,33 +25,34 @@ class QuadraticTerm final : public EnergyTerm {
     }
   }
   std::string_view name() const override { return "random quadratics"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature c) const override { return c != Curvature::Reweighted; }
   RuleId rule_count() const override { return 4; }
 
   Index full(Index e, int i) const {
-    return stencils_.block * stencils_.nodes(e, i / stencils_.block) + i % stencils_.block;
+    return element_dofs_.block * element_dofs_.nodes(e, i / element_dofs_.block) +
+           i % element_dofs_.block;
   }
   static double scale(RuleId rule) { return 1 + 0.5 * rule; }
   const Eigen::MatrixXd& hessian(Index e) const { return hessians_[static_cast<std::size_t>(e)]; }
   const Vec& gradient(Index e) const { return gradients_[static_cast<std::size_t>(e)]; }
 
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
       const Vec local = gather(x, e);
-      f[p] = scale(chunk.rule) * (0.5 * local.dot(hessian(e) * local) + gradient(e).dot(local));
+      f[p] = scale(batch.rule) * (0.5 * local.dot(hessian(e) * local) + gradient(e).dot(local));
     }
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState& state,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override {
-    values(x, chunk, state, workspace, {out.value, chunk.elements.size()});
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
-      const double s = scale(chunk.rule);
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
+      const double s = scale(batch.rule);
       const Vec g = s * (hessian(e) * gather(x, e) + gradient(e));
-      for (int i = 0, k = 0; i < stencils_.local_size(); ++i) {
+      for (int i = 0, k = 0; i < element_dofs_.local_size(); ++i) {
         out.gradient[static_cast<std::size_t>(i) * LocalSystem::stride + p] = g[i];
         for (int j = 0; out.hessian && j <= i; ++j, ++k)
           out.hessian[static_cast<std::size_t>(k) * LocalSystem::stride + p] = s * hessian(e)(i, j);
@@ -61,7 +62,7 @@ class QuadraticTerm final : public EnergyTerm {
 
   // Dense Hessian and gradient in the full unknowns.
   void add_dense(VecIn x, const TermState& state, Eigen::MatrixXd& h, Vec& g) const {
-    for (Index e = 0; e < stencils_.element_count(); ++e) {
+    for (Index e = 0; e < element_dofs_.element_count(); ++e) {
       const double rule = state.element_rule.empty()
                               ? scale(0)
                               : scale(state.element_rule[static_cast<std::size_t>(e)]);
@@ -77,26 +78,26 @@ class QuadraticTerm final : public EnergyTerm {
 
  private:
   Vec gather(VecIn x, Index e) const {
-    Vec local(stencils_.local_size());
+    Vec local(element_dofs_.local_size());
     for (int i = 0; i < local.size(); ++i) local[i] = x[full(e, i)];
     return local;
   }
-  Stencils stencils_;
+  ElementDofs element_dofs_;
   std::vector<Eigen::MatrixXd> hessians_;
   std::vector<Vec> gradients_;
 };
 
-inline Stencils random_stencils(Random& random, Index elements, int nodes, Index node_count,
-                                int block) {
-  Stencils s{Cells(elements, nodes), block};
+inline ElementDofs random_elements(Random& random, Index elements, int nodes, Index node_count,
+                                   int block) {
+  ElementDofs s{Cells(elements, nodes), block};
   for (Index e = 0; e < elements; ++e)
     for (int k = 0; k < nodes; ++k) s.nodes(e, k) = random.integer(0, node_count - 1);
   return s;
 }
 
-// Elements of successive nodes: a mesh-like stencil of many chunks.
-inline Stencils band_stencils(Index elements, int nodes, int block) {
-  Stencils s{Cells(elements, nodes), block};
+// Elements of successive nodes: a mesh-like stencil of many batches.
+inline ElementDofs band_elements(Index elements, int nodes, int block) {
+  ElementDofs s{Cells(elements, nodes), block};
   for (Index e = 0; e < elements; ++e)
     for (int k = 0; k < nodes; ++k) s.nodes(e, k) = e + k;
   return s;

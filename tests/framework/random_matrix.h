@@ -15,9 +15,9 @@ struct Matrix {
   Eigen::MatrixXd dense;
 };
 
-// Random symmetric matrix on the pattern of stencils; positive definite when `diagonal` is large
-// enough.
-inline Matrix random_matrix(Random& random, const Stencils& s, const Elimination& all,
+// Random symmetric matrix on the pattern of element_dofs; positive definite when `diagonal` is
+// large enough.
+inline Matrix random_matrix(Random& random, const ElementDofs& s, const Elimination& all,
                             double diagonal) {
   const Index size = all.full_size();
   Matrix m{reduced_pattern({&s}, all), {}, Eigen::MatrixXd::Zero(size, size)};
@@ -32,9 +32,9 @@ inline Matrix random_matrix(Random& random, const Stencils& s, const Elimination
   return m;
 }
 
-// On the pattern of random stencils.
+// On the pattern of random element_dofs.
 inline Matrix random_matrix(Random& random, Index nodes, int block, double diagonal) {
-  const Stencils s = random_stencils(random, 2 * nodes, 3, nodes, block);
+  const ElementDofs s = random_elements(random, 2 * nodes, 3, nodes, block);
   return random_matrix(random, s, Elimination(nodes * block, ConstraintRows{}), diagonal);
 }
 

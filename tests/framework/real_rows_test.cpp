@@ -11,8 +11,8 @@
 
 #include "expected_error.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/affine_presolve.h"
 #include "majorant/framework/internal/elimination.h"
-#include "majorant/framework/internal/row_reduction.h"
 #include "random.h"
 
 namespace majorant {

@@ -20,18 +20,19 @@ struct Scalar {
 
 class Chain final : public EnergyTerm {
  public:
-  Chain(Index count, Scalar phi) : phi_(std::move(phi)), stencils_(band_stencils(count, 1, 1)) {}
+  Chain(Index count, Scalar phi)
+      : phi_(std::move(phi)), element_dofs_(band_elements(count, 1, 1)) {}
   std::string_view name() const override { return "chain"; }
-  const Stencils& stencils() const override { return stencils_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }
-  void values(VecIn x, const Chunk& chunk, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) f[p] = phi_.f(x[chunk.elements[p]]);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) f[p] = phi_.f(x[batch.elements[p]]);
   }
-  void local(VecIn x, const Chunk& chunk, BlendedCurvature, const TermState&, Workspace&,
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState&, Workspace&,
              LocalSystem& out) const override {
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const double t = x[chunk.elements[p]];
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double t = x[batch.elements[p]];
       out.value[p] = phi_.f(t);
       out.gradient[p] = phi_.f1(t);
       if (out.hessian) out.hessian[p] = phi_.f2(t);
@@ -40,7 +41,7 @@ class Chain final : public EnergyTerm {
 
  private:
   Scalar phi_;
-  Stencils stencils_;
+  ElementDofs element_dofs_;
 };
 
 inline Scalar double_well() {

@@ -38,7 +38,7 @@ inline StoppingRules usual_rules() {
   r.stall_decrement = 1e-4;
   r.stall_iterations = 3;
   r.stall_step = 1e-3;
-  r.anchor_step = 0.1;
+  r.fallback_step = 0.1;
   r.plateau_factor = 2;
   r.saddle_part = 0.01;
   r.plateau_window = 12;

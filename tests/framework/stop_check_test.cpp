@@ -51,27 +51,27 @@ TEST(StopCheck, PollsAtMultiplesOfItsPeriod) {
   EXPECT_EQ(stop.asked(), 10);
 }
 
-// Each chunk of elements is asked for, and none is evaluated after a stop.
-TEST(StopCheck, EvaluationsAskBeforeEveryChunk) {
+// Each batch of elements is asked for, and none is evaluated after a stop.
+TEST(StopCheck, EvaluationsAskBeforeEveryBatch) {
   const ChainProblem chain(3000, 1);
-  const long chunks =
-      ProblemParts::plan(chain.problem, chain.problem.terms().front()).chunk_count();
-  ASSERT_GE(chunks, 20);
+  const long batches =
+      ProblemParts::plan(chain.problem, chain.problem.terms().front()).batch_count();
+  ASSERT_GE(batches, 20);
   Evaluator evaluator(chain.problem);
   Vec g, h;
-  const auto expect_chunks = [&](const auto& evaluate) {
+  const auto expect_batches = [&](const auto& evaluate) {
     const CountedStop never;
     evaluate(never.check());
-    EXPECT_EQ(never.asked(), chunks);
-    for (const long k : {1L, chunks / 2, chunks}) {
+    EXPECT_EQ(never.asked(), batches);
+    for (const long k : {1L, batches / 2, batches}) {
       const CountedStop stop(k);
       EXPECT_THROW(evaluate(stop.check()), Stopped);
       EXPECT_LE(stop.asked_after(), ThreadCount::current());  // threads that were on their way
     }
   };
-  expect_chunks([&](const StopCheck& stop) { evaluator.value(chain.start, stop); });
-  expect_chunks([&](const StopCheck& stop) { evaluator.gradient(chain.start, g, stop); });
-  expect_chunks([&](const StopCheck& stop) {
+  expect_batches([&](const StopCheck& stop) { evaluator.value(chain.start, stop); });
+  expect_batches([&](const StopCheck& stop) { evaluator.gradient(chain.start, g, stop); });
+  expect_batches([&](const StopCheck& stop) {
     evaluator.linearize(chain.start, Curvature::Projected, g, h, stop);
   });
 }
@@ -106,8 +106,8 @@ std::unique_ptr<Minimizer> made(const StopCheck& stop) {
 // Wherever it is stopped, a minimizer returns the last point that it told of, at once.
 TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
   const ChainProblem chain(20, 2);
-  const long chunks =
-      ProblemParts::plan(chain.problem, chain.problem.terms().front()).chunk_count();
+  const long batches =
+      ProblemParts::plan(chain.problem, chain.problem.terms().front()).batch_count();
   using Maker = std::unique_ptr<Minimizer> (*)(const StopCheck&);
   const Maker makers[] = {made<NewtonMinimizer, NewtonOptions>, made<LbfgsMinimizer, LbfgsOptions>,
                           made<GradientFlowMinimizer, GradientFlowOptions>,
@@ -122,7 +122,7 @@ TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
     const CountedStop never;
     const SolveResult whole = make(never.check())->minimize(chain.problem, chain.start, observe);
     // An evaluation with its gradient, and a line search that evaluates once, at least.
-    EXPECT_GE(never.asked(), 2 * chunks * static_cast<long>(whole.iterations.size()));
+    EXPECT_GE(never.asked(), 2 * batches * static_cast<long>(whole.iterations.size()));
     for (long k = 1; k <= never.asked(); k += std::max(1L, never.asked() / 30)) {
       points.assign(1, chain.start);
       const CountedStop stop(k);

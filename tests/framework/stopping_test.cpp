@@ -21,12 +21,12 @@ TEST(Stopping, StepsWithProgressGoOnUntilTheIterationsAreUsedUp) {
     EXPECT_FALSE(test.before_step().has_value()) << k;
     const Advice advice = test.after(moved(0.1, 0.2));
     expect_goes_on(advice);
-    EXPECT_TRUE(advice.anchor);
+    EXPECT_TRUE(advice.fallback);
     EXPECT_FALSE(advice.polish);
   }
   ASSERT_TRUE(test.before_step().has_value());
   EXPECT_EQ(test.before_step()->status, Status::MaxIterations);
-  EXPECT_FALSE(test.before_step()->at_anchor);
+  EXPECT_FALSE(test.before_step()->at_fallback);
 }
 
 TEST(Stopping, ASmallStepNearAMinimumIsPolishedOnceThenConverged) {
@@ -89,16 +89,16 @@ TEST(Stopping, AStepThatIsHeldHasFurtherTriesWhereTheProblemChanges) {
   }
 }
 
-TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheAnchor) {
+TEST(Stopping, IdleStepsInARowStallFarFromAMinimumAndReturnToTheFallback) {
   StoppingTest test(usual_rules(), 100);
-  EXPECT_FALSE(test.after(moved(9e-7, 1e-2)).anchor);
-  EXPECT_FALSE(test.after(moved(0.1, 1e-2, 9e-4)).anchor) << "a certified step below stall_step";
+  EXPECT_FALSE(test.after(moved(9e-7, 1e-2)).fallback);
+  EXPECT_FALSE(test.after(moved(0.1, 1e-2, 9e-4)).fallback) << "a certified step below stall_step";
   expect_goes_on(test.after(moved(0.1, 1e-2)));  // the row is broken
   expect_goes_on(test.after(moved(9e-7, 1e-2)));
   expect_goes_on(test.after(moved(0.1, 1e-2, 9e-4)));
   const Advice last = test.after(moved(9e-7, 1e-2));
   expect_stop(last, Status::Stalled, "held at the limit of the feasible set");
-  EXPECT_TRUE(last.stop->at_anchor);
+  EXPECT_TRUE(last.stop->at_fallback);
 }
 
 // What shortened the idle steps is named, the feasible set before the domain; progress in between
@@ -140,7 +140,7 @@ TEST(Stopping, IdleStepsNearAMinimumConvergeWhereTheyAre) {
   expect_goes_on(test.after(moved(4e-7, 9e-5)));
   const Advice last = test.after(moved(1e-7, 9e-5));
   expect_stop(last, Status::Converged, "relative decrease");
-  EXPECT_FALSE(last.stop->at_anchor);
+  EXPECT_FALSE(last.stop->at_fallback);
 }
 
 // Near a minimum is what the tolerance or stall_decrement, the larger, calls near: a run at a loose
@@ -162,10 +162,10 @@ TEST(Stopping, NearAMinimumIsTheLargerOfToleranceAndStallDecrement) {
   EXPECT_EQ(status_of(1e-6, 1.1e-4), Status::Stalled);
 }
 
-TEST(Stopping, OnlyAGoodPartOfAStepMakesAnAnchor) {
+TEST(Stopping, OnlyAGoodPartOfAStepMakesAFallback) {
   StoppingTest test(usual_rules(), 100);
-  EXPECT_TRUE(test.after(moved(0.1, 0.2, 0.1)).anchor);
-  EXPECT_FALSE(test.after(moved(0.1, 0.2, 0.09)).anchor);
+  EXPECT_TRUE(test.after(moved(0.1, 0.2, 0.1)).fallback);
+  EXPECT_FALSE(test.after(moved(0.1, 0.2, 0.09)).fallback);
 }
 
 TEST(Stopping, AStepThatDidNotMoveEndsTheRun) {
@@ -211,8 +211,8 @@ TEST(Stopping, BriefRulesEndWithTheFirstSmallStep) {
 }
 
 // The loop of Stepper::minimize obeys the test: from within a bound that lets nothing through, the
-// result is the anchor.
-TEST(Stopping, MinimizeReturnsToTheAnchor) {
+// result is the fallback.
+TEST(Stopping, MinimizeReturnsToTheFallback) {
   const auto well = std::make_shared<const Chain>(1, parabola(5, 1));
   // The wall at 1 lets a tenth of the way to it pass, then less and less.
   class Wall final : public FeasibilityChecker {

@@ -58,7 +58,7 @@ class CholmodAnalysis {
     const std::vector<Index> starts = list(f->pi, f->nsuper + 1);
     BlockElimination out{
         list(f->Perm, f->n), list(f->super, f->nsuper + 1), {starts.begin(), starts.end()}, {}};
-    out.touched = list(f->s, out.touched_starts.back());
+    out.structure = list(f->s, out.structure_starts.back());
     cholmod_free_factor(&f, &common_);
     return out;
   }
@@ -72,18 +72,18 @@ class CholmodAnalysis {
 
 void expect_equal(const BlockElimination& a, const BlockElimination& b) {
   EXPECT_EQ(a.order, b.order);
-  EXPECT_EQ(a.group_starts, b.group_starts);
-  EXPECT_EQ(a.touched_starts, b.touched_starts);
-  EXPECT_EQ(a.touched, b.touched);
+  EXPECT_EQ(a.supernode_starts, b.supernode_starts);
+  EXPECT_EQ(a.structure_starts, b.structure_starts);
+  EXPECT_EQ(a.structure, b.structure);
 }
 
-SparsePattern pattern_of(const Stencils& stencils, Index nodes, int block) {
-  return reduced_pattern({&stencils}, Elimination(nodes * block, ConstraintRows{}));
+SparsePattern pattern_of(const ElementDofs& element_dofs, Index nodes, int block) {
+  return reduced_pattern({&element_dofs}, Elimination(nodes * block, ConstraintRows{}));
 }
 
 // Triangles of a square grid, what surfaces look like; two unknowns a node.
 SparsePattern grid_pattern(Index side) {
-  Stencils s;
+  ElementDofs s;
   s.block = 2;
   s.nodes.resize(2 * (side - 1) * (side - 1), 3);
   Index row = 0;
@@ -114,7 +114,7 @@ TEST(SymbolicAnalysis, IsCholmodsOnRandomGraphs) {
     SCOPED_TRACE(nodes);
     for (int k = 0; k < 20; ++k)
       expect_cholmods(
-          pattern_of(test::random_stencils(random, elements, 3, nodes, block), nodes, block));
+          pattern_of(test::random_elements(random, elements, 3, nodes, block), nodes, block));
   }
 }
 
@@ -125,7 +125,7 @@ TEST(SymbolicAnalysis, IsCholmodsOnSurfaces) {
 // One node, no edges, a star whose centre is dense, a path.
 TEST(SymbolicAnalysis, SmallAndOddGraphs) {
   for (const Index nodes : {1, 2, 60}) {
-    Stencils s;
+    ElementDofs s;
     s.block = 1;
     s.nodes.resize(1, 1);
     s.nodes(0, 0) = 0;

@@ -23,11 +23,11 @@ class ThreadRanks final : public Ranks {
         : size(static_cast<std::size_t>(count)),
           meeting(count),
           told(size),
-          parcels(size, std::vector<std::vector<double>>(size)) {}
+          messages(size, std::vector<std::vector<double>>(size)) {}
     std::size_t size;
     std::barrier<> meeting;
     std::vector<std::vector<double>> told;
-    std::vector<std::vector<std::vector<double>>> parcels;  // from, to
+    std::vector<std::vector<std::vector<double>>> messages;  // from, to
     std::vector<std::byte> bytes;
   };
   ThreadRanks(Group& group, int rank) : group_(group), rank_(static_cast<std::size_t>(rank)) {}
@@ -46,13 +46,13 @@ class ThreadRanks final : public Ranks {
     std::copy(group_.bytes.begin(), group_.bytes.end(), bytes.begin());
     group_.meeting.arrive_and_wait();
   }
-  void exchange(std::span<const Parcel> sent, std::span<const Parcel> received) const override {
-    for (const Parcel& p : sent)
-      group_.parcels[rank_][static_cast<std::size_t>(p.rank)].assign(p.values.begin(),
-                                                                     p.values.end());
+  void exchange(std::span<const Message> sent, std::span<const Message> received) const override {
+    for (const Message& p : sent)
+      group_.messages[rank_][static_cast<std::size_t>(p.rank)].assign(p.values.begin(),
+                                                                      p.values.end());
     group_.meeting.arrive_and_wait();
-    for (const Parcel& p : received) {
-      const auto& values = group_.parcels[static_cast<std::size_t>(p.rank)][rank_];
+    for (const Message& p : received) {
+      const auto& values = group_.messages[static_cast<std::size_t>(p.rank)][rank_];
       EXPECT_EQ(values.size(), p.values.size());
       std::copy(values.begin(), values.end(), p.values.begin());
     }

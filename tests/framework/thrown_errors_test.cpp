@@ -24,7 +24,7 @@ struct Mine {  // no std::exception
   int number;
 };
 
-constexpr Index kCount = 4000;  // chunks enough for several threads
+constexpr Index kCount = 4000;  // batches enough for several threads
 
 // Throws in the call of that number (values and derivatives count), never if negative.
 Scalar throwing(std::shared_ptr<std::atomic<long>> calls, long limit) {

@@ -49,7 +49,7 @@ TEST(WhatIsLeft, APlateauIsNoMinimum) {
   StoppingRules patient = usual_rules();
   patient.max_iterations = 1000;
   StoppingTest test(patient, 100);
-  EXPECT_TRUE(test.after(moved(0.1, 0.2)).anchor);
+  EXPECT_TRUE(test.after(moved(0.1, 0.2)).fallback);
   int polished = 0;
   for (int k = 0; k < 300; ++k) {
     const Advice advice = test.after(moved(9e-7, 9e-6));

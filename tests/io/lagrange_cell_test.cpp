@@ -30,7 +30,7 @@ TEST(LagrangeCell, ValuesAreRoundedCorrectly) {
   for (int degree = 1; degree <= 10; ++degree) {
     const MapFile map = random_strip(degree, 2, static_cast<unsigned>(degree));
     const Points2 nodes = lagrange_nodes(map);
-    for (std::size_t row = 0; row < at(bezier_cell_size(degree)); ++row)
+    for (std::size_t row = 0; row < to_size(bezier_cell_size(degree)); ++row)
       for (int axis = 0; axis < 2; ++axis)
         ASSERT_EQ(nodes(map.cells(1, static_cast<Index>(row)), axis),
                   static_cast<double>(exact_value(map, 1, row, axis)))
@@ -63,7 +63,7 @@ TEST(LagrangeCell, RoundingIsCounted) {
     const double most = map.uv_rounding.maxCoeff();
     EXPECT_LE(most, 1e-15 * map.uv.cwiseAbs().maxCoeff());
     double worst = 0;
-    for (std::size_t row = 0; row < at(bezier_cell_size(degree)); ++row)
+    for (std::size_t row = 0; row < to_size(bezier_cell_size(degree)); ++row)
       for (int axis = 0; axis < 2; ++axis)
         worst = std::max(worst,
                          std::abs(static_cast<double>(

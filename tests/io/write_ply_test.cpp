@@ -18,8 +18,8 @@ std::vector<std::array<double, 5>> corners_of(const PolygonMesh& mesh) {
   std::vector<std::array<double, 5>> corners;
   for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
     for (std::size_t k = 0; k < mesh.polygons[p].size(); ++k) {
-      const Vector3& x = mesh.positions[at(mesh.polygons[p][k])];
-      const Vector2& t = mesh.texcoords[at(mesh.polygon_texcoords[p][k])];
+      const Vector3& x = mesh.positions[mesh.polygons[p][k]];
+      const Vector2& t = mesh.texcoords[mesh.polygon_texcoords[p][k]];
       corners.push_back({x[0], x[1], x[2], t[0], t[1]});
     }
   return corners;
@@ -55,7 +55,7 @@ TEST(WritePly, VerticesOfNoFaceAndColours) {
   input.colors = {{1, 0, 0}, {0, 0.2, 0}, {0, 0, 1}, {0.4, 0.6, 0.8}};
   MapFile map = random_strip(1, 1, 1);
   map.input_vertex << 1, 2, 3;
-  for (Index p = 0; p < 3; ++p) map.points.row(p) = input.positions[at(p + 1)];
+  for (Index p = 0; p < 3; ++p) map.points.row(p) = input.positions[p + 1];
   write_ply(folder.file("a.ply"), map, &input);
   const PolygonMesh read = read_mesh(folder.file("a.ply"));
   EXPECT_EQ(read.positions, input.positions);
@@ -81,7 +81,7 @@ TEST(WritePly, LargePolygons) {
   map.input_vertex = Eigen::VectorXi::LinSpaced(kCorners, 0, kCorners - 1);
   map.input_face = Eigen::VectorXi::Zero(kCorners - 2);
   map.cells.resize(kCorners - 2, 3);
-  for (Index k = 0; k < kCorners; ++k) map.points.row(k) = input.positions[at(k)];
+  for (Index k = 0; k < kCorners; ++k) map.points.row(k) = input.positions[k];
   for (Index k = 0; k + 2 < kCorners; ++k) map.cells.row(k) << 0, k + 1, k + 2;
   map.uv = map.points.leftCols<2>();
   write_ply(folder.file("a.ply"), map, &input);
@@ -107,7 +107,7 @@ TEST(WritePly, WedgesAreRead) {
   ASSERT_EQ(mesh.texcoords.size(), 5u);  // vertex 0 has one, vertex 2 two
   EXPECT_EQ(mesh.polygon_texcoords[0][0], mesh.polygon_texcoords[1][0]);
   EXPECT_NE(mesh.polygon_texcoords[0][2], mesh.polygon_texcoords[1][1]);
-  EXPECT_EQ(mesh.texcoords[at(mesh.polygon_texcoords[1][1])], Vector2(1, 1.5));
+  EXPECT_EQ(mesh.texcoords[mesh.polygon_texcoords[1][1]], Vector2(1, 1.5));
   const MapFile map = read_map(path);
   EXPECT_EQ(map.points.rows(), 5);
   ProofRequest wanted;

@@ -14,7 +14,7 @@ namespace {
 double cut_length(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
   double length = 0;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_cut[at(h)])
+    if (is_cut[h])
       length += 0.5 * (mesh.positions().row(mesh.to_vertex(h)) -
                        mesh.positions().row(mesh.from_vertex(h)))
                           .norm();
@@ -23,26 +23,26 @@ double cut_length(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
 
 // Cut edges at every vertex.
 std::vector<int> cut_valences(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
-  std::vector<int> valence(at(mesh.vertex_count()), 0);
+  std::vector<int> valence(to_size(mesh.vertex_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_cut[at(h)]) ++valence[at(mesh.from_vertex(h))];
+    if (is_cut[h]) ++valence[mesh.from_vertex(h)];
   return valence;
 }
 
 std::vector<char> boundary_flags(const SurfaceMesh& mesh) {
-  std::vector<char> flags(at(mesh.vertex_count()), 0);
+  std::vector<char> flags(to_size(mesh.vertex_count()), 0);
   for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) flags[at(v)] = 1;
+    for (const Index v : loop) flags[v] = 1;
   return flags;
 }
 
 // Everything the header promises, but for the length.
 void expect_proper_cut(const SurfaceMesh& mesh, const std::vector<Index>& through,
                        const std::vector<char>& is_cut) {
-  ASSERT_EQ(is_cut.size(), at(mesh.half_edge_count()));
+  ASSERT_EQ(is_cut.size(), to_size(mesh.half_edge_count()));
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index o = mesh.opposite(h);
-    EXPECT_EQ(is_cut[at(h)], o < 0 ? 0 : is_cut[at(o)]);
+    EXPECT_EQ(is_cut[h], o < 0 ? 0 : is_cut[o]);
   }
   std::vector<Index> surface_vertex;
   const SurfaceMesh cut = mesh.cut_along(is_cut, &surface_vertex);
@@ -51,21 +51,21 @@ void expect_proper_cut(const SurfaceMesh& mesh, const std::vector<Index>& throug
   const std::vector<char> on_boundary = boundary_flags(mesh);
   std::vector<char> allowed_end = on_boundary;
   for (const Index v : through) {
-    allowed_end[at(v)] = 1;
-    EXPECT_TRUE(valence[at(v)] > 0 || on_boundary[at(v)]) << v;
+    allowed_end[v] = 1;
+    EXPECT_TRUE(valence[v] > 0 || on_boundary[v]) << v;
   }
   const bool slit = mesh.boundary_loops().empty() && mesh.topology().euler_characteristic() == 2 &&
                     through.size() < 3;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (valence[at(v)] == 1) {
-      EXPECT_TRUE(slit || allowed_end[at(v)]) << v;
+    if (valence[v] == 1) {
+      EXPECT_TRUE(slit || allowed_end[v]) << v;
     }
 }
 
 std::vector<Index> some_vertices(const SurfaceMesh& mesh, int count, unsigned seed) {
   std::mt19937 random(seed);
-  std::vector<Index> all(at(mesh.vertex_count()));
-  for (Index v = 0; v < mesh.vertex_count(); ++v) all[at(v)] = v;
+  std::vector<Index> all(to_size(mesh.vertex_count()));
+  for (Index v = 0; v < mesh.vertex_count(); ++v) all[v] = v;
   std::shuffle(all.begin(), all.end(), random);
   all.resize(std::min(all.size(), static_cast<std::size_t>(count)));
   return all;

@@ -84,7 +84,7 @@ TEST(Defects, SoupsAndOffsets) {
   const PolygonMesh whole = grid(3);
   for (const auto& polygon : whole.polygons) {
     const auto first = static_cast<Index>(soup.positions.size());
-    for (const Index v : polygon) soup.positions.push_back(whole.positions[at(v)]);
+    for (const Index v : polygon) soup.positions.push_back(whole.positions[v]);
     soup.polygons.push_back({first, first + 1, first + 2});
   }
   EXPECT_EQ(counts(soup), (Counts{{"soup", 1}}));

@@ -59,14 +59,14 @@ TEST(HalfEdge, OppositesRunAgainstEachOther) {
   for (const Cells& faces : surfaces()) {
     const std::vector<Index> opposite = opposite_half_edges(faces);
     const auto count = static_cast<Index>(3 * faces.rows());
-    ASSERT_EQ(opposite.size(), at(count));
+    ASSERT_EQ(opposite.size(), to_size(count));
     for (Index h = 0; h < count; ++h) {
       Index expected = -1;
       for (Index o = 0; o < count; ++o)
         if (from_vertex(faces, h) == to_vertex(faces, o) &&
             to_vertex(faces, h) == from_vertex(faces, o))
           expected = o;
-      EXPECT_EQ(opposite[at(h)], expected);
+      EXPECT_EQ(opposite[h], expected);
     }
   }
 }
@@ -90,13 +90,14 @@ TEST(HalfEdge, BoundaryIsWalkedOnceFromTheSmallestVertices) {
       EXPECT_GT(from_vertex(faces, loop.front()), last);
       last = from_vertex(faces, loop.front());
       for (std::size_t k = 0; k < loop.size(); ++k) {
-        EXPECT_LT(opposite[at(loop[k])], 0);
+        EXPECT_LT(opposite[loop[k]], 0);
         EXPECT_TRUE(met.insert(loop[k]).second);
         EXPECT_EQ(to_vertex(faces, loop[k]), from_vertex(faces, loop[(k + 1) % loop.size()]));
         EXPECT_GE(from_vertex(faces, loop[k]), last);
       }
     }
-    EXPECT_EQ(met.size(), at(static_cast<Index>(std::count(opposite.begin(), opposite.end(), -1))));
+    EXPECT_EQ(met.size(),
+              to_size(static_cast<Index>(std::count(opposite.begin(), opposite.end(), -1))));
   }
   EXPECT_EQ(loop_counts, (std::vector<std::size_t>{1, 1, 2, 0, 1, 1}));
 }

@@ -165,7 +165,7 @@ TEST(MeshValidation, RefusesSoup) {
   PolygonMesh soup = polygon_mesh({}, {});
   for (const auto& polygon : welded.polygons) {
     const auto first = static_cast<Index>(soup.positions.size());
-    for (const Index v : polygon) soup.positions.push_back(welded.positions[at(v)]);
+    for (const Index v : polygon) soup.positions.push_back(welded.positions[v]);
     soup.polygons.push_back({first, first + 1, first + 2});
     soup.polygon_lines.push_back(101);
   }

@@ -18,17 +18,17 @@ namespace majorant {
 // one to the next across edges, are all of its faces.
 inline void expect_manifold(const Cells& faces, Index vertices) {
   std::map<std::pair<Index, Index>, Index> face_with;  // directed edge -> its face
-  std::vector<std::vector<Index>> around(at(vertices));
+  std::vector<std::vector<Index>> around(to_size(vertices));
   for (Index f = 0; f < faces.rows(); ++f)
     for (Index k = 0; k < 3; ++k) {
       const Index a = faces(f, k), b = faces(f, (k + 1) % 3);
       ASSERT_NE(a, b) << "face " << f;
       ASSERT_TRUE(face_with.emplace(std::pair(a, b), f).second) << a << " " << b;
-      around[at(a)].push_back(f);
+      around[a].push_back(f);
     }
   for (Index v = 0; v < vertices; ++v) {
-    ASSERT_FALSE(around[at(v)].empty()) << "vertex " << v;
-    std::vector<Index> left = around[at(v)], reached = {left.back()};
+    ASSERT_FALSE(around[v].empty()) << "vertex " << v;
+    std::vector<Index> left = around[v], reached = {left.back()};
     left.pop_back();
     for (std::size_t k = 0; k < reached.size(); ++k)
       for (auto it = left.begin(); it != left.end();) {
@@ -52,27 +52,26 @@ inline void expect_repaired(const PolygonMesh& input, const RepairedSurface& out
   const SurfaceMesh& mesh = *out.mesh;
   std::size_t triangles = 0;
   for (const auto& polygon : input.polygons) triangles += polygon.size() - 2;
-  ASSERT_EQ(at(mesh.face_count()), triangles);
+  ASSERT_EQ(to_size(mesh.face_count()), triangles);
   ASSERT_EQ(out.polygon_corner.rows(), mesh.face_count());
   ASSERT_EQ(out.given_cuts.size(), 3 * triangles);
   std::vector<std::size_t> met(input.polygons.size(), 0);
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto p = at(mesh.input_face(f));
+    const auto p = to_size(mesh.input_face(f));
     ASSERT_TRUE(f == 0 || mesh.input_face(f) >= mesh.input_face(f - 1)) << "order of faces";
     ++met[p];
     for (Index k = 0; k < 3; ++k) {
       const Index corner = out.polygon_corner(f, k), v = mesh.faces()(f, k);
-      const Vector3& place = input.positions[at(input.polygons[p][at(corner)])];
+      const Vector3& place = input.positions[input.polygons[p][corner]];
       if (moved == 0) {
         ASSERT_EQ(mesh.input_position(v), place) << "face " << f;
       } else {
         ASSERT_LE((mesh.input_position(v) - place).norm(), moved);
       }
       if (mesh.corner_texcoords().rows() > 0) {
-        const Index vt = input.polygon_texcoords[p][at(corner)];
+        const Index vt = input.polygon_texcoords[p][corner];
         ASSERT_EQ(mesh.texcoord_ids()(f, k), vt);
-        ASSERT_EQ(Vector2(mesh.corner_texcoords().row(f).segment<2>(2 * k)),
-                  input.texcoords[at(vt)]);
+        ASSERT_EQ(Vector2(mesh.corner_texcoords().row(f).segment<2>(2 * k)), input.texcoords[vt]);
       }
     }
   }
@@ -83,7 +82,7 @@ inline void expect_repaired(const PolygonMesh& input, const RepairedSurface& out
   for (const Repair& r : out.repairs) {
     EXPECT_GT(r.count, 0);
     EXPECT_EQ(r.places.size(),
-              r.kind == RepairKind::MovedToOrigin ? 0 : std::min(at(r.count), kNamedPlaces));
+              r.kind == RepairKind::MovedToOrigin ? 0 : std::min(to_size(r.count), kNamedPlaces));
   }
 }
 
@@ -121,11 +120,11 @@ inline PolygonMesh both(PolygonMesh a, const PolygonMesh& b) {
 inline PolygonMesh textured(PolygonMesh mesh, const std::function<int(const Vector3&)>& part) {
   for (const auto& polygon : mesh.polygons) {
     Vector3 middle = Vector3::Zero();
-    for (const Index v : polygon) middle += mesh.positions[at(v)] / double(polygon.size());
+    for (const Index v : polygon) middle += mesh.positions[v] / double(polygon.size());
     auto& corners = mesh.polygon_texcoords.emplace_back();
     for (const Index v : polygon) {
       corners.push_back(static_cast<Index>(mesh.texcoords.size()));
-      mesh.texcoords.emplace_back(mesh.positions[at(v)].head<2>());
+      mesh.texcoords.emplace_back(mesh.positions[v].head<2>());
       mesh.texcoords.back().x() += 10 * part(middle);
     }
   }

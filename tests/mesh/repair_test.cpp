@@ -83,7 +83,7 @@ TEST(Repair, SplitsVerticesWhereSheetsTouch) {
 
 TEST(Repair, AFinStandsOnASheetThatStaysWhole) {
   PolygonMesh fin = cube_sphere(3);
-  fin.positions.push_back(2 * fin.positions[at(fin.polygons[0][0])]);
+  fin.positions.push_back(2 * fin.positions[fin.polygons[0][0]]);
   const auto last = static_cast<Index>(fin.positions.size()) - 1;
   fin.polygons.push_back({fin.polygons[0][0], fin.polygons[0][1], last});
   const RepairedSurface out = repaired(fin);
@@ -122,7 +122,7 @@ TEST(Repair, WhatHangsTogetherAroundBothEndsStaysTogether) {
 TEST(Repair, DuplicatesMakeASurfaceOfTheirOwn) {
   PolygonMesh mesh = grid(4, bumpy);
   for (int k = 8; k < 16; ++k) {  // a row of squares, folded over
-    std::vector<Index> again = mesh.polygons[at(k)];
+    std::vector<Index> again = mesh.polygons[k];
     std::reverse(again.begin(), again.end());
     mesh.polygons.push_back(again);
   }
@@ -158,7 +158,7 @@ TEST(Repair, AFaceWithAVertexTwiceGetsThreeCorners) {
 TEST(Repair, TurnsTheFewer) {
   PolygonMesh mesh = both(grid(6, bumpy), cube_sphere(3));
   for (const int k : {3, 4, 5, 60, 80})
-    std::reverse(mesh.polygons[at(k)].begin(), mesh.polygons[at(k)].end());
+    std::reverse(mesh.polygons[k].begin(), mesh.polygons[k].end());
   RepairedSurface out = repaired(mesh);
   EXPECT_EQ(shape_of(out), (Shape{2, 1, 3}));
   EXPECT_EQ(count_of(out, RepairKind::TurnedFace), 5);
@@ -241,8 +241,8 @@ TEST(Repair, MovesToTheOriginAndBackExactly) {
     EXPECT_EQ(count_of(out, RepairKind::MovedToOrigin), 1);
     EXPECT_LE(out.mesh->positions().cwiseAbs().maxCoeff(), 6);
     for (Index h = 0; h < out.mesh->half_edge_count(); ++h) {
-      const Vector3 there = mesh.positions[at(out.mesh->input_vertex(out.mesh->to_vertex(h)))] -
-                            mesh.positions[at(out.mesh->input_vertex(out.mesh->from_vertex(h)))];
+      const Vector3 there = mesh.positions[out.mesh->input_vertex(out.mesh->to_vertex(h))] -
+                            mesh.positions[out.mesh->input_vertex(out.mesh->from_vertex(h))];
       EXPECT_EQ(out.mesh->edge_length(h), there.norm());
     }
     for (const SurfacePiece& piece : out.mesh->split())
@@ -275,20 +275,20 @@ TEST(Repair, SplitsIntoPieces) {
       repaired(both(both(grid(2), cube_sphere(2)), with_faces(grid(3), {{0, 1, 1}})));
   const std::vector<SurfacePiece> pieces = out.mesh->split();
   ASSERT_EQ(pieces.size(), 4u);
-  std::vector<Index> times(at(out.mesh->face_count()), 0);
+  std::vector<Index> times(to_size(out.mesh->face_count()), 0);
   for (const SurfacePiece& piece : pieces) {
     const SurfaceMesh& mesh = *piece.mesh;
     EXPECT_EQ(mesh.topology().components, 1);
-    ASSERT_EQ(piece.face.size(), at(mesh.face_count()));
-    ASSERT_EQ(piece.vertex.size(), at(mesh.vertex_count()));
+    ASSERT_EQ(piece.face.size(), to_size(mesh.face_count()));
+    ASSERT_EQ(piece.vertex.size(), to_size(mesh.vertex_count()));
     for (Index f = 0; f < mesh.face_count(); ++f) {
-      ++times[at(piece.face[at(f)])];
-      EXPECT_EQ(mesh.input_face(f), out.mesh->input_face(piece.face[at(f)]));
+      ++times[piece.face[f]];
+      EXPECT_EQ(mesh.input_face(f), out.mesh->input_face(piece.face[f]));
       for (Index k = 0; k < 3; ++k)
-        EXPECT_EQ(piece.vertex[at(mesh.faces()(f, k))], out.mesh->faces()(piece.face[at(f)], k));
+        EXPECT_EQ(piece.vertex[mesh.faces()(f, k)], out.mesh->faces()(piece.face[f], k));
     }
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      const Index of_all = piece.vertex[at(v)];
+      const Index of_all = piece.vertex[v];
       EXPECT_EQ(Vector3(mesh.positions().row(v)), Vector3(out.mesh->positions().row(of_all)));
       EXPECT_EQ(mesh.input_vertex(v), out.mesh->input_vertex(of_all));
       EXPECT_EQ(mesh.input_vertex(mesh.find_input_vertex(mesh.input_vertex(v))),
@@ -322,17 +322,17 @@ TEST(Repair, HoldsForRandomDamage) {
                                       : moebius(8, 2);
     const int damages = 1 + below(12);
     for (int k = 0; k < damages; ++k) {
-      auto& polygon = mesh.polygons[at(below(mesh.polygons.size()))];
+      auto& polygon = mesh.polygons[below(mesh.polygons.size())];
       const Index v = below(mesh.positions.size()), w = below(mesh.positions.size());
       switch (below(7)) {
         case 0:
           std::reverse(polygon.begin(), polygon.end());
           break;
         case 1:
-          polygon[at(below(polygon.size()))] = v;
+          polygon[below(polygon.size())] = v;
           break;
         case 2:
-          mesh.positions[at(v)] = mesh.positions[at(w)];
+          mesh.positions[v] = mesh.positions[w];
           break;
         case 3:
           mesh.polygons.push_back(std::vector<Index>(polygon));

@@ -13,7 +13,7 @@ PolygonMesh soup_of(const PolygonMesh& welded) {
     soup.polygons.emplace_back();
     for (const Index v : polygon) {
       soup.polygons.back().push_back(static_cast<Index>(soup.positions.size()));
-      soup.positions.push_back(welded.positions[at(v)]);
+      soup.positions.push_back(welded.positions[v]);
     }
   }
   return soup;
@@ -30,10 +30,10 @@ TEST(Repair, WeldsSoups) {
 // A slit stays a slit, unless it is to be welded.
 TEST(Repair, WeldsIndexedMeshesOnRequest) {
   const SurfaceMesh whole = SurfaceMesh::from_polygons(grid(4, bumpy));
-  std::vector<char> flags(at(whole.half_edge_count()), 0);
+  std::vector<char> flags(to_size(whole.half_edge_count()), 0);
   for (Index h = 0; h < whole.half_edge_count(); ++h)
-    flags[at(h)] = whole.positions()(whole.from_vertex(h), 0) == 0.5 &&
-                   whole.positions()(whole.to_vertex(h), 0) == 0.5;
+    flags[h] = whole.positions()(whole.from_vertex(h), 0) == 0.5 &&
+               whole.positions()(whole.to_vertex(h), 0) == 0.5;
   const SurfaceMesh cut = whole.cut_along(flags, nullptr);
   PolygonMesh slit = polygon_mesh({}, {});
   for (Index v = 0; v < cut.vertex_count(); ++v)
@@ -57,7 +57,7 @@ TEST(Repair, WeldsIndexedMeshesOnRequest) {
   islands = repaired(textured(slit, one), {.weld = 0});
   EXPECT_EQ(std::count(islands.given_cuts.begin(), islands.given_cuts.end(), 1), 0);
 
-  for (std::size_t v = at(whole.vertex_count()); v < slit.positions.size(); ++v)
+  for (std::size_t v = to_size(whole.vertex_count()); v < slit.positions.size(); ++v)
     slit.positions[v] += Vector3(3e-4, -3e-4, 3e-4);
   EXPECT_EQ(shape_of(repaired(slit, {.weld = 0})), (Shape{2, 2, 2}));
   EXPECT_EQ(shape_of(repaired(slit, {.weld = 5e-4})), (Shape{2, 2, 2}));

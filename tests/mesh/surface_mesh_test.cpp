@@ -44,8 +44,7 @@ void expect_triangulates(const std::vector<Vector2>& polygon, const char* name) 
         double sum = 0;
         std::set<int> used;
         for (const auto& t : triangles) {
-          const double part =
-              signed_area(corners[at(t[0])], corners[at(t[1])], corners[at(t[2])], normal);
+          const double part = signed_area(corners[t[0]], corners[t[1]], corners[t[2]], normal);
           EXPECT_GT(part, 1e-9 * area) << name << ", start " << start << ", reversed " << reversed;
           sum += part;
           used.insert(t.begin(), t.end());
@@ -106,7 +105,7 @@ std::vector<Vector2> ngon(int n) {
 }
 std::vector<Vector2> star_of(int n) {
   std::vector<Vector2> polygon = ngon(n);
-  for (int k = 1; k < n; k += 2) polygon[at(k)] *= 0.3;
+  for (int k = 1; k < n; k += 2) polygon[k] *= 0.3;
   return polygon;
 }
 std::vector<Vector2> comb_of(int n) {  // teeth upwards, back along the bottom
@@ -164,7 +163,7 @@ TEST(TriangulatePolygon, ManyCornersInTimeOfTheSquareAtMost) {
       double sum = 0, least = area;
       for (const auto& t : triangles) {
         const double part =
-            signed_area(corners[at(t[0])], corners[at(t[1])], corners[at(t[2])], Vector3::UnitZ());
+            signed_area(corners[t[0]], corners[t[1]], corners[t[2]], Vector3::UnitZ());
         sum += part;
         least = std::min(least, part);
       }
@@ -192,7 +191,7 @@ TEST(TriangulatePolygon, PolygonsThatAreNotSimple) {
       corners.push_back(
           {(random() % 4096) / 4096.0, (random() % 4096) / 4096.0, (random() % 4096) / 40960.0});
     if (n <= 2048) {
-      EXPECT_EQ(triangulate_polygon(corners).size(), at(n) - 2);
+      EXPECT_EQ(triangulate_polygon(corners).size(), to_size(n) - 2);
       continue;
     }
     PolygonMesh mesh = polygon_mesh(corners, {{}});
@@ -211,9 +210,9 @@ TEST(SurfaceMesh, LeavesOutUnreferencedVerticesAndRemembersNumbers) {
   ASSERT_EQ(mesh.vertex_count(), 4);
   const std::vector<Index> expected{1, 2, 4, 5};
   for (Index v = 0; v < 4; ++v) {
-    EXPECT_EQ(mesh.input_vertex(v), expected[at(v)]);
+    EXPECT_EQ(mesh.input_vertex(v), expected[v]);
     EXPECT_EQ(mesh.find_input_vertex(mesh.input_vertex(v)), v);
-    EXPECT_EQ(Vector3(mesh.positions().row(v).transpose()), input.positions[at(expected[at(v)])]);
+    EXPECT_EQ(Vector3(mesh.positions().row(v).transpose()), input.positions[expected[v]]);
   }
   for (const Index unused : {0, 3, 6, 7, 1000, -1}) EXPECT_EQ(mesh.find_input_vertex(unused), -1);
   EXPECT_EQ(mesh.file(), "inline.obj");
@@ -323,10 +322,10 @@ TEST(SurfaceMesh, FromArraysIsFromPolygons) {
   const SurfaceMesh expected = SurfaceMesh::from_polygons(input);
   const auto vertices = static_cast<Index>(input.positions.size());
   Eigen::MatrixXd v(vertices, 3);  // by columns
-  for (Index k = 0; k < vertices; ++k) v.row(k) = input.positions[at(k)];
+  for (Index k = 0; k < vertices; ++k) v.row(k) = input.positions[k];
   Eigen::MatrixXi f(static_cast<Index>(input.polygons.size()), 3);
   for (Index k = 0; k < f.rows(); ++k)
-    for (Index c = 0; c < 3; ++c) f(k, c) = input.polygons[at(k)][at(c)];
+    for (Index c = 0; c < 3; ++c) f(k, c) = input.polygons[k][c];
   const RowMatrix rows = v;
   RowMatrix wide = RowMatrix::Constant(vertices, 5, 7);
   wide.middleCols(1, 3) = v;

@@ -30,16 +30,16 @@ TEST(UnionFind, AgreesWithRelabelling) {
   std::mt19937 random(3);
   for (const Index count : {1, 2, 10, 60, 400}) {
     UnionFind sets(count);
-    std::vector<Index> label(at(count));
+    std::vector<Index> label(to_size(count));
     std::iota(label.begin(), label.end(), 0);
     for (Index pair = 0; pair < count; ++pair) {
-      const auto i = static_cast<Index>(random() % at(count));
-      const auto k = static_cast<Index>(random() % at(count));
-      const auto [small, large] = std::minmax({label[at(i)], label[at(k)]});
+      const auto i = static_cast<Index>(random() % to_size(count));
+      const auto k = static_cast<Index>(random() % to_size(count));
+      const auto [small, large] = std::minmax({label[i], label[k]});
       EXPECT_EQ(sets.join(i, k), small != large);
       std::replace(label.begin(), label.end(), Index(large), Index(small));
     }
-    for (Index i = 0; i < count; ++i) ASSERT_EQ(sets.find(i), label[at(i)]) << count << ": " << i;
+    for (Index i = 0; i < count; ++i) ASSERT_EQ(sets.find(i), label[i]) << count << ": " << i;
   }
 }
 

@@ -4,15 +4,15 @@
 
 #include "majorant/energies/make_energy.h"
 #include "majorant/parametrization/atlas/unwrap.h"
-#include "majorant/parametrization/cuts/choose_cuts.h"
-#include "majorant/parametrization/drive/deform.h"
-#include "majorant/parametrization/drive/parametrize.h"
 #include "majorant/parametrization/fields/cross_field.h"
+#include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure_distortion.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/packing/pack.h"
-#include "majorant/parametrization/starts/tutte.h"
+#include "majorant/parametrization/seams/choose_cuts.h"
+#include "majorant/parametrization/solve/deform.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "misuse/outcome.h"
 
 namespace majorant::misuse {

@@ -11,7 +11,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/minimizer.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant::misuse {
 

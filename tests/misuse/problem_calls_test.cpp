@@ -56,19 +56,19 @@ void with_later_state(const std::function<void(TermState&)>& change) {
 }
 
 struct Nodes final : EnergyTerm {
-  explicit Nodes(Stencils s) : s_(std::move(s)) {}
+  explicit Nodes(ElementDofs s) : s_(std::move(s)) {}
   std::string_view name() const override { return "nodes"; }
-  const Stencils& stencils() const override { return s_; }
+  const ElementDofs& element_dofs() const override { return s_; }
   bool supports(Curvature) const override { return true; }
-  void values(VecIn, const Chunk&, const TermState&, Workspace&, std::span<double>) const override {
-  }
-  void local(VecIn, const Chunk&, BlendedCurvature, const TermState&, Workspace&,
+  void values(VecIn, const ElementBatch&, const TermState&, Workspace&,
+              std::span<double>) const override {}
+  void local(VecIn, const ElementBatch&, BlendedCurvature, const TermState&, Workspace&,
              LocalSystem&) const override {}
-  Stencils s_;
+  ElementDofs s_;
 };
 
 void with_nodes(std::initializer_list<Index> nodes, int block) {
-  Stencils s{Cells(1, static_cast<Index>(nodes.size())), block};
+  ElementDofs s{Cells(1, static_cast<Index>(nodes.size())), block};
   std::copy(nodes.begin(), nodes.end(), s.nodes.data());
   ProblemBuilder(5).add(std::make_shared<const Nodes>(s), 1.0);
 }
@@ -232,7 +232,7 @@ const std::vector<Call> kCalls{
        test::Random random(1);
        ProblemBuilder builder(5);
        builder.add(
-           std::make_shared<const test::QuadraticTerm>(test::band_stencils(5, 1, 1), random), 1.0);
+           std::make_shared<const test::QuadraticTerm>(test::band_elements(5, 1, 1), random), 1.0);
        Vec g, h;
        Evaluator(builder.build()).linearize(Vec::Zero(5), Curvature::Reweighted, g, h);
      }},

@@ -9,7 +9,7 @@
 #include "majorant/framework/gradient_flow.h"
 #include "majorant/framework/lbfgs.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/terms/linear_term.h"
 #include "majorant/terms/local_term.h"
 #include "misuse/outcome.h"

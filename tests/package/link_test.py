@@ -101,7 +101,7 @@ class ThisBuild(Linking, unittest.TestCase):
         public_names.output('cmake', '--install', BUILD, '--prefix', cls.prefix)
 
     def test_a_room_that_is_not_linked_is_found(self):
-        package = public_names.Package(self.prefix, targets='majorant::drive')
+        package = public_names.Package(self.prefix, targets='majorant::solve')
         with self.assertRaisesRegex(AssertionError, 'undefined reference to .*write_svg'):
             package.link_by_cmake(self.folder / 'too_little')
 

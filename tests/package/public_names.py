@@ -198,7 +198,7 @@ FRAMEWORK = ('framework', 'elements', 'energies', 'terms')
 
 
 def framework(prefix):
-    """The component: its rooms, without what needs Ceres or CHOLMOD."""
+    """The component: its modules, without what needs Ceres or CHOLMOD."""
     return Package(prefix, 'COMPONENTS framework', 'majorant::energies majorant::terms', 'majorant-framework',
                    lambda path: path.split('/')[1] in FRAMEWORK and not path.endswith(('/ceres_minimizer.h', '/cholmod_solver.h')),
                    lambda name: name.removeprefix('libmajorant_') in FRAMEWORK)

@@ -52,7 +52,8 @@ TEST(WritePage, HoldsTheMapExactly) {
       for (std::size_t local = 0; local < multi_indices.size(); ++local) {
         const auto& [i, j, k] = multi_indices[local];
         const int row = degree - i;
-        const std::size_t place = at(cell) * multi_indices.size() + at(row * (row + 1) / 2 + k);
+        const std::size_t place =
+            to_size(cell) * multi_indices.size() + to_size(row * (row + 1) / 2 + k);
         const Index point = map.cells(cell, static_cast<Index>(local));
         for (std::size_t d = 0; d < 2; ++d)
           EXPECT_EQ(uv[2 * cells[place] + d], map.uv(point, static_cast<Index>(d)));

@@ -167,7 +167,7 @@ TEST(WriteSvg, LargestIsThatOfTheMap) {
     // (u, v) -> (u, v + u^2 / 2) bends the middle of a flat triangle.
     const auto& indices = bezier_multi_indices(degree);
     for (Index l = 0; l < map.cells.cols(); ++l) {
-      const auto [i, j, k] = indices[at(l)];
+      const auto [i, j, k] = indices[l];
       const double u = double(j) / degree, v = double(k) / degree;
       map.points.row(map.cells(0, l)) << u, v, 0;
       const double bent = degree > 1 ? 0.5 * j * (j - 1) / degree / (degree - 1) : 0;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "majorant/framework/linear_solver.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/obj_file.h"
 
 namespace majorant {

@@ -22,7 +22,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 TEST(Bounds, BarrierAndItsDerivatives) {
   const Bounds bounds(Vec{{-kInfinity, 0, -1, -kInfinity}}, Vec{{2, kInfinity, 1, kInfinity}});
   const auto barrier = bounds.barrier();
-  EXPECT_EQ(barrier->stencils().element_count(), 4);
+  EXPECT_EQ(barrier->element_dofs().element_count(), 4);
   const Vec x{{1.5, 3, 0.9, 7}};
   const DerivativeReport report = check_derivatives(*barrier, x);
   EXPECT_TRUE(report.ok()) << report.message();

@@ -16,7 +16,7 @@ namespace {
 TEST(LinearTerm, Derivatives) {
   Vec c{{2, 0, -3, 0.5}};
   const auto term = linear_term("loads", c);
-  EXPECT_EQ(term->stencils().element_count(), 3);
+  EXPECT_EQ(term->element_dofs().element_count(), 3);
   const Vec x{{1, 9, 2, -4}};
   const DerivativeReport report = check_derivatives(*term, x);
   EXPECT_TRUE(report.ok()) << report.message();

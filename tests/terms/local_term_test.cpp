@@ -37,7 +37,7 @@ auto turning(const Vec& rest) {
 
 TEST(LocalTerm, DerivativesOfEverything) {
   test::Random random(1);
-  const auto term = turning(random.vector(150, 0.5, 2));  // more than one chunk
+  const auto term = turning(random.vector(150, 0.5, 2));  // more than one batch
   const DerivativeReport report = check_derivatives(*term, random.vector(2 * 152));
   EXPECT_TRUE(report.ok()) << report.message();
 }
@@ -141,7 +141,7 @@ struct ThrowsAt : std::runtime_error {
   explicit ThrowsAt(long call) : std::runtime_error("call " + std::to_string(call)) {}
 };
 SolveResult solve_chain(long at) {
-  const Index links = 2500;  // 20 chunks: more threads than one work on them
+  const Index links = 2500;  // 20 batches: more threads than one work on them
   const auto calls = std::make_shared<std::atomic<long>>(0);
   const auto term = make_term<2, 2>("chain", chain(links, 2), [=](Index e, const auto& z) {
     if (const long call = (*calls)++; call == at) throw ThrowsAt(call);

@@ -17,7 +17,7 @@ static_assert(std::is_same_v<int, Index>, "CHOLMOD's other functions have 64 bit
 inline cholmod_sparse lower_triangle(Index size, const std::vector<Index>& starts,
                                      const std::vector<Index>& rows, const double* values) {
   cholmod_sparse m{};
-  m.nrow = m.ncol = at(size);
+  m.nrow = m.ncol = to_size(size);
   m.nzmax = rows.size();
   m.p = const_cast<Index*>(starts.data());
   m.i = const_cast<Index*>(rows.data());
@@ -33,11 +33,11 @@ inline cholmod_sparse lower_triangle(Index size, const std::vector<Index>& start
 // The unknowns, block after block in this order.
 inline std::vector<Index> order_of_unknowns(const std::vector<Index>& blocks,
                                             const SparsePattern& p) {
-  std::vector<Index> position(blocks.size()), order(at(p.size));
-  for (std::size_t k = 0; k < blocks.size(); ++k) position[at(blocks[k])] = static_cast<Index>(k);
-  for (Index i = 0; i < p.size; ++i) order[at(i)] = i;
+  std::vector<Index> position(blocks.size()), order(to_size(p.size));
+  for (std::size_t k = 0; k < blocks.size(); ++k) position[blocks[k]] = static_cast<Index>(k);
+  for (Index i = 0; i < p.size; ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return position[at(p.block_of[at(a)])] < position[at(p.block_of[at(b)])];
+    return position[p.block_of[a]] < position[p.block_of[b]];
   });
   return order;
 }

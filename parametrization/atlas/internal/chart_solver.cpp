@@ -5,11 +5,11 @@
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/atlas/internal/texture_start.h"
-#include "majorant/parametrization/starts/internal/room.h"
-#include "majorant/parametrization/starts/internal/unfolding.h"
+#include "majorant/parametrization/initialization/internal/area_margin.h"
+#include "majorant/parametrization/initialization/internal/strip_unfolding.h"
 
 namespace majorant {
 namespace {
@@ -19,9 +19,10 @@ bool has_proven_boundary(const BezierMap& map) {
 }
 
 // Whether its faces are larger than what moving it and writing it down rounds.
-bool has_room(const BezierMap& map) {
+bool has_area_margin(const BezierMap& map) {
   const SurfaceMesh& mesh = map.mesh();
-  return faces_without_room(mesh.faces(), map.control_points().head(2 * mesh.vertex_count())) == 0;
+  return faces_without_area_margin(mesh.faces(),
+                                   map.control_points().head(2 * mesh.vertex_count())) == 0;
 }
 
 Status status_of(Directive why) {
@@ -65,7 +66,7 @@ void ChartSolver::try_tutte(RunRecord& record) {
 // done.
 bool ChartSolver::try_unfolded(RunRecord& record) {
   const Vec start = unfolded(*mesh_);
-  if (faces_without_room(mesh_->faces(), start) > 0 ||
+  if (faces_without_area_margin(mesh_->faces(), start) > 0 ||
       !has_proven_boundary(BezierMap::linear(mesh_, start)))
     return false;
   if (!attempt(start, MapInjectivity::Local, record) &&
@@ -82,7 +83,7 @@ const Vec& ChartSolver::tutte() {
   if (!tutte_ && mesh_->face_count() == 1 && !rest.empty()) {
     tutte_.emplace(6);
     for (Index k = 0; k < 3; ++k)
-      tutte_->segment<2>(2 * mesh_->faces()(0, k)) = rest.front().corners[at(k)];
+      tutte_->segment<2>(2 * mesh_->faces()(0, k)) = rest.front().corners[k];
   }
   MapOptions asked;
   asked.injectivity = MapInjectivity::Global;
@@ -107,7 +108,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
     return false;
   }
   const bool has_map = result.map && result.status != Status::Failed;
-  if (!has_map || !has_proven_boundary(*result.map) || !has_room(*result.map)) {
+  if (!has_map || !has_proven_boundary(*result.map) || !has_area_margin(*result.map)) {
     chart_.message = result.message;
     return false;
   }
@@ -121,7 +122,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
 void ChartSolver::keep_start(const RunRecord& record) {
   if (!chart_.pins.empty())
     throw Error(ErrorKind::Infeasible,
-                opening(*mesh_) + "no map without overlaps that meets the pins was found");
+                message_prefix(*mesh_) + "no map without overlaps that meets the pins was found");
   BezierMap map = BezierMap::linear(mesh_, tutte());
   while (map.degree() < options_.map.degree) map = map.elevated();
   chart_.measures = measure_map(map, options_.map.energy, record.stop());

@@ -5,8 +5,8 @@
 
 #include "majorant/mesh/internal/exact_predicates.h"
 #include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/parametrization/initialization/internal/untangle.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
-#include "majorant/parametrization/starts/internal/untangle.h"
 
 namespace majorant {
 namespace {

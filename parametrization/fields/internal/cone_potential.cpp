@@ -5,26 +5,25 @@ ConePotential::ConePotential(const SurfaceMesh& mesh, const FieldGeometry& geome
                              const std::vector<int>& quarter_turns)
     : mesh_(mesh),
       geometry_(geometry),
-      row_(at(mesh.vertex_count()), -1),
+      row_(to_size(mesh.vertex_count()), -1),
       charge_(Vec::Zero(mesh.vertex_count())),
       potential_(Vec::Zero(mesh.vertex_count())) {
   const bool closed = mesh.boundary_loops().empty();
   Index size = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (!geometry.is_boundary[at(v)] && !(closed && v == 0)) row_[at(v)] = size++;
+    if (!geometry.is_boundary[v] && !(closed && v == 0)) row_[v] = size++;
   if (size == 0) return;
   std::vector<SparseSpd::Entry> entries;
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     if (mesh.opposite(h) < 0) continue;
-    const Index r = row_[at(mesh.to_vertex(h))], c = row_[at(mesh.from_vertex(h))];
+    const Index r = row_[mesh.to_vertex(h)], c = row_[mesh.from_vertex(h)];
     if (r < 0) continue;
     entries.push_back({r, r, 1 / geometry.weight[h]});
     if (c > r) entries.push_back({r, c, -1 / geometry.weight[h]});
   }
   system_ = field_system(size, 1, entries);
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (!geometry.is_boundary[at(v)])
-      charge_[v] = geometry.angle_sum[v] - kQuarter * quarter_turns[at(v)];
+    if (!geometry.is_boundary[v]) charge_[v] = geometry.angle_sum[v] - kQuarter * quarter_turns[v];
   potential_ = solve(charge_);
 }
 
@@ -33,10 +32,10 @@ Vec ConePotential::solve(const Vec& charge) const {
   if (!system_) return out;
   Vec rhs(system_->size());
   for (Index v = 0; v < mesh_.vertex_count(); ++v)
-    if (row_[at(v)] >= 0) rhs[row_[at(v)]] = charge[v];
+    if (row_[v] >= 0) rhs[row_[v]] = charge[v];
   const Vec x = system_->solve(rhs);
   for (Index v = 0; v < mesh_.vertex_count(); ++v)
-    if (row_[at(v)] >= 0) out[v] = x[row_[at(v)]];
+    if (row_[v] >= 0) out[v] = x[row_[v]];
   return out;
 }
 
@@ -65,8 +64,8 @@ double ConePotential::estimated_change(Index v, Index w, int step) {
 
 void ConePotential::move(Index from, Index to) {
   potential_ += kQuarter * (response(from) - response(to));
-  if (!geometry_.is_boundary[at(from)]) charge_[from] += kQuarter;
-  if (!geometry_.is_boundary[at(to)]) charge_[to] -= kQuarter;
+  if (!geometry_.is_boundary[from]) charge_[from] += kQuarter;
+  if (!geometry_.is_boundary[to]) charge_[to] -= kQuarter;
 }
 
 Vec ConePotential::rotations() const {

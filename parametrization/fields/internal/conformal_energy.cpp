@@ -8,9 +8,9 @@ namespace majorant {
 ConformalEnergy::ConformalEnergy(const SurfaceMesh& mesh, Vec wanted_angles)
     : triangulation_(mesh),
       wanted_angles_(std::move(wanted_angles)),
-      is_interior_(at(mesh.vertex_count()), 1) {
+      is_interior_(to_size(mesh.vertex_count()), 1) {
   for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) is_interior_[at(v)] = 0;
+    for (const Index v : loop) is_interior_[v] = 0;
 }
 
 ConformalDerivatives ConformalEnergy::derivatives(const Vec& log_factor) const {
@@ -19,8 +19,8 @@ ConformalDerivatives ConformalEnergy::derivatives(const Vec& log_factor) const {
   for (Index f = 0; f < triangulation_.face_count(); ++f) {
     const TriangleShape shape = IntrinsicTriangulation::shape(lengths, f);
     for (Index k = 0; k < 3; ++k) {
-      out.gradient[triangulation_.faces()(f, k)] -= shape.angle[at(k)];
-      out.hessian_weights[3 * f + k] = 0.5 * shape.cotangent[at(previous(k))];
+      out.gradient[triangulation_.faces()(f, k)] -= shape.angle[k];
+      out.hessian_weights[3 * f + k] = 0.5 * shape.cotangent[previous(k)];
     }
   }
   bool closed = true;

@@ -7,7 +7,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/parametrization/fields/internal/conformal_metric.h"
 #include "majorant/parametrization/fields/internal/edge_laplacian.h"
 
@@ -17,16 +17,16 @@ namespace {
 SurfaceMesh disk_of(const SurfaceMesh& mesh, const ConformalMetric& metric,
                     const std::vector<char>& is_cut) {
   const auto refuse = [&](const std::string& what) {
-    throw Error(ErrorKind::Usage, fmt::format("{}{}", opening(mesh), what));
+    throw Error(ErrorKind::Usage, fmt::format("{}{}", message_prefix(mesh), what));
   };
-  if (is_cut.size() != at(mesh.half_edge_count()))
+  if (is_cut.size() != to_size(mesh.half_edge_count()))
     refuse(fmt::format("{} cut flags for {} half-edges; give 3 per face", is_cut.size(),
                        mesh.half_edge_count()));
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (mesh.opposite(h) >= 0 && !is_cut[at(h)] != !is_cut[at(mesh.opposite(h))])
+    if (mesh.opposite(h) >= 0 && !is_cut[h] != !is_cut[mesh.opposite(h)])
       refuse(fmt::format("edge ({}, {}) is cut on one side only; flag both half-edges",
-                         told_vertex(mesh, mesh.from_vertex(h)),
-                         told_vertex(mesh, mesh.to_vertex(h))));
+                         user_vertex(mesh, mesh.from_vertex(h)),
+                         user_vertex(mesh, mesh.to_vertex(h))));
   if (metric.edge_vectors.rows() != mesh.half_edge_count())
     refuse("the conformal metric belongs to another surface");
   SurfaceMesh disk = mesh.cut_along(is_cut, nullptr);
@@ -56,15 +56,15 @@ struct FaceOrder {
 
  private:
   void sweep(const SurfaceMesh& disk) {
-    crossed.assign(at(disk.face_count()), -1);
+    crossed.assign(to_size(disk.face_count()), -1);
     std::vector<char> seen(crossed.size(), 0);
-    for (const Index f : faces) seen[at(f)] = 1;
+    for (const Index f : faces) seen[f] = 1;
     for (std::size_t done = 0; done < faces.size(); ++done)
       for (Index k = 0; k < 3; ++k) {
         const Index h = disk.opposite(3 * faces[done] + k);
-        if (h < 0 || seen[at(face_of(h))]) continue;
-        seen[at(face_of(h))] = 1;
-        crossed[at(face_of(h))] = h;
+        if (h < 0 || seen[face_of(h)]) continue;
+        seen[face_of(h)] = 1;
+        crossed[face_of(h)] = h;
         faces.push_back(face_of(h));
       }
   }
@@ -77,7 +77,7 @@ Points2 aligned_vectors(const SurfaceMesh& disk, const FaceOrder& order,
   const double longest = metric.edge_vectors.rowwise().norm().maxCoeff();
   Points2 vectors = metric.edge_vectors / (longest > 0 ? longest : 1);
   for (const Index f : order.faces) {
-    const Index here = order.crossed[at(f)];
+    const Index here = order.crossed[f];
     if (here < 0) continue;
     // The rotation that makes the edge the opposite of what it is in the face that comes before.
     const Eigen::RowVector2d a = vectors.row(here), b = -vectors.row(disk.opposite(here));
@@ -94,16 +94,16 @@ Points2 aligned_vectors(const SurfaceMesh& disk, const FaceOrder& order,
 // Positions of the vertices of the disk by walking along its half-edges, face by face.
 Points2 walk(const SurfaceMesh& disk, const FaceOrder& order, const Points2& vectors) {
   Points2 positions = Points2::Zero(disk.vertex_count(), 2);
-  std::vector<char> placed(at(disk.vertex_count()), 0);
-  placed[at(disk.faces()(order.faces.front(), 0))] = 1;
+  std::vector<char> placed(to_size(disk.vertex_count()), 0);
+  placed[disk.faces()(order.faces.front(), 0)] = 1;
   for (const Index f : order.faces) {
-    const Index entered = order.crossed[at(f)];
+    const Index entered = order.crossed[f];
     Index h = entered < 0 ? 3 * f : entered;
     for (int side = 0; side < 2; ++side, h = next(h)) {
       const Index b = disk.to_vertex(h);
-      if (placed[at(b)]) continue;
+      if (placed[b]) continue;
       positions.row(b) = positions.row(disk.from_vertex(h)) + vectors.row(h);
-      placed[at(b)] = 1;
+      placed[b] = 1;
     }
   }
   return positions;

@@ -12,7 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/parametrization/fields/internal/conformal_energy.h"
 #include "majorant/parametrization/fields/internal/edge_laplacian.h"
 
@@ -47,19 +47,19 @@ constexpr double kClosingTolerance = 1e-6;
 
 void require_angle_sums(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns) {
   const auto refuse = [&](const std::string& what) {
-    throw Error(ErrorKind::Usage, fmt::format("{}{}", opening(mesh), what));
+    throw Error(ErrorKind::Usage, fmt::format("{}{}", message_prefix(mesh), what));
   };
-  if (quarter_turns.size() != at(mesh.vertex_count()))
+  if (quarter_turns.size() != to_size(mesh.vertex_count()))
     refuse(fmt::format("{} quarter turns for {} vertices; give one number per vertex",
                        quarter_turns.size(), mesh.vertex_count()));
   const std::vector<char> is_boundary = mesh.boundary_flags();
   long long missing = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (is_boundary[at(v)]) continue;
-    if (quarter_turns[at(v)] < 1)
+    if (is_boundary[v]) continue;
+    if (quarter_turns[v] < 1)
       refuse(fmt::format("vertex {}: {} quarter turns; an angle sum must be positive",
-                         told_vertex(mesh, v), quarter_turns[at(v)]));
-    missing += 4 - quarter_turns[at(v)];
+                         user_vertex(mesh, v), quarter_turns[v]));
+    missing += 4 - quarter_turns[v];
   }
   const long long wanted = 4LL * mesh.topology().euler_characteristic();
   if (mesh.boundary_loops().empty() && missing != wanted)

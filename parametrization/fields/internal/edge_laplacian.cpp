@@ -10,7 +10,7 @@ namespace {
 
 // The unknowns at both ends of half-edge h, -1 where there is none.
 std::array<Index, 2> ends(const Cells& faces, const std::vector<Index>& row_of, Index h) {
-  return {row_of[at(from_vertex(faces, h))], row_of[at(to_vertex(faces, h))]};
+  return {row_of[from_vertex(faces, h)], row_of[to_vertex(faces, h)]};
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_words.h"
+#include "majorant/mesh/internal/mesh_messages.h"
 
 namespace majorant {
 namespace {
@@ -20,7 +20,7 @@ double nearest_integer(const SurfaceMesh& mesh, double value) {
     throw Error(ErrorKind::Invalid,
                 fmt::format("{}a cross field has {} quarter turns, not an integer; check the "
                             "mesh for nearly degenerate faces",
-                            opening(mesh), value));
+                            message_prefix(mesh), value));
   return n;
 }
 
@@ -45,10 +45,10 @@ std::vector<int> count_quarter_turns(const SurfaceMesh& mesh, const FieldGeometr
   Vec left = geometry.angle_sum;
   // Counterclockwise around v the half-edges that enter v are crossed.
   for (Index h = 0; h < mesh.half_edge_count(); ++h) left[mesh.to_vertex(h)] -= rotation[h];
-  std::vector<int> quarter_turns(at(mesh.vertex_count()), 0);
+  std::vector<int> quarter_turns(to_size(mesh.vertex_count()), 0);
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (!geometry.is_boundary[at(v)])
-      quarter_turns[at(v)] = static_cast<int>(nearest_integer(mesh, left[v] / kQuarter));
+    if (!geometry.is_boundary[v])
+      quarter_turns[v] = static_cast<int>(nearest_integer(mesh, left[v] / kQuarter));
   return quarter_turns;
 }
 
@@ -57,8 +57,8 @@ void move_quarter(const SurfaceMesh& mesh, const FieldGeometry& geometry, Index 
   field.rotation[half_edge] -= kQuarter;
   field.rotation[mesh.opposite(half_edge)] += kQuarter;
   const Index from = mesh.from_vertex(half_edge), to = mesh.to_vertex(half_edge);
-  if (!geometry.is_boundary[at(from)]) --field.quarter_turns[at(from)];
-  if (!geometry.is_boundary[at(to)]) ++field.quarter_turns[at(to)];
+  if (!geometry.is_boundary[from]) --field.quarter_turns[from];
+  if (!geometry.is_boundary[to]) ++field.quarter_turns[to];
 }
 
 Relaxation::Relaxation(const SurfaceMesh& mesh, const FieldGeometry& geometry, const Vec& hold)
@@ -71,11 +71,11 @@ Relaxation::Relaxation(const SurfaceMesh& mesh, const FieldGeometry& geometry, c
   if (size == 0) return;
   std::vector<SparseSpd::Entry> entries;
   for (Index f = 0; f < mesh.face_count(); ++f)
-    if (const Index r = row_[at(f)]; r >= 0) entries.push_back({r, r, hold[f]});
+    if (const Index r = row_[f]; r >= 0) entries.push_back({r, r, hold[f]});
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    const Index o = mesh.opposite(h), r = row_[at(face_of(h))];
+    const Index o = mesh.opposite(h), r = row_[face_of(h)];
     if (o < 0 || r < 0) continue;
-    const Index c = row_[at(face_of(o))];
+    const Index c = row_[face_of(o)];
     entries.push_back({r, r, geometry.weight[h]});
     if (c > r) entries.push_back({r, c, -geometry.weight[h]});
   }
@@ -86,11 +86,11 @@ void Relaxation::apply(Vec& angle, Vec& rotation) const {
   if (!system_) return;
   Vec rhs = Vec::Zero(system_->size());
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-    if (const Index r = row_[at(face_of(h))]; r >= 0) rhs[r] += geometry_.weight[h] * rotation[h];
+    if (const Index r = row_[face_of(h)]; r >= 0) rhs[r] += geometry_.weight[h] * rotation[h];
   const Vec x = system_->solve(rhs);
   Vec turned = Vec::Zero(mesh_.face_count());
   for (Index f = 0; f < mesh_.face_count(); ++f)
-    if (row_[at(f)] >= 0) turned[f] = x[row_[at(f)]];
+    if (row_[f] >= 0) turned[f] = x[row_[f]];
   if (is_free_) turned.array() -= turned.dot(geometry_.face_area) / geometry_.face_area.sum();
   angle += turned;
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
@@ -100,7 +100,7 @@ void Relaxation::apply(Vec& angle, Vec& rotation) const {
 
 CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                        const FieldConnection& field) {
-  CrossField out{Vec(mesh.face_count()), std::vector<int>(at(mesh.half_edge_count()), 0),
+  CrossField out{Vec(mesh.face_count()), std::vector<int>(to_size(mesh.half_edge_count()), 0),
                  count_quarter_turns(mesh, geometry, field.rotation)};
   for (Index f = 0; f < mesh.face_count(); ++f)
     out.angle[f] = std::remainder(field.angle[f], 4 * kQuarter);
@@ -111,8 +111,8 @@ CrossField cross_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                                                 geometry.transport[h] - field.rotation[h]) /
                                                    kQuarter);
     const int k = (static_cast<int>(turns) % 4 + 4) % 4;
-    out.turns[at(h)] = k;
-    out.turns[at(o)] = (4 - k) % 4;
+    out.turns[h] = k;
+    out.turns[o] = (4 - k) % 4;
   }
   return out;
 }

@@ -22,7 +22,7 @@ FieldGeometry::FieldGeometry(const SurfaceMesh& mesh)
       face_area(mesh.face_count()),
       angle_sum(Vec::Zero(mesh.vertex_count())),
       is_boundary(mesh.boundary_flags()),
-      valence(at(mesh.vertex_count()), 0) {
+      valence(to_size(mesh.vertex_count()), 0) {
   for (Index f = 0; f < mesh.face_count(); ++f) {
     double corner[3];
     for (int k = 0; k < 3; ++k) {
@@ -30,7 +30,7 @@ FieldGeometry::FieldGeometry(const SurfaceMesh& mesh)
       corner[k] = angle.radians();
       if (k == 0) face_area[f] = angle.sine / 2;
       angle_sum[mesh.faces()(f, k)] += corner[k];
-      ++valence[at(mesh.faces()(f, k))];
+      ++valence[mesh.faces()(f, k)];
     }
     edge_direction[3 * f] = 0;
     edge_direction[3 * f + 1] = std::numbers::pi - corner[1];

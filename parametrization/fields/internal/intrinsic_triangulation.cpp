@@ -67,10 +67,10 @@ TriangleShape triangle_shape(const std::array<double, 3>& log_sides) {
     return shape;
   }
   for (Index k = 0; k < 3; ++k) {
-    const double opposite = perimeter * rest[at(k)];
-    const double adjacent = rest[at(next(k))] * rest[at(previous(k))];
-    shape.angle[order[at(k)]] = 2 * std::atan2(std::sqrt(adjacent), std::sqrt(opposite));
-    shape.cotangent[order[at(k)]] = (opposite - adjacent) / (2 * four_areas);
+    const double opposite = perimeter * rest[k];
+    const double adjacent = rest[next(k)] * rest[previous(k)];
+    shape.angle[order[k]] = 2 * std::atan2(std::sqrt(adjacent), std::sqrt(opposite));
+    shape.cotangent[order[k]] = (opposite - adjacent) / (2 * four_areas);
   }
   shape.log_area = std::log(four_areas / 4) + 2 * unit;
   return shape;
@@ -140,8 +140,8 @@ void IntrinsicTriangulation::flip(Index half_edge) {
       if (opposite(from[k]) == from[l]) outside[k] = to[l];
   }
   for (std::size_t k = 0; k < 4; ++k) {
-    opposite_[at(to[k])] = outside[k];
-    if (outside[k] >= 0) opposite_[at(outside[k])] = to[k];
+    opposite_[to[k]] = outside[k];
+    if (outside[k] >= 0) opposite_[outside[k]] = to[k];
     log_lengths_[to[k]] = lengths[k];
   }
   log_lengths_[h0] = log_lengths_[o0] = diagonal;
@@ -178,7 +178,7 @@ Points2 IntrinsicTriangulation::surface_vectors(const Vec& log_factor) const {
     const TriangleShape triangle = shape(lengths, f);
     Complex direction = 1;
     for (Index k = 0; k < 3; ++k) {
-      const double turn = std::numbers::pi - triangle.angle[at(next(k))];
+      const double turn = std::numbers::pi - triangle.angle[next(k)];
       const double length = std::clamp(lengths[3 * f + k], -kLargestLog, kLargestLog);
       set_vector(vectors, 3 * f + k, std::exp(length) * direction);
       // Exactly straight at a broken triangle's corners of 0 and pi.

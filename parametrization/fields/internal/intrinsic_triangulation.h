@@ -43,7 +43,7 @@ class IntrinsicTriangulation {
   const Cells& faces() const { return faces_; }  // #F by 3
   Index face_count() const { return static_cast<Index>(faces_.rows()); }
   Index half_edge_count() const { return 3 * face_count(); }
-  Index opposite(Index half_edge) const { return opposite_[at(half_edge)]; }
+  Index opposite(Index half_edge) const { return opposite_[half_edge]; }
 
   // 3 #F logarithms of the lengths of all half-edges with log factors u (#V), and the shape of
   // triangle f with such lengths. Both sides of an edge have the same length to rounding.

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "majorant/parametrization/fields/internal/cone_potential.h"
-#include "majorant/parametrization/fields/internal/turning_loops.h"
+#include "majorant/parametrization/fields/internal/homology_generators.h"
 
 namespace majorant {
 namespace {
@@ -29,7 +29,7 @@ FieldConnection trivial_connection(const SurfaceMesh& mesh, const FieldGeometry&
   // Where the tree does not pass, the branches that meet may differ, up to quarter turns.
   Vec gaps(static_cast<Index>(loops.loops().size()));
   for (Index k = 0; k < gaps.size(); ++k) {
-    const Index h = loops.loops()[at(k)];
+    const Index h = loops.loops()[k];
     gaps[k] = std::remainder(field.angle[face_of(mesh.opposite(h))] - branch_beyond(h), kQuarter);
   }
   field.rotation += loops.close(gaps);

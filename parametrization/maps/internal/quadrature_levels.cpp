@@ -66,7 +66,7 @@ void QuadratureLevels::set(std::vector<RuleId> levels) {
 bool QuadratureLevels::refine(const std::vector<Index>& faces) {
   bool refined = false;
   for (const Index f : faces) {
-    RuleId& level = level_[at(f)];
+    RuleId& level = level_[f];
     if (level >= ladder_.top()) continue;
     ++level;
     refined = true;

@@ -12,7 +12,7 @@ namespace majorant {
 class QuadratureLevels {
  public:
   QuadratureLevels(QuadratureLadder ladder, Index face_count)
-      : ladder_(std::move(ladder)), level_(at(face_count), 0) {}
+      : ladder_(std::move(ladder)), level_(to_size(face_count), 0) {}
 
   // All rules of the ladder, guarded ones first, as terms number them.
   std::vector<Quadrature> rules() const;

@@ -101,11 +101,11 @@ Vector2 layout_direction(const Points2& uv, const Cells& cells) {
   const double size = (0.5 * high - 0.5 * low).maxCoeff();
   if (!(size > 0) || !std::isfinite(size)) return {1, 0};
   const double unit = power_of_two(size);
-  std::vector<char> is_used(at(static_cast<Index>(uv.rows())), 0);
-  for (const Index p : cells.reshaped()) is_used[at(p)] = 1;
+  std::vector<char> is_used(to_size(static_cast<Index>(uv.rows())), 0);
+  for (const Index p : cells.reshaped()) is_used[p] = 1;
   std::vector<Vector2> points;
   for (Index p = 0; p < uv.rows(); ++p)
-    if (is_used[at(p)])
+    if (is_used[p])
       points.emplace_back((uv(p, 0) - low.x() / 2 - high.x() / 2) / unit,
                           (uv(p, 1) - low.y() / 2 - high.y() / 2) / unit);
   const SmallestRectangle box = smallest_rectangle(points);

@@ -9,9 +9,9 @@ CellGrid::CellGrid(int cells, int margin, int longest)
     : cells_(cells),
       margin_(margin),
       level_count_(std::bit_width(static_cast<unsigned>(std::min(longest, cells + 2 * margin)))),
-      words_(at((cells + 2 * margin) / 64 + 3)),
-      levels_(at(cells) * at(level_count_) * words_, 0),
-      widest_(at(cells), cells + 2 * margin) {}
+      words_(to_size((cells + 2 * margin) / 64 + 3)),
+      levels_(to_size(cells) * to_size(level_count_) * words_, 0),
+      widest_(to_size(cells), cells + 2 * margin) {}
 
 void CellGrid::take(const CellRuns& runs, int column, int row) {
   for (std::size_t k = 0; k < runs.size();) {
@@ -21,7 +21,7 @@ void CellGrid::take(const CellRuns& runs, int column, int row) {
       const int from = std::max(runs[k].begin + column, 0) + margin_,
                 to = std::min(runs[k].end + column, cells_) + margin_;
       if (j < 0 || j >= cells_) continue;
-      for (int i = from; i < to; ++i) level(j, 0)[at(i / 64)] |= Word{1} << (i % 64);
+      for (int i = from; i < to; ++i) level(j, 0)[i / 64] |= Word{1} << (i % 64);
       begin = std::min(begin, from);
       end = std::max(end, to);
     }
@@ -34,21 +34,22 @@ void CellGrid::update(int row, int begin, int end) {
     const Word* from = level(row, k - 1);
     Word* to = level(row, k);
     const int ahead = 1 << (k - 1), shift = ahead % 64;
-    const std::size_t skip = at(ahead / 64);
+    const std::size_t skip = to_size(ahead / 64);
     const auto word = [&](std::size_t w) { return w < words_ ? from[w] : 0; };
-    for (std::size_t w = at(std::max(begin - 2 * ahead, 0) / 64); w <= at(end / 64); ++w) {
+    for (std::size_t w = to_size(std::max(begin - 2 * ahead, 0) / 64); w <= to_size(end / 64);
+         ++w) {
       const Word high = shift == 0 ? 0 : word(w + skip + 1) << (64 - shift);
       to[w] = from[w] | word(w + skip) >> shift | high;
     }
   }
-  widest_[at(row)] = widest(row);
+  widest_[row] = widest(row);
 }
 
 int CellGrid::widest(int row) const {
   int widest = 0, free = 0;
   const int end = cells_ + 2 * margin_;
   for (int i = 0; i < end;) {
-    const Word rest = level(row, 0)[at(i / 64)] >> (i % 64);
+    const Word rest = level(row, 0)[i / 64] >> (i % 64);
     const int zeros = std::min({std::countr_zero(rest), 64 - i % 64, end - i});
     i += zeros;
     free += zeros;
@@ -64,7 +65,7 @@ int CellGrid::widest(int row) const {
 bool CellGrid::wide_enough(const CellRuns& runs, int row) const {
   return std::all_of(runs.begin(), runs.end(), [&](const CellRun& run) {
     const int j = run.row + row;
-    return j < 0 || j >= cells_ || run.end - run.begin <= widest_[at(j)];
+    return j < 0 || j >= cells_ || run.end - run.begin <= widest_[j];
   });
 }
 
@@ -74,7 +75,7 @@ bool CellGrid::block(const CellRun& run, int row, std::vector<Word>& blocked) co
   const Word* taken = level(row, k);
   Word all = ~Word{0};
   for (const int from : {run.begin, run.end - (1 << k)}) {
-    const std::size_t skip = at((from + margin_) / 64);
+    const std::size_t skip = to_size((from + margin_) / 64);
     const int shift = (from + margin_) % 64;
     all = ~Word{0};
     for (std::size_t w = 0; w < blocked.size(); ++w) {
@@ -90,7 +91,7 @@ bool CellGrid::block(const CellRun& run, int row, std::vector<Word>& blocked) co
 std::optional<std::pair<int, int>> CellGrid::lowest_place(const CellRuns& runs, int first_row,
                                                           int last_row, int last_column) const {
   if (last_column < 0) return {};
-  std::vector<Word> blocked(at(last_column / 64 + 1));
+  std::vector<Word> blocked(to_size(last_column / 64 + 1));
   for (int row = first_row; row <= last_row; ++row) {
     if (!wide_enough(runs, row)) continue;
     std::fill(blocked.begin(), blocked.end(), Word{0});

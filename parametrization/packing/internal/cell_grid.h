@@ -36,10 +36,10 @@ class CellGrid {
  private:
   using Word = std::uint64_t;
   const Word* level(int row, int k) const {
-    return levels_.data() + (at(row) * at(level_count_) + at(k)) * words_;
+    return levels_.data() + (to_size(row) * to_size(level_count_) + to_size(k)) * words_;
   }
   Word* level(int row, int k) {
-    return levels_.data() + (at(row) * at(level_count_) + at(k)) * words_;
+    return levels_.data() + (to_size(row) * to_size(level_count_) + to_size(k)) * words_;
   }
   void update(int row, int begin, int end);  // what follows from level 0, changed there
   int widest(int row) const;

@@ -37,9 +37,9 @@ constexpr int kRounding = 4;
 // take.
 constexpr std::size_t kQuestionsPerItem = 16;
 
-libnest2d::Item item_of(const Parcel& parcel, double scale) {
+libnest2d::Item item_of(const ChartOutline& chart, double scale) {
   std::vector<Vector2> points;
-  for (const std::vector<Vector2>& loop : parcel.outline.loops)
+  for (const std::vector<Vector2>& loop : chart.outline.loops)
     points.insert(points.end(), loop.begin(), loop.end());
   ClipperLib::Path path;
   for (const Vector2& p : outer_polygon(convex_hull(std::move(points)), kCorners))
@@ -49,7 +49,7 @@ libnest2d::Item item_of(const Parcel& parcel, double scale) {
   return libnest2d::Item(std::move(path));
 }
 
-// The lower left corner of the parcel's box after the turn about the origin.
+// The lower left corner of the chart's box after the turn about the origin.
 Vector2 turned_corner(const Vector2& size, int quarters) {
   return {quarters == 1   ? -size.y()
           : quarters == 2 ? -size.x()
@@ -65,10 +65,10 @@ std::optional<Strip> nested_strip(const PackingJob& job, double width) {
   const double scale = kIntegers / width;
   double reach = 0;
   std::vector<libnest2d::Item> items;
-  for (std::size_t k = 0; k < job.parcels.size(); ++k) {
+  for (std::size_t k = 0; k < job.charts.size(); ++k) {
     if (job.fixed[k]) return {};
-    reach = std::max(reach, job.parcels[k].outline.reach);
-    items.push_back(item_of(job.parcels[k], scale));
+    reach = std::max(reach, job.charts[k].outline.reach);
+    items.push_back(item_of(job.charts[k], scale));
   }
   const auto gap =
       static_cast<libnest2d::Coord>(std::ceil((job.gap * width + 2 * reach) * scale) + kRounding);
@@ -97,12 +97,12 @@ std::optional<Strip> nested_strip(const PackingJob& job, double width) {
     const int quarters = static_cast<int>(std::lround(turns)) & 3;
     const Vector2 moved(static_cast<double>(items[k].translation().X),
                         static_cast<double>(items[k].translation().Y));
-    const Parcel& parcel = job.parcels[k];
-    strip.spots.push_back({quarters, moved / scale + turned_corner(parcel.size, quarters)});
-    low = low.cwiseMin(strip.spots[k].low);
-    high = high.cwiseMax(strip.spots[k].low + size_after(parcel, quarters));
+    const ChartOutline& chart = job.charts[k];
+    strip.poses.push_back({quarters, moved / scale + turned_corner(chart.size, quarters)});
+    low = low.cwiseMin(strip.poses[k].low);
+    high = high.cwiseMax(strip.poses[k].low + size_after(chart, quarters));
   }
-  for (Spot& spot : strip.spots) spot.low -= low;
+  for (Pose& pose : strip.poses) pose.low -= low;
   if ((high - low).x() > width) return {};
   strip.height = (high - low).y();
   return strip;

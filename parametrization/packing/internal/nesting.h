@@ -1,19 +1,19 @@
 // libnest2d: polygons slid along each other, by no-fit polygons.
 //
-//   const PackingJob job = packing_job({map, map}, {Freedom::Any, Freedom::Any}, 0.01);
+//   const PackingJob job = packing_job({map, map}, {AllowedRotations::Any, AllowedRotations::Any}, 0.01);
 //   const std::optional<Strip> nested = nested_strip(job, 2.5);    // 2.5 units wide
 //
-// Better than the raster for some layouts of few parcels, and quadratic in their number. Polygons
+// Better than the raster for some layouts of few charts, and quadratic in their number. Polygons
 // are the convex hulls of the outlines: the no-fit polygons of version 5 are right for convex ones
 // alone, others it would let overlap without a word. So nothing is to be believed before it is
 // proven. One thread, no clock: the same result every time.
 #pragma once
 
-#include "majorant/parametrization/packing/internal/arrangement.h"
+#include "majorant/parametrization/packing/internal/placements.h"
 
 namespace majorant {
 
-// None where some do not fit, where libnest2d gives up, or where parcels are fixed; without
+// None where some do not fit, where libnest2d gives up, or where charts are fixed; without
 // MAJORANT_GPL always: libnest2d is under the LGPL.
 std::optional<Strip> nested_strip(const PackingJob& job, double width);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "majorant/parametrization/packing/internal/arrangement.h"
+#include "majorant/parametrization/packing/internal/placements.h"
 
 namespace majorant {
 namespace {
@@ -57,8 +57,8 @@ class Raster {
       : left_(static_cast<int>(std::floor(low.x()))),
         bottom_(static_cast<int>(std::floor(low.y()))),
         columns_(static_cast<int>(std::floor(high.x())) - left_ + 1),
-        rows_(at(static_cast<int>(std::floor(high.y())) - bottom_ + 1)) {
-    for (auto& row : rows_) row.resize(at(columns_), 0);
+        rows_(to_size(static_cast<int>(std::floor(high.y())) - bottom_ + 1)) {
+    for (auto& row : rows_) row.resize(to_size(columns_), 0);
   }
 
   void draw(const Vector2& a, const Vector2& b, double radius) {
@@ -81,7 +81,7 @@ class Raster {
         for (int j = row_of(low); j <= row_of(high); ++j) {
           const double y = bottom_ + j + 0.5;
           if ((a.y() > y) != (b.y() > y))
-            crossings[at(j)].push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+            crossings[j].push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
         }
       }
     for (std::size_t j = 0; j < crossings.size(); ++j) {
@@ -97,9 +97,9 @@ class Raster {
     for (std::size_t j = 0; j < rows_.size(); ++j)
       for (int i = 0; i < columns_;) {
         const int begin = i;
-        while (i < columns_ && rows_[j][at(i)]) ++i;
+        while (i < columns_ && rows_[j][i]) ++i;
         if (i > begin) runs.push_back({bottom_ + static_cast<int>(j), left_ + begin, left_ + i});
-        while (i < columns_ && !rows_[j][at(i)]) ++i;
+        while (i < columns_ && !rows_[j][i]) ++i;
       }
     return runs;
   }
@@ -111,7 +111,7 @@ class Raster {
   }
   void fill(int row, double begin, double end) {
     const double b = std::max(begin - left_, 0.0), e = std::min(end - left_, double(columns_));
-    for (int i = static_cast<int>(b); i < static_cast<int>(e); ++i) rows_[at(row)][at(i)] = 1;
+    for (int i = static_cast<int>(b); i < static_cast<int>(e); ++i) rows_[row][i] = 1;
   }
 
   int left_, bottom_, columns_;
@@ -120,14 +120,14 @@ class Raster {
 
 }  // namespace
 
-CellRuns cells_of(const Parcel& parcel, int quarters, const Vector2& low, double cell,
+CellRuns cells_of(const ChartOutline& chart, int quarters, const Vector2& low, double cell,
                   double distance) {
-  std::vector<std::vector<Vector2>> loops = parcel.outline.loops;
+  std::vector<std::vector<Vector2>> loops = chart.outline.loops;
   for (auto& loop : loops)
-    for (Vector2& p : loop) p = (quarter_turned(p, quarters, parcel.size) + low) / cell;
-  const double radius = (distance + parcel.outline.reach) / cell + kMargin;
+    for (Vector2& p : loop) p = (quarter_turned(p, quarters, chart.size) + low) / cell;
+  const double radius = (distance + chart.outline.reach) / cell + kMargin;
   const Vector2 margin = Vector2::Constant(radius);
-  Raster raster(low / cell - margin, (low + size_after(parcel, quarters)) / cell + margin);
+  Raster raster(low / cell - margin, (low + size_after(chart, quarters)) / cell + margin);
   raster.fill_inside(loops);
   for (const auto& loop : loops)
     for (std::size_t k = 0; k < loop.size(); ++k)

@@ -1,13 +1,13 @@
 // The cells of a grid that an outline may meet, or come closer to than a given distance.
 //
-//   const Parcel parcel = parcel_of(map, layout_unit({map}), 1e-3);
-//   const CellRuns cells = cells_of(parcel, 2, {0, 0}, 0.01, 0.04);   // half turned, on a grid of
+//   const ChartOutline chart = chart_outline(map, layout_unit({map}), 1e-3);
+//   const CellRuns cells = cells_of(chart, 2, {0, 0}, 0.01, 0.04);   // half turned, on a grid of
 //                                                                     // 0.01, as far as 0.04
 #pragma once
 
 #include <vector>
 
-#include "majorant/parametrization/packing/internal/parcel.h"
+#include "majorant/parametrization/packing/internal/chart_outline.h"
 
 namespace majorant {
 
@@ -16,10 +16,10 @@ struct CellRun {
 };
 using CellRuns = std::vector<CellRun>;  // by row, then by column
 
-// Cell (i, j) is [i, i + 1] x [j, j + 1] times `cell`. The parcel is turned by `quarters` and its
-// box put at `low`. Every cell of which a point is within `distance` of the parcel is there, its
+// Cell (i, j) is [i, i + 1] x [j, j + 1] times `cell`. The chart is turned by `quarters` and its
+// box put at `low`. Every cell of which a point is within `distance` of the chart is there, its
 // outline's reach and rounding included.
-CellRuns cells_of(const Parcel& parcel, int quarters, const Vector2& low, double cell,
+CellRuns cells_of(const ChartOutline& chart, int quarters, const Vector2& low, double cell,
                   double distance);
 
 }  // namespace majorant

@@ -14,8 +14,9 @@ constexpr double kReach = 2e-4;
 
 }  // namespace
 
-PackingJob packing_job(const std::vector<BezierMap>& charts, const std::vector<Freedom>& freedom,
-                       double gap, const StopCheck& stop) {
+PackingJob packing_job(const std::vector<BezierMap>& charts,
+                       const std::vector<AllowedRotations>& freedom, double gap,
+                       const StopCheck& stop) {
   PackingJob job;
   job.stop = stop;
   job.gap = gap;
@@ -25,14 +26,15 @@ PackingJob packing_job(const std::vector<BezierMap>& charts, const std::vector<F
   Vector2 corner = Vector2::Constant(std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k < charts.size(); ++k) {
     stop.poll();
-    job.parcels.push_back(parcel_of(charts[k], job.unit, reach,
-                                    freedom[k] == Freedom::Any ? Turn::Tightest : Turn::None));
-    if (freedom[k] == Freedom::None) corner = corner.cwiseMin(job.parcels[k].low);
+    job.charts.push_back(
+        chart_outline(charts[k], job.unit, reach,
+                      freedom[k] == AllowedRotations::Any ? Turn::Tightest : Turn::None));
+    if (freedom[k] == AllowedRotations::None) corner = corner.cwiseMin(job.charts[k].low);
   }
   if (corner.allFinite()) job.corner = corner;
   job.fixed.resize(charts.size());
   for (std::size_t k = 0; k < charts.size(); ++k)
-    if (freedom[k] == Freedom::None) job.fixed[k] = job.parcels[k].low - job.corner;
+    if (freedom[k] == AllowedRotations::None) job.fixed[k] = job.charts[k].low - job.corner;
   return job;
 }
 

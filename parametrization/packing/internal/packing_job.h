@@ -1,7 +1,7 @@
-// What every packer is given: the charts as parcels, in units.
+// What every packer is given: the charts as charts, in units.
 //
 //   const std::vector<BezierMap> charts{map, map};
-//   const std::vector<Freedom> freedom(charts.size(), Freedom::Any);
+//   const std::vector<AllowedRotations> freedom(charts.size(), AllowedRotations::Any);
 //   const PackingJob job = packing_job(charts, freedom, 4.0 / 1024);
 #pragma once
 
@@ -9,26 +9,27 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/packing/internal/parcel.h"
+#include "majorant/parametrization/packing/internal/chart_outline.h"
 
 namespace majorant {
 
 // None: stays where it is. QuarterTurns, because these round nothing.
-enum class Freedom { Any, QuarterTurns, None };
+enum class AllowedRotations { Any, QuarterTurns, None };
 
 struct PackingJob {
-  std::vector<Parcel> parcels;
+  std::vector<ChartOutline> charts;
   // Lower left corners of those that stay where they are, relative to that of the square.
   std::vector<std::optional<Vector2>> fixed;
   double gap = 0;   // of any two, as a part of the square's side
   double unit = 1;  // layout_unit() of the charts: what everything here is divided by
   Vector2 corner = Vector2::Zero();  // of the square, where some stay
-  double area = 0;                   // of all parcels
+  double area = 0;                   // of all charts
   StopCheck stop;
 };
 
-PackingJob packing_job(const std::vector<BezierMap>& charts, const std::vector<Freedom>& freedom,
-                       double gap, const StopCheck& stop = {});
+PackingJob packing_job(const std::vector<BezierMap>& charts,
+                       const std::vector<AllowedRotations>& freedom, double gap,
+                       const StopCheck& stop = {});
 
 }  // namespace majorant
 

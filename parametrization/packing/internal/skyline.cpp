@@ -46,29 +46,29 @@ class Skyline {
   std::vector<Step> steps_;
 };
 
-enum class Pose { Lying, Upright };
+enum class ChartPose { Lying, Upright };
 
-std::optional<Strip> shelves(const PackingJob& job, double width, Pose pose) {
+std::optional<Strip> shelves(const PackingJob& job, double width, ChartPose pose) {
   const double gap = job.gap * width;
   Skyline skyline(width + gap);
-  Strip strip{std::vector<Spot>(job.parcels.size()), 0};
+  Strip strip{std::vector<Pose>(job.charts.size()), 0};
   Vector2 fixed = Vector2::Zero();
   std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < job.parcels.size(); ++k) {
+  for (std::size_t k = 0; k < job.charts.size(); ++k) {
     if (!job.fixed[k]) {
       order.push_back(k);
-      strip.spots[k].quarters = pose == Pose::Upright;  // parcels lie
+      strip.poses[k].quarters = pose == ChartPose::Upright;  // charts lie
       continue;
     }
-    strip.spots[k].low = *job.fixed[k];
-    fixed = fixed.cwiseMax(*job.fixed[k] + job.parcels[k].size);
+    strip.poses[k].low = *job.fixed[k];
+    fixed = fixed.cwiseMax(*job.fixed[k] + job.charts[k].size);
   }
-  if (order.size() < job.parcels.size()) {
+  if (order.size() < job.charts.size()) {
     if (!skyline.place(fixed.array() + gap)) return {};
     strip.height = fixed.y();
   }
   const auto size = [&](std::size_t k) {
-    return size_after(job.parcels[k], strip.spots[k].quarters);
+    return size_after(job.charts[k], strip.poses[k].quarters);
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const Vector2 p = size(a), q = size(b);
@@ -77,7 +77,7 @@ std::optional<Strip> shelves(const PackingJob& job, double width, Pose pose) {
   for (const std::size_t k : order) {
     const std::optional<Vector2> place = skyline.place(size(k).array() + gap);
     if (!place) return {};
-    strip.spots[k].low = *place;
+    strip.poses[k].low = *place;
     strip.height = std::max(strip.height, place->y() + size(k).y());
   }
   return strip;
@@ -86,8 +86,8 @@ std::optional<Strip> shelves(const PackingJob& job, double width, Pose pose) {
 }  // namespace
 
 std::optional<Strip> skyline_strip(const PackingJob& job, double width) {
-  std::optional<Strip> lying = shelves(job, width, Pose::Lying),
-                       upright = shelves(job, width, Pose::Upright);
+  std::optional<Strip> lying = shelves(job, width, ChartPose::Lying),
+                       upright = shelves(job, width, ChartPose::Upright);
   return !lying || (upright && upright->height < lying->height) ? upright : lying;
 }
 

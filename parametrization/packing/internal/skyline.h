@@ -1,9 +1,9 @@
-// Boxes on shelves: every parcel's box at the lowest place that the boxes before it leave open from
-// above ([Jyl10] Sec. 2.4). What any better packer must beat; O(#parcels * #steps
+// Boxes on shelves: every chart's box at the lowest place that the boxes before it leave open from
+// above ([Jyl10] Sec. 2.4). What any better packer must beat; O(#charts * #steps
 // of the line).
 #pragma once
 
-#include "majorant/parametrization/packing/internal/arrangement.h"
+#include "majorant/parametrization/packing/internal/placements.h"
 
 namespace majorant {
 

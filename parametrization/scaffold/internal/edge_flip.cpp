@@ -27,7 +27,7 @@ class FlipTables {
         all.push_back(FlipTables(degree));
       return all;
     }();
-    return tables[at(n - 1)];
+    return tables[n - 1];
   }
 
   // Points of a triangle's grid half: corners (0,0) (n,n) (0,n) of the grid are corners
@@ -35,7 +35,7 @@ class FlipTables {
   struct Place {
     int row, local;
   };
-  const std::vector<Place>& half(int slot) const { return half_[at(slot)]; }
+  const std::vector<Place>& half(int slot) const { return half_[slot]; }
 
   bool is_injective(const RowMatrix& points) const {
     Vec x(points.size());
@@ -50,8 +50,8 @@ class FlipTables {
     for (Index slot = 0; slot < 3; ++slot)
       for (int local = 0; local < indices.count(); ++local) {
         const MultiIndex& m = indices.multi(local);
-        const int to = m[at(next(slot))], apex = m[at(previous(slot))];
-        half_[at(slot)].push_back({(to + apex) * (n + 1) + to, local});
+        const int to = m[next(slot)], apex = m[previous(slot)];
+        half_[slot].push_back({(to + apex) * (n + 1) + to, local});
       }
   }
 
@@ -70,17 +70,17 @@ bool are_joined(const BezierMesh& mesh, Index leaving, Index other) {
   Index h = leaving;
   do {
     if (mesh.to_vertex(h) == other || mesh.from_vertex(previous(h)) == other) return true;
-    h = mesh.opposite[at(previous(h))];
+    h = mesh.opposite[previous(h)];
   } while (h >= 0 && h != leaving);
   if (h == leaving) return false;
-  for (h = mesh.opposite[at(leaving)]; h >= 0; h = mesh.opposite[at(next(h))])
+  for (h = mesh.opposite[leaving]; h >= 0; h = mesh.opposite[next(h)])
     if (mesh.to_vertex(next(h)) == other) return true;
   return false;
 }
 
 // An edge between two triangles whose third corners are not joined yet.
 bool has_free_diagonal(const BezierMesh& mesh, Index h) {
-  const Index o = mesh.opposite[at(h)];
+  const Index o = mesh.opposite[h];
   if (o < 0 || face_of(o) == face_of(h)) return false;
   const Index c = mesh.from_vertex(previous(h)), d = mesh.from_vertex(previous(o));
   return c != d && !are_joined(mesh, previous(h), d);
@@ -89,7 +89,7 @@ bool has_free_diagonal(const BezierMesh& mesh, Index h) {
 // The grid of the two triangles of an edge, whose half-edge is the diagonal of the upper half.
 Points2 read_grid(const BezierMesh& mesh, Index h) {
   const FlipTables& tables = FlipTables::of_degree(mesh.degree);
-  const Index o = mesh.opposite[at(h)];
+  const Index o = mesh.opposite[h];
   const int count = (mesh.degree + 1) * (mesh.degree + 1);
   Points2 grid(count, 2);
   for (const auto& [row, local] : tables.half(corner_of(o)))
@@ -116,19 +116,19 @@ RowMatrix upper_half(const Points2& grid, const std::vector<FlipTables::Place>& 
 }
 
 Quadrilateral corners(const BezierMesh& mesh, Index h) {
-  const Index o = mesh.opposite[at(h)];
+  const Index o = mesh.opposite[h];
   const auto corner = [&](Index side) { return mesh.point(face_of(side), corner_of(side)); };
   return {corner(h), corner(previous(o)), corner(next(h)), corner(previous(h))};
 }
 
 void flip_connectivity(BezierMesh& mesh, Index h) {
-  const Index o = mesh.opposite[at(h)];
+  const Index o = mesh.opposite[h];
   const FlippedSides moves = flipped_sides(h, o);
   std::array<Index, 4> outside{};
-  for (std::size_t k = 0; k < 4; ++k) outside[k] = mesh.opposite[at(moves.from[k])];
+  for (std::size_t k = 0; k < 4; ++k) outside[k] = mesh.opposite[moves.from[k]];
   for (std::size_t k = 0; k < 4; ++k) {
-    mesh.opposite[at(moves.to[k])] = outside[k];
-    if (outside[k] >= 0) mesh.opposite[at(outside[k])] = moves.to[k];
+    mesh.opposite[moves.to[k]] = outside[k];
+    if (outside[k] >= 0) mesh.opposite[outside[k]] = moves.to[k];
   }
   const Index a = mesh.from_vertex(h), b = mesh.from_vertex(o);
   const Index c = mesh.from_vertex(previous(h)), d = mesh.from_vertex(previous(o));
@@ -153,8 +153,8 @@ FlipCounts flip_while(BezierMesh& mesh, std::vector<char>& is_fixed, long most,
   std::deque<Index> queue;
   std::vector<char> queued(count, 0), failed(count, 0);
   const auto push = [&](Index h) {
-    if (mesh.opposite[at(h)] < 0 || queued[at(h)]) return;
-    queued[at(h)] = 1;
+    if (mesh.opposite[h] < 0 || queued[h]) return;
+    queued[h] = 1;
     queue.push_back(h);
   };
   for (std::size_t h = 0; h < count; ++h)
@@ -162,27 +162,27 @@ FlipCounts flip_while(BezierMesh& mesh, std::vector<char>& is_fixed, long most,
 
   FlipCounts counts;
   while (!queue.empty() && counts.performed < most) {
-    const Index h = queue.front(), o = mesh.opposite[at(h)];
+    const Index h = queue.front(), o = mesh.opposite[h];
     queue.pop_front();
-    queued[at(h)] = 0;
-    if (o < 0 || failed[at(h)]) continue;
-    if (!is_fixed.empty() && (is_fixed[at(h)] || is_fixed[at(o)])) continue;
+    queued[h] = 0;
+    if (o < 0 || failed[h]) continue;
+    if (!is_fixed.empty() && (is_fixed[h] || is_fixed[o])) continue;
     if (!wanted(mesh, h)) continue;
     ++counts.intended;
     if (!flip_edge(mesh, h)) {
-      failed[at(h)] = failed[at(o)] = 1;
+      failed[h] = failed[o] = 1;
       continue;
     }
     ++counts.performed;
     // Sides get other numbers; what was noted about a number is told to its new owner.
     const FlippedSides moves = flipped_sides(h, o);
     std::array<char, 4> fixed{};
-    for (std::size_t k = 0; k < 4 && !is_fixed.empty(); ++k) fixed[k] = is_fixed[at(moves.from[k])];
+    for (std::size_t k = 0; k < 4 && !is_fixed.empty(); ++k) fixed[k] = is_fixed[moves.from[k]];
     for (std::size_t k = 0; k < 4; ++k) {
-      if (!is_fixed.empty()) is_fixed[at(moves.to[k])] = fixed[k];
-      const Index outside = mesh.opposite[at(moves.to[k])];
-      failed[at(moves.to[k])] = 0;
-      if (outside >= 0) failed[at(outside)] = 0;
+      if (!is_fixed.empty()) is_fixed[moves.to[k]] = fixed[k];
+      const Index outside = mesh.opposite[moves.to[k]];
+      failed[moves.to[k]] = 0;
+      if (outside >= 0) failed[outside] = 0;
       push(moves.to[k]);
     }
   }
@@ -198,13 +198,13 @@ FlippedSides flipped_sides(Index half_edge, Index opposite) {
 
 bool flip_edge(BezierMesh& mesh, Index half_edge) {
   require_degree(mesh);
-  if (half_edge < 0 || at(half_edge) >= mesh.opposite.size())
+  if (half_edge < 0 || to_size(half_edge) >= mesh.opposite.size())
     throw InvalidArgument(fmt::format("flip_edge: no half-edge {}", half_edge));
   if (!has_free_diagonal(mesh, half_edge)) return false;
   if (!corners(mesh, half_edge).flips_to_positive(Quadrilateral::kRounding)) return false;
 
   const int n = mesh.degree;
-  const Index h = half_edge, o = mesh.opposite[at(h)];
+  const Index h = half_edge, o = mesh.opposite[h];
   const FlipTables& tables = FlipTables::of_degree(n);
   Points2 grid = turned(read_grid(mesh, h), n);
   const auto corner_determinant = [&](int corner, int out, int in) {

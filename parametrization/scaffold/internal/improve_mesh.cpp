@@ -61,7 +61,7 @@ class Improver {
         throw InvalidArgument(fmt::format("improve_mesh: face {} of the map is not injective", f));
     }
     for (Index h = 0; h < 3 * mesh_.face_count(); ++h)
-      if (mesh_.opposite[at(h)] > h) push(h);
+      if (mesh_.opposite[h] > h) push(h);
   }
 
   // Pairs that share no face are tried together.
@@ -78,14 +78,14 @@ class Improver {
   const Points3& positions() const { return map_.mesh().positions(); }
 
   void push(Index h) {
-    if (mesh_.opposite[at(h)] < 0 || is_queued_[at(h)]) return;
-    is_queued_[at(h)] = 1;
+    if (mesh_.opposite[h] < 0 || is_queued_[h]) return;
+    is_queued_[h] = 1;
     queue_.push_back(h);
   }
 
   // The corners of a pair in the plane of one of its faces; nothing when they are not coplanar.
   std::optional<Quadrilateral> unfolded(Index h) const {
-    const Index o = mesh_.opposite[at(h)];
+    const Index o = mesh_.opposite[h];
     const auto relative = [&, origin = mesh_.from_vertex(h)](Index side) -> Vector3 {
       return positions().row(mesh_.from_vertex(side)) - positions().row(origin);
     };
@@ -102,7 +102,7 @@ class Improver {
   std::optional<Trial> trial(Index h) const {
     const std::optional<Quadrilateral> quad = unfolded(h);
     if (!quad || !quad->is_strictly_convex(kSine)) return std::nullopt;
-    const Index o = mesh_.opposite[at(h)], here = corner_of(h), there = 3 + corner_of(o);
+    const Index o = mesh_.opposite[h], here = corner_of(h), there = 3 + corner_of(o);
     Trial t{h, !quad->wants_delaunay_flip(Quadrilateral::kUnfoldedRounding), {}, {}};
     t.pair.degree = mesh_.degree;
     t.pair.faces.resize(2, 3);
@@ -116,8 +116,8 @@ class Improver {
     set(next(there), 0);
     set(previous(there), 3);
     t.pair.opposite.assign(6, -1);
-    t.pair.opposite[at(here)] = there;
-    t.pair.opposite[at(there)] = here;
+    t.pair.opposite[here] = there;
+    t.pair.opposite[there] = here;
     t.pair.points.resize(2, mesh_.points.cols());
     t.pair.points.row(0) = mesh_.points.row(face_of(h));
     t.pair.points.row(1) = mesh_.points.row(face_of(o));
@@ -130,21 +130,21 @@ class Improver {
   std::vector<Trial> next_pairs() {
     std::vector<Trial> trials;
     std::vector<Index> waiting;
-    std::vector<char> is_taken(at(mesh_.face_count()), 0);
+    std::vector<char> is_taken(to_size(mesh_.face_count()), 0);
     for (const Index h : queue_) {
-      const Index f = face_of(h), g = face_of(mesh_.opposite[at(h)]);
-      if (mesh_.opposite[at(h)] < 0) {  // an earlier flip gave the number to a boundary edge
-        is_queued_[at(h)] = 0;
+      const Index f = face_of(h), g = face_of(mesh_.opposite[h]);
+      if (mesh_.opposite[h] < 0) {  // an earlier flip gave the number to a boundary edge
+        is_queued_[h] = 0;
         continue;
       }
-      if (is_taken[at(f)] || is_taken[at(g)]) {
+      if (is_taken[f] || is_taken[g]) {
         waiting.push_back(h);
         continue;
       }
-      is_queued_[at(h)] = 0;
+      is_queued_[h] = 0;
       std::optional<Trial> t = trial(h);
       if (!t) continue;
-      is_taken[at(f)] = is_taken[at(g)] = 1;
+      is_taken[f] = is_taken[g] = 1;
       trials.push_back(std::move(*t));
     }
     queue_ = std::move(waiting);
@@ -165,8 +165,8 @@ class Improver {
     Cells faces(2 * count, 3);
     Points3 corners(4 * count, 3);
     for (Index p = 0; p < count; ++p) {
-      const Index h = trials[at(p)].half_edge, o = mesh_.opposite[at(h)];
-      faces.middleRows(2 * p, 2) = (trials[at(p)].*which).faces.array() + 4 * p;
+      const Index h = trials[p].half_edge, o = mesh_.opposite[h];
+      faces.middleRows(2 * p, 2) = (trials[p].*which).faces.array() + 4 * p;
       Index corner = 4 * p;
       for (const Index side : {h, o, previous(h), previous(o)})
         corners.row(corner++) = positions().row(mesh_.from_vertex(side));
@@ -177,7 +177,7 @@ class Improver {
     for (Index f = 0; f < 2 * count; ++f)
       for (Index l = 0; l < out.space->cells().cols(); ++l)
         out.x.segment<2>(2 * out.space->cells()(f, l)) =
-            (trials[at(f / 2)].*which).point(f % 2, static_cast<int>(l));
+            (trials[f / 2].*which).point(f % 2, static_cast<int>(l));
     const PairEnergy energy(out.space, flat_triangles(corners, faces), energy_, rule_);
     energy.minimize(out.x);
     out.value = energy.values(out.x);
@@ -199,7 +199,7 @@ class Improver {
   }
 
   void accept(Index h, const RelaxedPairs& pairs, std::size_t pair) {
-    const Index o = mesh_.opposite[at(h)];
+    const Index o = mesh_.opposite[h];
     if (!flip_edge(mesh_, h)) return;  // the new edge exists elsewhere
     ++flips_.performed;
     Index relaxed_face = 2 * static_cast<Index>(pair);
@@ -209,8 +209,8 @@ class Improver {
             pairs.x.segment<2>(2 * pairs.space->cells()(relaxed_face, l));
       ++relaxed_face;
     }
-    input_face_[at(face_of(h))] = input_face_[at(face_of(o))] =
-        std::min(input_face_[at(face_of(h))], input_face_[at(face_of(o))]);
+    input_face_[face_of(h)] = input_face_[face_of(o)] =
+        std::min(input_face_[face_of(h)], input_face_[face_of(o)]);
     for (const Index side : flipped_sides(h, o).to) push(side);
   }
 
@@ -231,7 +231,7 @@ class Improver {
     if (map_.seams().empty()) return map_.shared_seams();
     std::map<std::array<Index, 2>, Index> side_of;
     for (Index h = 0; h < 3 * mesh_.face_count(); ++h)
-      if (mesh_.opposite[at(h)] < 0) side_of[{mesh_.from_vertex(h), mesh_.to_vertex(h)}] = h;
+      if (mesh_.opposite[h] < 0) side_of[{mesh_.from_vertex(h), mesh_.to_vertex(h)}] = h;
     const auto renumbered = [&](Index h) {
       return side_of.at({map_.mesh().from_vertex(h), map_.mesh().to_vertex(h)});
     };

@@ -83,7 +83,7 @@ const MovingBarrier& MovingBarrier::of_degree(int degree) {
     for (int n = 1; n <= kMaxDegree; ++n) all.push_back(MovingBarrier(n));
     return all;
   }();
-  return tables.at(at(degree - 1));
+  return tables.at(to_size(degree - 1));
 }
 
 MovingBarrier::MovingBarrier(int degree)
@@ -122,7 +122,7 @@ void MovingBarrier::add_pairs(int half) {
         --m[y];
         const double weight = minor * squared(factorial(n)) * factorial(m) /
                               (factorial(a) * factorial(b) * factorial(top));
-        pair.target[at(pair.targets++)] = {
+        pair.target[pair.targets++] = {
             half * coefficients_per_half_ + determinant.local(m[0], m[1], m[2]), weight};
       }
       if (pair.targets > 0) pairs_.push_back(pair);
@@ -143,8 +143,8 @@ void MovingBarrier::for_targets(const Points2& grid, const Add& add) const {
   const std::array<double, 2> scale{1 / straight[0], 1 / straight[1]};
   for (const Pair& pair : pairs_)
     for (int k = 0; k < pair.targets; ++k) {
-      const Target& t = pair.target[at(k)];
-      add(pair, t.coefficient, t.weight * scale[at(pair.half)]);
+      const Target& t = pair.target[k];
+      add(pair, t.coefficient, t.weight * scale[pair.half]);
     }
 }
 

@@ -22,7 +22,7 @@ constexpr double kConverged = 1e-13;
 constexpr int kMostTrials = 20;
 // Models that are never indefinite come first.
 constexpr Curvature kPreferred[] = {Curvature::Projected, Curvature::Majorizer,
-                                    Curvature::PaperMajorizer, Curvature::Reweighted,
+                                    Curvature::CompositeMajorizer, Curvature::Reweighted,
                                     Curvature::Exact};
 
 }  // namespace
@@ -47,33 +47,33 @@ PairEnergy::PairEnergy(std::shared_ptr<const BezierTriangleSpace> space, const R
 }
 
 void PairEnergy::find_variables() {
-  variable_.assign(at(space_->node_count()), 0);
-  for (const Index node : space_->boundary_nodes()) variable_[at(node)] = -1;
-  inner_.resize(at(pair_count()));
+  variable_.assign(to_size(space_->node_count()), 0);
+  for (const Index node : space_->boundary_nodes()) variable_[node] = -1;
+  inner_.resize(to_size(pair_count()));
   std::vector<char> met(variable_.size(), 0);
   for (Index f = 0; f < space_->element_count(); ++f)
     for (Index l = 0; l < space_->cells().cols(); ++l) {
       const Index node = space_->cells()(f, l);
-      if (variable_[at(node)] < 0 || met[at(node)]) continue;
-      met[at(node)] = 1;
-      variable_[at(node)] = static_cast<int>(inner_[at(f / 2)].size());
-      inner_[at(f / 2)].push_back(node);
+      if (variable_[node] < 0 || met[node]) continue;
+      met[node] = 1;
+      variable_[node] = static_cast<int>(inner_[f / 2].size());
+      inner_[f / 2].push_back(node);
     }
 }
 
 // visit(unknown of x, unknown of the pair).
 template <class Visit>
 void PairEnergy::for_variables(Index pair, const Visit& visit) const {
-  const std::vector<Index>& nodes = inner_[at(pair)];
+  const std::vector<Index>& nodes = inner_[pair];
   for (std::size_t k = 0; k < nodes.size(); ++k)
     for (Index c = 0; c < 2; ++c) visit(2 * nodes[k] + c, 2 * static_cast<Index>(k) + c);
 }
 
 Vec PairEnergy::values(VecIn x) const {
   Vec sum = Vec::Zero(space_->element_count());
-  const std::vector<RuleId> rules(at(space_->element_count()), 0);
+  const std::vector<RuleId> rules(to_size(space_->element_count()), 0);
   for (std::size_t k = 0; k < terms_.size(); ++k) {
-    const ChunkPlan plan(terms_[k]->stencils(), rules);
+    const ColoredBatches plan(terms_[k]->element_dofs(), rules);
     sum += energy_[k].weight * element_values(*terms_[k], TermState{}, plan, x);
   }
   return sum;
@@ -82,33 +82,34 @@ Vec PairEnergy::values(VecIn x) const {
 void PairEnergy::add_local(VecIn x, const DensityTerm& term, double weight,
                            std::vector<Pair>& pairs) const {
   constexpr int stride = LocalSystem::stride;
-  const int size = term.stencils().local_size();
+  const int size = term.element_dofs().local_size();
   Workspace workspace, memory;
   LocalSystem local;
-  local.value = memory.reserve(at(stride * (1 + size + size * (size + 1) / 2)));
+  local.value = memory.reserve(to_size(stride * (1 + size + size * (size + 1) / 2)));
   local.gradient = local.value + stride;
   local.hessian = local.gradient + size * stride;
   const TermState state;
-  const std::vector<RuleId> rules(at(space_->element_count()), 0);
-  const ChunkPlan plan(term.stencils(), rules);
-  std::vector<int> variable(at(size));
-  for (Index c = 0; c < plan.chunk_count(); ++c) {
-    const Chunk chunk = plan.chunk(c);
-    term.local(x, chunk, *curvature_, state, workspace, local);
-    for (std::size_t p = 0; p < chunk.elements.size(); ++p) {
-      const Index e = chunk.elements[p];
-      Pair& pair = pairs[at(e / 2)];
+  const std::vector<RuleId> rules(to_size(space_->element_count()), 0);
+  const ColoredBatches plan(term.element_dofs(), rules);
+  std::vector<int> variable(to_size(size));
+  for (Index c = 0; c < plan.batch_count(); ++c) {
+    const ElementBatch batch = plan.batch(c);
+    term.local(x, batch, *curvature_, state, workspace, local);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
+      Pair& pair = pairs[e / 2];
       for (int i = 0; i < size; ++i) {
-        const int v = variable_[at(space_->cells()(e, i / 2))];
-        variable[at(i)] = v < 0 ? -1 : 2 * v + i % 2;
+        const int v = variable_[space_->cells()(e, i / 2)];
+        variable[i] = v < 0 ? -1 : 2 * v + i % 2;
       }
       for (int i = 0; i < size; ++i) {
-        if (variable[at(i)] < 0) continue;
-        pair.gradient[variable[at(i)]] += weight * local.gradient[at(i * stride) + p];
+        if (variable[i] < 0) continue;
+        pair.gradient[variable[i]] += weight * local.gradient[to_size(i * stride) + p];
         for (int j = 0; j <= i; ++j) {
-          if (variable[at(j)] < 0) continue;
-          const auto [low, high] = std::minmax(variable[at(i)], variable[at(j)]);
-          pair.hessian(high, low) += weight * local.hessian[at((i * (i + 1) / 2 + j) * stride) + p];
+          if (variable[j] < 0) continue;
+          const auto [low, high] = std::minmax(variable[i], variable[j]);
+          pair.hessian(high, low) +=
+              weight * local.hessian[to_size((i * (i + 1) / 2 + j) * stride) + p];
         }
       }
     }
@@ -118,8 +119,8 @@ void PairEnergy::add_local(VecIn x, const DensityTerm& term, double weight,
 void PairEnergy::linearize(VecIn x, std::vector<Pair>& pairs) const {
   const Vec value = values(x);
   for (Index p = 0; p < pair_count(); ++p) {
-    Pair& pair = pairs[at(p)];
-    const auto size = 2 * static_cast<Index>(inner_[at(p)].size());
+    Pair& pair = pairs[p];
+    const auto size = 2 * static_cast<Index>(inner_[p].size());
     pair.value = value[2 * p] + value[2 * p + 1];
     pair.gradient.setZero(size);
     pair.hessian.setZero(size, size);
@@ -145,25 +146,24 @@ void PairEnergy::search(Vec& x, std::vector<Pair>& pairs) const {
   Vec direction = Vec::Zero(x.size());
   std::vector<Index> open;
   for (Index p = 0; p < pair_count(); ++p) {
-    if (!pairs[at(p)].active) continue;
-    for_variables(p, [&](Index i, Index k) { direction[i] = pairs[at(p)].direction[k]; });
+    if (!pairs[p].active) continue;
+    for_variables(p, [&](Index i, Index k) { direction[i] = pairs[p].direction[k]; });
     open.push_back(p);
   }
   for (const Index p : open) {
     double step = 1 / kPartOfLimit;
     for (const Index f : {2 * p, 2 * p + 1})
       step = std::min(step, space_->largest_step(f, x, direction, step, ProofDepth::kStart));
-    pairs[at(p)].step = kPartOfLimit * step;
+    pairs[p].step = kPartOfLimit * step;
   }
   if (open.empty()) return;
   const auto attempt = [&](double part) {  // of every pair's own step
     Vec trial = x;
     for (const Index p : open)
-      for_variables(p,
-                    [&](Index i, Index) { trial[i] += part * pairs[at(p)].step * direction[i]; });
+      for_variables(p, [&](Index i, Index) { trial[i] += part * pairs[p].step * direction[i]; });
     const Vec value = values(trial);
     std::erase_if(open, [&](Index p) {
-      const Pair& pair = pairs[at(p)];
+      const Pair& pair = pairs[p];
       const double limit = pair.value + kArmijo * (part * pair.step) * pair.descent;
       if (!(value[2 * p] + value[2 * p + 1] <= limit)) return false;
       for_variables(p, [&](Index i, Index) { x[i] = trial[i]; });
@@ -172,13 +172,13 @@ void PairEnergy::search(Vec& x, std::vector<Pair>& pairs) const {
     return open.empty() ? kTake : kHalve;
   };
   backtrack(1, {.most_trials = kMostTrials}, attempt);
-  for (const Index p : open) pairs[at(p)].active = false;
+  for (const Index p : open) pairs[p].active = false;
 }
 
 void PairEnergy::minimize(Vec& x) const {
   if (!curvature_ || space_->degree() == 1) return;
   const Vec start = x;
-  std::vector<Pair> pairs(at(pair_count()));
+  std::vector<Pair> pairs(to_size(pair_count()));
   const auto any_active = [&] {
     return std::any_of(pairs.begin(), pairs.end(), [](const Pair& p) { return p.active; });
   };

@@ -80,7 +80,7 @@ RowMatrix straight_points(int degree, const Cells& faces, const Points2& vertice
   for (Index f = 0; f < faces.rows(); ++f)
     for (int l = 0; l < ix.count(); ++l) {
       Eigen::RowVector2d p = Eigen::RowVector2d::Zero();
-      for (int k = 0; k < 3; ++k) p += ix.multi(l)[at(k)] * vertices.row(faces(f, k));
+      for (int k = 0; k < 3; ++k) p += ix.multi(l)[k] * vertices.row(faces(f, k));
       points.row(f).segment<2>(2 * l) = p / degree;
     }
   return points;
@@ -111,54 +111,52 @@ Scaffold::Scaffold(std::shared_ptr<const BezierTriangleSpace> image, VecIn x)
   mesh_.degree = image_->degree();
   mesh_.faces = t.faces;
   mesh_.points = straight_points(mesh_.degree, t.faces, t.positions);
-  for (Index& v : mesh_.faces.reshaped()) v = vertex_of[at(v)];
+  for (Index& v : mesh_.faces.reshaped()) v = vertex_of[v];
   mesh_.opposite = opposite_half_edges(mesh_.faces);
-  for (const Index v : t.frame) frame_.push_back(vertex_of[at(v)]);
+  for (const Index v : t.frame) frame_.push_back(vertex_of[v]);
   number();
 }
 
 // Nodes on the image's boundary have its numbers, the others follow.
 void Scaffold::number() {
-  own_vertex_.assign(at(mesh_.faces.maxCoeff()) + 1, -1);
-  for (const Index v : mesh_.faces.reshaped()) own_vertex_[at(v)] = 0;
+  own_vertex_.assign(to_size(mesh_.faces.maxCoeff()) + 1, -1);
+  for (const Index v : mesh_.faces.reshaped()) own_vertex_[v] = 0;
   Index count = 0;
   for (Index& v : own_vertex_)
     if (v == 0) v = count++;
   own_ = std::make_shared<const BezierTriangleSpace>(own_faces(), count, mesh_.degree);
 
   std::vector<Index>& joint = joint_node_;
-  joint.assign(at(own_->node_count()), -1);
+  joint.assign(to_size(own_->node_count()), -1);
   std::vector<Index> side_from(own_vertex_.size(), -1);  // of the scaffold's boundary, by its start
   for (Index h = 0; h < 3 * face_count(); ++h)
-    if (mesh_.opposite[at(h)] < 0) side_from[at(mesh_.from_vertex(h))] = h;
+    if (mesh_.opposite[h] < 0) side_from[mesh_.from_vertex(h)] = h;
   for (const Index h : image_sides_) {
     const std::vector<Index> of_image = edge_nodes(*image_, h);
-    const std::vector<Index> mine = edge_nodes(*own_, side_from[at(to_vertex(image_->faces(), h))]);
-    for (std::size_t i = 0; i < mine.size(); ++i)
-      joint[at(mine[i])] = of_image[mine.size() - 1 - i];
+    const std::vector<Index> mine = edge_nodes(*own_, side_from[to_vertex(image_->faces(), h)]);
+    for (std::size_t i = 0; i < mine.size(); ++i) joint[mine[i]] = of_image[mine.size() - 1 - i];
   }
   joint_node_count_ = image_->node_count();
   for (Index& node : joint)
     if (node < 0) node = joint_node_count_++;
   number_jointly();
-  levels_.resize(at(face_count()), 0);
+  levels_.resize(to_size(face_count()), 0);
   frame_nodes_.clear();
   for (std::size_t k = 0; k < frame_.size(); ++k)
-    for (const Index node : edge_nodes(*space_, side_from[at(frame_[k])]))
-      frame_nodes_.push_back(node);
+    for (const Index node : edge_nodes(*space_, side_from[frame_[k]])) frame_nodes_.push_back(node);
   std::sort(frame_nodes_.begin(), frame_nodes_.end());
   frame_nodes_.erase(std::unique(frame_nodes_.begin(), frame_nodes_.end()), frame_nodes_.end());
 }
 
 Cells Scaffold::own_faces() const {
   Cells faces = mesh_.faces;
-  for (Index& v : faces.reshaped()) v = own_vertex_[at(v)];
+  for (Index& v : faces.reshaped()) v = own_vertex_[v];
   return faces;
 }
 
 void Scaffold::number_jointly() {
   NodeNumbering numbering{own_->cells(), joint_node_count_, {}};
-  for (Index& node : numbering.cells.reshaped()) node = joint_node_[at(node)];
+  for (Index& node : numbering.cells.reshaped()) node = joint_node_[node];
   space_ = std::make_shared<const BezierTriangleSpace>(std::move(numbering), mesh_.degree);
 }
 
@@ -191,7 +189,7 @@ std::shared_ptr<const DensityTerm> Scaffold::energy_term() const { return term_o
 
 void Scaffold::refine(const std::vector<Index>& faces) {
   const auto top = static_cast<RuleId>(scaffold_rules(mesh_.degree).size()) - 1;
-  for (const Index f : faces) levels_[at(f)] = std::min(levels_[at(f)] + 1, top);
+  for (const Index f : faces) levels_[f] = std::min(levels_[f] + 1, top);
 }
 
 Vec Scaffold::joined(VecIn image) const {
@@ -255,14 +253,14 @@ bool Scaffold::grow() {
   Cells faces(face_count() + ring.faces.rows(), 3);
   faces.topRows(face_count()) = mesh_.faces;
   for (Index f = 0; f < ring.faces.rows(); ++f)
-    for (int k = 0; k < 3; ++k) faces(face_count() + f, k) = vertex_of[at(ring.faces(f, k))];
+    for (int k = 0; k < 3; ++k) faces(face_count() + f, k) = vertex_of[ring.faces(f, k)];
   RowMatrix points(faces.rows(), mesh_.points.cols());
   points << mesh_.points, straight_points(mesh_.degree, ring.faces, ring.positions);
   mesh_.faces = faces;
   mesh_.points = points;
   mesh_.opposite = opposite_half_edges(faces);
   frame_.clear();
-  for (const Index v : ring.frame) frame_.push_back(vertex_of[at(v)]);
+  for (const Index v : ring.frame) frame_.push_back(vertex_of[v]);
   number();
   // Points of the old frame, computed twice, become the same to the last bit.
   Vec x(2 * own_->node_count());

@@ -50,7 +50,7 @@ Vector2 vector_of(const Point& p) { return {p.x(), p.y()}; }
 // Whether two edges have a point in common, other than the one where an edge ends and the next one
 // starts. Exact.
 bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) {
-  const auto point = [&](Index v) { return vector_of(points[at(v)]); };
+  const auto point = [&](Index v) { return vector_of(points[v]); };
   const Vector2 a = point(e.from), b = point(e.to), c = point(f.from), d = point(f.to);
   if (e.to == f.from) return a == b || b == d || segments_fold(a, b, d);
   if (f.to == e.from) return edges_meet(points, f, e);
@@ -60,7 +60,7 @@ bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) 
 // Throws the Error for the first boundary edges that meet.
 [[noreturn]] void refuse(const std::vector<Point>& points, const std::vector<Edge>& edges) {
   const auto extent = [&](Index e) {
-    return std::minmax(points[at(edges[at(e)].from)].x(), points[at(edges[at(e)].to)].x());
+    return std::minmax(points[edges[e].from].x(), points[edges[e].to].x());
   };
   const auto left = [&](Index e) { return extent(e).first; };
   const auto right = [&](Index e) { return extent(e).second; };
@@ -71,11 +71,11 @@ bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) 
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size() && left(order[j]) <= right(order[i]); ++j)
       if (const std::pair<Index, Index> pair = std::minmax(order[i], order[j]);
-          pair < first && edges_meet(points, edges[at(pair.first)], edges[at(pair.second)]))
+          pair < first && edges_meet(points, edges[pair.first], edges[pair.second]))
         first = pair;
-  if (at(first.first) == edges.size())
+  if (to_size(first.first) == edges.size())
     throw std::logic_error("triangulate_scaffold: boundary edges are lost");
-  const Edge &e = edges[at(first.first)], &f = edges[at(first.second)];
+  const Edge &e = edges[first.first], &f = edges[first.second];
   throw Error(ErrorKind::Infeasible,
               fmt::format("triangulate_scaffold: edges ({}, {}) of loop {} and ({}, {}) of loop {} "
                           "of the image's boundary intersect or touch",
@@ -202,19 +202,19 @@ ScaffoldBuilder::ScaffoldBuilder(const std::vector<Points2>& loops, double margi
 // missing in the end.
 bool ScaffoldBuilder::insert_boundary() {
   std::vector<std::pair<Point, Index>> numbered;
-  for (const Edge& edge : edges_) numbered.push_back({points_[at(edge.from)], edge.from});
+  for (const Edge& edge : edges_) numbered.push_back({points_[edge.from], edge.from});
   delaunay_.insert(numbered.begin(), numbered.end());
   if (delaunay_.number_of_vertices() != points_.size() || delaunay_.dimension() < 2) return false;
   vertices_.resize(points_.size());
-  for (const VertexHandle v : delaunay_.finite_vertex_handles()) vertices_[at(v->info())] = v;
+  for (const VertexHandle v : delaunay_.finite_vertex_handles()) vertices_[v->info()] = v;
   try {
     for (const Edge& edge : edges_)
-      delaunay_.insert_constraint(vertices_[at(edge.from)], vertices_[at(edge.to)]);
+      delaunay_.insert_constraint(vertices_[edge.from], vertices_[edge.to]);
   } catch (const Delaunay::Intersection_of_constraints_exception&) {
     return false;
   }
   return std::all_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
-    return delaunay_.is_edge(vertices_[at(edge.from)], vertices_[at(edge.to)]);
+    return delaunay_.is_edge(vertices_[edge.from], vertices_[edge.to]);
   });
 }
 
@@ -252,8 +252,8 @@ void ScaffoldBuilder::check_sides() const {
   for (const Edge& edge : edges_) {
     FaceHandle face;
     int i = 0;
-    delaunay_.is_edge(vertices_[at(edge.from)], vertices_[at(edge.to)], face, i);
-    const bool on_the_left = face->vertex(Delaunay::ccw(i)) == vertices_[at(edge.from)];
+    delaunay_.is_edge(vertices_[edge.from], vertices_[edge.to], face, i);
+    const bool on_the_left = face->vertex(Delaunay::ccw(i)) == vertices_[edge.from];
     if (face->info().side != (on_the_left ? Side::Image : Side::Scaffold))
       throw Error(ErrorKind::Infeasible,
                   fmt::format("triangulate_scaffold: loop {} has the image on its right; outer "
@@ -302,7 +302,7 @@ void ScaffoldBuilder::refine(double quality) {
   };
   for (const FaceHandle face : delaunay_.finite_face_handles()) add(face);
   const std::size_t most =
-      points_.size() + at(kLeastInsertions) + at(kInsertionsPerEdge) * points_.size();
+      points_.size() + to_size(kLeastInsertions) + to_size(kInsertionsPerEdge) * points_.size();
   while (!queue.empty() && vertices_.size() < most) {
     const BadTriangle triangle = queue.top();
     queue.pop();

@@ -74,7 +74,7 @@ class Cutter {
   bool is_without_overlap() {
     const std::vector<BoundaryEdge> edges = boundary_edges(pieces_);
     std::vector<Edge> to_cut;
-    for (const Index k : edges_to_cut(pieces_, edges)) to_cut.push_back(edges[at(k)].edge);
+    for (const Index k : edges_to_cut(pieces_, edges)) to_cut.push_back(edges[k].edge);
     cut_all(to_cut);
     return to_cut.empty();
   }
@@ -158,15 +158,15 @@ class Cutter {
   // Whether the other diagonal of two pieces of the cell made both positive.
   bool flip_edge_of(Index c, int first) {
     const std::vector<Piece>& all = pieces_.pieces(c);
-    if (all[at(first)].depth > kTriedDepth) return false;
-    const std::array<int, 3> corners = all[at(first)].corners;
+    if (all[first].depth > kTriedDepth) return false;
+    const std::array<int, 3> corners = all[first].corners;
     for (Index e = 0; e < 3; ++e) {
-      const int i = corners[at(e)], j = corners[at(next(e))], k = corners[at(previous(e))];
+      const int i = corners[e], j = corners[next(e)], k = corners[previous(e)];
       for (std::size_t second = 0; second < all.size(); ++second) {
         const std::array<int, 3>& q = all[second].corners;
         const auto place = static_cast<Index>(std::ranges::find(q, j) - q.begin());
-        if (place == 3 || q[at(next(place))] != i) continue;
-        const int l = q[at(previous(place))];
+        if (place == 3 || q[next(place)] != i) continue;
+        const int l = q[previous(place)];
         const std::array<std::array<int, 3>, 2> flipped = {{{i, l, k}, {l, j, k}}};
         if (all[second].depth > kTriedDepth || !may_be_pieces(c, flipped)) continue;
         pieces_.flip(c, {first, static_cast<int>(second)}, flipped);
@@ -179,7 +179,7 @@ class Cutter {
   bool may_be_pieces(Index c, const std::array<std::array<int, 3>, 2>& two) const {
     const auto area_of = [&](const std::array<int, 3>& p) {
       const auto& points = pieces_.points(c);
-      return area(points[at(p[0])].xi, points[at(p[1])].xi, points[at(p[2])].xi);
+      return area(points[p[0]].xi, points[p[1]].xi, points[p[2]].xi);
     };
     const double a = area_of(two[0]), b = area_of(two[1]);
     return std::min(a, b) > kThinnest * (a + b) && is_positive(c, two[0]) && is_positive(c, two[1]);
@@ -243,7 +243,7 @@ class Cutter {
   LongEdge longest_edge(Index c, const std::array<int, 3>& p) const {
     LongEdge result{-1, {c, p[0], p[1]}};
     for (Index k = 0; k < 3; ++k) {
-      const Edge edge{c, p[at(k)], p[at(next(k))]};
+      const Edge edge{c, p[k], p[next(k)]};
       if (const double l = length(edge); l > result.length) result = {l, edge};
     }
     return result;

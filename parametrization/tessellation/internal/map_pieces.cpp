@@ -18,7 +18,7 @@ namespace {
 // (a, b) stands for the barycentric coordinates (1 - (a + b) / K, a / K, b / K).
 class Lattice {
  public:
-  explicit Lattice(int refine) : K_(refine), number_(at((K_ + 1) * (K_ + 1)), -1) {
+  explicit Lattice(int refine) : K_(refine), number_(to_size((K_ + 1) * (K_ + 1)), -1) {
     for (const auto& [a, b] : {std::pair(0, 0), {K_, 0}, {0, K_}}) add(a, b);
     for (int b = 0; b <= K_; ++b)
       for (int a = 0; a + b <= K_; ++a)
@@ -43,9 +43,9 @@ class Lattice {
   }
 
  private:
-  int number(int a, int b) const { return number_[at(b * (K_ + 1) + a)]; }
+  int number(int a, int b) const { return number_[b * (K_ + 1) + a]; }
   void add(int a, int b) {
-    number_[at(b * (K_ + 1) + a)] = static_cast<int>(points_.size());
+    number_[b * (K_ + 1) + a] = static_cast<int>(points_.size());
     const double K = K_;
     points_.emplace_back((K_ - a - b) / K, a / K, b / K);
   }
@@ -85,15 +85,15 @@ MapPieces::MapPieces(const MapFile& map, PolygonMesh coarse, int refine)
 }
 
 Index MapPieces::map_cell(Index cell) const {
-  return static_cast<Index>(coarse_.polygon_lines[at(cell)] - 1);
+  return static_cast<Index>(coarse_.polygon_lines[cell] - 1);
 }
 
 const Vector2& MapPieces::uv(Index cell, int point) const {
-  return texcoords_[at(of(cell).points[at(point)].vt)];
+  return texcoords_[of(cell).points[point].vt];
 }
 
 const Vector3& MapPieces::position(Index cell, int point) const {
-  return positions_[at(of(cell).points[at(point)].v)];
+  return positions_[of(cell).points[point].v];
 }
 
 // ---- Edges of cells ----
@@ -117,7 +117,7 @@ std::vector<Index> MapPieces::nodes_of_corners() const {
   for (Index c = 0; c < cell_count(); ++c)
     for (Index k = 0; k < 3; ++k) {
       const Index point = map_.cells(map_cell(c), k);
-      nodes.join(coarse_.polygons[at(c)][at(k)], vertices + point);
+      nodes.join(coarse_.polygons[c][k], vertices + point);
       if (is_named && map_.input_vertex[point] >= 0)
         nodes.join(vertices + point, vertices + points + map_.input_vertex[point]);
     }
@@ -134,47 +134,46 @@ void MapPieces::number_edges() {
   next_node_ = static_cast<Index>(node.size());
   for (Index c = 0; c < cell_count(); ++c)
     for (int k = 0; k < 3; ++k) {
-      const Index v = coarse_.polygons[at(c)][at(k)], w = coarse_.polygons[at(c)][at(next(k))];
-      const Index from = node[at(v)], to = node[at(w)];
+      const Index v = coarse_.polygons[c][k], w = coarse_.polygons[c][next(k)];
+      const Index from = node[v], to = node[w];
       const auto entry =
           edges.try_emplace(std::minmax(from, to), static_cast<Index>(edge_cells_.size()));
       if (entry.second) edge_cells_.emplace_back();
       const Index edge = entry.first->second;
-      cells_[at(c)].edge[at(k)] = edge;
+      cells_[c].edge[k] = edge;
       const auto in_space = space_edges.try_emplace(std::minmax(v, w), space_edges_);
       space_edges_ += in_space.second;
-      cells_[at(c)].space_edge[at(k)] = in_space.first->second;
-      Index& plane = cells_[at(c)].plane_edge[at(k)];
+      cells_[c].space_edge[k] = in_space.first->second;
+      Index& plane = cells_[c].plane_edge[k];
       plane = -1;
-      for (const CellEdge& other : edge_cells_[at(edge)]) {
-        const bool is_reversed = node[at(coarse_.polygons[at(other.cell)][at(other.edge)])] != from;
+      for (const CellEdge& other : edge_cells_[edge]) {
+        const bool is_reversed = node[coarse_.polygons[other.cell][other.edge]] != from;
         if (control_points_along(c, k, is_reversed) !=
             control_points_along(other.cell, other.edge, false))
           continue;
-        plane = of(other.cell).plane_edge[at(other.edge)];
+        plane = of(other.cell).plane_edge[other.edge];
         break;
       }
       if (plane < 0) {
         plane = static_cast<Index>(plane_sides_.size());
         plane_sides_.push_back(0);
       }
-      ++plane_sides_[at(plane)];
-      edge_cells_[at(edge)].push_back({c, k});
+      ++plane_sides_[plane];
+      edge_cells_[edge].push_back({c, k});
     }
   for (Index c = 0; c < cell_count(); ++c)
     for (int k = 0; k < 3; ++k) {
-      const Index v = coarse_.polygons[at(c)][at(k)];
-      cells_[at(c)].points.push_back(
-          {v, coarse_.polygon_texcoords[at(c)][at(k)], node[at(v)], Vector3::Unit(k)});
+      const Index v = coarse_.polygons[c][k];
+      cells_[c].points.push_back({v, coarse_.polygon_texcoords[c][k], node[v], Vector3::Unit(k)});
     }
 }
 
 int MapPieces::plane_sides(Index cell, int cell_edge) const {
-  return plane_sides_[at(plane_edge(cell, cell_edge))];
+  return plane_sides_[plane_edge(cell, cell_edge)];
 }
 
 Index MapPieces::plane_edge(Index cell, int cell_edge) const {
-  return of(cell).plane_edge[at(cell_edge)];
+  return of(cell).plane_edge[cell_edge];
 }
 
 // ---- The start ----
@@ -183,30 +182,30 @@ void MapPieces::fill_lattice(int refine) {
   const Lattice lattice(refine);
   const std::vector<MapPieces::Piece> pieces = lattice.pieces();
   const Eigen::MatrixXd bernstein = bernstein_values(map_.degree, lattice.points());
-  std::vector<Index> first_v(at(space_edges_), -1), first_vt(plane_sides_.size(), -1);
+  std::vector<Index> first_v(to_size(space_edges_), -1), first_vt(plane_sides_.size(), -1);
   std::vector<Index> first_node(edge_cells_.size(), -1);
   for (Index c = 0; c < cell_count(); ++c) {
-    Cell& cell = cells_[at(c)];
+    Cell& cell = cells_[c];
     cell.pieces = pieces;
     cell.points.resize(lattice.points().size(), {-1, -1, -1, Vector3::Zero()});
     for (std::size_t p = 0; p < cell.points.size(); ++p) cell.points[p].xi = lattice.points()[p];
     const Eigen::MatrixXd control = map_.uv(map_.cells.row(map_cell(c)), Eigen::all);
-    const auto place = [&](int p) { return flat_point(c, cell.points[at(p)].xi); };
+    const auto place = [&](int p) { return flat_point(c, cell.points[p].xi); };
     const auto value = [&](int p) -> Vector2 { return (bernstein.row(p) * control).transpose(); };
     for (int edge = 0; edge < 3; ++edge) {
-      const bool is_forward = cell.points[at(edge)].node < cell.points[at(next(edge))].node;
-      Index& v = first_v[at(cell.space_edge[at(edge)])];
-      Index& vt = first_vt[at(cell.plane_edge[at(edge)])];
-      Index& node = first_node[at(cell.edge[at(edge)])];
+      const bool is_forward = cell.points[edge].node < cell.points[next(edge)].node;
+      Index& v = first_v[cell.space_edge[edge]];
+      Index& vt = first_vt[cell.plane_edge[edge]];
+      Index& node = first_node[cell.edge[edge]];
       const bool is_new = v < 0, is_new_in_plane = vt < 0;
       if (is_new) v = static_cast<Index>(positions_.size());
       if (is_new_in_plane) vt = static_cast<Index>(texcoords_.size());
       if (node < 0) node = std::exchange(next_node_, next_node_ + refine - 1);
       for (int s = 1; s < refine; ++s) {  // from the smaller corner to the larger
         const int p = lattice.on_edge(edge, is_forward ? s : refine - s);
-        cell.points[at(p)].v = v + s - 1;
-        cell.points[at(p)].vt = vt + s - 1;
-        cell.points[at(p)].node = node + s - 1;
+        cell.points[p].v = v + s - 1;
+        cell.points[p].vt = vt + s - 1;
+        cell.points[p].node = node + s - 1;
         if (is_new) positions_.push_back(place(p));
         if (is_new_in_plane) texcoords_.push_back(value(p));
       }
@@ -225,7 +224,7 @@ void MapPieces::fill_lattice(int refine) {
 // ---- Cutting ----
 
 int MapPieces::cell_edge(const Edge& edge) const {
-  const Vector3 &a = of(edge.cell).points[at(edge.i)].xi, &b = of(edge.cell).points[at(edge.j)].xi;
+  const Vector3 &a = of(edge.cell).points[edge.i].xi, &b = of(edge.cell).points[edge.j].xi;
   for (int k = 0; k < 3; ++k)
     if (a[previous(k)] == 0 && b[previous(k)] == 0) return k;
   return -1;
@@ -236,8 +235,8 @@ MapPieces::Edge MapPieces::seen_from(const CellEdge& other, const Edge& edge) co
   const std::vector<Point>& points = of(other.cell).points;
   for (std::size_t p = 0; p < points.size(); ++p) {
     if (points[p].xi[previous(other.edge)] != 0) continue;
-    if (points[p].node == of(edge.cell).points[at(edge.i)].node) result.i = static_cast<int>(p);
-    if (points[p].node == of(edge.cell).points[at(edge.j)].node) result.j = static_cast<int>(p);
+    if (points[p].node == of(edge.cell).points[edge.i].node) result.i = static_cast<int>(p);
+    if (points[p].node == of(edge.cell).points[edge.j].node) result.j = static_cast<int>(p);
   }
   return result;
 }
@@ -246,7 +245,7 @@ std::vector<MapPieces::Edge> MapPieces::sides(const Edge& edge) const {
   std::vector<Edge> result{edge};
   const int k = cell_edge(edge);
   if (k < 0) return result;
-  for (const CellEdge& other : edge_cells_[at(of(edge.cell).edge[at(k)])]) {
+  for (const CellEdge& other : edge_cells_[of(edge.cell).edge[k]]) {
     if (other.cell == edge.cell && other.edge == k) continue;
     const Edge side = seen_from(other, edge);
     // A cell that has a vertex twice, in files only, may not have the edge.
@@ -278,7 +277,7 @@ std::vector<Vector2> MapPieces::middles(const std::vector<Edge>& sides) const {
       continue;
     }
     const std::vector<Point>& points = of(side.cell).points;
-    result.push_back(evaluate(side.cell, (points[at(side.i)].xi + points[at(side.j)].xi) / 2));
+    result.push_back(evaluate(side.cell, (points[side.i].xi + points[side.j].xi) / 2));
   }
   return result;
 }
@@ -290,11 +289,11 @@ void MapPieces::split(const Edge& edge) {
   std::map<Index, Index> v_of_space_edge, vt_of_plane_edge;
   for (std::size_t s = 0; s < all.size(); ++s) {
     const auto [c, i, j] = all[s];
-    Cell& cell = cells_[at(c)];
-    const Vector3 xi = (cell.points[at(i)].xi + cell.points[at(j)].xi) / 2;
+    Cell& cell = cells_[c];
+    const Vector3 xi = (cell.points[i].xi + cell.points[j].xi) / 2;
     const int k = cell_edge(all[s]);
     const auto [place, is_new_place] = v_of_space_edge.try_emplace(
-        k < 0 ? -1 : cell.space_edge[at(k)], static_cast<Index>(positions_.size()));
+        k < 0 ? -1 : cell.space_edge[k], static_cast<Index>(positions_.size()));
     if (is_new_place) positions_.push_back(flat_point(c, xi));
     const auto [entry, is_new] = vt_of_plane_edge.try_emplace(
         k < 0 ? -1 : plane_edge(c, k), static_cast<Index>(texcoords_.size()));
@@ -318,9 +317,9 @@ void MapPieces::split(const Edge& edge) {
 
 void MapPieces::flip(Index cell, std::array<int, 2> pieces,
                      const std::array<std::array<int, 3>, 2>& corners) {
-  std::vector<Piece>& all = cells_[at(cell)].pieces;
-  const int depth = std::max(all[at(pieces[0])].depth, all[at(pieces[1])].depth);
-  for (std::size_t k = 0; k < 2; ++k) all[at(pieces[k])] = {corners[k], depth};
+  std::vector<Piece>& all = cells_[cell].pieces;
+  const int depth = std::max(all[pieces[0]].depth, all[pieces[1]].depth);
+  for (std::size_t k = 0; k < 2; ++k) all[pieces[k]] = {corners[k], depth};
 }
 
 }  // namespace majorant

@@ -82,7 +82,7 @@ class MapPieces {
     int edge;
   };
 
-  const Cell& of(Index cell) const { return cells_[at(cell)]; }
+  const Cell& of(Index cell) const { return cells_[cell]; }
   std::vector<Index> nodes_of_corners() const;
   void number_edges();
   void fill_lattice(int refine);

@@ -24,8 +24,8 @@ void visit_edges(const MapPieces& pieces, const Visit& visit) {
   for (Index c = 0; c < pieces.cell_count(); ++c)
     for (const MapPieces::Piece& piece : pieces.pieces(c))
       for (Index k = 0; k < 3; ++k) {
-        const Edge edge{c, piece.corners[at(k)], piece.corners[at(next(k))]};
-        visit(edge, pieces.points(c)[at(edge.i)].vt, pieces.points(c)[at(edge.j)].vt);
+        const Edge edge{c, piece.corners[k], piece.corners[next(k)]};
+        visit(edge, pieces.points(c)[edge.i].vt, pieces.points(c)[edge.j].vt);
       }
 }
 
@@ -40,7 +40,7 @@ std::vector<Index> components(const MapPieces& pieces) {
   std::vector<Index> first_cell;  // by plane edge
   for (Index c = 0; c < pieces.cell_count(); ++c)
     for (int k = 0; k < 3; ++k) {
-      const std::size_t edge = at(pieces.plane_edge(c, k));
+      const std::size_t edge = to_size(pieces.plane_edge(c, k));
       if (first_cell.size() <= edge) first_cell.resize(edge + 1, -1);
       if (first_cell[edge] < 0) first_cell[edge] = c;
       sets.join(c, first_cell[edge]);
@@ -63,12 +63,12 @@ class OverlapSearch {
 
   std::vector<Index> run() {
     BoxTree(boxes_).visit_pairs([&](Index i, Index j) {
-      if (!meet(edges_[at(i)], edges_[at(j)])) return true;
+      if (!meet(edges_[i], edges_[j])) return true;
       // Origin: chosen, not tuned; whatever is cut, the result is proven.
       constexpr double kPart = 0.25;
-      const double least = kPart * std::max(bend_[at(i)], bend_[at(j)]);
+      const double least = kPart * std::max(bend_[i], bend_[j]);
       for (const Index k : {i, j})
-        if (bend_[at(k)] >= least) found_.insert(k);
+        if (bend_[k] >= least) found_.insert(k);
       return true;
     });
     if (found_.empty()) find_nested();
@@ -76,8 +76,8 @@ class OverlapSearch {
   }
 
  private:
-  const Vector2& from(const BoundaryEdge& e) const { return pieces_.texcoords()[at(e.from)]; }
-  const Vector2& to(const BoundaryEdge& e) const { return pieces_.texcoords()[at(e.to)]; }
+  const Vector2& from(const BoundaryEdge& e) const { return pieces_.texcoords()[e.from]; }
+  const Vector2& to(const BoundaryEdge& e) const { return pieces_.texcoords()[e.to]; }
 
   bool meet(const BoundaryEdge& e, const BoundaryEdge& f) const {
     if (e.to == f.from || f.to == e.from) {
@@ -91,24 +91,24 @@ class OverlapSearch {
   // Boundaries that do not meet: each component lies within another, or outside of it.
   void find_nested() {
     const std::vector<Index> component_of = components(pieces_);
-    std::vector<std::vector<Index>> edges_of(at(pieces_.cell_count()));
+    std::vector<std::vector<Index>> edges_of(to_size(pieces_.cell_count()));
     std::vector<Box2> boxes;
     std::vector<Index> roots;
     for (std::size_t k = 0; k < edges_.size(); ++k)
-      edges_of[at(component_of[at(edges_[k].edge.cell)])].push_back(static_cast<Index>(k));
+      edges_of[component_of[edges_[k].edge.cell]].push_back(static_cast<Index>(k));
     for (std::size_t c = 0; c < edges_of.size(); ++c) {
       if (edges_of[c].empty()) continue;
       roots.push_back(static_cast<Index>(c));
-      boxes.push_back(boxes_[at(edges_of[c].front())]);
+      boxes.push_back(boxes_[edges_of[c].front()]);
       for (const Index k : edges_of[c]) {
-        boxes.back().low = boxes.back().low.cwiseMin(boxes_[at(k)].low);
-        boxes.back().high = boxes.back().high.cwiseMax(boxes_[at(k)].high);
+        boxes.back().low = boxes.back().low.cwiseMin(boxes_[k].low);
+        boxes.back().high = boxes.back().high.cwiseMax(boxes_[k].high);
       }
     }
     BoxTree(boxes).visit_pairs([&](Index a, Index b) {
       for (const auto& [inner, outer] : {std::pair(a, b), std::pair(b, a)}) {
-        const std::vector<Index>& around = edges_of[at(roots[at(outer)])];
-        const Vector2& p = from(edges_[at(edges_of[at(roots[at(inner)])].front())]);
+        const std::vector<Index>& around = edges_of[roots[outer]];
+        const Vector2& p = from(edges_[edges_of[roots[inner]].front()]);
         if (winding(around, p) != 0) mark_bent(around);
       }
       return true;
@@ -118,7 +118,7 @@ class OverlapSearch {
   long winding(const std::vector<Index>& loop, const Vector2& p) const {
     long turns = 0;
     for (const Index k : loop) {
-      const Vector2 &a = from(edges_[at(k)]), &b = to(edges_[at(k)]);
+      const Vector2 &a = from(edges_[k]), &b = to(edges_[k]);
       if (a.y() <= p.y() && p.y() < b.y()) turns += orientation(a, b, p) > 0;
       if (b.y() <= p.y() && p.y() < a.y()) turns -= orientation(a, b, p) < 0;
     }
@@ -126,9 +126,9 @@ class OverlapSearch {
   }
 
   void mark_bent(const std::vector<Index>& edges) {
-    const bool is_straight = std::ranges::all_of(edges, [&](Index k) { return bend_[at(k)] == 0; });
+    const bool is_straight = std::ranges::all_of(edges, [&](Index k) { return bend_[k] == 0; });
     for (const Index k : edges)
-      if (is_straight || bend_[at(k)] > 0) found_.insert(k);
+      if (is_straight || bend_[k] > 0) found_.insert(k);
   }
 
   const MapPieces& pieces_;
@@ -146,19 +146,19 @@ std::vector<Edge> spokes_of_wound_vertices(const MapPieces& pieces) {
   for (Index c = 0; c < pieces.cell_count(); ++c)
     for (const MapPieces::Piece& piece : pieces.pieces(c))
       for (Index k = 0; k < 3; ++k) {
-        const int corner = piece.corners[at(k)];
+        const int corner = piece.corners[k];
         const Vector2& p = pieces.uv(c, corner);
-        const Vector2& a = pieces.uv(c, piece.corners[at(next(k))]);
-        const Vector2& b = pieces.uv(c, piece.corners[at(previous(k))]);
-        if (is_above(p, b) && !is_above(p, a)) ++turns[at(pieces.points(c)[at(corner)].vt)];
+        const Vector2& a = pieces.uv(c, piece.corners[next(k)]);
+        const Vector2& b = pieces.uv(c, piece.corners[previous(k)]);
+        if (is_above(p, b) && !is_above(p, a)) ++turns[pieces.points(c)[corner].vt];
       }
   visit_edges(pieces, [&](const Edge& edge, Index from, Index to) {
     if (!is_on_plane_boundary(pieces, edge)) return;
-    turns[at(from)] = turns[at(to)] = 1;  // there is no whole turn there
+    turns[from] = turns[to] = 1;  // there is no whole turn there
   });
   std::vector<Edge> spokes;
   visit_edges(pieces, [&](const Edge& edge, Index from, Index) {
-    if (turns[at(from)] != 1) spokes.push_back(edge);
+    if (turns[from] != 1) spokes.push_back(edge);
   });
   return spokes;
 }

@@ -8,10 +8,10 @@
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/cholmod_solver.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/drive/internal/normalized_start.h"
-#include "majorant/parametrization/drive/parametrize.h"
+#include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
-#include "majorant/parametrization/starts/tutte.h"
+#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/maps/test_maps.h"
 

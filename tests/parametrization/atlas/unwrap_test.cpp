@@ -40,7 +40,7 @@ void expect_layout(const Atlas& atlas, const SurfaceMesh& surface) {
     EXPECT_TRUE(chart.measures.locally_injective);
     EXPECT_EQ(check_boundary(*chart.map).result, ProofStatus::Proven);
   }
-  EXPECT_EQ(faces.size(), at(surface.face_count()));
+  EXPECT_EQ(faces.size(), to_size(surface.face_count()));
   EXPECT_EQ(std::set<Index>(faces.begin(), faces.end()).size(), faces.size());
   ASSERT_TRUE(atlas.packing);
   const double gap = 4.0 / 1024 * atlas.packing->side;
@@ -179,7 +179,7 @@ TEST(Unwrap, PinnedVerticesHaveOnePlace) {
   UnwrapOptions options = of_degree(1);
   const SurfaceCuts cuts = choose_cuts(*surface, options.cuts);
   Index h = 0;
-  while (!cuts.is_cut[at(h)]) ++h;
+  while (!cuts.is_cut[h]) ++h;
   const Index a = surface->from_vertex(h), b = surface->to_vertex(h);
   const Vector2 target(0.5, 0.25);
   for (auto* points : {&options.chart.map.pins, &options.chart.map.handles}) {
@@ -193,12 +193,12 @@ TEST(Unwrap, PinnedVerticesHaveOnePlace) {
     const std::vector<int> copies = [&] {
       std::vector<Index> uncut;
       surface->cut_along(cuts.is_cut, &uncut);
-      std::vector<int> count(at(surface->vertex_count()), 0);
-      for (const Index v : uncut) ++count[at(v)];
+      std::vector<int> count(to_size(surface->vertex_count()), 0);
+      for (const Index v : uncut) ++count[v];
       return count;
     }();
-    const Index cut = copies[at(a)] > 1 ? a : b;
-    ASSERT_GT(copies[at(cut)], 1);
+    const Index cut = copies[a] > 1 ? a : b;
+    ASSERT_GT(copies[cut], 1);
     (points == &options.chart.map.pins ? given.chart.map.pins
                                        : given.chart.map.handles) = {{cut, target}};
     expect_contains(error_message(ErrorKind::Infeasible, [&] { unwrapped(mesh, given); }),
@@ -312,7 +312,7 @@ TEST(Unwrap, DataFollowTheFacesIntoTheCharts) {
   for (const Chart& chart : atlas.charts)
     for (Index f = 0; f < chart.map->mesh().face_count(); ++f) {
       const Eigen::Matrix2d J = chart.map->jacobian(f, Barycentric::Constant(1.0 / 3));
-      const Index on_surface = chart.faces[at(f)];
+      const Index on_surface = chart.faces[f];
       const double expected =
           weight[on_surface] * k[on_surface] * (J.squaredNorm() + J.inverse().squaredNorm());
       EXPECT_NEAR(chart.measures.face_value[f], expected, 1e-9 * expected);

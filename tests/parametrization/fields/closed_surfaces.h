@@ -61,11 +61,11 @@ inline PolygonMesh sphere(int n) {
 // Per vertex 4, but `turns` at the vertex nearest to each of `points`.
 inline std::vector<int> quarter_turns_at(const SurfaceMesh& mesh,
                                          const std::vector<Vector3>& points, int turns) {
-  std::vector<int> result(at(mesh.vertex_count()), 4);
+  std::vector<int> result(to_size(mesh.vertex_count()), 4);
   for (const Vector3& p : points) {
     Index nearest = 0;
     (mesh.positions().rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-    result[at(nearest)] = turns;
+    result[nearest] = turns;
   }
   return result;
 }
@@ -98,27 +98,27 @@ inline std::vector<Index> spread_vertices(const SurfaceMesh& mesh, int count) {
 // cross, without the loose ends that no cone (quarter turns other than 4) needs.
 inline std::vector<char> cut_through_cones(const SurfaceMesh& mesh,
                                            const std::vector<int>& quarter_turns) {
-  std::vector<char> is_cut(at(mesh.half_edge_count()), 1);
-  const auto join = [&](Index h) { is_cut[at(h)] = is_cut[at(mesh.opposite(h))] = 0; };
-  std::vector<char> seen(at(mesh.face_count()), 0);
+  std::vector<char> is_cut(to_size(mesh.half_edge_count()), 1);
+  const auto join = [&](Index h) { is_cut[h] = is_cut[mesh.opposite(h)] = 0; };
+  std::vector<char> seen(to_size(mesh.face_count()), 0);
   std::vector<Index> faces{0};
   seen[0] = 1;
   for (std::size_t done = 0; done < faces.size(); ++done)
     for (int k = 0; k < 3; ++k) {
       const Index h = mesh.opposite(3 * faces[done] + k);
-      if (h < 0 || seen[at(h / 3)]) continue;
-      seen[at(h / 3)] = 1;
+      if (h < 0 || seen[h / 3]) continue;
+      seen[h / 3] = 1;
       join(h);
       faces.push_back(h / 3);
     }
-  std::vector<std::vector<Index>> around(at(mesh.vertex_count()));  // cut half-edges leaving
+  std::vector<std::vector<Index>> around(to_size(mesh.vertex_count()));  // cut half-edges leaving
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_cut[at(h)]) around[at(mesh.from_vertex(h))].push_back(h);
+    if (is_cut[h]) around[mesh.from_vertex(h)].push_back(h);
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    for (Index end = v; quarter_turns[at(end)] == 4;) {
-      std::erase_if(around[at(end)], [&](Index h) { return !is_cut[at(h)]; });
-      if (around[at(end)].size() != 1 || mesh.opposite(around[at(end)][0]) < 0) break;
-      const Index h = around[at(end)][0];
+    for (Index end = v; quarter_turns[end] == 4;) {
+      std::erase_if(around[end], [&](Index h) { return !is_cut[h]; });
+      if (around[end].size() != 1 || mesh.opposite(around[end][0]) < 0) break;
+      const Index h = around[end][0];
       join(h);
       end = mesh.to_vertex(h);
     }

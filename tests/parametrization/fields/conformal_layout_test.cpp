@@ -37,7 +37,7 @@ void expect_layout(const SurfaceMesh& mesh, const ConformalMetric& metric,
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     EXPECT_NEAR(edge(uv, h).norm() / std::exp(log_lengths[h]), 1, 1e-9) << "half-edge " << h;
     const Index o = mesh.opposite(h);
-    if (o < 0 || is_cut[at(h)]) continue;
+    if (o < 0 || is_cut[h]) continue;
     EXPECT_EQ(corner(uv, h), corner(uv, next(o)));
     EXPECT_EQ(corner(uv, next(h)), corner(uv, o));
   }
@@ -48,7 +48,7 @@ void expect_quarter_turns(const SurfaceMesh& mesh, const CornerPoints& uv,
                           const std::vector<char>& is_cut) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     const Index o = mesh.opposite(h);
-    if (o < 0 || !is_cut[at(h)]) continue;
+    if (o < 0 || !is_cut[h]) continue;
     const Vector2 here = edge(uv, h), there = -edge(uv, o);
     EXPECT_NEAR(here.norm() / there.norm(), 1, 1e-9);
     const double turn = std::atan2(here.y(), here.x()) - std::atan2(there.y(), there.x());
@@ -82,7 +82,7 @@ TEST(LayOut, SphereWithConesIsSeamless) {
 
 TEST(LayOut, TorusIsAParallelogram) {
   const auto mesh = surface(torus(24, 12, 0));
-  const std::vector<int> turns(at(mesh->vertex_count()), 4);
+  const std::vector<int> turns(to_size(mesh->vertex_count()), 4);
   const ConformalMetric metric = conformal_metric(*mesh, turns);
   const auto is_cut = cut_through_cones(*mesh, turns);
   expect_layout(*mesh, metric, is_cut);
@@ -92,9 +92,9 @@ TEST(LayOut, TorusIsAParallelogram) {
 
 TEST(LayOut, DiskNeedsNoCut) {
   for (const auto& mesh : {surface(grid(9, bumpy)), generated("cap"), surface(cone(5, false))}) {
-    const std::vector<int> turns(at(mesh->vertex_count()), 4);
+    const std::vector<int> turns(to_size(mesh->vertex_count()), 4);
     const ConformalMetric metric = conformal_metric(*mesh, turns);
-    expect_layout(*mesh, metric, std::vector<char>(at(mesh->half_edge_count()), 0));
+    expect_layout(*mesh, metric, std::vector<char>(to_size(mesh->half_edge_count()), 0));
   }
 }
 
@@ -102,7 +102,7 @@ TEST(LayOut, RefusesWhatIsNoDisk) {
   const auto mesh = surface(cube(2));
   const auto turns = quarter_turns_at(*mesh, cube_corners(Vector3::Constant(1), 1), 3);
   const ConformalMetric metric = conformal_metric(*mesh, turns);
-  std::vector<char> is_cut(at(mesh->half_edge_count()), 0);
+  std::vector<char> is_cut(to_size(mesh->half_edge_count()), 0);
   expect_contains(error_message(ErrorKind::Usage, [&] { lay_out(*mesh, metric, is_cut); }),
                   {"inline.obj", "not a disk", "0 boundary loops"});
   is_cut[7] = 1;
@@ -122,8 +122,8 @@ TEST(LayOut, PublicModels) {
     SCOPED_TRACE(name);
     const auto mesh = surface(obj_file((folder / (std::string(name) + ".obj")).string()));
     ASSERT_EQ(mesh->topology().euler_characteristic(), 2);
-    std::vector<int> turns(at(mesh->vertex_count()), 4);
-    for (const Index v : spread_vertices(*mesh, 8)) turns[at(v)] = 3;
+    std::vector<int> turns(to_size(mesh->vertex_count()), 4);
+    for (const Index v : spread_vertices(*mesh, 8)) turns[v] = 3;
     const ConformalMetric metric = conformal_metric(*mesh, turns);
     EXPECT_LT(metric.angle_error, 1e-11);
     EXPECT_EQ(metric.open_faces, 0);
@@ -136,7 +136,7 @@ TEST(LayOut, PublicModels) {
     EXPECT_NEAR(area / mesh->area(), 1, 1e-12);
     for (Index h = 0; h < mesh->half_edge_count(); ++h) {
       const Index o = mesh->opposite(h);
-      if (!is_cut[at(h)]) continue;
+      if (!is_cut[h]) continue;
       const Vector2 here = edge(uv, h), there = -edge(uv, o);
       EXPECT_NEAR(here.norm(), there.norm(), 1e-9 * here.norm() + rounding);
       // Parallel or perpendicular.

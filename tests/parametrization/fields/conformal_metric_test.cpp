@@ -16,7 +16,7 @@ namespace {
 Vec flat_angles(const SurfaceMesh& mesh) { return Vec::Constant(mesh.vertex_count(), 2 * kPi); }
 
 std::vector<int> no_cones(const SurfaceMesh& mesh) {
-  return std::vector<int>(at(mesh.vertex_count()), 4);
+  return std::vector<int>(to_size(mesh.vertex_count()), 4);
 }
 
 double area_of(const SurfaceMesh& mesh, const ConformalMetric& metric) {
@@ -41,12 +41,12 @@ void expect_angle_sums(const SurfaceMesh& mesh, const ConformalMetric& metric,
       const double p = length(f, k), q = length(f, k + 2), r = length(f, k + 1);
       sums[mesh.faces()(f, k)] += std::acos((p * p + q * q - r * r) / (2 * p * q));
     }
-  std::vector<char> is_boundary(at(mesh.vertex_count()), 0);
+  std::vector<char> is_boundary(to_size(mesh.vertex_count()), 0);
   for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) is_boundary[at(v)] = 1;
+    for (const Index v : loop) is_boundary[v] = 1;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    if (!is_boundary[at(v)]) {
-      EXPECT_NEAR(sums[v], 0.5 * kPi * quarter_turns[at(v)], 1e-10) << "vertex " << v;
+    if (!is_boundary[v]) {
+      EXPECT_NEAR(sums[v], 0.5 * kPi * quarter_turns[v], 1e-10) << "vertex " << v;
     }
 }
 
@@ -62,15 +62,15 @@ TEST(ConformalEnergy, HessianIsTheDerivativeOfTheGradient) {
   const Vec values = laplacian.values(energy.derivatives(u).hessian_weights);
   Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(pattern.size, pattern.size);
   for (Index c = 0; c < pattern.size; ++c)
-    for (Index k = pattern.column_starts[at(c)]; k < pattern.column_starts[at(c) + 1]; ++k)
-      hessian(pattern.rows[at(k)], c) = hessian(c, pattern.rows[at(k)]) = values[k];
+    for (Index k = pattern.column_starts[c]; k < pattern.column_starts[c + 1]; ++k)
+      hessian(pattern.rows[k], c) = hessian(c, pattern.rows[k]) = values[k];
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     const Vec move = step * Vec::Unit(mesh->vertex_count(), v);
     const Vec slope =
         (energy.derivatives(u + move).gradient - energy.derivatives(u - move).gradient) /
         (2 * step);
     for (Index w = 0; w < mesh->vertex_count(); ++w)
-      if (energy.is_interior()[at(w)]) {
+      if (energy.is_interior()[w]) {
         EXPECT_NEAR(hessian(w, v), slope[w], 1e-8);
       }
   }
@@ -118,7 +118,7 @@ TEST(ConformalMetric, SphereWithCubeAndTetrahedronCones) {
     expect_angle_sums(*mesh, metric, wanted);
     // Towards a cone the metric grows like a negative power of the distance.
     for (Index h = 0; h < mesh->half_edge_count(); ++h)
-      if (wanted[at(mesh->from_vertex(h))] == turns) {
+      if (wanted[mesh->from_vertex(h)] == turns) {
         EXPECT_GT(metric.log_factor[mesh->from_vertex(h)], metric.log_factor[mesh->to_vertex(h)]);
       }
   }
@@ -179,7 +179,7 @@ void expect_flat_vectors(const SurfaceMesh& mesh, const ConformalMetric& metric,
   }
   EXPECT_NEAR(area / mesh.area(), 1, 1e-12);
   for (Index v = 0; v < mesh.vertex_count(); ++v)
-    EXPECT_NEAR(std::remainder(sums[v] - 0.5 * kPi * quarter_turns[at(v)], 2 * kPi), 0, 1e-9);
+    EXPECT_NEAR(std::remainder(sums[v] - 0.5 * kPi * quarter_turns[v], 2 * kPi), 0, 1e-9);
 }
 
 // Angle sums that no metric with the surface's own edges has: three triangles around a vertex make
@@ -199,11 +199,11 @@ TEST(ConformalMetric, FlipsEdgesWhereItMust) {
     std::mt19937 random(seed);
     std::uniform_int_distribution<Index> vertex(0, ball->vertex_count() - 1);
     std::vector<int> turns = no_cones(*ball);
-    for (int k = 0; k < 8; ++k) turns[at(vertex(random))] += 1;
+    for (int k = 0; k < 8; ++k) turns[vertex(random)] += 1;
     for (int k = 0; k < 16;) {
       const Index v = vertex(random);
-      if (turns[at(v)] == 1) continue;
-      turns[at(v)] -= 1;
+      if (turns[v] == 1) continue;
+      turns[v] -= 1;
       ++k;
     }
     const ConformalMetric metric = conformal_metric(*ball, turns);

@@ -37,7 +37,7 @@ double angle_to_edge(const SurfaceMesh& mesh, const CrossField& field, Index h, 
 
 // How much the branch, transported over h and turned, has to rotate to become the neighbour's.
 double rotation(const SurfaceMesh& mesh, const CrossField& field, Index h) {
-  const double here = angle_to_edge(mesh, field, h, field.turns[at(h)]);
+  const double here = angle_to_edge(mesh, field, h, field.turns[h]);
   const double there = angle_to_edge(mesh, field, mesh.opposite(h), 0) + kPi;  // opposite edge
   return std::remainder(there - here, 2 * kPi);
 }
@@ -50,38 +50,38 @@ double energy(const SurfaceMesh& mesh, const CrossField& field) {
 }
 
 std::vector<double> angle_sums(const SurfaceMesh& mesh) {
-  std::vector<double> sum(at(mesh.vertex_count()), 0);
+  std::vector<double> sum(to_size(mesh.vertex_count()), 0);
   for (Index c = 0; c < mesh.half_edge_count(); ++c) {
     const Vector3 p = mesh.positions().row(mesh.from_vertex(c));
     const Vector3 a = mesh.positions().row(mesh.to_vertex(c)).transpose() - p;
     const Vector3 b = mesh.positions().row(mesh.faces()(c / 3, (c % 3 + 2) % 3)).transpose() - p;
-    sum[at(mesh.from_vertex(c))] += std::atan2(a.cross(b).norm(), a.dot(b));
+    sum[mesh.from_vertex(c)] += std::atan2(a.cross(b).norm(), a.dot(b));
   }
   return sum;
 }
 
 void expect_proper_field(const SurfaceMesh& mesh, const CrossField& field) {
   ASSERT_EQ(field.angle.size(), mesh.face_count());
-  ASSERT_EQ(field.turns.size(), at(mesh.half_edge_count()));
-  ASSERT_EQ(field.quarter_turns.size(), at(mesh.vertex_count()));
+  ASSERT_EQ(field.turns.size(), to_size(mesh.half_edge_count()));
+  ASSERT_EQ(field.quarter_turns.size(), to_size(mesh.vertex_count()));
   EXPECT_TRUE(field.angle.allFinite());
   std::vector<double> left = angle_sums(mesh);
   std::vector<int> turns(left.size(), 0), valence(left.size(), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    ++valence[at(mesh.to_vertex(h))];
+    ++valence[mesh.to_vertex(h)];
     if (mesh.opposite(h) < 0) {
-      EXPECT_EQ(field.turns[at(h)], 0);
+      EXPECT_EQ(field.turns[h], 0);
       continue;
     }
-    EXPECT_GE(field.turns[at(h)], 0);
-    EXPECT_EQ((field.turns[at(h)] + field.turns[at(mesh.opposite(h))]) % 4, 0);
-    EXPECT_LT(field.turns[at(h)], 4);
-    turns[at(mesh.to_vertex(h))] += field.turns[at(h)];
-    left[at(mesh.to_vertex(h))] -= rotation(mesh, field, h);
+    EXPECT_GE(field.turns[h], 0);
+    EXPECT_EQ((field.turns[h] + field.turns[mesh.opposite(h)]) % 4, 0);
+    EXPECT_LT(field.turns[h], 4);
+    turns[mesh.to_vertex(h)] += field.turns[h];
+    left[mesh.to_vertex(h)] -= rotation(mesh, field, h);
   }
   std::vector<char> boundary(left.size(), 0);
   for (const auto& loop : mesh.boundary_loops())
-    for (const Index v : loop) boundary[at(v)] = 1;
+    for (const Index v : loop) boundary[v] = 1;
   int index_sum = 0;
   for (std::size_t v = 0; v < left.size(); ++v) {
     const int q = field.quarter_turns[v];
@@ -107,8 +107,8 @@ void expect_combs(const SurfaceMesh& mesh, const CrossField& field) {
   CrossField combed = field;
   comb(mesh, is_cut, combed);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (!is_cut[at(h)]) {
-      EXPECT_EQ(combed.turns[at(h)], 0);
+    if (!is_cut[h]) {
+      EXPECT_EQ(combed.turns[h], 0);
     }
   for (Index f = 0; f < mesh.face_count(); ++f)
     EXPECT_NEAR(std::remainder(combed.angle[f] - field.angle[f], kRightAngle), 0, 1e-9);
@@ -122,7 +122,7 @@ void expect_combs(const SurfaceMesh& mesh, const CrossField& field) {
 
 std::vector<Cone> cones_of(const CrossField& field) {
   std::vector<Cone> cones;
-  for (const Index v : cone_vertices(field)) cones.push_back({v, field.quarter_turns[at(v)]});
+  for (const Index v : cone_vertices(field)) cones.push_back({v, field.quarter_turns[v]});
   return cones;
 }
 
@@ -132,7 +132,7 @@ TEST(CrossField, IsConsistentOnEverySurface) {
     const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
     CrossFieldOptions curved, some_edges;
     curved.curvature_weight = 10;
-    some_edges.aligned.assign(at(mesh.half_edge_count()), 0);
+    some_edges.aligned.assign(to_size(mesh.half_edge_count()), 0);
     some_edges.aligned[0] = 1;
     for (const CrossFieldOptions& options : {CrossFieldOptions(), curved, some_edges}) {
       const CrossField field = smoothest_cross_field(mesh, options);
@@ -211,23 +211,23 @@ TEST(CrossField, FollowsPrincipalDirections) {
 TEST(CrossField, FollowsAlignedEdges) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(8, bumpy));
   CrossFieldOptions options;
-  options.aligned.assign(at(mesh.half_edge_count()), 0);
+  options.aligned.assign(to_size(mesh.half_edge_count()), 0);
   std::vector<Index> flagged;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     if (mesh.opposite(h) < 0 || (h % 3 == 1 && h % 50 == 1)) {
-      options.aligned[at(h)] = 1;
+      options.aligned[h] = 1;
       flagged.push_back(h);
     }
   const CrossField field = smoothest_cross_field(mesh, options);
   expect_proper_field(mesh, field);
-  std::vector<int> count(at(mesh.face_count()), 0);
+  std::vector<int> count(to_size(mesh.face_count()), 0);
   for (const Index h : flagged) {
-    ++count[at(h / 3)];
-    if (mesh.opposite(h) >= 0) ++count[at(mesh.opposite(h) / 3)];
+    ++count[h / 3];
+    if (mesh.opposite(h) >= 0) ++count[mesh.opposite(h) / 3];
   }
   for (const Index h : flagged)
     for (const Index side : {h, mesh.opposite(h)})
-      if (side >= 0 && count[at(side / 3)] == 1) {
+      if (side >= 0 && count[side / 3] == 1) {
         EXPECT_NEAR(std::remainder(angle_to_edge(mesh, field, side, 0), kRightAngle), 0, 1e-9);
       }
 }
@@ -235,7 +235,7 @@ TEST(CrossField, FollowsAlignedEdges) {
 TEST(CrossField, FollowsTheLongestOfAllEdges) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(5));
   CrossFieldOptions options;
-  options.aligned.assign(at(mesh.half_edge_count()), 1);  // the diagonals are the longest
+  options.aligned.assign(to_size(mesh.half_edge_count()), 1);  // the diagonals are the longest
   const CrossField field = smoothest_cross_field(mesh, options);
   expect_proper_field(mesh, field);
   for (Index f = 0; f < mesh.face_count(); ++f) {
@@ -327,8 +327,7 @@ TEST(PrescribedCones, AnywhereOnATorusAndOnADisk) {
     expect_proper_field(*mesh, field);
     expect_combs(*mesh, field);
     EXPECT_EQ(cone_vertices(field).size(), cones.size());
-    for (const Cone& cone : cones)
-      EXPECT_EQ(field.quarter_turns[at(cone.vertex)], cone.quarter_turns);
+    for (const Cone& cone : cones) EXPECT_EQ(field.quarter_turns[cone.vertex], cone.quarter_turns);
   }
   EXPECT_LT(energy(ring, cross_field_with_cones(ring, {})), 1e-10);  // flat: parallel
 }
@@ -351,7 +350,7 @@ TEST(PrescribedCones, RefusesWhatCannotBe) {
 TEST(Comb, RefusesCutsThatLeaveConesInside) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(voxel_surface(box(3, 3, 3)));
   CrossField field = smoothest_cross_field(mesh);
-  const std::vector<char> uncut(at(mesh.half_edge_count()), 0);
+  const std::vector<char> uncut(to_size(mesh.half_edge_count()), 0);
   expect_contains(error_message(ErrorKind::Usage, [&] { comb(mesh, uncut, field); }),
                   {"edge", "combed"});
 }

@@ -112,12 +112,12 @@ TEST(IntrinsicTriangulation, FlipOnACircleIsEuclidean) {
   for (Index h = 0; h < 6; ++h) {
     const Index a = triangulation.faces()(h / 3, h % 3),
                 b = triangulation.faces()(h / 3, (h + 1) % 3);
-    EXPECT_NEAR(std::exp(lengths[h]), (points[at(a)] - points[at(b)]).norm(), 1e-14);
+    EXPECT_NEAR(std::exp(lengths[h]), (points[a] - points[b]).norm(), 1e-14);
   }
   const Points2 vectors = triangulation.surface_vectors(Vec::Zero(4));
   for (Index h = 0; h < 6; ++h)
     EXPECT_NEAR(vectors.row(h).norm(),
-                (points[at(mesh->from_vertex(h))] - points[at(mesh->to_vertex(h))]).norm(), 1e-14);
+                (points[mesh->from_vertex(h)] - points[mesh->to_vertex(h)]).norm(), 1e-14);
 }
 
 // Vectors of the surface's triangles close up and fit, and unflipped edges keep their lengths.

@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Degrees, AsapHarmonic,
                                                           Curvature::Majorizer)));
 
 // The paper's recipe turns the one step into a linear rate (E9): that is why it is not the default.
-TEST(AsapHarmonic, ThePaperMajorizerNeedsManySteps) {
+TEST(AsapHarmonic, TheCompositeMajorizerNeedsManySteps) {
   const Sheet s(2);
   const auto terms = energy_terms(s.spec, s.space, {radon_rule()});
   const Problem problem =
@@ -140,7 +140,7 @@ TEST(AsapHarmonic, ThePaperMajorizerNeedsManySteps) {
                   std::make_shared<const LocalInjectivity>(s.space, 2 * s.spec.rest.measure))
           .problem;
   NewtonOptions options;
-  options.curvature = Curvature::PaperMajorizer;
+  options.curvature = Curvature::CompositeMajorizer;
   options.blend.below = 0;
   const SolveResult r = NewtonMinimizer(options).minimize(problem, problem.reduce(s.start), {});
   EXPECT_EQ(r.status, Status::Converged) << r.message;

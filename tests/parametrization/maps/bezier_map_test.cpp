@@ -182,7 +182,7 @@ TEST(BezierMap, SamplesFaceByFace) {
   ASSERT_EQ(uv.rows(), 3 * map.mesh().face_count());
   for (Index f = 0; f < map.mesh().face_count(); ++f)
     for (Index l = 0; l < 3; ++l)
-      EXPECT_LT((uv.row(3 * f + l).transpose() - map.evaluate(f, points[at(l)])).norm(), 1e-14);
+      EXPECT_LT((uv.row(3 * f + l).transpose() - map.evaluate(f, points[l])).norm(), 1e-14);
 }
 
 TEST(BezierMap, RefinementSharesPointsAndReproducesTheMap) {

@@ -15,9 +15,9 @@ constexpr std::size_t kStride = LocalSystem::stride;
 // Values and gradients of the first elements of a term; the Hessian's room is checked not to be
 // written beyond what was asked.
 std::vector<double> first_order(const EnergyTerm& term, VecIn x, Curvature c, bool with_hessian) {
-  const auto n = static_cast<std::size_t>(term.stencils().local_size());
+  const auto n = static_cast<std::size_t>(term.element_dofs().local_size());
   const auto count = std::min<std::size_t>(
-      Chunk::kMaxSize, static_cast<std::size_t>(term.stencils().element_count()));
+      ElementBatch::kMaxSize, static_cast<std::size_t>(term.element_dofs().element_count()));
   std::vector<Index> all(count);
   std::iota(all.begin(), all.end(), 0);
   Workspace kernel, memory;
@@ -27,7 +27,7 @@ std::vector<double> first_order(const EnergyTerm& term, VecIn x, Curvature c, bo
   std::fill_n(local.value, order1 + order2, -7.0);
   local.gradient = local.value + kStride;
   local.hessian = with_hessian ? local.gradient + n * kStride : nullptr;
-  term.local(x, Chunk{0, all}, c, {}, kernel, local);
+  term.local(x, ElementBatch{0, all}, c, {}, kernel, local);
   if (!with_hessian) {
     EXPECT_TRUE(std::all_of(local.value + order1, local.value + order1 + order2,
                             [](double v) { return v == -7.0; }));

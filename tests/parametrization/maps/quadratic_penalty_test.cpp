@@ -162,7 +162,7 @@ TEST(QuadraticPenalty, AnyLinearExpression) {
   Workspace workspace;
   const Index rows[] = {0, 1};
   double f[2];
-  penalty.values(x, Chunk{0, rows}, {}, workspace, f);
+  penalty.values(x, ElementBatch{0, rows}, {}, workspace, f);
   EXPECT_NEAR(f[0], (0.2 - 0.6 + 2.0 - 1.5) * (0.2 - 0.6 + 2.0 - 1.5), 1e-15);
   EXPECT_NEAR(f[1], 1.0, 1e-15);
   EXPECT_TRUE(check_derivatives(penalty, x).ok());
@@ -174,7 +174,7 @@ TEST(QuadraticPenalty, AnyLinearExpression) {
 
 TEST(QuadraticPenalty, NothingToPullAt) {
   const auto empty = std::make_shared<QuadraticPenalty>(Rows({}));
-  EXPECT_EQ(empty->stencils().element_count(), 0);
+  EXPECT_EQ(empty->element_dofs().element_count(), 0);
   const Problem problem = ProblemBuilder(2)
                               .add(empty, 1)
                               .add(std::make_shared<QuadraticPenalty>(Rows({{{{0, 1}}, 2}})), 1)

@@ -54,7 +54,7 @@ TEST(RestShapesOf, JacobiansAreThoseFromTheRestTriangle) {
       repair(polygon_mesh({{0, 0, 0}, {2, 0, 0}, {0.5, 0, 0}}, {{0, 1, 2}}));
   ASSERT_EQ(out.mesh->rest_triangles().size(), 1u);
   Vec uv(6);
-  for (Index k = 0; k < 3; ++k) uv.segment<2>(2 * k) = out.mesh->rest_triangles()[0].corners[at(k)];
+  for (Index k = 0; k < 3; ++k) uv.segment<2>(2 * k) = out.mesh->rest_triangles()[0].corners[k];
   const auto [sigma_max, sigma_min] =
       BezierMap::linear(out.mesh, uv).singular_values(0, {1 / 3., 1 / 3., 1 / 3.});
   EXPECT_NEAR(sigma_max, 1, 1e-9);

@@ -26,7 +26,7 @@ inline BezierMap chart_of(const std::vector<Vector2>& points,
   auto surface = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(mesh));
   Vec uv(2 * surface->vertex_count());
   for (Index v = 0; v < surface->vertex_count(); ++v)
-    uv.segment<2>(2 * v) = points[at(surface->input_vertex(v))];
+    uv.segment<2>(2 * v) = points[surface->input_vertex(v)];
   return BezierMap::linear(surface, uv);
 }
 
@@ -109,15 +109,15 @@ inline BezierMap wavy_chart(int sides, double radius, double amount, double phas
 // `count` points on every boundary edge, edge after edge, loop after loop.
 inline std::vector<Corners> sampled_boundary(const BezierMap& map, int count) {
   const SurfaceMesh& mesh = map.mesh();
-  std::vector<Index> leaving(at(mesh.vertex_count()), -1);
+  std::vector<Index> leaving(to_size(mesh.vertex_count()), -1);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (mesh.opposite(h) < 0) leaving[at(mesh.from_vertex(h))] = h;
+    if (mesh.opposite(h) < 0) leaving[mesh.from_vertex(h)] = h;
   std::vector<Corners> loops;
   for (const std::vector<Index>& vertices : mesh.boundary_loops()) {
     Corners& loop = loops.emplace_back();
     for (const Index v : vertices)
       for (int k = 0; k < count; ++k) {
-        const Index h = leaving[at(v)];
+        const Index h = leaving[v];
         Barycentric xi = Barycentric::Zero();
         xi[h % 3] = 1 - double(k) / count;
         xi[(h + 1) % 3] = double(k) / count;

@@ -90,8 +90,7 @@ TEST(Pack, any_unit_of_length_gives_the_same_layout) {
   for (int k = 0; k < 8; ++k) {
     charts.push_back(test::polygon_chart(test::random_polygon(random, 1)));
     const double scale = std::ldexp(1, -480);
-    tiny.push_back(
-        charts[at(k)].with(charts[at(k)].shared_space(), scale * charts[at(k)].control_points()));
+    tiny.push_back(charts[k].with(charts[k].shared_space(), scale * charts[k].control_points()));
   }
   const Packing packing = pack(charts), small = pack(tiny);
   EXPECT_EQ(std::ldexp(small.side, 480), packing.side);

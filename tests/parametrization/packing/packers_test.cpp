@@ -29,18 +29,19 @@ std::vector<BezierMap> mixed_charts() {
 // Where a packer puts them, by its own numbers.
 std::vector<std::vector<Corners>> placed(const PackingJob& job, const Strip& strip) {
   std::vector<std::vector<Corners>> all;
-  for (std::size_t k = 0; k < job.parcels.size(); ++k) {
-    all.push_back(job.parcels[k].outline.loops);
+  for (std::size_t k = 0; k < job.charts.size(); ++k) {
+    all.push_back(job.charts[k].outline.loops);
     for (Corners& loop : all.back())
       for (Vector2& p : loop)
-        p = quarter_turned(p, strip.spots[k].quarters, job.parcels[k].size) + strip.spots[k].low;
+        p = quarter_turned(p, strip.spots[k].quarters, job.charts[k].size) + strip.spots[k].low;
   }
   return all;
 }
 
 TEST(Packers, each_keeps_the_gap_inside_of_its_strip) {
   const std::vector<BezierMap> charts = mixed_charts();
-  const PackingJob job = packing_job(charts, std::vector<Freedom>(charts.size()), 4.0 / 1024);
+  const PackingJob job =
+      packing_job(charts, std::vector<AllowedRotations>(charts.size()), 4.0 / 1024);
   const double width = 1.6 * std::sqrt(job.area);
   for (const std::optional<Strip>& strip :
        {skyline_strip(job, width), raster_strip(job, 512, width), nested_strip(job, width)}) {
@@ -66,7 +67,7 @@ TEST(Packers, the_smallest_box_is_found) {
   Random random(6);
   for (int k = 0; k < 50; ++k) {
     const BezierMap chart = test::polygon_chart(test::random_polygon(random, 1));
-    const Parcel parcel = parcel_of(chart, 1, 1e-3);
+    const ChartOutline chart = chart_outline(chart, 1, 1e-3);
     double least = 1e300;
     for (int step = 0; step < 2000; ++step) {
       const Corners points =
@@ -75,8 +76,8 @@ TEST(Packers, the_smallest_box_is_found) {
       for (const Vector2& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
       least = std::min(least, (high - low).prod());
     }
-    EXPECT_LE(parcel.size.prod(), least * (1 + 2e-6));
-    EXPECT_GE(parcel.size.x(), parcel.size.y());
+    EXPECT_LE(chart.size.prod(), least * (1 + 2e-6));
+    EXPECT_GE(chart.size.x(), chart.size.y());
   }
 }
 
@@ -107,17 +108,17 @@ TEST(Packers, outer_polygons_of_convex_ones_have_as_many_corners_as_asked_for) {
 // Points of the curve, off it by the distance asked for, lie in the cells.
 TEST(Packers, cells_cover_curves_and_what_is_around_them) {
   const BezierMap chart = test::wavy_chart(6, 1, 0.25, 0.5);
-  const Parcel parcel = parcel_of(chart, 1, 1e-2);
-  EXPECT_GT(parcel.outline.reach, 0);
+  const ChartOutline chart = chart_outline(chart, 1, 1e-2);
+  EXPECT_GT(chart.outline.reach, 0);
   Eigen::Matrix2d R;
-  R << parcel.cosine, -parcel.sine, parcel.sine, parcel.cosine;
+  R << chart.cosine, -chart.sine, chart.sine, chart.cosine;
   const double cell = 0.05, distance = 0.11;
   const Corners boundary = test::sampled_boundary(chart, 60)[0];
   for (int quarters = 0; quarters < 4; ++quarters) {
-    const CellRuns runs = cells_of(parcel, quarters, Vector2(0.3, 0.2), cell, distance);
+    const CellRuns runs = cells_of(chart, quarters, Vector2(0.3, 0.2), cell, distance);
     for (const Vector2& on : boundary)
       for (int k = 0; k < 16; ++k) {
-        const Vector2 p = quarter_turned(R * on - parcel.low, quarters, parcel.size) +
+        const Vector2 p = quarter_turned(R * on - chart.low, quarters, chart.size) +
                           Vector2(0.3, 0.2) +
                           distance * Vector2(std::cos(k * 0.4), std::sin(k * 0.4));
         const int row = static_cast<int>(std::floor(p.y() / cell)),
@@ -132,7 +133,7 @@ TEST(Packers, cells_cover_curves_and_what_is_around_them) {
 TEST(Packers, pack_is_never_worse_than_shelves) {
   const std::vector<BezierMap> charts = mixed_charts();
   const PackingJob job =
-      packing_job(charts, std::vector<Freedom>(charts.size()), 4.0 / 1024 * (1 + 1e-5));
+      packing_job(charts, std::vector<AllowedRotations>(charts.size()), 4.0 / 1024 * (1 + 1e-5));
   const auto shelves = smallest_square(job, [&](double width) { return skyline_strip(job, width); },
                                        {1.5 * std::sqrt(job.area), 1.25, 14});
   ASSERT_TRUE(shelves);

@@ -169,12 +169,12 @@ inline double enclosed_area(const BezierMesh& mesh) {
   };
   double twice = 0;
   for (Index h = 0; h < 3 * mesh.face_count(); ++h) {
-    if (mesh.opposite[at(h)] >= 0) continue;
+    if (mesh.opposite[h] >= 0) continue;
     const std::vector<int>& edge = indices.edge(h % 3);
     for (int r = 0; r <= n; ++r)
       for (int s = 0; s < n; ++s) {  // integral of c x c', exact
-        const Vector2 c = mesh.point(h / 3, edge[at(r)]);
-        const Vector2 d = mesh.point(h / 3, edge[at(s + 1)]) - mesh.point(h / 3, edge[at(s)]);
+        const Vector2 c = mesh.point(h / 3, edge[r]);
+        const Vector2 d = mesh.point(h / 3, edge[s + 1]) - mesh.point(h / 3, edge[s]);
         twice += cross(c, d) * n * binomial(n, r) * binomial(n - 1, s) /
                  (binomial(2 * n - 1, r + s) * 2 * n);
       }

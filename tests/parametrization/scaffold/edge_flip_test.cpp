@@ -38,14 +38,14 @@ PlaneTriangulation random_quad(std::mt19937& random) {
 
 Index inner_half_edge(const BezierMesh& mesh) {
   for (Index h = 0; h < 6; ++h)
-    if (mesh.opposite[at(h)] >= 0) return h;
+    if (mesh.opposite[h] >= 0) return h;
   return -1;
 }
 
 std::set<std::pair<double, double>> boundary_points(const BezierMesh& mesh) {
   std::set<std::pair<double, double>> out;
   for (Index h = 0; h < 3 * mesh.face_count(); ++h)
-    if (mesh.opposite[at(h)] < 0)
+    if (mesh.opposite[h] < 0)
       for (const int l : TriangleIndices::of_degree(mesh.degree).edge(h % 3))
         out.insert({mesh.point(h / 3, l)[0], mesh.point(h / 3, l)[1]});
   return out;
@@ -59,18 +59,18 @@ TEST(FlipEdge, OfRandomQuadrilaterals) {
     for (int trial = 0; trial < count; ++trial) {
       const BezierMesh before = curved(random_quad(random), n, 0.4, random());
       BezierMesh mesh = before;
-      const Index h = inner_half_edge(mesh), o = mesh.opposite[at(h)];
+      const Index h = inner_half_edge(mesh), o = mesh.opposite[h];
       if (!flip_edge(mesh, h)) {
         EXPECT_TRUE(same_bits(mesh, before));
         continue;
       }
       ++performed;
       expect_sound(mesh);
-      EXPECT_EQ(mesh.opposite[at(h)], o);
+      EXPECT_EQ(mesh.opposite[h], o);
       EXPECT_EQ(mesh.from_vertex(h), 3);
       EXPECT_EQ(mesh.to_vertex(h), 2);
       EXPECT_EQ(boundary_points(mesh), boundary_points(before));
-      EXPECT_EQ(boundary_points(mesh).size(), at(4 * n));
+      EXPECT_EQ(boundary_points(mesh).size(), to_size(4 * n));
       EXPECT_NEAR(enclosed_area(mesh), enclosed_area(before), 1e-12 * enclosed_area(before));
     }
     RecordProperty("performed_" + std::to_string(n), performed);
@@ -304,8 +304,8 @@ TEST(MakeDelaunay, RespectsFixedEdges) {
       return points;
     };
     for (Index h = 0; h < 3 * mesh.face_count(); ++h)
-      if (mesh.opposite[at(h)] > h && random() % 4 == 0) {
-        is_fixed[at(h)] = is_fixed[at(mesh.opposite[at(h)])] = 1;
+      if (mesh.opposite[h] > h && random() % 4 == 0) {
+        is_fixed[h] = is_fixed[mesh.opposite[h]] = 1;
         fixed[{mesh.from_vertex(h), mesh.to_vertex(h)}] = curve(h);
       }
     EXPECT_GT(make_delaunay(mesh, is_fixed).performed, 20);
@@ -315,12 +315,12 @@ TEST(MakeDelaunay, RespectsFixedEdges) {
       const auto held = fixed.find({mesh.from_vertex(h), mesh.to_vertex(h)});
       if (held != fixed.end()) {
         ++found;
-        EXPECT_TRUE(is_fixed[at(h)]);
+        EXPECT_TRUE(is_fixed[h]);
         EXPECT_EQ(curve(h), held->second);
-      } else if (mesh.opposite[at(h)] < 0) {
-        EXPECT_FALSE(is_fixed[at(h)]);
+      } else if (mesh.opposite[h] < 0) {
+        EXPECT_FALSE(is_fixed[h]);
       } else {
-        EXPECT_EQ(is_fixed[at(h)], is_fixed[at(mesh.opposite[at(h)])]);
+        EXPECT_EQ(is_fixed[h], is_fixed[mesh.opposite[h]]);
       }
     }
     EXPECT_EQ(found, fixed.size());
@@ -341,15 +341,15 @@ TEST(FlipEdges, FollowsWishesAndEnds) {
   BezierMesh irregular = curved(inserted_points(60, 2), 2, 0, 1);
   const auto deviation = [](const BezierMesh& m) {
     std::vector<int> valence(64, 0);
-    for (Index h = 0; h < 3 * m.face_count(); ++h) ++valence[at(m.from_vertex(h))];
+    for (Index h = 0; h < 3 * m.face_count(); ++h) ++valence[m.from_vertex(h)];
     return valence;
   };
   const auto better = [&](const BezierMesh& m, Index h) {
     const std::vector<int> valence = deviation(m);
     const auto next = [](Index s) { return s % 3 == 2 ? s - 2 : s + 1; };
-    const Index o = m.opposite[at(h)];
+    const Index o = m.opposite[h];
     const auto cost = [&](Index v, int change) {
-      const int d = valence[at(v)] + change - 6;
+      const int d = valence[v] + change - 6;
       return d * d;
     };
     const std::array<Index, 2> lose{m.from_vertex(h), m.to_vertex(h)};

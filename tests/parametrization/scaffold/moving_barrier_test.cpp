@@ -30,7 +30,7 @@ TEST(MovingBarrier, CoefficientsAreThoseOfTheElement) {
         local.row(l) = grid.row(half == 0 ? row : last - row);
       }
       const double straight = triangle_determinant(local, 0, 1, 2);
-      EXPECT_NEAR(barrier.straight_determinants(grid)[at(half)], straight, 1e-13);
+      EXPECT_NEAR(barrier.straight_determinants(grid)[half], straight, 1e-13);
       for (int trial = 0; trial < 20; ++trial) {
         const Barycentric xi = random_point(random);
         const Eigen::Matrix2d j = local.transpose() * bernstein_gradients(n, xi);

@@ -19,7 +19,7 @@ using Loops = std::vector<Points2>;
 
 inline Points2 polygon(const std::vector<Vector2>& points) {
   Points2 result(static_cast<Index>(points.size()), 2);
-  for (Index k = 0; k < result.rows(); ++k) result.row(k) = points[at(k)].transpose();
+  for (Index k = 0; k < result.rows(); ++k) result.row(k) = points[k].transpose();
   return result;
 }
 // Counterclockwise.
@@ -106,7 +106,7 @@ inline double smallest_angle(const Points2& p, const Cells& faces, Index f) {
 }
 
 inline std::vector<Index> numbers(Index first, Index count) {
-  std::vector<Index> result(at(count));
+  std::vector<Index> result(to_size(count));
   std::iota(result.begin(), result.end(), first);
   return result;
 }
@@ -149,8 +149,8 @@ inline void expect_topology(const ScaffoldTriangulation& scaffold, const Loops& 
   Edges boundary;
   Index edges = 0;
   for (Index h = 0; h < static_cast<Index>(opposite.size()); ++h) {
-    if (opposite[at(h)] < 0) boundary.insert({faces(h / 3, h % 3), faces(h / 3, (h + 1) % 3)});
-    if (opposite[at(h)] < h) ++edges;
+    if (opposite[h] < 0) boundary.insert({faces(h / 3, h % 3), faces(h / 3, (h + 1) % 3)});
+    if (opposite[h] < h) ++edges;
   }
   EXPECT_EQ(boundary, expected_boundary(scaffold, loops));
   Index characteristic = 1;

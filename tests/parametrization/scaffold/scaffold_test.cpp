@@ -141,7 +141,7 @@ TEST(ScaffoldElevation, KeepsShapes) {
     }
     EXPECT_TRUE((Around{high, more}.certified(joint)));
     EXPECT_EQ(more.frame_nodes().size(),
-              a.scaffold.frame_nodes().size() / static_cast<std::size_t>(n) * at(n + 1));
+              a.scaffold.frame_nodes().size() / static_cast<std::size_t>(n) * to_size(n + 1));
   }
 }
 

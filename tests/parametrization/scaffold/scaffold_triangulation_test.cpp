@@ -260,7 +260,7 @@ TEST(Scaffold, RefusesWhatIsNotAnImage) {
 TEST(EnlargedFrame, SurroundsTheOldOne) {
   const ScaffoldTriangulation inner = triangulate_scaffold({circle(50)});
   Points2 frame(static_cast<Index>(inner.frame.size()), 2);
-  for (Index k = 0; k < frame.rows(); ++k) frame.row(k) = inner.positions.row(inner.frame[at(k)]);
+  for (Index k = 0; k < frame.rows(); ++k) frame.row(k) = inner.positions.row(inner.frame[k]);
   const ScaffoldTriangulation ring = enlarge_frame(frame, 0.5);
   expect_valid(ring, {frame}, "ring");
   EXPECT_NEAR(ring.positions.minCoeff(), -6, 0.1);  // 3 radii, and half of 6

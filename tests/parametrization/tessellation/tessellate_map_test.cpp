@@ -29,8 +29,7 @@ int count_not_positive(const PolygonMesh& mesh) {
   int count = 0;
   for (const auto& t : mesh.polygon_texcoords)
     for (std::size_t k = 2; k < t.size(); ++k)
-      count += area(mesh.texcoords[at(t[0])], mesh.texcoords[at(t[k - 1])],
-                    mesh.texcoords[at(t[k])]) <= 0;
+      count += area(mesh.texcoords[t[0]], mesh.texcoords[t[k - 1]], mesh.texcoords[t[k]]) <= 0;
   return count;
 }
 
@@ -70,7 +69,7 @@ struct BentGrid {
     const auto size = static_cast<Index>(indices.size());
     Points3 places(size, 3);
     for (Index k = 0; k < size; ++k)
-      for (Index c = 0; c < 3; ++c) places(k, c) = double(indices[at(k)][at(c)]) / degree;
+      for (Index c = 0; c < 3; ++c) places(k, c) = double(indices[k][c]) / degree;
     const Eigen::MatrixXd to_control = bernstein_values(degree, places).inverse();
     for (Index c = 0; c < map.cells.rows(); ++c) {
       Eigen::MatrixXd values(size, 2);
@@ -192,7 +191,7 @@ TEST(TessellateMap, PiecesArePositiveAndFitTogether) {
       const BentGrid grid(degree, 4, 2, bend);
       const PolygonMesh mesh = tessellate_map(grid.map, nullptr, {.refine = refine});
       EXPECT_EQ(count_not_positive(mesh), 0);
-      EXPECT_GE(mesh.polygons.size(), at(16 * refine * refine));
+      EXPECT_GE(mesh.polygons.size(), to_size(16 * refine * refine));
       if (refine == 1) {
         EXPECT_GT(count_not_positive(mesh_from_map(grid.map, "")), 0);
         EXPECT_GT(mesh.polygons.size(), 16u);
@@ -202,15 +201,13 @@ TEST(TessellateMap, PiecesArePositiveAndFitTogether) {
       Edges turned;
       for (const auto& [a, b] : open) turned.emplace(b, a);
       for (const auto& [a, b] : open) {  // all of them are on the boundary of the grid
-        const Vector3 &p = mesh.positions[at(a)], &q = mesh.positions[at(b)];
+        const Vector3 &p = mesh.positions[a], &q = mesh.positions[b];
         EXPECT_TRUE((p.x() == q.x() && (p.x() == 0 || p.x() == 4)) ||
                     (p.y() == q.y() && (p.y() == 0 || p.y() == 2)));
       }
       Rational covered = 0;
       for (const auto& t : mesh.polygons) {
-        const auto flat = [&](std::size_t k) -> Vector2 {
-          return mesh.positions[at(t[k])].head<2>();
-        };
+        const auto flat = [&](std::size_t k) -> Vector2 { return mesh.positions[t[k]].head<2>(); };
         EXPECT_GT(area(flat(0), flat(1), flat(2)), 0);
         covered += area(flat(0), flat(1), flat(2));
       }
@@ -229,10 +226,10 @@ TEST(TessellateMap, PointsLieOnTheMap) {
   const double weights[] = {0.125, 0.375, 0.375, 0.125};
   for (std::size_t s = 0; s < 4; ++s)
     middle += weights[s] * grid.map.uv.row(grid.map.cells(0, edge[s]));
-  EXPECT_NEAR((mesh.texcoords[at(mesh.polygon_texcoords[0][1])] - middle).norm(), 0, 1e-15);
+  EXPECT_NEAR((mesh.texcoords[mesh.polygon_texcoords[0][1]] - middle).norm(), 0, 1e-15);
   const Vector3 flat =
       (grid.map.points.row(grid.map.cells(0, 0)) + grid.map.points.row(grid.map.cells(0, 1))) / 2;
-  EXPECT_EQ(mesh.positions[at(mesh.polygons[0][1])], flat);
+  EXPECT_EQ(mesh.positions[mesh.polygons[0][1]], flat);
 }
 
 TEST(TessellateMap, SidesThatAreOneInTheMapAndTwoInTheInput) {
@@ -255,8 +252,8 @@ TEST(TessellateMap, SidesThatAreOneInTheMapAndTwoInTheInput) {
     const PolygonMesh mesh = tessellate_map(map, &input, {.refine = refine});
     EXPECT_EQ(count_not_positive(mesh), 0);
     // In the plane one piece, in space two, whose new vertices are at the same places.
-    EXPECT_EQ(open_edges(mesh.polygon_texcoords).size(), at(4 * refine)) << refine;
-    EXPECT_EQ(open_edges(mesh.polygons).size(), at(6 * refine)) << refine;
+    EXPECT_EQ(open_edges(mesh.polygon_texcoords).size(), to_size(4 * refine)) << refine;
+    EXPECT_EQ(open_edges(mesh.polygons).size(), to_size(6 * refine)) << refine;
   }
   // Its two sides are no boundary that meets itself.
   EXPECT_EQ(tessellate_map(map, &input, {.overlap = Overlap::Excluded}).polygons, input.polygons);
@@ -295,7 +292,7 @@ TEST(TessellateMap, VerticesWoundTwiceAreNotValid) {
   const MapPieces pieces(map, coarse, 1);
   const std::vector<MapPieces::Edge> spokes = spokes_of_wound_vertices(pieces);
   EXPECT_EQ(spokes.size(), 5u);
-  for (const auto& spoke : spokes) EXPECT_EQ(pieces.points(spoke.cell)[at(spoke.i)].vt, 0);
+  for (const auto& spoke : spokes) EXPECT_EQ(pieces.points(spoke.cell)[spoke.i].vt, 0);
   error_message(ErrorKind::Invalid, [&] { tessellate_map(map, nullptr, {.refine = 2}); });
   for (Index k = 0; k < 5; ++k) map.uv.row(k + 1) = map.points.row(k + 1).head<2>();
   EXPECT_TRUE(spokes_of_wound_vertices(MapPieces(map, mesh_from_map(map, ""), 1)).empty());

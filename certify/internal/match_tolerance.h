@@ -1,0 +1,33 @@
+// How near places of files must be to count as the same.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "majorant/framework/internal/rounding.h"
+#include "majorant/mesh/polygon_mesh.h"
+
+namespace majorant {
+
+// box: of what a file holds. Ten digits of its size, and what rounding takes far from the origin;
+// 0 of an empty one. Origin: what a point computed on an edge, or printed with ten digits, may be
+// off; 8 spacings of the largest coordinate for sums of a few such points.
+inline double match_tolerance(const Eigen::AlignedBox3d& box) {
+  if (box.isEmpty()) return 0;
+  const double farthest =
+      std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  return kTenDigits * box.sizes().maxCoeff() + 16 * kUnitRoundoff<double> * farthest;
+}
+
+// Of the vertices that polygons have.
+inline Eigen::AlignedBox3d box_of(const PolygonMesh& surface) {
+  Eigen::AlignedBox3d box;
+  for (const auto& polygon : surface.polygons)
+    for (const Index v : polygon) box.extend(surface.positions[v]);
+  return box;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,160 @@
+#include "majorant/framework/internal/assembly_tree.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "majorant/framework/internal/front_kernels.h"
+
+namespace majorant {
+namespace {
+
+std::ptrdiff_t padded(std::ptrdiff_t rows) {
+  return (rows + FrontKernels::kTile - 1) / FrontKernels::kTile * FrontKernels::kTile;
+}
+
+// Unknowns in the order of their blocks; starts: by position of the block, where its begin.
+std::vector<Index> ordered_unknowns(const SparsePattern& pattern, const std::vector<Index>& blocks,
+                                    std::vector<Index>& starts) {
+  std::vector<Index> position(blocks.size());
+  for (std::size_t k = 0; k < blocks.size(); ++k) position[blocks[k]] = static_cast<Index>(k);
+  starts.assign(blocks.size() + 1, 0);
+  for (const Index b : pattern.block_of) ++starts[to_size(position[b]) + 1];
+  for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
+  std::vector<Index> order(to_size(pattern.size)), next(starts);
+  for (Index i = 0; i < pattern.size; ++i) order[next[position[pattern.block_of[i]]]++] = i;
+  return order;
+}
+
+}  // namespace
+
+double AssemblyTree::Front::operations() const {
+  double sum = 0;
+  for (Index c = 0; c < columns; ++c) sum += 0.5 * (rows - c) * static_cast<double>(rows - c);
+  return sum;
+}
+
+AssemblyTree::AssemblyTree(const SparsePattern& pattern, const BlockElimination& elimination) {
+  std::vector<Index> starts;
+  order_ = ordered_unknowns(pattern, elimination.order, starts);
+  make_fronts(elimination, starts);
+  find_parents();
+  place_entries(pattern);
+}
+
+std::span<const Index> AssemblyTree::children(Index f) const {
+  return {children_.data() + child_starts_[f], children_.data() + child_starts_[f + 1]};
+}
+
+std::span<const Index> AssemblyTree::rows_below(Index f) const {
+  return {rows_below_.data() + front(f).below, rows_below_.data() + front(f + 1).below};
+}
+
+std::span<const AssemblyTree::Entry> AssemblyTree::entries(Index f) const {
+  return {entries_.data() + front(f).entries, entries_.data() + front(f + 1).entries};
+}
+
+void AssemblyTree::make_fronts(const BlockElimination& elimination,
+                               const std::vector<Index>& starts) {
+  front_of_.resize(order_.size());
+  const std::size_t supernodes = elimination.supernode_starts.size() - 1;
+  fronts_.reserve(supernodes + 1);
+  for (std::size_t g = 0; g < supernodes; ++g) {
+    const Index last_block = elimination.supernode_starts[g + 1];
+    Front front{};
+    front.first = starts[elimination.supernode_starts[g]];
+    front.columns = starts[last_block] - front.first;
+    front.panel = panel_size_;
+    front.below = rows_below_.size();
+    for (std::size_t k = elimination.structure_starts[g]; k < elimination.structure_starts[g + 1];
+         ++k) {
+      const Index block = elimination.structure[k];
+      if (block < last_block) continue;
+      for (Index i = starts[block]; i < starts[block + 1]; ++i) rows_below_.push_back(i);
+    }
+    const auto below = static_cast<Index>(rows_below_.size() - front.below);
+    front.rows = front.columns + below;
+    front.stride = padded(front.rows);
+    front.update_stride = padded(below);
+    panel_size_ += front.panel_size();
+    for (Index c = 0; c < front.columns; ++c) {
+      front_of_[front.first + c] = static_cast<Index>(g);
+      nonzeros_ += front.rows - c;
+    }
+    operations_ += front.operations();
+    fronts_.push_back(front);
+  }
+  Front end{};
+  end.panel = panel_size_;
+  end.below = rows_below_.size();
+  fronts_.push_back(end);
+}
+
+void AssemblyTree::find_parents() {
+  const auto count = static_cast<Index>(fronts_.size()) - 1;
+  rows_of_parent_.resize(rows_below_.size());
+  child_starts_.assign(to_size(count) + 2, 0);
+  for (Index f = 0; f < count; ++f) {
+    Front& front = fronts_[f];
+    front.parent = front.rows > front.columns ? front_of_[rows_below_[front.below]] : -1;
+    if (front.parent < 0) continue;
+    ++child_starts_[to_size(front.parent) + 2];
+    const Front& parent = fronts_[front.parent];
+    const std::span<const Index> theirs = rows_below(front.parent);
+    std::size_t next = 0;
+    for (std::size_t k = front.below; k < fronts_[f + 1].below; ++k) {
+      const Index row = rows_below_[k];
+      if (row < parent.first + parent.columns) {
+        rows_of_parent_[k] = row - parent.first;
+        continue;
+      }
+      while (theirs[next] < row) ++next;
+      assert(theirs[next] == row);
+      rows_of_parent_[k] = parent.columns + static_cast<Index>(next);
+    }
+  }
+  for (std::size_t k = 1; k < child_starts_.size(); ++k) child_starts_[k] += child_starts_[k - 1];
+  children_.resize(to_size(child_starts_.back()));
+  for (Index f = 0; f < count; ++f)
+    if (const Index parent = front(f).parent; parent >= 0)
+      children_[child_starts_[parent + 1]++] = f;
+  child_starts_.pop_back();
+}
+
+// By counting: first how many entries each front has, then each entry where it belongs.
+void AssemblyTree::place_entries(const SparsePattern& pattern) {
+  std::vector<Index> position(order_.size());
+  for (std::size_t k = 0; k < order_.size(); ++k) position[order_[k]] = static_cast<Index>(k);
+  const std::size_t count = fronts_.size() - 1;
+  std::vector<std::size_t> starts(count + 2, 0);
+  std::vector<Index> columns(pattern.rows.size()), rows(pattern.rows.size());
+  for (Index c = 0; c < pattern.size; ++c)
+    for (Index k = pattern.column_starts[c]; k < pattern.column_starts[c + 1]; ++k) {
+      const auto [column, row] = std::minmax(position[c], position[pattern.rows[k]]);
+      columns[k] = column;
+      rows[k] = row;
+      ++starts[to_size(front_of_[column]) + 2];
+    }
+  for (std::size_t f = 2; f < starts.size(); ++f) starts[f] += starts[f - 1];
+  entries_.resize(pattern.rows.size());
+  for (Index k = 0; k < pattern.nonzeros(); ++k)
+    entries_[starts[to_size(front_of_[columns[k]]) + 1]++].slot = k;
+  std::vector<Index> local(order_.size());
+  for (std::size_t f = 0; f < count; ++f) {
+    Front& front = fronts_[f];
+    front.entries = starts[f];
+    for (Index c = 0; c < front.columns; ++c) local[front.first + c] = c;
+    Index next = front.columns;
+    for (const Index row : rows_below(static_cast<Index>(f))) local[row] = next++;
+    for (std::size_t k = starts[f]; k < starts[f + 1]; ++k) {
+      Entry& entry = entries_[k];
+      entry.row = local[rows[entry.slot]];
+      entry.column = columns[entry.slot] - front.first;
+    }
+  }
+  fronts_[count].entries = entries_.size();
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,91 @@
+// The symbolic half of a multifrontal Cholesky factorization [DR83]: which unknowns are eliminated
+// together, and where every number goes.
+//
+//   SparsePattern pattern;
+//   pattern.append_column({});
+//   pattern.order_in_blocks(1);
+//   const AssemblyTree tree(pattern, BlockElimination{{0}, {0, 1}, {0, 1}, {0}});   // of one block
+//   double operations = 0;
+//   for (const AssemblyTree::Front& front : tree.fronts()) operations += front.operations();
+//
+// Unknowns are numbered by their position in the order of elimination; fronts come in that order,
+// children before parents. A front's unknowns are its own columns, from `first` on, and its
+// rows_below, ascending, which belong to fronts further up: the first of them to its parent.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "majorant/framework/sparse_pattern.h"
+
+namespace majorant {
+
+// Of the graph of blocks: in which order they are eliminated, and which of them together. A
+// supernode comes after those that touch it and with nothing in between that does not (a
+// postorder).
+struct BlockElimination {
+  std::vector<Index> order;             // blocks
+  std::vector<Index> supernode_starts;  // positions: supernodes of neighbours in that order
+  // By supernode: positions that it touches, ascending, its own first.
+  std::vector<std::size_t> structure_starts;
+  std::vector<Index> structure;
+};
+
+class AssemblyTree {
+ public:
+  struct Front {
+    Index first, columns, rows;  // rows: columns and those below
+    Index parent;                // -1: none
+    std::size_t panel;           // where its part of the factor begins
+    std::size_t below;           // of its rows below, in the arrays below
+    std::size_t entries;         // likewise of the matrix's entries
+    // Of the panel, and of its update, (rows - columns) columns.
+    std::ptrdiff_t stride, update_stride;
+    std::size_t panel_size() const { return static_cast<std::size_t>(stride) * to_size(columns); }
+    std::size_t update_size() const {
+      return static_cast<std::size_t>(update_stride) * to_size(rows - columns);
+    }
+    double operations() const;  // multiplications with an addition, about
+  };
+
+  AssemblyTree(const SparsePattern& pattern, const BlockElimination& elimination);
+
+  Index size() const { return static_cast<Index>(order_.size()); }
+  const std::vector<Front>& fronts() const { return fronts_; }
+  const std::vector<Index>& order() const { return order_; }  // position -> unknown
+  // Fronts whose parent is f, ascending.
+  std::span<const Index> children(Index f) const;
+  std::span<const Index> rows_below(Index f) const;
+  // Parallel to rows_below: which row of the parent's front each is.
+  const Index* rows_of_parent(Index f) const { return rows_of_parent_.data() + front(f).below; }
+  // Entries of the matrix that front f takes in: slots of the pattern, rows and columns of its
+  // panel.
+  struct Entry {
+    Index slot, row, column;
+  };
+  std::span<const Entry> entries(Index f) const;
+
+  std::size_t panel_size() const { return panel_size_; }  // of all fronts
+  double nonzeros() const { return nonzeros_; }           // of the factor's triangle
+  double operations() const { return operations_; }       // multiplications with an addition, about
+
+ private:
+  const Front& front(Index f) const { return fronts_[f]; }
+  void make_fronts(const BlockElimination& elimination, const std::vector<Index>& starts);
+  void find_parents();
+  void place_entries(const SparsePattern& pattern);
+
+  std::vector<Front> fronts_;  // and one more, past the end
+  std::vector<Index> order_, front_of_;
+  std::vector<Index> rows_below_, rows_of_parent_;
+  std::vector<Index> child_starts_, children_;
+  std::vector<Entry> entries_;
+  std::size_t panel_size_ = 0;
+  double nonzeros_ = 0, operations_ = 0;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

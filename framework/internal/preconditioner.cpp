@@ -1,0 +1,89 @@
+#include "majorant/framework/internal/preconditioner.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/internal/try_shifts.h"
+#include "majorant/framework/stepper.h"
+
+namespace majorant {
+namespace {
+
+// The first shift, of the mean diagonal. Origin: not kSmallestShift, since a metric stays: it would
+// send every step down its near null space.
+constexpr double kMetricShift = 1e-3;
+
+bool same_z(const Elimination& a, const Elimination& b) {
+  if (a.full_size() != b.full_size() || a.reduced_size() != b.reduced_size()) return false;
+  const auto equal = [](const Elimination::Entry& p, const Elimination::Entry& q) {
+    return p.reduced == q.reduced && p.coefficient == q.coefficient;
+  };
+  for (Index i = 0; i < a.full_size(); ++i)
+    if (!std::equal(a.begin(i), a.end(i), b.begin(i), b.end(i), equal)) return false;
+  return true;
+}
+
+}  // namespace
+
+Preconditioner::Preconditioner(const Problem& problem, Curvature curvature,
+                               std::unique_ptr<LinearSolver> solver)
+    : evaluator_(problem), curvature_(curvature), solver_(std::move(solver)) {
+  require_given("the metric's linear solver", solver_);
+  require_curvature("the metric", problem, curvature);
+  const Problem& kept = evaluator_.problem();  // which outlives the solver's use of it
+  solver_->analyze_shared(kept.pattern(), kept.partition());
+}
+
+bool Preconditioner::factorize(VecIn y, const StopCheck& stop) {
+  Stopwatch watch;
+  evaluator_.linearize(y, curvature_, gradient_, hessian_, stop);
+  assemble_seconds_ = watch.restart();
+  const Problem& problem = evaluator_.problem();
+  const double diagonal = problem.partition().global_size() > 0
+                              ? mean_diagonal(problem.pattern(), hessian_, problem.partition())
+                              : 0;
+  const ShiftedFactorization f =
+      try_shifts([&](double shift) { return solver_->factorize(hessian_, shift); }, diagonal,
+                 kMetricShift, stop);
+  shift_ = f.shift;
+  factorizations_ = f.factorizations;
+  failed_factorizations_ = f.failed();
+  factorize_seconds_ = watch.restart();
+  return f.status == FactorStatus::Ok;
+}
+
+bool Preconditioner::factorize_once(VecIn y, IterationRecord& record, const StopCheck& stop) {
+  if (!factorized_) {
+    factorized_ = factorize(y, stop);
+    record.seconds.assemble = assemble_seconds_;
+    record.seconds.factorize = factorize_seconds_;
+    record.factorizations = factorizations_;
+    record.failed_factorizations = failed_factorizations_;
+  }
+  record.curvature = curvature_;
+  record.shift = shift_;
+  return factorized_;
+}
+
+std::string Preconditioner::why_none() const {
+  if (evaluator_.problem().partition().all(hessian_.isZero(0)))
+    return "no direction: the metric has no curvature here, its Hessian is 0";
+  return "no direction: no shift makes the metric's Hessian positive definite";
+}
+
+const Problem& preconditioner_problem(const Problem& problem,
+                                      const std::optional<Problem>& metric) {
+  if (!metric) return problem;
+  if (!same_z(ProblemParts::elimination(problem), ProblemParts::elimination(*metric)))
+    throw InvalidArgument("the metric's problem has other unknowns or constraints");
+  return *metric;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,174 @@
+#include "majorant/parametrization/initialization/internal/vertex_descent.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/quadrature.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/backtracking.h"
+
+namespace majorant {
+namespace {
+
+// Lengths of a step that are tried: 2^-12 of a step is not worth more.
+constexpr int kMostLengths = 12;
+// Part of the star's energy: a smaller decrement is the end of a vertex's steps; a
+// tenth of what a level is solved to.
+constexpr double kSmallDecrement = 1e-5;
+// Of the larger eigenvalue of a 2 by 2 Hessian: the smaller is raised to it; chosen; it
+// bounds the step where the energy is concave.
+constexpr double kLeastEigenvalue = 0.05;
+
+// A term of the energy on one triangle, for its density.
+std::shared_ptr<const DensityTerm> density_of(const EnergyFactory& make) {
+  Cells face(1, 3);
+  face << 0, 1, 2;
+  RestShapes rest;
+  rest.inverse = RowMatrix::Identity(2, 2).reshaped<Eigen::RowMajor>(1, 4);
+  rest.measure = Vec::Constant(1, 0.5);
+  return make(std::make_shared<const BezierTriangleSpace>(face, 3, 1), rest, {lattice_rule(1)});
+}
+
+// -H^-1 g of a 2 by 2 Hessian whose eigenvalues are made positive.
+Vector2 newton_step(const StarModel& m) {
+  const double mean = (m.hxx + m.hyy) / 2, half = (m.hxx - m.hyy) / 2;
+  const double radius = std::hypot(half, m.hxy);
+  const double low = mean - radius, high = mean + radius;
+  const double least = kLeastEigenvalue * std::max(std::abs(low), std::abs(high));
+  const double shift = low < least ? least - low : 0;
+  const double a = m.hxx + shift, c = m.hyy + shift, det = a * c - m.hxy * m.hxy;
+  if (!(det > 0)) return Vector2::Zero();
+  return {(m.hxy * m.gy - c * m.gx) / det, (m.hxy * m.gx - a * m.gy) / det};
+}
+
+}  // namespace
+
+VertexDescent::VertexDescent(const CollapsingMesh& mesh, const Points3& positions,
+                             const EnergySum& energy, Vec& uv)
+    : mesh_(mesh), positions_(positions), uv_(uv), shape_(to_size(mesh.face_slots())) {
+  if (knows_elements(energy))
+    throw InvalidArgument("VertexDescent: the energy has data or weights of faces");
+  for (const WeightedEnergy& e : energy) {
+    terms_.push_back(density_of(e.make));
+    term_weight_.push_back(e.weight);
+  }
+  rows_.resize(StarView::Rows * StarView::stride);
+}
+
+void VertexDescent::measure(Index f) {
+  const auto corner = [&](int k) -> Vector3 { return positions_.row(mesh_.from(3 * f + k)); };
+  const Vector3 origin = corner(2), e1 = corner(0) - origin, e2 = corner(1) - origin;
+  const double length = e1.norm(), dot = e1.dot(e2), area = e1.cross(e2).norm();
+  shape_[f] = {1 / length, -dot / (length * area), length / area, weight_of(f) * area / 2};
+}
+
+double VertexDescent::weight_of(Index f) const {
+  if (face_weight_.size() > 0) return face_weight_[f];
+  if (vertex_weight_.size() == 0) return 1;
+  return (vertex_weight_[mesh_.from(3 * f)] + vertex_weight_[mesh_.from(3 * f + 1)] +
+          vertex_weight_[mesh_.from(3 * f + 2)]) /
+         3;
+}
+
+void VertexDescent::measure_all() {
+  for (Index f = 0; f < mesh_.face_slots(); ++f)
+    if (mesh_.has_face(f)) measure(f);
+}
+
+void VertexDescent::measure_star(Index v) {
+  mesh_.for_each_leaving(v, [&](Index h) { measure(face_of(h)); });
+}
+
+void VertexDescent::gather(Index v) {
+  using S = StarView;
+  count_ = 0;
+  star_weight_ = 0;
+  mesh_.for_each_leaving(v, [&](Index h) {
+    const int block = count_ / S::stride, p = count_ % S::stride;
+    const auto start = static_cast<std::size_t>(block * S::Rows * S::stride);
+    if (rows_.size() < start + S::Rows * S::stride) rows_.resize(start + S::Rows * S::stride);
+    double* row = rows_.data() + start + p;
+    const Shape& s = shape_[face_of(h)];
+    const double gx[3] = {s.g0x, 0, -s.g0x}, gy[3] = {s.g0y, s.g1y, -s.g0y - s.g1y};
+    const Index a = next(h), b = previous(h);
+    row[S::GaX * S::stride] = gx[corner_of(a)];
+    row[S::GaY * S::stride] = gy[corner_of(a)];
+    row[S::GbX * S::stride] = gx[corner_of(b)];
+    row[S::GbY * S::stride] = gy[corner_of(b)];
+    row[S::Weight * S::stride] = s.weight;
+    const Index va = mesh_.from(a), vb = mesh_.from(b);
+    row[S::AX * S::stride] = uv_[2 * va];
+    row[S::AY * S::stride] = uv_[2 * va + 1];
+    row[S::BX * S::stride] = uv_[2 * vb];
+    row[S::BY * S::stride] = uv_[2 * vb + 1];
+    star_weight_ += s.weight;
+    ++count_;
+  });
+  // The last triangle again, with weight 0, up to a multiple of 8.
+  const int last = (count_ - 1) % S::stride;
+  double* rows =
+      rows_.data() + static_cast<std::ptrdiff_t>((count_ - 1) / S::stride) * S::Rows * S::stride;
+  for (int p = last + 1; p % 8 != 0; ++p)
+    for (int r = 0; r < S::Rows; ++r)
+      rows[r * S::stride + p] = r == S::Weight ? 0.0 : rows[r * S::stride + last];
+}
+
+StarModel VertexDescent::model(const Vector2& p) const {
+  StarModel sum{0, 0, 0, 0, 0, 0, std::numeric_limits<double>::max()};
+  for (int first = 0; first < count_; first += StarView::stride) {
+    const StarView view{std::min(count_ - first, StarView::stride),
+                        rows_.data() + static_cast<std::ptrdiff_t>(first) * StarView::Rows};
+    for (std::size_t k = 0; k < terms_.size(); ++k) {
+      const StarModel m = terms_[k]->star(view, p);
+      const double w = term_weight_[k];
+      sum.f += w * m.f;
+      sum.gx += w * m.gx;
+      sum.gy += w * m.gy;
+      sum.hxx += w * m.hxx;
+      sum.hxy += w * m.hxy;
+      sum.hyy += w * m.hyy;
+      sum.area_margin = std::min(sum.area_margin, m.area_margin);
+    }
+  }
+  return sum;
+}
+
+bool VertexDescent::has_area_margin(Index v) {
+  gather(v);
+  return model(place(v)).area_margin > 0;
+}
+
+double VertexDescent::mean_energy(Index v) {
+  gather(v);
+  return model(place(v)).f / star_weight_;
+}
+
+double VertexDescent::improve(Index v, int steps) {
+  gather(v);
+  Vector2 here = place(v);
+  StarModel m = model(here);
+  for (int step = 0; step < steps && std::isfinite(m.f); ++step) {
+    const Vector2 direction = newton_step(m);
+    const double slope = direction.x() * m.gx + direction.y() * m.gy;
+    if (!(slope < -kSmallDecrement * std::abs(m.f))) break;
+    const auto attempt = [&](double s) {
+      const Vector2 there = here + s * direction;
+      const StarModel trial = model(there);
+      if (!(trial.area_margin > 0) || !(trial.f <= m.f + kArmijo * s * slope)) return kHalve;
+      here = there;
+      m = trial;
+      return kTake;
+    };
+    if (!backtrack(1, {.most_trials = kMostLengths}, attempt)) break;
+  }
+  put(v, here);
+  return m.f / star_weight_;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,72 @@
+// Newton's method on one vertex of a planar map at a time, all others at rest.
+//
+//   const CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
+//   VertexDescent descent(left, mesh->positions(), options.map.energy, start);
+//   descent.measure_all();
+//   if (descent.has_area_margin(7)) descent.improve(7, 2);
+//
+// Every accepted place of a vertex has the triangles around it counterclockwise beyond rounding
+// and lowers the energy, so that a map without inverted triangles never gets any. The triangles are
+// those that a CollapsingMesh has left, measured against themselves in space.
+#pragma once
+
+#include <vector>
+
+#include "majorant/energies/energy_factory.h"
+#include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
+
+namespace majorant {
+
+class VertexDescent {
+ public:
+  // mesh, positions (#V by 3) and uv (2 numbers per vertex) outlive this and are what it works on;
+  // uv in the units of positions. Throws InvalidArgument for energies of other than planar
+  // maps, and for those that know single faces.
+  VertexDescent(const CollapsingMesh& mesh, const Points3& positions, const EnergySum& energy,
+                Vec& uv);
+
+  // Factors of the energy, 1 as long as nobody says: by face slot, or by vertex, a face having the
+  // mean of its corners.
+  void weigh_faces(const Vec& weight) { face_weight_ = weight; }
+  void weigh_vertices(const Vec& weight) { vertex_weight_ = weight; }
+  double weight_of(Index face) const;
+
+  // The shapes of all faces, or of those around v, are what they are now.
+  void measure_all();
+  void measure_star(Index v);
+
+  bool has_area_margin(Index v);
+  // Of the faces around v: integral of the energy, and the mean of it.
+  double mean_energy(Index v);
+  // At most `steps` Newton steps. Returns the mean energy of the star afterwards.
+  double improve(Index v, int steps);
+
+  Vector2 place(Index v) const { return uv_.segment<2>(2 * v); }
+  void put(Index v, const Vector2& p) { uv_.segment<2>(2 * v) = p; }
+
+ private:
+  // Gradients of the hat functions of corners 0 and 1 in the frame of flat_triangles(), corner 0 on
+  // its first axis as seen from corner 2: (g0x, g0y) and (0, g1y); area times face weight.
+  struct Shape {
+    double g0x, g0y, g1y, weight;
+  };
+  void measure(Index face);
+  void gather(Index v);
+  StarModel model(const Vector2& p) const;
+
+  const CollapsingMesh& mesh_;
+  const Points3& positions_;
+  std::vector<std::shared_ptr<const DensityTerm>> terms_;
+  std::vector<double> term_weight_;
+  Vec& uv_;
+  Vec face_weight_, vertex_weight_;
+  std::vector<Shape> shape_;
+  std::vector<double> rows_;  // StarViews one after the other
+  int count_ = 0;
+  double star_weight_ = 0;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

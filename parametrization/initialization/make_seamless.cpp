@@ -1,0 +1,233 @@
+#include "majorant/parametrization/initialization/make_seamless.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <utility>
+
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/mesh/internal/cut_graph.h"
+#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/refusal.h"
+#include "majorant/parametrization/fields/internal/conformal_metric.h"
+#include "majorant/parametrization/initialization/internal/field_integration.h"
+#include "majorant/parametrization/initialization/internal/untangle.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
+
+namespace majorant {
+namespace {
+
+constexpr std::size_t kNamedCones = 5;  // in messages
+// The eps to begin with: a tenth of kFirstEps, since scaled fields leave few inverted
+// triangles, and those nearly of the right sizes.
+constexpr double kScaledFirstEps = 0.01;
+
+// A surface cut through its cones, and the field that gave them.
+struct CutField {
+  CrossField field;
+  std::vector<char> is_cut;
+};
+
+CutField cut_field(const SurfaceMesh& mesh, const SeamlessOptions& options, const StopCheck& stop) {
+  CrossFieldOptions field = options.field;
+  field.stop = stop;
+  CutField out{options.cones ? cross_field_with_cones(mesh, *options.cones)
+                             : smoothest_cross_field(mesh, field),
+               {}};
+  out.is_cut = cut_graph(mesh, cone_vertices(out.field), stop);
+  comb(mesh, out.is_cut, out.field);
+  return out;
+}
+
+// Lengths of a conformal metric's edges over the surface's, per face (geometric mean of corners).
+Vec face_scale(const SurfaceMesh& mesh, const ConformalMetric& metric) {
+  Vec scale(mesh.face_count());
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) sum += metric.log_factor[mesh.faces()(f, k)];
+    scale[f] = std::exp(sum / 3);
+  }
+  return scale;
+}
+
+bool is_sphere_or_disk(const SurfaceMesh& mesh) {
+  const Topology& t = mesh.topology();
+  return t.boundary_loops <= 1 && t.euler_characteristic() == 2 - t.boundary_loops;
+}
+
+BezierMap conformal_start(const SurfaceMesh& mesh, const CutField& cut,
+                          const ConformalMetric& metric) {
+  return seamless_from_layout(mesh, cut.is_cut, lay_out(mesh, metric, cut.is_cut),
+                              cut.field.quarter_turns)
+      .map;
+}
+
+// What is wrong with a map: faces without a proof of det > 0, vertices covered several times.
+struct Defects {
+  std::vector<Index> faces, vertices;
+  bool none() const { return faces.empty() && vertices.empty(); }
+};
+
+Defects defects(const BezierMap& map, const MapSpecification& spec) {
+  Defects d;
+  d.faces = LocalInjectivity(map.shared_space(), 2 * spec.rest.measure)
+                .check(map.control_points())
+                .blocking;
+  if (d.faces.empty())
+    d.vertices = AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
+                     .check(map.control_points())
+                     .blocking;
+  return d;
+}
+
+// Tries one start after the other; keeps the defects of the first.
+class Maker {
+ public:
+  Maker(const SurfaceMesh& mesh, const SeamlessOptions& options, const RunRecord& record)
+      : mesh_(mesh), record_(record), cut_(cut_field(mesh, options, record.start_stop())) {}
+
+  std::optional<Start> attempt(SeamlessMethod method) {
+    const Vec scale = method == SeamlessMethod::ScaledField ? face_scale(mesh_, metric()) : Vec();
+    Start out{method == SeamlessMethod::Conformal
+                  ? conformal_start(mesh_, cut_, metric())
+                  : integrate_field(mesh_, cut_.is_cut, cut_.field, scale)};
+    out.method = method;
+    MapSpecification spec;
+    spec.seams = out.map.shared_seams();
+    spec.rest = rest_shapes(out.map.mesh());
+    record_.start_stop().poll();
+    Defects found = defects(out.map, spec);
+    out.inverted = static_cast<Index>(found.faces.size());
+    if (!found.faces.empty()) {
+      // Towards triangles of the sizes that a scaled field gives them.
+      for (Index f = 0; f < scale.size(); ++f) spec.rest.inverse.row(f) /= scale[f];
+      const UntangleResult r = untangle(spec, out.map.shared_space(), out.map.control_points(),
+                                        record_, scale.size() > 0 ? kScaledFirstEps : kFirstEps);
+      out.untangling_steps = r.iterations;
+      out.map = out.map.with(out.map.shared_space(), r.x);
+      found = defects(out.map, spec);
+    }
+    if (found.none()) return out;
+    if (defects_.none()) defects_ = found;
+    return std::nullopt;
+  }
+
+  [[noreturn]] void give_up() const {
+    record_.start_stop().poll();
+    const std::string what =
+        defects_.faces.empty()
+            ? fmt::format("{} vertices are covered several times", defects_.vertices.size())
+            : fmt::format("{} triangles stay inverted", defects_.faces.size());
+    throw Refusal(ErrorKind::Invalid, mesh_.file(),
+                  fmt::format("{}no injective seamless map found: {} {}; ", message_prefix(mesh_),
+                              what, place()),
+                  Hint::OtherCones, ", or refine the mesh there");
+  }
+
+ private:
+  const ConformalMetric& metric() {
+    if (!metric_) metric_ = conformal_metric(mesh_, cut_.field.quarter_turns, record_.start_stop());
+    return *metric_;
+  }
+
+  // The cones nearest to the defects, along edges; vertices from 0, as files of cones have them.
+  std::string place() const {
+    std::vector<Index> seeds = defects_.vertices;
+    for (const Index f : defects_.faces) seeds.push_back(mesh_.faces()(f, 0));
+    const std::vector<Index> cones = cone_vertices(cut_.field);
+    if (cones.empty()) return fmt::format("near vertex {}", mesh_.input_vertex(seeds[0]));
+    const std::vector<Index> nearest = nearest_of(cones);
+    std::vector<Index> near;
+    for (const Index v : seeds) near.push_back(nearest[v]);
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    std::string list;
+    for (std::size_t k = 0; k < std::min(near.size(), kNamedCones); ++k)
+      list += fmt::format("{}{} ({} degrees)", k ? ", " : "", mesh_.input_vertex(near[k]),
+                          90 * cut_.field.quarter_turns[near[k]]);
+    if (near.size() > kNamedCones) list += fmt::format(" and {} more", near.size() - kNamedCones);
+    return fmt::format("near the cone{} at vert{} {}", near.size() > 1 ? "s" : "",
+                       near.size() > 1 ? "ices" : "ex", list);
+  }
+
+  // By vertex, the source reached first in a breadth-first search.
+  std::vector<Index> nearest_of(const std::vector<Index>& sources) const {
+    std::vector<std::vector<Index>> neighbours(to_size(mesh_.vertex_count()));
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      neighbours[mesh_.from_vertex(h)].push_back(mesh_.to_vertex(h));
+      neighbours[mesh_.to_vertex(h)].push_back(mesh_.from_vertex(h));
+    }
+    std::vector<Index> nearest(neighbours.size(), -1);
+    std::deque<Index> queue(sources.begin(), sources.end());
+    for (const Index v : sources) nearest[v] = v;
+    for (; !queue.empty(); queue.pop_front())
+      for (const Index v : neighbours[queue.front()])
+        if (nearest[v] < 0) {
+          nearest[v] = nearest[queue.front()];
+          queue.push_back(v);
+        }
+    return nearest;
+  }
+
+  const SurfaceMesh& mesh_;
+  const RunRecord& record_;
+  CutField cut_;
+  std::optional<ConformalMetric> metric_;
+  Defects defects_;
+};
+
+}  // namespace
+
+std::string_view method_name(SeamlessMethod method) {
+  switch (method) {
+    case SeamlessMethod::Field:
+      return "field";
+    case SeamlessMethod::ScaledField:
+      return "scaled-field";
+    case SeamlessMethod::Conformal:
+      return "conformal";
+    default:
+      return "automatic";
+  }
+}
+
+Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
+                    const RunRecord& record) {
+  const bool conformal_exists = is_sphere_or_disk(mesh);
+  if (options.method == SeamlessMethod::Conformal && !conformal_exists)
+    throw Refusal(ErrorKind::Usage, mesh.file(),
+                  message_prefix(mesh) +
+                      "a conformal start needs a sphere or a disk, where cones alone determine the "
+                      "transitions; use ",
+                  Hint::ScaledField);
+  if (options.threads < 0) throw InvalidArgument("the number of threads must not be negative");
+  const ThreadCount threads(options.threads);
+  Maker maker(mesh, options, record);
+  for (const SeamlessMethod method :
+       {SeamlessMethod::Field, SeamlessMethod::ScaledField, SeamlessMethod::Conformal}) {
+    const bool is_first = method == SeamlessMethod::Field;
+    const bool is_possible = method != SeamlessMethod::Conformal || conformal_exists;
+    const bool is_next = options.method == SeamlessMethod::Automatic && is_possible &&
+                         (is_first || record.start_stop()() == Directive::Continue);
+    if (options.method != method && !is_next) continue;
+    try {
+      if (auto found = maker.attempt(method)) return *std::move(found);
+    } catch (const Error& e) {
+      // A start that does not fit its seams, or none: what came before says more.
+      const bool no_start = e.kind() == ErrorKind::Unsupported || e.kind() == ErrorKind::Infeasible;
+      if (options.method == method || is_first || !no_start) throw;
+    }
+  }
+  maker.give_up();
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

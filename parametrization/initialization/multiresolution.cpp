@@ -1,0 +1,395 @@
+#include "majorant/parametrization/initialization/multiresolution.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/newton.h"
+#include "majorant/mesh/internal/geometry.h"
+#include "majorant/parametrization/initialization/internal/area_margin.h"
+#include "majorant/parametrization/initialization/internal/decimation.h"
+#include "majorant/parametrization/initialization/internal/reinsertion.h"
+#include "majorant/parametrization/initialization/internal/vertex_descent.h"
+#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/maps/map_problem.h"
+
+namespace majorant {
+namespace {
+
+// CPU seconds of the process: what measurements on a busy machine can compare.
+class CpuWatch {
+ public:
+  double restart() {
+    const std::clock_t now = std::clock();
+    return static_cast<double>(now - std::exchange(started_, now)) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::clock_t started_ = std::clock();
+};
+
+// Of the radius: points of two circles with the same spacing, computed from sums of other edges.
+// Far above rounding, far below the distance that another spacing makes.
+constexpr double kSamePlace = 1e-9;
+
+// The surface that a CollapsingMesh has left, or the faces around some of its vertices; numbered
+// without gaps.
+struct Level {
+  Cells faces;
+  std::vector<Index> vertex, face;  // of the whole surface
+  Points3 positions;
+
+  // around: by vertex of the whole surface.
+  Level(const CollapsingMesh& mesh, const Points3& all, const std::vector<char>& around) {
+    std::vector<Index> number(to_size(mesh.vertex_count()), -1);
+    face.reserve(to_size(mesh.faces_left()));
+    for (Index f = 0; f < mesh.face_slots(); ++f) {
+      if (!mesh.has_face(f)) continue;
+      const Index corner[] = {mesh.from(3 * f), mesh.from(3 * f + 1), mesh.from(3 * f + 2)};
+      if (!around[corner[0]] && !around[corner[1]] && !around[corner[2]]) continue;
+      face.push_back(f);
+      for (const Index v : corner) number[v] = 0;
+    }
+    vertex.reserve(to_size(mesh.vertices_left()));
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (number[v] < 0) continue;
+      number[v] = static_cast<Index>(vertex.size());
+      vertex.push_back(v);
+    }
+    faces.resize(static_cast<Index>(face.size()), 3);
+    for (std::size_t q = 0; q < face.size(); ++q)
+      for (int k = 0; k < 3; ++k)
+        faces(static_cast<Index>(q), k) = number[mesh.from(3 * face[q] + k)];
+    positions.resize(static_cast<Index>(vertex.size()), 3);
+    for (std::size_t k = 0; k < vertex.size(); ++k)
+      positions.row(static_cast<Index>(k)) = all.row(vertex[k]);
+  }
+};
+
+// Levels factorize a matrix or two: an ordering that takes longer than that would not pay.
+std::unique_ptr<LinearSolver> few_factorizations() { return make_direct_solver(Ordering::Amd); }
+
+SurfaceMesh surface_of(const Level& level, const std::string& file) {
+  SurfaceParts parts;
+  parts.file = file;
+  parts.positions = level.positions;
+  parts.faces = level.faces;
+  parts.input_vertex = level.vertex;
+  parts.input_face = level.face;
+  return SurfaceMesh::from_parts(std::move(parts));
+}
+
+// A power of two that brings positions to a size of about 1: exact, and exactly undone.
+double unit_scale(const Points3& positions) {
+  return 1 / power_of_two(extent(positions), PowerOfTwo::Nearest);
+}
+
+class Multiresolution {
+ public:
+  Multiresolution(const SurfaceMesh& surface, const MapObjective& asked, RunRecord& run,
+                  const MultiresolutionRules& rules, MultiresolutionRecord& record)
+      : surface_(surface),
+        asked_(asked),
+        run_(run),
+        stop_(run.start_stop()),
+        rules_(rules),
+        record_(record),
+        scale_(unit_scale(surface.positions())),
+        positions_(surface.positions() * scale_),
+        mesh_(surface.faces(), surface.opposites(), surface.vertex_count()),
+        uv_(Vec::Zero(2 * surface.vertex_count())),
+        descent_(mesh_, positions_, asked.energy, uv_) {
+    all_.assign(to_size(surface.vertex_count()), 1);
+    held_.assign(to_size(surface.vertex_count()), 0);
+    if (asked.boundary == BoundaryCondition::Fixed) held_ = surface.boundary_flags();
+  }
+
+  std::optional<Vec> solve() {
+    CpuWatch watch;
+    decimate(mesh_, positions_, {rules_.coarsest, held_}, stop_);
+    record_.decimation_seconds = watch.restart();
+    if (mesh_.faces_left() == surface_.face_count()) return std::nullopt;
+    const std::vector<Index> sizes = this->sizes();
+    level_ = static_cast<int>(sizes.size());
+    if (!solve_coarsest()) return std::nullopt;
+    for (const Index size : sizes) {
+      --level_;
+      if (!refine_to(size)) return std::nullopt;
+    }
+    if (faces_without_area_margin(surface_.faces(), uv_) > 0) return std::nullopt;
+    return uv_ / scale_;
+  }
+
+ private:
+  // Vertices of the levels above the coarsest.
+  std::vector<Index> sizes() const {
+    std::vector<Index> sizes;
+    for (double n = surface_.vertex_count(); n > std::sqrt(rules_.ratio) * mesh_.vertices_left();
+         n /= rules_.ratio)
+      sizes.push_back(static_cast<Index>(n));
+    std::reverse(sizes.begin(), sizes.end());
+    return sizes;
+  }
+
+  bool solve_coarsest() {
+    CpuWatch watch;
+    weigh(mesh_.vertex_count() - mesh_.vertices_left());
+    const Level level(mesh_, positions_, all_);
+    const SurfaceMesh coarse = surface_of(level, surface_.file());
+    const Vec x = tutte_map(coarse, stop_) * (scale_ * std::sqrt(surface_.area() / coarse.area()));
+    set(level, x);
+    if (asked_.boundary == BoundaryCondition::Fixed && !set_boundary()) return false;
+    LevelRecord record;
+    record.faces = mesh_.faces_left();
+    NewtonOptions options = newton_options();
+    options.stopping.relative_decrease = rules_.coarse_decrease;
+    const bool solved = improve_all(level, options, record);
+    record.solve_seconds = watch.restart();
+    record_.levels.push_back(record);
+    return solved;
+  }
+
+  // Where Tutte's map of the surface has it, to the last digit; false where the coarse one had to
+  // be spaced otherwise.
+  bool set_boundary() {
+    const Vec boundary = tutte_boundary(surface_);
+    for (Index v = 0; v < surface_.vertex_count(); ++v) {
+      if (!held_[v]) continue;
+      const Vector2 there = scale_ * boundary.segment<2>(2 * v);
+      if (!((there - descent_.place(v)).norm() <= kSamePlace * there.norm())) return false;
+      descent_.put(v, there);
+    }
+    return true;
+  }
+
+  void set(const Level& level, const Vec& x) {
+    for (std::size_t k = 0; k < level.vertex.size(); ++k)
+      uv_.segment<2>(2 * level.vertex[k]) = x.segment<2>(2 * static_cast<Index>(k));
+  }
+
+  NewtonOptions newton_options() const {
+    NewtonOptions options;
+    options.stop = stop_;
+    options.linear_solver = few_factorizations;
+    return options;
+  }
+
+  bool refine_to(Index vertices) {
+    CpuWatch watch;
+    LevelRecord record;
+    weigh(mesh_.vertex_count() - vertices);
+    descent_.measure_all();
+    const Index returning = vertices - mesh_.vertices_left();
+    while (mesh_.vertices_left() < vertices) {
+      stop_.poll_at(to_size(mesh_.vertices_left()));
+      if (!insert(record)) return false;
+    }
+    record.faces = mesh_.faces_left();
+    record.insert_seconds = watch.restart();
+    for (int sweep = 0; sweep < rules_.sweeps; ++sweep) this->sweep();
+    record.sweep_seconds = watch.restart();
+    if (record.hot >= rules_.squeezed_share * returning) relax_squeezed(record);
+    record.squeezed_seconds = watch.restart();
+    bool solved = true;
+    if (level_ > 0) {
+      NewtonOptions options = newton_options();
+      options.kept = {.below = std::numeric_limits<double>::infinity(),
+                      .steps = rules_.factor_steps - 1};
+      options.stopping =
+          brief_rules(rules_.most_steps, is_coarse() ? rules_.coarse_decrease : rules_.decrease);
+      solved = improve_all(Level(mesh_, positions_, all_), options, record);
+    }
+    record.solve_seconds = watch.restart();
+    record_.levels.push_back(record);
+    return solved;
+  }
+
+  // Weights for the mesh that is left when the first `gone` collapses are not undone: a vertex
+  // stands for all that collapsed onto it.
+  void weigh(Index gone) {
+    if (asked_.face_weight.size() == 0) return;
+    if (gone == 0) return descent_.weigh_faces(asked_.face_weight);
+    Vec area = Vec::Zero(surface_.vertex_count()), weight = area;
+    for (Index f = 0; f < surface_.face_count(); ++f) {
+      const Vector3 p = surface_.positions().row(surface_.faces()(f, 0));
+      const Vector3 a = Vector3(surface_.positions().row(surface_.faces()(f, 1))) - p;
+      const Vector3 b = Vector3(surface_.positions().row(surface_.faces()(f, 2))) - p;
+      const double measure = a.cross(b).norm();
+      for (int k = 0; k < 3; ++k) {
+        area[surface_.faces()(f, k)] += measure;
+        weight[surface_.faces()(f, k)] += measure * asked_.face_weight[f];
+      }
+    }
+    for (Index k = 0; k < gone; ++k) {
+      const auto [vertex, onto] = mesh_.collapsed(k);
+      area[onto] += area[vertex];
+      weight[onto] += weight[vertex];
+    }
+    descent_.weigh_vertices(weight.cwiseQuotient(area));
+  }
+
+  bool insert(LevelRecord& record) {
+    const CollapsingMesh::Restored back = mesh_.restore();
+    descent_.measure_star(back.vertex);
+    if (!put_back(mesh_, positions_, descent_, back)) return false;
+    double energy = descent_.improve(back.vertex, rules_.insertion_steps);
+    if (!(energy > rules_.hot * level_energy_)) return true;
+    ++record.hot;
+    mesh_.ring(back.vertex, ring_);
+    for (int round = 0; round < rules_.hot_rounds && energy > rules_.hot * level_energy_; ++round) {
+      for (const Index w : ring_)
+        if (!held_[w]) descent_.improve(w, 2);
+      energy = descent_.improve(back.vertex, 2);
+    }
+    return true;
+  }
+
+  void sweep() {
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+      stop_.poll_at(to_size(v));
+      if (mesh_.is_present(v) && !held_[v]) descent_.improve(v, 1);
+    }
+  }
+
+  // Errors of a start that is hard to make sit in a small part of the surface: there a step
+  // of Newton's method costs a small part of one on the whole.
+  void relax_squeezed(LevelRecord& record) {
+    const std::vector<char> squeezed = squeezed_parts(record);
+    if (record.squeezed == 0) return;
+    const Level level(mesh_, positions_, squeezed);
+    NewtonOptions options = newton_options();
+    options.stopping = brief_rules(rules_.squeezed_steps, rules_.squeezed_decrease);
+    const auto [problem, start] = problem_on(level, squeezed);
+    const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, {});
+    stop_.poll();
+    record.squeezed_steps = static_cast<int>(solved.iterations.size());
+    if (solved.y.allFinite()) set(level, problem.expand(solved.y));
+  }
+
+  // By vertex: those where the energy is high, and their neighbours.
+  std::vector<char> squeezed_parts(LevelRecord& record) {
+    Vec mean = Vec::Zero(mesh_.vertex_count());
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (mesh_.is_present(v)) mean[v] = descent_.mean_energy(v);
+    const double limit = rules_.squeezed * mean.sum() / mesh_.vertices_left();
+    std::vector<Index> found;
+    std::vector<char> is_in(to_size(mesh_.vertex_count()), 0);
+    const auto take = [&](Index v) {
+      if (std::exchange(is_in[v], 1) == 0) found.push_back(v);
+    };
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (mean[v] > limit) take(v);
+    for (int ring = 0; ring < rules_.squeezed_rings; ++ring)
+      for (std::size_t k = 0, end = found.size(); k < end; ++k) {
+        mesh_.ring(found[k], ring_);
+        for (const Index w : ring_) take(w);
+      }
+    record.squeezed = static_cast<Index>(found.size());
+    return is_in;
+  }
+
+  // All vertices of the mesh that is left together; false where nothing comes of it.
+  bool improve_all(const Level& level, const NewtonOptions& options, LevelRecord& record) {
+    const auto [problem, start] = problem_on(level, all_);
+    // Energies only fall from here: what misleads now is not worth its steps.
+    if (misled_by(Evaluator(problem).value(start))) return false;
+    const auto watch = [note = run_.observer(1, level_)](const IterationRecord& r, const Vec& y) {
+      note(r, y);
+      return Directive::Continue;  // what ends a start is stop_
+    };
+    const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, watch);
+    stop_.poll();
+    if (!solved.y.allFinite() || !std::isfinite(solved.energy)) return false;
+    record.steps = static_cast<int>(solved.iterations.size());
+    record.energy = solved.energy;
+    const bool misled = misled_by(solved.energy);
+    level_energy_ = solved.energy;
+    if (misled) return false;
+    set(level, problem.expand(solved.y));
+    return true;
+  }
+
+  bool is_coarse() const {
+    return mesh_.faces_left() <= rules_.coarse_part * surface_.face_count();
+  }
+
+  bool misled_by(double energy) const {
+    return !record_.levels.empty() && !is_coarse() &&
+           level_energy_ - energy > rules_.largest_drop * std::abs(energy);
+  }
+
+  // The problem of a level, at rest but for the vertices of the surface that move, and its start.
+  std::pair<Problem, Vec> problem_on(const Level& level, const std::vector<char>& moves) const {
+    const auto space = std::make_shared<const BezierTriangleSpace>(
+        level.faces, static_cast<Index>(level.vertex.size()), 1);
+    MapSpecification spec;
+    static_cast<MapObjective&>(spec) = asked_;
+    spec.rest = flat_triangles(level.positions, level.faces);
+    if (asked_.face_weight.size() > 0) {
+      spec.face_weight.resize(static_cast<Index>(level.face.size()));
+      for (std::size_t k = 0; k < level.face.size(); ++k)
+        spec.face_weight[static_cast<Index>(k)] = descent_.weight_of(level.face[k]);
+    }
+    Vec x(2 * static_cast<Index>(level.vertex.size()));
+    for (std::size_t k = 0; k < level.vertex.size(); ++k) {
+      const Vector2 place = descent_.place(level.vertex[k]);
+      x.segment<2>(2 * static_cast<Index>(k)) = place;
+      if (!moves[level.vertex[k]]) spec.pins.push_back({static_cast<Index>(k), place});
+    }
+    Problem problem = map_problem(spec, space, x, energy_terms(spec, space, {lattice_rule(1)}),
+                                  std::make_shared<const LocalInjectivity>(
+                                      space, 2 * spec.rest.measure, 0, stop_))
+                          .problem;
+    Vec start = problem.reduce(x);
+    return {std::move(problem), std::move(start)};
+  }
+
+  const SurfaceMesh& surface_;
+  const MapObjective& asked_;
+  RunRecord& run_;
+  const StopCheck& stop_;
+  const MultiresolutionRules& rules_;
+  MultiresolutionRecord& record_;
+  double scale_;
+  Points3 positions_;  // times scale_, as all lengths here
+  CollapsingMesh mesh_;
+  Vec uv_;
+  VertexDescent descent_;
+  std::vector<char> all_, held_;  // by vertex
+  std::vector<Index> ring_;
+  int level_ = 0;            // that is being made, 0 the finest
+  double level_energy_ = 0;  // mean, where the last level ended
+};
+
+}  // namespace
+
+bool suits_multiresolution(const SurfaceMesh& mesh, const MapObjective& asked) {
+  return barrier_of(asked.energy) != Barrier::None && !knows_elements(asked.energy) &&
+         mesh.rest_triangles().empty() && asked.boundary_angles == BoundaryAngles::Free &&
+         (asked.boundary == BoundaryCondition::Free || mesh.boundary_loops().size() == 1);
+}
+
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+                                       RunRecord& run, const MultiresolutionRules& rules,
+                                       MultiresolutionRecord* record) {
+  MultiresolutionRecord unused;
+  if (!suits_multiresolution(mesh, asked)) return std::nullopt;
+  return Multiresolution(mesh, asked, run, rules, record ? *record : unused).solve();
+}
+
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+                                       const StopCheck& stop, const MultiresolutionRules& rules,
+                                       MultiresolutionRecord* record) {
+  RunRecord run(stop);
+  return multiresolution_map(mesh, asked, run, rules, record);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,112 @@
+#include "majorant/parametrization/packing/internal/chart_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "majorant/certify/boundary_loops.h"
+#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
+
+namespace majorant {
+namespace {
+
+// Half the integral of c x c' dt over the curves, which for Bernstein coefficients is a sum of
+// c_i x (c_{j+1} - c_j) with the weights C(n,i) C(n-1,j) / (2 C(2n-1,i+j)).
+double enclosed_area(const BoundaryLoops& boundary) {
+  const auto binomial = [](int n, int k) {
+    double value = 1;
+    for (int i = 1; i <= k; ++i) value = value * (n - k + i) / i;
+    return value;
+  };
+  double twice = 0;
+  const Vector2 origin = boundary.curves.front().front();
+  for (const PlanarCurve& curve : boundary.curves) {
+    const int n = curve.degree;
+    const auto& p = curve.control_points;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j < n; ++j)
+        twice += binomial(n, i) * binomial(n - 1, j) / (2 * binomial(2 * n - 1, i + j)) *
+                 cross(p[i] - origin, p[j + 1] - p[j]);
+  }
+  return twice / 2;
+}
+
+// Appends points of the curve, without its last, such that it is within `reach` of their polygon;
+// returns within which reach it is. A piece is as close to its chord as its control points are.
+double append_points(const std::vector<Vector2>& curve, double reach, int depth,
+                     std::vector<Vector2>& points) {
+  constexpr int kDepth = 12;  // Origin: 4096 pieces; each cut takes the distance to a quarter
+  const Vector2 chord = curve.back() - curve.front();
+  const double squared = chord.squaredNorm();
+  double farthest = 0;
+  for (std::size_t k = 1; k + 1 < curve.size(); ++k) {
+    const Vector2 p = curve[k] - curve.front();
+    const double t = squared > 0 ? std::clamp(p.dot(chord) / squared, 0.0, 1.0) : 0;
+    farthest = std::max(farthest, (p - t * chord).norm());
+  }
+  if (farthest <= reach || depth == kDepth) {
+    points.push_back(curve.front());
+    return farthest;
+  }
+  std::vector<Vector2> left{curve.front()}, right = curve;
+  for (std::size_t level = 1; level < curve.size(); ++level) {
+    for (std::size_t k = 0; k + level < curve.size(); ++k) right[k] = (right[k] + right[k + 1]) / 2;
+    left.push_back(right.front());
+  }
+  const double of_left = append_points(left, reach, depth + 1, points);
+  return std::max(of_left, append_points(right, reach, depth + 1, points));
+}
+
+BoundaryLoops boundary_in_units(const BezierMap& chart, double unit) {
+  BoundaryLoops boundary = boundary_loops(chart);
+  for (PlanarCurve& curve : boundary.curves)
+    for (int k = 0; k <= curve.degree; ++k) curve.control_points[k] /= unit;
+  return boundary;
+}
+
+}  // namespace
+
+double chart_area(const BezierMap& chart, double unit) {
+  return enclosed_area(boundary_in_units(chart, unit));
+}
+
+ChartOutline chart_outline(const BezierMap& chart, double unit, double reach, Turn turn) {
+  const auto nodes = chart.control_points().reshaped(2, chart.space().node_count());
+  const BoundaryLoops boundary = boundary_in_units(chart, unit);
+  std::vector<Vector2> rim;
+  for (const PlanarCurve& curve : boundary.curves)
+    rim.insert(rim.end(), curve.control_points.begin(),
+               curve.control_points.begin() + curve.degree + 1);
+
+  ChartOutline out;
+  if (turn == Turn::Tightest) {
+    const SmallestRectangle box = smallest_rectangle(rim);
+    const bool is_upright = box.along < box.across;
+    out.cosine = is_upright ? -box.side.y() : box.side.x();
+    out.sine = is_upright ? -box.side.x() : -box.side.y();
+  }
+  Eigen::Matrix2d R;
+  R << out.cosine, -out.sine, out.sine, out.cosine;
+  const Eigen::Matrix2Xd turned = R * nodes / unit;
+  out.low = turned.rowwise().minCoeff();
+  out.size = turned.rowwise().maxCoeff() - out.low;
+  out.area = enclosed_area(boundary);
+  for (const BoundaryLoop& loop : boundary.loops) {
+    std::vector<Vector2>& points = out.outline.loops.emplace_back();
+    for (Index k = loop.first; k < loop.last; ++k) {
+      const PlanarCurve& curve = boundary.curves[k];
+      std::vector<Vector2> moved;
+      for (int i = 0; i <= curve.degree; ++i)
+        moved.push_back(R * curve.control_points[i] - out.low);
+      Outline& outline = out.outline;
+      outline.reach = std::max(outline.reach, append_points(moved, reach, 0, points));
+    }
+  }
+  return out;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,308 @@
+#include "majorant/parametrization/seams/internal/cut_tree.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "majorant/parametrization/seams/internal/flattening_strain.h"
+#include "majorant/parametrization/seams/internal/pieces.h"
+
+namespace majorant {
+namespace {
+
+// Of the diagonal of G, what is added to it: far below what a branch is worth, far above the
+// rounding of G, whose rows are nearly the same at neighbouring branches.
+constexpr double kSoftness = 1e-9;
+
+// Of so many ends of a cut one more is shortened at a time: those next to each other are
+// rarely among the best; cuts have ten to thirty ends, those of 70 handles hundreds.
+constexpr std::size_t kOffersPerStep = 30;
+
+}  // namespace
+
+CutTree::CutTree(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                 const std::vector<char>& is_terminal, const Vec& edge_cost, Index branches,
+                 const StopCheck& stop)
+    : mesh_(mesh),
+      cost_(edge_cost),
+      is_cut_(is_cut),
+      is_root_cut_(is_cut.size(), 0),
+      node_(to_size(mesh.vertex_count())),
+      root_(mesh.vertex_count() + static_cast<Index>(mesh.boundary_loops().size())) {
+  contract_loops();
+  find_root();
+  double cost = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_cut_[h] && !is_root_cut_[h]) cost += 0.5 * cost_[h];
+  grow(is_terminal, cost / branches);
+  if (!twigs_.empty()) hold(stop);
+}
+
+void CutTree::contract_loops() {
+  for (Index v = 0; v < mesh_.vertex_count(); ++v) node_[v] = v;
+  const auto& loops = mesh_.boundary_loops();
+  for (std::size_t l = 0; l < loops.size(); ++l)
+    for (const Index v : loops[l]) node_[v] = mesh_.vertex_count() + static_cast<Index>(l);
+}
+
+CutTree::Edges CutTree::cut_edges() const {
+  Edges leaving(to_size(root_) + 1);
+  for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+    if (is_cut_[h] && !is_root_cut_[h]) leaving[node_[mesh_.from_vertex(h)]].push_back(h);
+  return leaving;
+}
+
+void CutTree::find_root() {
+  const auto& loops = mesh_.boundary_loops();
+  if (genus(mesh_) > 0) {
+    put_into_root(cycles());
+  } else if (loops.empty()) {
+    put_into_root(middle_edges());
+  } else {
+    std::size_t longest = 0;
+    double most = -1;
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      double length = 0;
+      for (std::size_t i = 0; i < loops[l].size(); ++i)
+        length += (mesh_.positions().row(loops[l][i]) -
+                   mesh_.positions().row(loops[l][(i + 1) % loops[l].size()]))
+                      .norm();
+      if (length > most) most = length, longest = l;
+    }
+    for (const Index v : loops[longest]) node_[v] = root_;
+    for (Index h = 0; h < mesh_.half_edge_count() && outer_ < 0; ++h)
+      if (node_[mesh_.from_vertex(h)] == root_) outer_ = h;
+  }
+}
+
+void CutTree::put_into_root(const std::vector<Index>& half_edges) {
+  std::vector<char> in_root(to_size(root_) + 1, 0);
+  for (const Index h : half_edges) {
+    is_root_cut_[h] = is_root_cut_[mesh_.opposite(h)] = 1;
+    for (const Index v : {mesh_.from_vertex(h), mesh_.to_vertex(h)}) in_root[node_[v]] = 1;
+  }
+  if (!half_edges.empty()) outer_ = half_edges.front();
+  for (Index& node : node_)
+    if (in_root[node]) node = root_;
+}
+
+// Two edges in the middle of the longest path of a cut that is a tree.
+std::vector<Index> CutTree::middle_edges() const {
+  const Edges leaving = cut_edges();
+  std::vector<Index> entered;
+  const auto farthest_from = [&](Index start) {
+    entered.assign(leaving.size(), -1);
+    std::vector<std::pair<Index, double>> stack{{start, 0}};
+    std::pair<Index, double> farthest = stack[0];
+    while (!stack.empty()) {
+      const auto [v, distance] = stack.back();
+      stack.pop_back();
+      if (distance > farthest.second) farthest = {v, distance};
+      for (const Index h : leaving[v]) {
+        if (entered[v] >= 0 && h == mesh_.opposite(entered[v])) continue;
+        entered[mesh_.to_vertex(h)] = h;
+        stack.emplace_back(mesh_.to_vertex(h), distance + cost_[h]);
+      }
+    }
+    return farthest;
+  };
+  Index some = 0;
+  while (leaving[some].empty()) ++some;
+  const auto [end, length] = farthest_from(farthest_from(some).first);
+  double distance = 0;
+  Index h = entered[end];
+  for (Index before = entered[mesh_.from_vertex(h)]; before >= 0;
+       before = entered[mesh_.from_vertex(h)]) {
+    distance += cost_[h];
+    if (2 * distance >= length || entered[mesh_.from_vertex(before)] < 0) return {before, h};
+    h = before;
+  }
+  return {h};  // not of a cut that opens the surface
+}
+
+// What is left of the cut when everything is taken away that ends somewhere.
+std::vector<Index> CutTree::cycles() const {
+  const Edges leaving = cut_edges();
+  std::vector<std::size_t> degree(leaving.size());
+  std::vector<Index> ends;
+  std::vector<char> kept = is_cut_;
+  for (std::size_t n = 0; n < leaving.size(); ++n)
+    if ((degree[n] = leaving[n].size()) == 1) ends.push_back(static_cast<Index>(n));
+  while (!ends.empty()) {
+    const Index n = ends.back();
+    ends.pop_back();
+    for (const Index h : leaving[n]) {
+      if (!kept[h]) continue;
+      kept[h] = kept[mesh_.opposite(h)] = 0;
+      const Index m = node_[mesh_.to_vertex(h)];
+      if (--degree[m] == 1) ends.push_back(m);
+    }
+  }
+  std::vector<Index> edges;
+  for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+    if (kept[h] && h < mesh_.opposite(h)) edges.push_back(h);
+  return edges;
+}
+
+void CutTree::grow(const std::vector<char>& is_terminal, double length) {
+  const Edges leaving = cut_edges();
+  std::vector<std::pair<Index, Index>> starts;  // half-edge, branch below
+  for (const Index h : leaving[root_]) starts.emplace_back(h, -1);
+  while (!starts.empty()) {
+    auto [h, parent] = starts.back();
+    starts.pop_back();
+    const auto number = static_cast<Index>(twigs_.size());
+    Branch branch;
+    branch.parent = parent;
+    Index node = -1;
+    for (;;) {
+      branch.half_edges.push_back(h);
+      branch.cost += cost_[h];
+      node = node_[mesh_.to_vertex(h)];
+      const std::vector<Index>& on = leaving[node];
+      if (branch.cost >= length || on.size() != 2 || node >= mesh_.vertex_count() ||
+          is_terminal[node])
+        break;
+      h = on[on[0] == mesh_.opposite(h) ? 1 : 0];
+    }
+    for (const Index g : leaving[node])
+      if (g != mesh_.opposite(h)) starts.emplace_back(g, number);
+    if (parent >= 0) ++twigs_[parent].children;
+    twigs_.push_back(std::move(branch));
+  }
+}
+
+void CutTree::hold(const StopCheck& stop) {
+  const SurfaceMesh base = mesh_.cut_along(is_root_cut_, nullptr);
+  const FlatteningStrain sheet(base, base.from_vertex(outer_), stop);
+  std::vector<FlatteningStrain::Functional> held;
+  const auto add = [&](Branch& branch, const FlatteningStrain::Functional& functional) {
+    if (sheet.is_zero(functional)) return;
+    held.push_back(functional);
+    ++branch.rows;
+  };
+  for (Branch& branch : twigs_) {
+    branch.first_row = static_cast<Index>(held.size());
+    const Index h = mesh_.opposite(branch.half_edges.back());
+    add(branch, {{base.from_vertex(h), 1}});
+    if (node_[mesh_.from_vertex(h)] < mesh_.vertex_count())
+      add(branch, {{base.to_vertex(next(h)), 1}, {base.to_vertex(next(mesh_.opposite(h))), -1}});
+  }
+  const auto count = static_cast<Index>(held.size());
+  Eigen::MatrixXd g(count, count);
+  Vec values(count);
+  for (Index k = 0; k < count; ++k) {
+    stop.poll();
+    const Vec response = sheet.response(held[k]);
+    for (Index i = 0; i < count; ++i) g(i, k) = sheet.apply(held[i], response);
+    values[k] = sheet.apply(held[k], sheet.chi());
+  }
+  const Vec scale = g.diagonal().cwiseSqrt().cwiseInverse();
+  g = (scale.asDiagonal() * g * scale.asDiagonal()).eval();
+  g.diagonal().array() += kSoftness;
+  precision_ = scale.asDiagonal() *
+               Eigen::MatrixXd(g.ldlt().solve(Eigen::MatrixXd::Identity(count, count))) *
+               scale.asDiagonal();
+  pull_ = precision_ * values;
+}
+
+// The branches from this one, an end, down to the next place where others hang on.
+std::vector<Index> CutTree::peelable(Index branch) const {
+  std::vector<Index> path{branch};
+  for (Index t = twigs_[branch].parent; t >= 0 && twigs_[t].children == 1; t = twigs_[t].parent)
+    path.push_back(t);
+  return path;
+}
+
+std::vector<Index> CutTree::rows_of(const std::vector<Index>& branches) const {
+  std::vector<Index> rows;
+  for (const Index t : branches)
+    for (Index r = 0; r < twigs_[t].rows; ++r) rows.push_back(twigs_[t].first_row + r);
+  return rows;
+}
+
+double CutTree::added_strain(const std::vector<Index>& rows) const {
+  const Vec x = pull_(rows);
+  return x.dot(precision_(rows, rows).ldlt().solve(x));
+}
+
+void CutTree::let_go(const std::vector<Index>& branches) {
+  const std::vector<Index> rows = rows_of(branches);
+  const Eigen::MatrixXd columns = precision_(Eigen::all, rows);
+  const auto block = Eigen::MatrixXd(precision_(rows, rows)).ldlt();
+  pull_ -= columns * block.solve(Vec(pull_(rows)));
+  precision_ -= columns * block.solve(columns.transpose());
+  for (const Index t : branches) {
+    twigs_[t].peeled = true;
+    if (const Index p = twigs_[t].parent; p >= 0) --twigs_[p].children;
+  }
+}
+
+// The best way to shorten each end of the cut, the best of all first.
+std::vector<CutTree::Offer> CutTree::offers(double most_added) const {
+  std::vector<Offer> offers;
+  for (std::size_t t = 0; t < twigs_.size(); ++t) {
+    if (twigs_[t].peeled || twigs_[t].children > 0) continue;
+    const std::vector<Index> path = peelable(static_cast<Index>(t));
+    Offer best{std::numeric_limits<double>::infinity(), {}};
+    for (std::size_t count = 1;; count = std::min(2 * count, path.size())) {
+      const std::vector<Index> part(path.begin(), path.begin() + static_cast<long>(count));
+      const double added = added_strain(rows_of(part));
+      double cost = 0;
+      for (const Index p : part) cost += twigs_[p].cost;
+      if (added <= most_added && added < best.price * cost) best = {added / cost, part};
+      if (count == path.size()) break;
+    }
+    if (!best.branches.empty()) offers.push_back(std::move(best));
+  }
+  std::stable_sort(offers.begin(), offers.end(),
+                   [](const Offer& a, const Offer& b) { return a.price < b.price; });
+  return offers;
+}
+
+void CutTree::peel(double strain, double limit, const StopCheck& stop) {
+  for (;;) {
+    stop.poll();
+    std::vector<Offer> offers = this->offers(limit - strain);
+    if (offers.empty()) return;
+    offers.resize(1 + offers.size() / kOffersPerStep);
+    for (Offer& offer : offers) {
+      const double added = added_strain(rows_of(offer.branches));  // after the others
+      if (strain + added > limit) continue;
+      strain += added;
+      let_go(offer.branches);
+      steps_.push_back({std::move(offer.branches), strain});
+    }
+  }
+}
+
+std::size_t CutTree::steps_within(double strain) const {
+  std::size_t count = 0;
+  while (count < steps_.size() && steps_[count].strain <= strain) ++count;
+  return count;
+}
+
+CutTree::State CutTree::after(std::size_t steps) const {
+  State state{is_cut_, {}};
+  std::vector<Index> hanging(twigs_.size(), 0);
+  std::vector<char> peeled(twigs_.size(), 0);
+  for (std::size_t s = 0; s < steps; ++s)
+    for (const Index t : steps_[s].branches) {
+      peeled[t] = 1;
+      for (const Index h : twigs_[t].half_edges)
+        state.is_cut[h] = state.is_cut[mesh_.opposite(h)] = 0;
+    }
+  for (std::size_t t = 0; t < twigs_.size(); ++t)
+    if (!peeled[t] && twigs_[t].parent >= 0) ++hanging[twigs_[t].parent];
+  for (std::size_t t = 0; t < twigs_.size(); ++t) {
+    const Index v = mesh_.to_vertex(twigs_[t].half_edges.back());
+    if (!peeled[t] && hanging[t] == 0 && node_[v] < mesh_.vertex_count()) state.ends.push_back(v);
+  }
+  return state;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,79 @@
+// initial_map() of parametrize.h: which start is taken, and made.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/parametrization/initialization/multiresolution.h"
+#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/parametrize.h"
+
+namespace majorant {
+namespace {
+
+// Faces from which on a start in many resolutions is the automatic one. Origin:
+// bench/multiresolution: at 2,500 it saves 2 to 4 fe of 20 on easy disks and costs some on hard
+// ones.
+constexpr Index kLargeSurface = 5000;
+// Of the energy, from a level to one that is not coarse, beyond which Tutte's map is taken after
+// all. Origin: 0.51 on penguin_10000, where other minima wait (19.10 instead of 19.07), 0.07 on the
+// next of the public disks.
+constexpr double kLargestDrop = 0.25;
+
+// Whether an automatic start is made in many resolutions. Points that are to stay where the initial
+// map has them, or are pulled, mean Tutte's: it does not depend on the energy.
+bool pays(const SurfaceMesh& mesh, const MapOptions& asked) {
+  return mesh.face_count() >= kLargeSurface && asked.handles.empty() &&
+         std::all_of(asked.pins.begin(), asked.pins.end(),
+                     [](const Pin& pin) { return pin.target.has_value(); });
+}
+
+bool tries_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
+  if (asked.injectivity == MapInjectivity::Global || !asked.aligned.empty()) return false;
+  return asked.start == StartMethod::Multiresolution ||
+         (asked.start == StartMethod::Automatic && pays(mesh, asked));
+}
+
+}  // namespace
+
+std::string_view start_name(StartMethod method) {
+  constexpr std::string_view kNames[] = {"auto", "tutte", "multiresolution", "input"};
+  return kNames[static_cast<std::size_t>(method)];
+}
+
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop,
+                StartMethod* taken) {
+  RunRecord unseen(stop);
+  return initial_map(mesh, asked, unseen, taken);
+}
+
+Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
+                StartMethod* taken) {
+  mesh.require_planar();
+  require_face_data(mesh, asked);
+  if (asked.initial && asked.initial->size() != 2 * mesh.vertex_count())
+    throw InvalidArgument(
+        fmt::format("{}the initial map has {} numbers, it needs 2 numbers per vertex, {}",
+                    message_prefix(mesh), asked.initial->size(), 2 * mesh.vertex_count()));
+  if (asked.initial) require_finite("the initial map", *asked.initial);
+  StartMethod unused;
+  StartMethod& method = taken ? *taken : unused;
+  method = StartMethod::Given;
+  if (asked.initial) return *asked.initial;
+  method = StartMethod::Multiresolution;
+  MultiresolutionRules rules;
+  if (asked.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
+  if (tries_multiresolution(mesh, asked))
+    if (std::optional<Vec> start = multiresolution_map(mesh, asked, record, rules))
+      return *std::move(start);
+  method = StartMethod::Tutte;
+  return tutte_map(mesh, record.start_stop());
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,183 @@
+#include "majorant/parametrization/solve/internal/map_domain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/stopwatch.h"
+
+namespace majorant {
+namespace {
+
+// A solver that is kept for the next one who needs one: patterns differ little, and it knows the
+// last one's ordering.
+class KeptSolver final : public LinearSolver {
+ public:
+  explicit KeptSolver(std::shared_ptr<LinearSolver> solver) : solver_(std::move(solver)) {}
+  void analyze(const SparsePattern& pattern) override { solver_->analyze(pattern); }
+  FactorStatus factorize(const Vec& values, double shift) override {
+    return solver_->factorize(values, shift);
+  }
+  Solution solve(const Vec& r, Vec& p, double tolerance) override {
+    return solver_->solve(r, p, tolerance);
+  }
+  std::string description() const override { return solver_->description(); }
+
+ private:
+  std::shared_ptr<LinearSolver> solver_;
+};
+
+}  // namespace
+
+DomainProblem PlainDomain::build(const DomainInput& in, VecIn) {
+  ProblemBuilder builder = map_builder(in.map, *in.space);
+  EnergyIds energies = add_map(builder, in.map, in.space, in.start, in.terms);
+  builder.add(in.injectivity);
+  std::vector<TermId> barriers = in.added.add_to(builder);
+  builder.add(in.added.gauge(in.map, *in.space, in.start));
+  return {{builder.build(), std::move(energies)}, std::move(barriers)};
+}
+
+ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
+                                   const SolverRules& rules)
+    : scaffold_([&] {
+        const AddedSeconds time(seconds_);
+        return Scaffold(start.shared_space(), start.control_points());
+      }()),
+      mode_(flips),
+      rules_(rules.scaffold),
+      relaxing_(newton_options(Curvature::Projected, rules, {}, ScaffoldedDomain::ordering())),
+      share_(rules_.share) {
+  const std::shared_ptr<LinearSolver> solver = make_direct_solver(ScaffoldedDomain::ordering());
+  relaxing_.linear_solver = [solver] { return std::make_unique<KeptSolver>(solver); };
+}
+
+DomainProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
+  const AddedSeconds time(seconds_);
+  ProblemBuilder builder(2 * scaffold_.joint_node_count());
+  EnergyIds energies = add_map(builder, in.map, in.space, in.start, in.terms);
+  TermState around;
+  around.element_rule = scaffold_.levels();
+  around_ = builder.add(scaffold_.energy_term(), around);
+  builder.add(std::make_shared<const ScaffoldInjectivity>(
+      in.injectivity, in.space->element_count(),
+      std::make_shared<const LocalInjectivity>(scaffold_.space(), Vec::Ones(scaffold_.face_count()),
+                                               depth(in), in.stop)));
+  std::vector<TermId> barriers = in.added.add_to(builder);
+  builder.add(FixedPoints::at(scaffold_.frame_nodes(), x));
+  lambda_.reset();
+  built_ = built_ ? builder.build(*built_) : builder.build();
+  return {{*built_, std::move(energies)}, std::move(barriers)};
+}
+
+TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x) {
+  const AddedSeconds time(seconds_);
+  double mean = 0;
+  for (const TermId id : built.energies) mean += term_energy(built.problem, id, x);
+  TermState around = built.problem.state(*around_);
+  const double share = stage_ == Stage::AtRest ? rules_.share_at_rest : share_;
+  const double lambda = share * std::max(mean, rules_.least_energy) * around.weight /
+                        term_energy(built.problem, *around_, x);
+  if (lambda_ && std::abs(lambda - *lambda_) <= rules_.same_lambda * lambda) return {};
+  lambda_ = lambda;
+  around.weight = lambda;
+  around.element_rule = scaffold_.levels();
+  return {{*around_, std::move(around)}};
+}
+
+double ScaffoldedDomain::foreign_energy(const Problem& problem, VecIn x) const {
+  return term_energy(problem, *around_, x);
+}
+
+// The scaffold is enlarged, flipped and relaxed.
+DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, const DomainInput& in) {
+  const AddedSeconds time(seconds_);
+  scaffold_.take(x);
+  if (refine(step.blocking, in.space->element_count())) lambda_.reset();
+  if (rests(step)) stage_ = Stage::AtRest;
+  const bool grown = scaffold_.grow();
+  FlipCounts counts = flip();
+  const bool relaxed = grown || needs_relaxing(step.record, counts);
+  if (relaxed) {
+    NewtonOptions options = relaxing_;
+    options.stop = in.stop;
+    scaffold_.relax(rules_.relax_steps, depth(in), options);
+    const FlipCounts more = flip();
+    counts.intended += more.intended;
+    counts.performed += more.performed;
+  }
+  flips_.intended += counts.intended;
+  flips_.performed += counts.performed;
+  x = scaffold_.joined(x);
+  if (grown || counts.performed > 0) return DomainChange::Structure;
+  return relaxed ? DomainChange::Values : DomainChange::None;
+}
+
+// A step moves all nodes, the scaffold's as well: that keeps it in shape, as long as it has room.
+bool ScaffoldedDomain::needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const {
+  return step.step_bound < rules_.short_bound ||
+         (flips.performed > 0 && step.relative_decrease < rules_.still_moving);
+}
+
+// Not while a stronger scaffold is followed: that is for leaving places where the image rests.
+bool ScaffoldedDomain::rests(const StepResult& step) const {
+  return stage_ == Stage::Moving && share_ == rules_.share &&
+         step.outcome == StepResult::Outcome::Moved &&
+         step.record.step_bound >= rules_.short_bound &&
+         step.record.relative_decrease < rules_.at_rest;
+}
+
+// Scaffold faces that block a step get a finer quadrature rule: theirs does not see the barrier.
+bool ScaffoldedDomain::refine(const std::vector<Index>& blocking, Index map_faces) {
+  std::vector<Index> faces;
+  for (const Index e : blocking)
+    if (e >= map_faces) faces.push_back(e - map_faces);
+  scaffold_.refine(faces);
+  return !faces.empty();
+}
+
+int ScaffoldedDomain::depth(const DomainInput& in) const {
+  return std::max(in.depth, rules_.depth);
+}
+
+FlipCounts ScaffoldedDomain::flip() {
+  return mode_ == ScaffoldFlips::Performed ? scaffold_.flip() : FlipCounts{};
+}
+
+bool ScaffoldedDomain::strengthen(double weight) {
+  const double share = std::max(rules_.share, weight);
+  lambda_.reset();
+  if (stage_ == Stage::AtRest) stage_ = Stage::Moving;
+  return std::exchange(share_, share) != share;
+}
+
+bool ScaffoldedDomain::hold() {
+  if (stage_ != Stage::AtRest) return false;
+  stage_ = Stage::Held;
+  return true;
+}
+
+StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) const {
+  usual.relative_decrease *= rules_.part_of_tolerance;
+  usual.tail_steps = rules_.tail_steps;
+  // What the sum promises is not what is left of the map's energy: lambda follows that.
+  usual.last_factor = std::numeric_limits<double>::infinity();
+  return usual;
+}
+
+void ScaffoldedDomain::elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) {
+  const AddedSeconds time(seconds_);
+  stage_ = Stage::Moving;
+  scaffold_ = scaffold_.elevated(higher);
+}
+
+void ScaffoldedDomain::restore(const std::optional<Scaffold>& scaffold) {
+  if (scaffold) scaffold_ = *scaffold;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

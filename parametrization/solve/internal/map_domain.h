@@ -1,0 +1,148 @@
+// Where the map of one degree is optimized: on its own nodes (PlainDomain), or with the space
+// around its image as a part of the problem (ScaffoldedDomain), which keeps it free of overlaps.
+//
+//     PlainDomain domain;
+//     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
+//
+// Internal to parametrize(). A domain lives as long as a run: it is elevated with the map.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/stepper.h"
+#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/scaffold/internal/scaffold.h"
+#include "majorant/parametrization/solve/internal/solver_rules.h"
+#include "majorant/parametrization/solve/internal/user_terms.h"
+#include "majorant/parametrization/solve/solve_options.h"
+
+namespace majorant {
+
+// The map that is to be optimized, whatever surrounds it.
+struct DomainInput {
+  const MapSpecification& map;
+  const std::shared_ptr<const BezierTriangleSpace>& space;
+  const Vec& start;  // 2 numbers per node of `space`: what is fixed stays there
+  const DensityTerms& terms;
+  std::shared_ptr<const LocalInjectivity> injectivity;  // of the map
+  int depth;                                            // of certificates
+  const UserTerms& added;
+  const StopCheck& stop;
+};
+
+struct DomainProblem : MapProblem {
+  std::vector<TermId> barriers;  // of the bounds that were added and are held
+};
+
+// What happened to the unknowns between two steps.
+enum class DomainChange {
+  None,
+  Values,     // they are elsewhere: energies are others
+  Structure,  // there are others: the problem must be built anew
+};
+
+class MapDomain {
+ public:
+  virtual ~MapDomain() = default;
+
+  // The unknowns of a problem for a map with these control points, which come first.
+  virtual Vec unknowns(VecIn map) const = 0;
+  virtual DomainProblem build(const DomainInput& input, VecIn x) = 0;
+
+  // States that follow the unknowns x of the last problem built; empty: as they are. Not stopped:
+  // coming back to a place after a stop needs it, too.
+  virtual TermChanges before_step(const MapProblem&, VecIn /*x*/) { return {}; }
+  // The surroundings are adapted to x, which was reached by `step` or could not be left.
+  virtual DomainChange after_step(Vec& /*x*/, const StepResult& /*step*/, const DomainInput&) {
+    return DomainChange::None;
+  }
+  // What the problem's energy at x has that is not the map's own.
+  virtual double foreign_energy(const Problem&, VecIn /*x*/) const { return 0; }
+
+  // The surroundings follow a barrier of their own: weight relative to the map's energy, 0 as ever.
+  // Whether that changes anything.
+  virtual bool strengthen(double /*weight*/) { return false; }
+
+  // Where a run stalls whose surroundings had yielded because the image rested: they do so no more
+  // at this degree. Whether they had.
+  virtual bool hold() { return false; }
+
+  // How unknowns are to be ordered for factorizations.
+  virtual Ordering ordering() const { return Ordering::Automatic; }
+
+  // Of the rules by which a run ends at the tolerance asked for: those that the domain needs.
+  virtual StoppingRules final_rules(StoppingRules usual) const { return usual; }
+
+  virtual void elevate(const std::shared_ptr<const BezierTriangleSpace>& /*higher*/) {}
+
+  // To come back to a place: the surroundings as they were there, none where there are none.
+  virtual std::optional<Scaffold> surroundings() const { return {}; }
+  virtual void restore(const std::optional<Scaffold>&) {}
+  virtual FlipCounts flips() const { return {}; }
+  // Spent on the surroundings, outside of steps; charge() adds what their changes cost elsewhere.
+  virtual double seconds() const { return 0; }
+  virtual void charge(double /*seconds*/) {}
+};
+
+class PlainDomain final : public MapDomain {
+ public:
+  Vec unknowns(VecIn map) const override { return map; }
+  DomainProblem build(const DomainInput& input, VecIn x) override;
+};
+
+// [MC20] Sec. 6. Every iteration is one Newton step on
+//     E(map) + lambda E_conf(scaffold),   lambda = share E(map) / E_conf(scaffold),
+// then the scaffold's edges are flipped and its triangles relaxed with the image fixed. The share
+// is large while the image moves and falls when it rests: what remains of it is an error of the
+// map.
+class ScaffoldedDomain final : public MapDomain {
+ public:
+  // Throws Error(Infeasible) as Scaffold does where the start overlaps itself.
+  ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips, const SolverRules& rules);
+
+  Vec unknowns(VecIn map) const override { return scaffold_.joined(map); }
+  DomainProblem build(const DomainInput& input, VecIn x) override;
+  TermChanges before_step(const MapProblem& built, VecIn x) override;
+  DomainChange after_step(Vec& x, const StepResult& step, const DomainInput& input) override;
+  double foreign_energy(const Problem& problem, VecIn x) const override;
+  bool strengthen(double weight) override;
+  bool hold() override;
+  // Flips change the pattern nearly every step: METIS would cost more than it saves.
+  Ordering ordering() const override { return Ordering::Amd; }
+  StoppingRules final_rules(StoppingRules usual) const override;
+  void elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) override;
+  std::optional<Scaffold> surroundings() const override { return scaffold_; }
+  void restore(const std::optional<Scaffold>& scaffold) override;
+  FlipCounts flips() const override { return flips_; }
+  double seconds() const override { return seconds_; }
+  void charge(double seconds) override { seconds_ += seconds; }
+
+ private:
+  enum class Stage { Moving, AtRest, Held };  // held: as while it moves, although it rests
+
+  bool refine(const std::vector<Index>& blocking, Index map_faces);
+  FlipCounts flip();
+  int depth(const DomainInput& in) const;  // of the certificates of the scaffold's faces
+  bool needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const;
+  bool rests(const StepResult& step) const;
+
+  double seconds_ = 0;
+  Scaffold scaffold_;
+  ScaffoldFlips mode_;
+  ScaffoldRules rules_;
+  NewtonOptions relaxing_;
+  FlipCounts flips_;
+  double share_;  // lambda E_conf / E while the image moves
+  Stage stage_ = Stage::Moving;
+  std::optional<Problem> built_;  // the last one
+  std::optional<TermId> around_;  // E_conf in it
+  std::optional<double> lambda_;  // none: not set since the problem was built
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,16 @@
+// What can be asked for at all, whatever the surface: the same of one process and of several.
+#pragma once
+
+#include "majorant/parametrization/solve/map_options.h"
+#include "majorant/parametrization/solve/solve_options.h"
+
+namespace majorant {
+
+// Throws InvalidArgument for options out of range, and for those that exclude each other. extended:
+// whether a caller adds to the map (MapExtender).
+void require_valid(const MapOptions& asked, const SolveOptions& how, bool extended);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,306 @@
+#include "majorant/parametrization/solve/parametrize.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "majorant/certify/global_injectivity.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/element_values.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/refusal.h"
+#include "majorant/parametrization/scaffold/internal/improve_mesh.h"
+#include "majorant/parametrization/solve/internal/degree_schedule.h"
+#include "majorant/parametrization/solve/internal/free_scale.h"
+#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "majorant/parametrization/solve/internal/pin_homotopy.h"
+#include "majorant/parametrization/solve/internal/valid_options.h"
+
+namespace majorant {
+namespace {
+
+void require_valid(const ParametrizationOptions& o) {
+  require_valid(o.map, o.solve, static_cast<bool>(o.extend));
+}
+
+// What is around the degree schedule of a whole map: additions, a scaffold, proofs, measures.
+class Run {
+ public:
+  Run(const SolverRules& rules, const BezierMap& start, const ParametrizationOptions& options,
+      RunRecord& record)
+      : options_(options),
+        record_(record),
+        start_(start, options.map, options.extend ? Origin::Kept : Origin::Free),
+        map_(start_.map()),
+        setup_{start_.specification(), options.solve, record.stop(), rules, {}, {}} {
+    if (options.solve.watch || options.extend)
+      setup_.watch = [this](const TraceEntry& row, const MapView& at) { return observe(row, at); };
+  }
+
+  ParametrizationResult solve() {
+    const double started = record_.seconds();
+    result_.start_moved = start_.moved();
+    Vec unused;
+    result_.initial_value = mean_density(map_, setup_.map.rest, options_.map.energy, unused);
+    show_start();
+    if (options_.map.injectivity == MapInjectivity::Global) record_.begin(Activity::Scaffold);
+    extend(map_);
+    domain_ = make_domain();
+    record_.begin(Activity::Solving);
+    DegreeSchedule schedule(setup_, *domain_, map_, options_.map.degree, record_,
+                            [this](const BezierMap& map) { extend(map); });
+    if (!std::isfinite(result_.initial_value)) schedule.enter();
+    const SolveResult solved = schedule.raise_degree(result_.initial_value);
+    result_.optimize_seconds = record_.seconds() - started;
+    schedule.elevate_to_last();
+    map_ = schedule.map();
+    account(schedule.counts());
+    return conclude(solved);
+  }
+
+ private:
+  // Asks for the additions of this degree.
+  void extend(const BezierMap& map) {
+    if (!options_.extend || (extension_ && extension_->degree() == map.degree())) return;
+    auto extension =
+        std::make_shared<MapExtension>(map, start_.specification().rest, start_.scale());
+    options_.extend(*extension);
+    extension_ = std::move(extension);
+    setup_.added = UserTerms(extension_);
+  }
+
+  // What an observer has said once, holds.
+  Directive observe(const TraceEntry& row, const MapView& at) {
+    const MapView view{at.space, at.x,
+                       [&] { return start_.in_model_units(map_.with(at.space, at.x)); }};
+    const auto ask = [&](const MapObserver& observer) {
+      const Directive said = observer(row, view);
+      if (observed_ == Directive::Continue) observed_ = said;
+    };
+    if (options_.solve.watch) ask(options_.solve.watch);
+    if (extension_)
+      for (const MapObserver& observer : extension_->observers()) ask(observer);
+    return observed_;
+  }
+
+  void show_start() {
+    if (!setup_.watch) return;
+    TraceEntry row;
+    row.record.iteration = static_cast<int>(record_.trace().size());
+    row.record.energy = row.energy = result_.initial_value;
+    setup_.watch(row, {map_.shared_space(), map_.control_points(), {}});
+  }
+
+  std::unique_ptr<MapDomain> make_domain() const {
+    if (options_.map.injectivity == MapInjectivity::Local) return std::make_unique<PlainDomain>();
+    try {
+      return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules);
+    } catch (const Error& e) {
+      throw Refusal(
+          e.kind(), map_.mesh().file(),
+          fmt::format("{}the start overlaps itself ({}); ", message_prefix(map_.mesh()), e.what()),
+          options_.map.initial ? Hint::AllowOrOtherStart : Hint::AllowOverlaps);
+    }
+  }
+
+  void account(const DegreeSchedule::Counts& counts) {
+    result_.injectivity_tests = counts.injectivity_tests;
+    result_.remedies = counts.remedies;
+    result_.variables = static_cast<Index>(counts.variables);
+    result_.constraint_residual = counts.constraint_residual / start_.scale();
+    result_.handle_distance = farthest_handle(setup_.map, map_) / start_.scale();
+  }
+
+  ParametrizationResult conclude(const SolveResult& solved) {
+    extend(map_);
+    report_additions();
+    result_.status = solved.status;
+    result_.message = solved.message;
+    result_.value_quadrature = solved.energy;
+    result_.newton_decrement = relative_to(solved.energy, solved.newton_decrement);
+    result_.map = start_.in_model_units(map_);
+    result_.flips = domain_->flips();
+    result_.scaffold_seconds = domain_->seconds();
+    const std::optional<Scaffold> scaffold = domain_->surroundings();
+    if (scaffold) result_.scaffold = start_.in_model_units(scaffold->mesh());
+    take_measures();
+    judge(unproven());
+    if (scaffold && result_.status != Status::Failed) prove_no_overlaps();
+    if (options_.solve.triangles == Triangles::Flipped && result_.status != Status::Failed &&
+        record_.directive() == Directive::Continue)
+      flip_triangles();
+    take_cost();
+    return std::move(result_);
+  }
+
+  void report_additions() {
+    if (!extension_) return;
+    const Vec& x = map_.control_points();
+    for (const auto& [term, weight] : extension_->terms()) {
+      const ColoredBatches plan(term->element_dofs(), {});
+      result_.terms.push_back(
+          {std::string(term->name()), weight, element_values(*term, {}, plan, x).sum()});
+    }
+    for (const auto& checker : extension_->checkers())
+      result_.checks.push_back({std::string(checker->name()), checker->check(x)});
+  }
+
+  void take_cost() {
+    result_.factor_solve_seconds = factor_solve_seconds(record_.trace(), map_.degree());
+    if (result_.factor_solve_seconds || options_.solve.factor_cost == FactorCost::IfKnown) return;
+    TraceEntry row;
+    row.degree = map_.degree();
+    try {
+      DegreeSolver solver(setup_, *domain_, map_.shared_space(), map_.control_points());
+      row.record = solver.try_step();
+    } catch (const Stopped&) {
+      return;
+    }
+    result_.factor_solve_seconds = factor_solve_seconds({row}, map_.degree());
+  }
+
+  void take_measures() {
+    record_.begin(Activity::Measuring);
+    const double started = record_.seconds();
+    result_.measures = measure_map(*result_.map, options_.map.energy, record_.stop());
+    result_.measure_seconds += record_.seconds() - started;
+  }
+
+  void flip_triangles() {
+    record_.begin(Activity::Solving);
+    const double started = record_.seconds();
+    ImprovedMap improved = improve_mesh(*result_.map, options_.map.energy, record_.stop());
+    result_.optimize_seconds += record_.seconds() - started;
+    result_.flips.intended += improved.flips.intended;
+    result_.flips.performed += improved.flips.performed;
+    result_.other_triangles = improved.flips.performed > 0;
+    result_.map = std::move(improved.map);
+    take_measures();
+  }
+
+  void judge(const std::string& unproven) {
+    majorant::judge(unproven, result_.status, result_.message);
+  }
+
+  // Empty: nothing is amiss.
+  std::string unproven() const {
+    if (result_.measures.locally_injective) return {};
+    const SurfaceMesh& mesh = result_.map->mesh();
+    Index face = 0;
+    const double least = result_.measures.min_det.minCoeff(&face);
+    if (!(least > 0))
+      return fmt::format("face {} ({} in all) is not proven to be positively oriented",
+                         user_face(mesh, face), (result_.measures.min_det.array() <= 0).count());
+    return "angle sums at inner vertices are not full turns";
+  }
+
+  // What was held by the scaffold, proven once more from the boundary of what is returned.
+  void prove_no_overlaps() {
+    record_.begin(Activity::Proving);
+    const double started = record_.seconds();
+    result_.boundary = check_boundary(*result_.map);
+    const GlobalInjectivity& proof = *result_.boundary;
+    result_.measure_seconds += record_.seconds() - started;
+    if (proof.result == ProofStatus::Violated)
+      judge("the image overlaps itself" + (proof.reason.empty() ? "" : ": " + proof.reason));
+    if (proof.result != ProofStatus::Undecided || result_.status != Status::Converged) return;
+    result_.status = Status::Stalled;
+    result_.message = "boundary curves touch to within rounding: " + proof.reason;
+  }
+
+  const ParametrizationOptions& options_;
+  RunRecord& record_;
+  NormalizedStart start_;
+  BezierMap map_;  // normalised: the start, then the result
+  DegreeSolver::Setup setup_;
+  std::shared_ptr<const MapExtension> extension_;  // of the degree of map_, or of one below
+  Directive observed_ = Directive::Continue;
+  std::unique_ptr<MapDomain> domain_;
+  ParametrizationResult result_;
+};
+
+}  // namespace
+
+ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
+                                     const ParametrizationOptions& options, RunRecord& record) {
+  require_valid(options);
+  if (start.degree() != 1)
+    throw InvalidArgument(
+        fmt::format("a start must have degree 1, this one has {}", start.degree()));
+  require_finite("the start", start.control_points());
+  const ThreadCount threads(options.solve.threads);
+  ParametrizationOptions resolved = options;
+  resolved.map = with_targets(start, options.map);
+  // Edges that stay parallel to an axis leave a start no way to turn.
+  ParametrizationResult result;
+  if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty()) {
+    result = Run(rules, start, options, record).solve();
+  } else {
+    require_scale(resolved.map, start);
+    const PinSolver solver = pin_solver(record, rules);
+    const BezierMap led = pin_homotopy(start, resolved.map, options.solve, solver, record);
+    result = Run(rules, led, resolved, record).solve();
+  }
+  result.handles = resolved.map.handles;
+  return result;
+}
+
+// Scaffolds do not yield on the way: the next step would begin with what is squeezed between parts
+// that have come close for nothing.
+PinSolver pin_solver(RunRecord& record, const SolverRules& asked_rules) {
+  SolverRules rules = asked_rules;
+  rules.scaffold.at_rest = -std::numeric_limits<double>::infinity();
+  return [&record, rules](const BezierMap& start, const MapOptions& asked,
+                          const SolveOptions& how) -> std::optional<BezierMap> {
+    SolveOptions seen = how;
+    if (how.watch)
+      seen.watch = [&how](const TraceEntry& row, const MapView& at) {
+        how.watch(row, at);
+        return Directive::Continue;
+      };
+    ParametrizationResult result = parametrize_by(rules, start, {asked, seen, {}}, record);
+    if (result.status == Status::Failed) return std::nullopt;
+    return std::move(result.map);
+  };
+}
+
+ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
+                                  RunRecord& record) {
+  return parametrize_by(SolverRules{}, start, options, record);
+}
+
+ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
+                                  const ParametrizationOptions& options, RunRecord& record) {
+  require_given("parametrize: the mesh", mesh);
+  require_valid(options);
+  const double started = record.seconds();
+  const ThreadCount threads(options.solve.threads);
+  record.begin(Activity::Starting);
+  StartMethod taken;
+  MapOptions asked = options.map;
+  if (options.extend && asked.start == StartMethod::Automatic) asked.start = StartMethod::Tutte;
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, asked, record, &taken));
+  const double initialize_seconds = record.seconds() - started;
+  ParametrizationResult result = parametrize(start, options, record);
+  result.start = taken;
+  result.initialize_seconds = initialize_seconds;
+  return result;
+}
+
+ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
+                                  const ParametrizationOptions& options) {
+  RunRecord record;
+  return parametrize(std::move(mesh), options, record);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

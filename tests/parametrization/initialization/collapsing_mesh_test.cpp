@@ -1,0 +1,147 @@
+// Triangles lose vertices and stay a surface of the same topology; undoing brings every one back.
+#include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
+
+#include <algorithm>
+#include <set>
+
+#include "majorant/parametrization/initialization/internal/decimation.h"
+#include "mesh/obj_file.h"
+#include "mesh/test_meshes.h"
+
+namespace majorant {
+namespace {
+
+Cells faces_of(const CollapsingMesh& mesh) {
+  Cells faces(mesh.faces_left(), 3);
+  Index row = 0;
+  for (Index f = 0; f < mesh.face_slots(); ++f)
+    if (mesh.has_face(f))
+      faces.row(row++) << mesh.from(3 * f), mesh.from(3 * f + 1), mesh.from(3 * f + 2);
+  return faces;
+}
+
+CollapsingMesh collapsing(const SurfaceMesh& mesh) {
+  return {mesh.faces(), mesh.opposites(), mesh.vertex_count()};
+}
+
+std::set<Index> used(const Cells& faces) { return {faces.data(), faces.data() + faces.size()}; }
+
+// Built anew from the faces that are left, by code that knows of no collapses.
+void expect_same_topology(const CollapsingMesh& mesh, const Topology& before) {
+  const Cells faces = faces_of(mesh);
+  const std::vector<Index> opposite = opposite_half_edges(faces);
+  EXPECT_EQ(find_touching_vertex(faces, opposite), -1);
+  const auto vertices = static_cast<Index>(used(faces).size());
+  EXPECT_EQ(vertices, mesh.vertices_left());
+  const auto open = std::count(opposite.begin(), opposite.end(), -1);
+  const auto edges = static_cast<Index>((opposite.size() + static_cast<std::size_t>(open)) / 2);
+  EXPECT_EQ(vertices - edges + mesh.faces_left(), before.euler_characteristic());
+  const auto loops = boundary_half_edges(faces, opposite);
+  EXPECT_EQ(static_cast<Index>(loops.size()), before.boundary_loops);
+  for (const auto& loop : loops) EXPECT_GE(loop.size(), 3u);
+}
+
+// Rings as the faces have them: starting on the boundary, or as cycles.
+void expect_rings(const CollapsingMesh& mesh) {
+  const Cells faces = faces_of(mesh);
+  std::vector<Index> ring;
+  for (const Index v : used(faces)) {
+    mesh.ring(v, ring);
+    std::set<Index> neighbours;
+    Index around = 0;
+    for (Index f = 0; f < static_cast<Index>(faces.rows()); ++f)
+      for (int k = 0; k < 3; ++k)
+        if (faces(f, k) == v) {
+          ++around;
+          neighbours.insert({faces(f, (k + 1) % 3), faces(f, (k + 2) % 3)});
+        }
+    EXPECT_EQ(std::set<Index>(ring.begin(), ring.end()), neighbours) << "vertex " << v;
+    EXPECT_EQ(static_cast<Index>(ring.size()), around + (mesh.on_boundary(v) ? 1 : 0)) << v;
+  }
+}
+
+const SurfaceMesh& with_holes() {
+  static const auto mesh = [] {
+    PolygonMesh plain = grid(12, bumpy);
+    for (const std::size_t f : {200u, 100u, 60u})
+      plain.polygons.erase(plain.polygons.begin() + static_cast<std::ptrdiff_t>(f));
+    plain.polygon_lines.resize(plain.polygons.size());
+    return surface(plain);
+  }();
+  return *mesh;
+}
+
+void expect_way_there_and_back(const SurfaceMesh& surface, Index least) {
+  CollapsingMesh mesh = collapsing(surface);
+  std::vector<Cells> states{faces_of(mesh)};
+  for (Index goal = surface.face_count() / 2; goal >= least; goal /= 2) {
+    decimate(mesh, surface.positions(), {goal, {}});
+    EXPECT_LE(mesh.faces_left(), goal);
+    expect_same_topology(mesh, surface.topology());
+    expect_rings(mesh);
+    states.push_back(faces_of(mesh));
+  }
+  for (; !states.empty(); states.pop_back()) {
+    const Cells& state = states.back();
+    while (mesh.faces_left() < state.rows()) {
+      const auto back = mesh.restore();
+      EXPECT_TRUE(mesh.is_present(back.vertex));
+      std::vector<Index> ring;
+      mesh.ring(back.vertex, ring);
+      EXPECT_EQ(std::count(ring.begin(), ring.end(), back.onto), 1);
+    }
+    EXPECT_EQ(faces_of(mesh), state);
+    expect_rings(mesh);
+  }
+}
+
+TEST(CollapsingMesh, KeepsTheTopologyAndComesBack) {
+  for (const char* name : {"cap", "creature", "ribbon", "tube", "wavy_disk"}) {
+    SCOPED_TRACE(name);
+    expect_way_there_and_back(*generated(name), 60);
+  }
+}
+
+TEST(CollapsingMesh, KeepsHoles) { expect_way_there_and_back(with_holes(), 60); }
+
+TEST(CollapsingMesh, RefusesWhatWouldTearOrFold) {
+  const auto both_ends = {CollapsingMesh::End::Start, CollapsingMesh::End::Target};
+  CollapsingMesh single =
+      collapsing(*surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})));
+  for (const Index h : {0, 1, 2})
+    for (const auto end : both_ends) EXPECT_FALSE(single.may_collapse(h, end, 16));
+  // Two triangles: their common edge joins boundary vertices, the others may go.
+  CollapsingMesh pair = collapsing(*surface(grid(1)));
+  for (Index h = 0; h < 6; ++h)
+    for (const auto end : both_ends)
+      EXPECT_EQ(pair.may_collapse(h, end, 16), pair.opposite(h) < 0) << h;
+  // The apex of a closed fan inside, the rim outside: an inner vertex does not go to the boundary.
+  CollapsingMesh fan = collapsing(*surface(cone(6, true)));
+  fan.for_each_leaving(
+      0, [&](Index h) { EXPECT_FALSE(fan.may_collapse(h, CollapsingMesh::End::Start, 16)); });
+}
+
+TEST(CollapsingMesh, HasAtMostSoManyNeighbours) {
+  CollapsingMesh mesh = collapsing(*surface(grid(6)));
+  Index inner = -1;
+  for (Index h = 0; h < 3 * mesh.face_slots(); ++h)
+    if (!mesh.on_boundary(mesh.from(h)) && !mesh.on_boundary(mesh.to(h))) inner = h;
+  ASSERT_GE(inner, 0);  // both have 6 neighbours: 8 remain
+  EXPECT_TRUE(mesh.may_collapse(inner, CollapsingMesh::End::Start, 8));
+  EXPECT_FALSE(mesh.may_collapse(inner, CollapsingMesh::End::Start, 7));
+}
+
+TEST(Decimation, KeepsWhatIsHeld) {
+  const auto mesh = surface(grid(16, bumpy));
+  CollapsingMesh left = collapsing(*mesh);
+  decimate(left, mesh->positions(), {20, mesh->boundary_flags()});
+  const std::vector<char> held = mesh->boundary_flags();
+  for (Index v = 0; v < mesh->vertex_count(); ++v) EXPECT_TRUE(left.is_present(v) || !held[v]) << v;
+  EXPECT_LT(left.vertices_left(), mesh->vertex_count() / 2);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

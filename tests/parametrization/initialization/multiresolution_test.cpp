@@ -1,0 +1,261 @@
+// The start in many resolutions: injective, close to the minimum, the same whatever runs it.
+#include "majorant/parametrization/initialization/multiresolution.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "counted_stop.h"
+#include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/newton.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/maps/measure.h"
+#include "mesh/obj_file.h"
+#include "mesh/test_meshes.h"
+
+namespace majorant {
+namespace {
+
+double energy_of(const std::shared_ptr<const SurfaceMesh>& mesh, const MapObjective& asked,
+                 const Vec& uv) {
+  MapSpecification spec;
+  static_cast<MapObjective&>(spec) = asked;
+  spec.rest = flat_triangles(mesh->positions(), mesh->faces());
+  const auto space =
+      std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
+  return energy_by_face(spec, energy_terms(spec, space, {lattice_rule(1)}), {}, uv).sum() /
+         spec.rest.measure.sum();
+}
+
+void expect_injective(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec& uv) {
+  ASSERT_EQ(uv.size(), 2 * mesh->vertex_count());
+  const BezierMap map = BezierMap::linear(mesh, uv);
+  EXPECT_TRUE(
+      LocalInjectivity(map.shared_space(), Vec::Ones(mesh->face_count())).check(uv).feasible);
+  EXPECT_TRUE(AngleSums(map.shared_space(), AngleSums::Vertices::Interior).check(uv).feasible);
+}
+
+// The minimum, by Newton's method from `start`.
+double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapObjective& asked,
+               const Vec& start) {
+  MapSpecification spec;
+  static_cast<MapObjective&>(spec) = asked;
+  spec.rest = flat_triangles(mesh->positions(), mesh->faces());
+  const auto space =
+      std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
+  const Problem problem =
+      map_problem(spec, space, start, energy_terms(spec, space, {lattice_rule(1)}),
+                  std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure))
+          .problem;
+  return NewtonMinimizer().minimize(problem, problem.reduce(start), {}).energy;
+}
+
+// The coarsest mesh is small enough for the meshes of tests to have levels.
+MultiresolutionRules small() {
+  MultiresolutionRules rules;
+  rules.coarsest = 60;
+  return rules;
+}
+
+TEST(Multiresolution, StartsNearTheMinimum) {
+  for (const char* name : {"cap", "creature", "ribbon", "tube", "wavy_disk"}) {
+    SCOPED_TRACE(name);
+    const auto mesh = generated(name);
+    MultiresolutionRecord record;
+    const auto uv = multiresolution_map(*mesh, {}, {}, small(), &record);
+    ASSERT_TRUE(uv);
+    EXPECT_GE(record.levels.size(), 2u);
+    expect_injective(mesh, *uv);
+    const double energy = energy_of(mesh, {}, *uv);
+    EXPECT_LT(energy, 1.1 * minimum(mesh, {}, *uv));
+    EXPECT_LT(energy, energy_of(mesh, {}, tutte_map(*mesh)));
+  }
+}
+
+// Turns of a boundary loop's image: 1 around the map, -1 around a hole.
+double turns(const std::vector<Index>& loop, const Vec& uv) {
+  double angle = 0;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    const auto at = [&](std::size_t i) -> Vector2 {
+      return uv.segment<2>(2 * loop[i % loop.size()]);
+    };
+    const Vector2 in = at(k + 1) - at(k), out = at(k + 2) - at(k + 1);
+    angle += std::atan2(cross(in, out), in.dot(out));
+  }
+  return angle / (2 * std::numbers::pi);
+}
+
+// Holes stay holes on every level, each with its own loop, and so does what is between them: the
+// start is close to the minimum of the surface that has them, which Tutte's map, in which they are
+// filled, is not.
+TEST(Multiresolution, HasHoles) {
+  PolygonMesh plain = grid(20, bumpy);
+  for (const std::size_t f : {620u, 300u, 180u})
+    plain.polygons.erase(plain.polygons.begin() + static_cast<std::ptrdiff_t>(f));
+  plain.polygon_lines.resize(plain.polygons.size());
+  const auto mesh = surface(plain);
+  ASSERT_EQ(mesh->boundary_loops().size(), 4u);
+  MultiresolutionRecord record;
+  const auto uv = multiresolution_map(*mesh, {}, {}, small(), &record);
+  ASSERT_TRUE(uv);
+  EXPECT_GE(record.levels.size(), 2u);
+  EXPECT_LT(record.levels.front().faces, mesh->face_count() / 4);
+  expect_injective(mesh, *uv);
+  std::vector<double> around;
+  for (const auto& loop : mesh->boundary_loops()) around.push_back(turns(loop, *uv));
+  std::sort(around.begin(), around.end());
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(around[k], k < 3 ? -1 : 1, 1e-9);
+  const double least = minimum(mesh, {}, *uv), energy = energy_of(mesh, {}, *uv);
+  EXPECT_LT(energy, 1.02 * least);
+  EXPECT_LT(energy - least, 0.1 * (energy_of(mesh, {}, tutte_map(*mesh)) - least));
+}
+
+TEST(Multiresolution, KeepsAFixedBoundaryWhereTutteHasIt) {
+  const auto mesh = surface(grid(24, bumpy));
+  MapObjective asked;
+  asked.boundary = BoundaryCondition::Fixed;
+  const auto uv = multiresolution_map(*mesh, asked, {}, small());
+  ASSERT_TRUE(uv);
+  expect_injective(mesh, *uv);
+  const Vec tutte = tutte_map(*mesh);
+  for (const Index v : mesh->boundary_loops().front())
+    EXPECT_EQ(Vector2(uv->segment<2>(2 * v)), Vector2(tutte.segment<2>(2 * v)));
+  EXPECT_LT(energy_of(mesh, asked, *uv), 1.02 * minimum(mesh, asked, tutte));
+}
+
+// A surface whose left half counts a thousandfold: the levels must know, or be far off.
+TEST(Multiresolution, KnowsFaceWeights) {
+  const auto mesh = surface(grid(24, bumpy));
+  MapObjective asked;
+  asked.face_weight.resize(mesh->face_count());
+  for (Index f = 0; f < mesh->face_count(); ++f)
+    asked.face_weight[f] = mesh->positions()(mesh->faces()(f, 0), 0) < 0.5 ? 1000 : 1;
+  const auto uv = multiresolution_map(*mesh, asked, {}, small());
+  ASSERT_TRUE(uv);
+  const double least = minimum(mesh, asked, *uv);
+  EXPECT_LT(energy_of(mesh, asked, *uv), 1.02 * least);
+  const auto unweighted = multiresolution_map(*mesh, {}, {}, small());
+  EXPECT_LT(energy_of(mesh, asked, *uv) - least,
+            0.2 * (energy_of(mesh, asked, *unweighted) - least));
+}
+
+TEST(Multiresolution, TakesEveryEnergyWithABarrier) {
+  const auto mesh = surface(grid(20, bumpy));
+  for (const NamedEnergy& energy : named_energies()) {
+    SCOPED_TRACE(energy.name);
+    MapObjective asked;
+    asked.energy = {{energy.make, 1.0}};
+    const auto uv = multiresolution_map(*mesh, asked, {}, small());
+    ASSERT_EQ(uv.has_value(), energy.make.traits().barrier != Barrier::None);
+    if (!uv) continue;
+    expect_injective(mesh, *uv);
+    const double least = minimum(mesh, asked, *uv);
+    EXPECT_LT(energy_of(mesh, asked, *uv), least + 0.05 * std::abs(least));
+  }
+}
+
+TEST(Multiresolution, IsTheSameWithAnyNumberOfThreadsAndAtAnyScale) {
+  const auto mesh = generated("creature");
+  std::optional<Vec> first;
+  for (const int threads : {1, 3}) {
+    const ThreadCount count(threads);
+    const auto uv = multiresolution_map(*mesh, {}, {}, small());
+    ASSERT_TRUE(uv);
+    EXPECT_EQ(first.value_or(*uv), *uv);
+    first = uv;
+  }
+  PolygonMesh large = obj_file(std::string(MAJORANT_SOURCE_DIR) + "/meshes/creature.obj");
+  for (Vector3& p : large.positions) p *= 1024;
+  EXPECT_EQ(*multiresolution_map(*surface(large), {}, {}, small()), 1024 * *first);
+}
+
+// The creature's limbs are squeezed: relaxed before the rest, they leave less to the levels, the
+// last one included. Thresholds beyond reach switch it off.
+TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
+  const auto mesh = generated("creature");
+  MultiresolutionRules rules = small();
+  rules.squeezed_share = 0;
+  MultiresolutionRecord relaxed, left;
+  const Vec with = *multiresolution_map(*mesh, {}, {}, rules, &relaxed);
+  rules.squeezed_share = 2;
+  const Vec without = *multiresolution_map(*mesh, {}, {}, rules, &left);
+  expect_injective(mesh, with);
+  EXPECT_LT(energy_of(mesh, {}, with), energy_of(mesh, {}, without));
+  ASSERT_EQ(relaxed.levels.size(), left.levels.size());
+  for (std::size_t k = 1; k < left.levels.size(); ++k) {
+    EXPECT_GT(relaxed.levels[k].squeezed_steps, 0) << k;
+    EXPECT_GT(relaxed.levels[k].squeezed, 0) << k;
+    EXPECT_LT(relaxed.levels[k].squeezed, relaxed.levels[k].faces / 2) << k;
+    EXPECT_EQ(left.levels[k].squeezed, 0) << k;
+  }
+}
+
+// What is relaxed first may touch neither the rest of the map nor a boundary that is held.
+TEST(Multiresolution, HoldsTheBoundaryOfWhatIsSqueezed) {
+  const auto mesh = surface(grid(24, bumpy));
+  MapObjective asked;
+  asked.boundary = BoundaryCondition::Fixed;
+  MultiresolutionRules rules = small();
+  rules.squeezed_share = rules.squeezed = 0;  // all vertices
+  MultiresolutionRecord record;
+  const Vec uv = *multiresolution_map(*mesh, asked, {}, rules, &record);
+  EXPECT_EQ(record.levels.back().squeezed, mesh->vertex_count());
+  expect_injective(mesh, uv);
+  const Vec tutte = tutte_map(*mesh);
+  for (const Index v : mesh->boundary_loops().front())
+    EXPECT_EQ(Vector2(uv.segment<2>(2 * v)), Vector2(tutte.segment<2>(2 * v)));
+}
+
+// Rows of coarse levels, the coarsest first, with their energies; a run's limit is not for them.
+TEST(Multiresolution, NotesItsSteps) {
+  const auto mesh = generated("creature");
+  RunRecord run;
+  MultiresolutionRecord record;
+  ASSERT_TRUE(multiresolution_map(*mesh, {}, run, small(), &record));
+  std::size_t row = 0;
+  for (std::size_t k = 0; k + 1 < record.levels.size(); ++k) {
+    const LevelRecord& level = record.levels[k];
+    for (int step = 0; step < level.steps; ++step, ++row) {
+      ASSERT_LT(row, run.trace().size());
+      EXPECT_EQ(run.trace()[row].level, static_cast<int>(record.levels.size() - 1 - k));
+    }
+    EXPECT_EQ(run.trace()[row - 1].energy, level.energy) << k;
+  }
+  EXPECT_EQ(row, run.trace().size());
+  EXPECT_EQ(steps_taken(run.trace()), 0);
+
+  RunRecord short_run(1e9, 0);
+  ASSERT_TRUE(multiresolution_map(*mesh, {}, short_run, small()));
+  EXPECT_EQ(short_run.trace().size(), run.trace().size());
+  EXPECT_EQ(short_run.iterations_left(), 0);
+}
+
+TEST(Multiresolution, SaysWhatItDoesNotKnow) {
+  EXPECT_FALSE(multiresolution_map(*surface(grid(3)), {}));  // too small
+  const auto mesh = surface(grid(20));
+  MapObjective angles;
+  angles.boundary_angles = BoundaryAngles::AtMostFullTurn;
+  EXPECT_FALSE(suits_multiresolution(*mesh, angles));
+  EXPECT_FALSE(multiresolution_map(*mesh, angles, {}, small()));
+  EXPECT_TRUE(suits_multiresolution(*mesh, {}));
+}
+
+TEST(Multiresolution, EndsWhenItIsStopped) {
+  const auto mesh = generated("creature");
+  const CountedStop whole;
+  ASSERT_TRUE(multiresolution_map(*mesh, {}, whole.check(), small()));
+  EXPECT_GT(whole.asked(), 20);
+  for (long last = 1; last < whole.asked(); last += whole.asked() / 7) {
+    const CountedStop stop(last);
+    EXPECT_THROW(multiresolution_map(*mesh, {}, stop.check(), small()), Stopped) << last;
+    EXPECT_LE(stop.asked_after(), 1) << last;
+  }
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

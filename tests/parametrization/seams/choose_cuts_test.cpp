@@ -1,0 +1,229 @@
+// Every piece is planar whatever is asked for; polygons stay whole; what is asked for is cut.
+#include "majorant/parametrization/seams/choose_cuts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "expected_error.h"
+#include "parametrization/seams/cut_checks.h"
+
+namespace majorant {
+namespace {
+
+TEST(ChooseCuts, LeavesPlanarPieces) {
+  std::vector<std::pair<std::string, PolygonMesh>> inputs{
+      {"torus", torus(24, 12, 0)},
+      {"torus with holes", torus(24, 12, 3)},
+      {"genus 2", bar_with_holes(2, 2)},
+      {"cube", voxel_surface(box(3, 3, 3))},
+      {"capped tube", voxel_surface(box(1, 1, 20))},
+      {"sphere, 12 holes", sphere_with_holes(8, 12)},
+      {"tetrahedron", tetrahedron()},
+      {"disk", grid(6, bumpy)}};
+  for (const auto& [name, input] : inputs) {
+    const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
+    for (const CutMethod method : {CutMethod::Automatic, CutMethod::Sharp, CutMethod::Given}) {
+      SCOPED_TRACE(name + ", method " + std::to_string(static_cast<int>(method)));
+      const SurfaceCuts cuts = choose_cuts(mesh, cuts_by(method));
+      expect_planar_pieces(mesh, cuts);
+      if (method == CutMethod::Automatic) {
+        EXPECT_EQ(cuts.components.at(0).pieces, 1);
+      }
+    }
+  }
+}
+
+TEST(ChooseCuts, CutsEveryComponent) {
+  PolygonMesh two = cube_sphere(4);
+  const auto count = static_cast<Index>(two.positions.size());
+  const PolygonMesh other = torus(16, 8, 0);
+  for (const Vector3& p : other.positions) two.positions.push_back(p + Vector3(9, 0, 0));
+  for (std::vector<Index> polygon : other.polygons) {
+    for (Index& v : polygon) v += count;
+    two.polygons.push_back(polygon);
+  }
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(two, {}, Components::Any);
+  const SurfaceCuts cuts = choose_cuts(mesh, {});
+  expect_planar_pieces(mesh, cuts);
+  ASSERT_EQ(cuts.components.size(), 2u);
+  EXPECT_EQ(cuts.components[0].genus, 0);
+  EXPECT_EQ(cuts.components[1].genus, 1);
+  EXPECT_EQ(cuts.components[1].first_face, cuts.components[0].faces);
+}
+
+TEST(ChooseCuts, LeavesPolygonsWhole) {
+  for (const PolygonMesh& input : {cube_sphere(6), limbs(8), bar_with_holes(2, 1)}) {
+    const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
+    for (const CutMethod method : {CutMethod::Automatic, CutMethod::Sharp, CutMethod::Given}) {
+      const SurfaceCuts cuts = choose_cuts(mesh, cuts_by(method));
+      for (Index h = 0; h < mesh.half_edge_count(); ++h)
+        if (cuts.is_cut[h]) {
+          EXPECT_NE(mesh.input_face(face_of(h)), mesh.input_face(face_of(mesh.opposite(h))));
+        }
+    }
+  }
+}
+
+// Vertices of the cut surface by vertex of the surface: 1 where no cut passes.
+std::vector<int> places(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
+  std::vector<Index> uncut;
+  mesh.cut_along(is_cut, &uncut);
+  std::vector<int> count(to_size(mesh.vertex_count()), 0);
+  for (const Index v : uncut) ++count[v];
+  return count;
+}
+
+TEST(ChooseCuts, CutsPassByWhatStaysWhole) {
+  for (const PolygonMesh& input : {cube_sphere(6), limbs(8), torus(24, 12, 0)}) {
+    const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
+    CutOptions options;
+    options.max_stretch = 1.005;
+    const std::vector<int> before = places(mesh, choose_cuts(mesh, options).is_cut);
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+      if (before[v] > 1 && options.whole.size() < 6 && v % 2 == 0) options.whole.push_back(v);
+    ASSERT_FALSE(options.whole.empty());
+    const SurfaceCuts cuts = choose_cuts(mesh, options);
+    expect_planar_pieces(mesh, cuts);
+    const std::vector<int> after = places(mesh, cuts.is_cut);
+    for (const Index v : options.whole) EXPECT_EQ(after[v], 1) << v;
+  }
+  CutOptions outside;
+  outside.whole = {99999};
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(tetrahedron());
+  expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, outside); }),
+                  {"vertex 99999"});
+}
+
+TEST(ChooseCuts, UnfoldsWhatCanBeUnfolded) {
+  const SurfaceMesh cube = SurfaceMesh::from_polygons(voxel_surface(box(4, 4, 4)));
+  const SurfaceCuts cuts = choose_cuts(cube, {});
+  EXPECT_NEAR(cuts.length, 7 * 4, 1e-12);
+  EXPECT_NEAR(cuts.components.at(0).estimated_stretch, 1, 1e-9);
+  // A flat disk needs no cut, a flat ring neither.
+  const SurfaceMesh ring = SurfaceMesh::from_polygons(grid_without(8, {3 * 8 + 1}));
+  EXPECT_EQ(choose_cuts(ring, {}).edges, 0);
+}
+
+TEST(ChooseCuts, MoreStretchNeedsNoMoreSeam) {
+  for (const PolygonMesh& input : {limbs(8), limbs(12), torus(24, 12, 0), cube_sphere(8)}) {
+    const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
+    double last = std::numeric_limits<double>::infinity();
+    for (const double stretch : {1.01, 1.02, 1.05, 1.1, 1.3}) {
+      CutOptions options;
+      options.max_stretch = stretch;
+      const SurfaceCuts cuts = choose_cuts(mesh, options);
+      EXPECT_LE(cuts.length, last * (1 + 1e-12)) << stretch;
+      last = cuts.length;
+    }
+  }
+}
+
+TEST(ChooseCuts, DependsOnTheShapeOnly) {
+  // Without symmetries, under which there are several best cuts.
+  const PolygonMesh input = transformed(limbs(8), [](const Vector3& p) -> Vector3 {
+    return {p.x() + 0.31 * p.y() * p.y(), 1.2 * p.y() + 0.17 * p.z(), 0.9 * p.z() - 0.23 * p.x()};
+  });
+  const SurfaceCuts cuts = choose_cuts(SurfaceMesh::from_polygons(input), {});
+  EXPECT_EQ(cuts.is_cut, choose_cuts(SurfaceMesh::from_polygons(input), {}).is_cut);
+  for (const double scale : {1e-6, 1e6}) {
+    const auto scaled =
+        transformed(input, [scale](const Vector3& p) -> Vector3 { return scale * p; });
+    const SurfaceCuts other = choose_cuts(SurfaceMesh::from_polygons(scaled), {});
+    EXPECT_EQ(other.is_cut, cuts.is_cut);
+    EXPECT_NEAR(other.length, scale * cuts.length, 1e-9 * scale * cuts.length);
+  }
+}
+
+TEST(ChooseCuts, GivenEdges) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(voxel_surface(box(2, 2, 2)));
+  CutOptions options = cuts_by(CutMethod::Given);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)  // around the middle
+    if (mesh.positions()(mesh.from_vertex(h), 2) == 1 &&
+        mesh.positions()(mesh.to_vertex(h), 2) == 1)
+      options.edges.push_back(
+          {mesh.input_vertex(mesh.from_vertex(h)), mesh.input_vertex(mesh.to_vertex(h))});
+  const SurfaceCuts cuts = choose_cuts(mesh, options);
+  expect_planar_pieces(mesh, cuts);
+  EXPECT_EQ(cuts.edges, 8);
+  EXPECT_EQ(cuts.added_edges, 0);
+  EXPECT_EQ(cuts.components.at(0).pieces, 2);
+  options.edges.resize(0);
+  EXPECT_GT(choose_cuts(mesh, options).added_edges, 1);  // closed
+}
+
+TEST(ChooseCuts, RefusesWhatIsNoEdge) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(voxel_surface(box(1, 1, 1)));
+  CutOptions options = cuts_by(CutMethod::Given);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (mesh.input_face(face_of(h)) == mesh.input_face(face_of(mesh.opposite(h))))
+      options.edges = {{mesh.from_vertex(h), mesh.to_vertex(h)}};
+  expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, options); }),
+                  {"inside a polygon", std::to_string(options.edges[0][0])});
+  options.edges = {{3, 17}};
+  expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, options); }),
+                  {"3 and 17", "joined by no edge"});
+  options = {};
+  options.max_stretch = 1;
+  expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, options); }),
+                  {"stretch"});
+  expect_contains(error_message(ErrorKind::Unsupported,
+                                [&] { choose_cuts(mesh, cuts_by(CutMethod::Texture)); }),
+                  {"texture coordinates"});
+}
+
+TEST(ChooseCuts, TextureIslands) {
+  PolygonMesh input = voxel_surface(box(2, 2, 2));
+  for (const auto& polygon : input.polygons) {  // one island for each side of the cube
+    Vector3 a = input.positions[polygon[0]], c = input.positions[polygon[2]];
+    Index axis = 0;
+    (c - a).cwiseAbs().minCoeff(&axis);
+    const Index island = 2 * axis + (a[axis] > 0);
+    input.polygon_texcoords.emplace_back();
+    for (const Index v : polygon)
+      input.polygon_texcoords.back().push_back(island * static_cast<Index>(input.positions.size()) +
+                                               v);
+  }
+  input.texcoords.assign(6 * input.positions.size(), Vector2(0, 0));
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
+  const SurfaceCuts cuts = choose_cuts(mesh, cuts_by(CutMethod::Texture));
+  expect_planar_pieces(mesh, cuts);
+  EXPECT_EQ(cuts.components.at(0).pieces, 6);
+  EXPECT_NEAR(cuts.length, 24, 1e-12);
+  EXPECT_EQ(cuts.untextured_faces, 0);
+  // Two sides without coordinates, next to each other, are one piece, and so are three around a
+  // corner, which is cut as nothing else would be.
+  for (const auto& [sides, pieces] : {std::pair{2, 5}, {3, 4}}) {
+    PolygonMesh partial = input;
+    for (auto& texture : partial.polygon_texcoords) {
+      const Index island = texture[0] / static_cast<Index>(input.positions.size());
+      if (island % 2 == 0 && island < 2 * sides) texture.clear();
+    }
+    const SurfaceMesh some = SurfaceMesh::from_polygons(partial);
+    const SurfaceCuts less = choose_cuts(some, cuts_by(CutMethod::Texture));
+    expect_planar_pieces(some, less);
+    EXPECT_EQ(less.untextured_faces, 4 * sides);
+    EXPECT_EQ(less.components.at(0).pieces, pieces);
+    EXPECT_EQ(less.added_length > 0, sides == 3);
+  }
+}
+
+TEST(ChooseCuts, SharpEdges) {
+  const SurfaceMesh cube = SurfaceMesh::from_polygons(voxel_surface(box(10, 10, 10)));
+  const SurfaceCuts cuts = choose_cuts(cube, cuts_by(CutMethod::Sharp));
+  expect_planar_pieces(cube, cuts);
+  EXPECT_EQ(cuts.components.at(0).pieces, 6);
+  EXPECT_NEAR(cuts.length, 120, 1e-9);
+  // Few charts, and none of a single face, where every edge is sharp.
+  const SurfaceMesh small = SurfaceMesh::from_polygons(cube_sphere(4));
+  CutOptions options = cuts_by(CutMethod::Sharp);
+  options.sharp_angle = 1;
+  const SurfaceCuts few = choose_cuts(small, options);
+  EXPECT_LE(few.components.at(0).pieces, 2 + small.face_count() / 200);
+  for (const SurfaceMesh& piece : pieces_of(small, few.is_cut)) EXPECT_GT(piece.face_count(), 1);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

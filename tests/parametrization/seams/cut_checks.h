@@ -1,0 +1,67 @@
+// What the tests of cuts share.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "majorant/parametrization/seams/choose_cuts.h"
+#include "majorant/parametrization/seams/internal/pieces.h"
+#include "mesh/surfaces_of_any_genus.h"
+
+namespace majorant {
+
+inline CutOptions cuts_by(CutMethod method) {
+  CutOptions options;
+  options.method = method;
+  return options;
+}
+
+inline std::vector<SurfaceMesh> pieces_of(const SurfaceMesh& mesh,
+                                          const std::vector<char>& is_cut) {
+  std::vector<SurfaceMesh> pieces;
+  for (const SurfacePiece& piece : mesh.cut_along(is_cut, nullptr).split())
+    pieces.push_back(*piece.mesh);
+  return pieces;
+}
+
+inline void expect_planar_pieces(const SurfaceMesh& mesh, const SurfaceCuts& cuts) {
+  ASSERT_EQ(cuts.is_cut.size(), to_size(mesh.half_edge_count()));
+  double length = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index o = mesh.opposite(h);
+    EXPECT_EQ(cuts.is_cut[h], o < 0 ? 0 : cuts.is_cut[o]);
+    if (cuts.is_cut[h]) length += 0.5 * mesh.edge_length(h);
+  }
+  EXPECT_NEAR(cuts.length, length, 1e-9 * length);
+  Index pieces = 0;
+  for (const ComponentCuts& component : cuts.components) pieces += component.pieces;
+  const std::vector<SurfaceMesh> found = pieces_of(mesh, cuts.is_cut);
+  EXPECT_EQ(pieces, static_cast<Index>(found.size()));
+  for (const SurfaceMesh& piece : found) EXPECT_NO_THROW(piece.require_planar());
+}
+
+// A sphere of 6 n^2 quads without `holes` of them, no two next to each other.
+inline PolygonMesh sphere_with_holes(int n, int holes) {
+  PolygonMesh mesh = cube_sphere(n);
+  const std::size_t step = mesh.polygons.size() / static_cast<std::size_t>(holes);
+  std::vector<std::vector<Index>> kept;
+  for (std::size_t f = 0; f < mesh.polygons.size(); ++f)
+    if (f % step != 0) kept.push_back(mesh.polygons[f]);
+  mesh.polygons = kept;
+  return mesh;
+}
+
+// A closed blob with limbs along the axes, quads.
+inline PolygonMesh limbs(int n) {
+  return transformed(cube_sphere(n), [](const Vector3& p) -> Vector3 {
+    const double along = p.cwiseAbs().maxCoeff();
+    return p * (1 + 2.5 * std::pow(along, 12) + 0.2 * p.x());
+  });
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,173 @@
+// MapInjectivity::Global: no overlaps, at the price of the energy only where there would be some.
+#include <algorithm>
+
+#include "expected_error.h"
+#include "majorant/certify/global_injectivity.h"
+#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "mesh/obj_file.h"
+#include "parametrization/solve/parametrize_expectations.h"
+
+namespace majorant {
+namespace {
+
+ParametrizationOptions options(int n, MapInjectivity injectivity) {
+  ParametrizationOptions o = degree(n);
+  o.map.injectivity = injectivity;
+  return o;
+}
+
+// A ramp that climbs slowly over `turns`: flattened without distortion it lies on itself.
+std::shared_ptr<const SurfaceMesh> ramp(double turns, int steps) {
+  std::vector<Vector3> positions;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= 2; ++j) {
+      const double t = turns * i / steps, angle = 2 * kPi * t, r = 1 + 0.25 * j;
+      positions.push_back({r * std::cos(angle), r * std::sin(angle), 0.3 * t});
+    }
+  std::vector<std::vector<Index>> faces;
+  for (int i = 0; i < steps; ++i)
+    for (int j = 0; j < 2; ++j) {
+      const Index a = 3 * i + j;
+      faces.push_back({a, a + 1, a + 4});
+      faces.push_back({a, a + 4, a + 3});
+    }
+  return surface(polygon_mesh(positions, faces));
+}
+
+int proof(const ParametrizationResult& result) {
+  return static_cast<int>(check_boundary(*result.map).result);
+}
+
+TEST(Bijective, ARampThatWouldOverlap) {
+  const auto mesh = ramp(1.3, 36);
+  for (int n = 1; n <= 3; ++n) {
+    const ParametrizationResult local = parametrize(mesh, options(n, MapInjectivity::Local));
+    EXPECT_EQ(proof(local), static_cast<int>(ProofStatus::Violated)) << n;
+    EXPECT_FALSE(local.scaffold.has_value());
+    const ParametrizationResult global = parametrize(mesh, options(n, MapInjectivity::Global));
+    expect_valid(global, n);
+    EXPECT_EQ(proof(global), static_cast<int>(ProofStatus::Proven)) << n;
+    EXPECT_GE(global.measures.value, local.measures.value);
+    EXPECT_LE(global.measures.value, 1.01 * local.measures.value);
+    EXPECT_EQ(static_cast<int>(global.status), static_cast<int>(Status::Converged));
+    ASSERT_TRUE(global.scaffold.has_value());
+    EXPECT_EQ(global.scaffold->degree, n);
+    EXPECT_GT(global.flips.performed, 0);
+    EXPECT_LE(global.flips.performed, global.flips.intended);
+  }
+}
+
+ParametrizationResult ramp_with(double share_at_rest, int n) {
+  SolverRules rules;
+  rules.scaffold.share_at_rest = share_at_rest;
+  const ParametrizationOptions asked = options(n, MapInjectivity::Global);
+  const auto mesh = ramp(1.3, 36);
+  RunRecord record;
+  ParametrizationResult result =
+      parametrize_by(rules, BezierMap::linear(mesh, initial_map(*mesh, asked.map)), asked, record);
+  EXPECT_EQ(status_name(result.status), status_name(Status::Converged)) << n;
+  EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven)) << n;
+  return result;
+}
+
+// What the scaffold holds back of the energy is an error of the map: less of it remains at the end.
+TEST(Bijective, TheScaffoldYieldsWhenTheImageRests) {
+  const ScaffoldRules usual;
+  for (int n = 1; n <= 3; ++n)
+    EXPECT_LT(ramp_with(usual.share_at_rest, n).measures.value,
+              (1 - 5e-6) * ramp_with(usual.share, n).measures.value)
+        << n;
+}
+
+// One that yields altogether leaves no room to step: it is as before, and the run converges.
+TEST(Bijective, AScaffoldThatYieldedTooMuchHoldsAgain) {
+  EXPECT_LT(ramp_with(1e-12, 2).measures.value,
+            (1 + 2e-5) * ramp_with(ScaffoldRules().share, 2).measures.value);
+}
+
+TEST(Bijective, CostsNothingWhereNothingOverlaps) {
+  for (const auto& [name, highest] : {std::pair("cap", 3), std::pair("creature", 1)})
+    for (int n = 1; n <= highest; ++n) {
+      const auto mesh = generated(name);
+      const ParametrizationResult local = parametrize(mesh, options(n, MapInjectivity::Local));
+      ASSERT_EQ(proof(local), static_cast<int>(ProofStatus::Proven));
+      const ParametrizationResult global = parametrize(mesh, options(n, MapInjectivity::Global));
+      expect_valid(global, n);
+      EXPECT_EQ(proof(global), static_cast<int>(ProofStatus::Proven));
+      EXPECT_EQ(static_cast<int>(global.status), static_cast<int>(Status::Converged));
+      EXPECT_LE(global.measures.value, 1.0005 * local.measures.value) << name << ' ' << n;
+    }
+}
+
+TEST(Bijective, ADiskWithTwoHoles) {
+  PolygonMesh polygons = grid(6, bumpy);
+  for (const int square : {22, 13}) {
+    const auto first = polygons.polygons.begin() + 2 * square;
+    polygons.polygons.erase(first, first + 2);
+  }
+  polygons.polygon_lines.resize(polygons.polygons.size());
+  const auto mesh = surface(polygons);
+  const BezierMap start =
+      BezierMap::linear(mesh, uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); }));
+  for (int n = 1; n <= 3; ++n) {
+    RunRecord record;
+    const ParametrizationResult result =
+        parametrize(start, options(n, MapInjectivity::Global), record);
+    expect_valid(result, n);
+    EXPECT_EQ(static_cast<int>(result.status), static_cast<int>(Status::Converged));
+    EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven));
+    EXPECT_LT(result.measures.value, result.initial_value);
+    // Tutte's map has holes there, too.
+    const ParametrizationResult other = parametrize(mesh, options(n, MapInjectivity::Global));
+    expect_valid(other, n);
+    EXPECT_EQ(proof(other), static_cast<int>(ProofStatus::Proven));
+    EXPECT_NEAR(other.measures.value, result.measures.value, 1e-4 * result.measures.value);
+  }
+  expect_valid(parametrize(mesh, degree(2)), 2);  // holes need no scaffold
+}
+
+TEST(Bijective, DirectElevationAndLimits) {
+  const auto mesh = ramp(1.3, 36);
+  ParametrizationOptions o = options(2, MapInjectivity::Global);
+  o.solve.elevation = Elevation::Direct;
+  for (const int iterations : {0, 1, 7}) {  // valid whenever it is stopped
+    RunRecord record(1e9, iterations);
+    const ParametrizationResult result = parametrize(mesh, o, record);
+    expect_valid(result, 2);
+    EXPECT_EQ(static_cast<int>(result.status), static_cast<int>(Status::MaxIterations));
+    EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven)) << iterations;
+  }
+}
+
+TEST(Bijective, PinsAndFixedBoundaryHold) {
+  const auto mesh = generated("cap");
+  ParametrizationOptions o = options(2, MapInjectivity::Global);
+  o.map.pins = {{100, std::nullopt}, {150, std::nullopt}};
+  const Vec start = initial_map(*mesh, o.map);
+  const ParametrizationResult pinned = parametrize(mesh, o);
+  expect_valid(pinned, 2);
+  const double size = start.cwiseAbs().maxCoeff();
+  for (const Pin& p : o.map.pins)
+    EXPECT_LE(
+        (pinned.map->control_points().segment<2>(2 * p.vertex) - start.segment<2>(2 * p.vertex))
+            .norm(),
+        1e-14 * size);
+  o.map.pins.clear();
+  o.map.boundary = BoundaryCondition::Fixed;
+  const ParametrizationResult fixed = parametrize(mesh, o);
+  expect_valid(fixed, 2);
+  expect_boundary_fixed(fixed, start);
+}
+
+TEST(Bijective, AStartThatOverlapsIsRefused) {
+  const auto mesh = ramp(1.3, 36);
+  ParametrizationOptions o = options(1, MapInjectivity::Global);
+  o.map.initial = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
+  error_message(ErrorKind::Infeasible, [&] { parametrize(mesh, o); });
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,177 @@
+// Solves in several threads of one process: the bits of one after the other, and settings that
+// belong to the process or to another thread stay as they are.
+#include <glog/logging.h>
+#include <omp.h>
+
+#include <functional>
+#include <limits>
+#include <thread>
+
+#include "framework/barrier_chain.h"
+#include "majorant/framework/ceres_minimizer.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/thread_count.h"
+#include "majorant/parametrization/initialization/make_seamless.h"
+#include "mesh/obj_file.h"
+#include "parametrization/fields/closed_surfaces.h"
+#include "parametrization/solve/parametrize_expectations.h"
+
+extern "C" int openblas_get_num_threads(void);
+extern "C" void openblas_set_num_threads(int);
+
+namespace majorant {
+namespace {
+
+constexpr int kIterations = 3;
+const double kNoLimit = std::numeric_limits<double>::infinity();
+
+// More faces than evaluators and checkers take on one thread.
+Vec bijective(int threads, const RunRecord::Progress& progress = {}) {
+  ParametrizationOptions options = degree(3);
+  options.map.injectivity = MapInjectivity::Global;
+  options.solve.elevation = Elevation::Direct;
+  options.solve.threads = threads;
+  RunRecord record(kNoLimit, kIterations, nullptr, progress);
+  const ParametrizationResult result = parametrize(generated("creature"), options, record);
+  EXPECT_EQ(record.trace().size(), to_size(kIterations));
+  expect_valid(result, 3);
+  return result.map->control_points();
+}
+
+Vec seamless(int threads, const RunRecord::Progress& progress = {}) {
+  SeamlessOptions start;
+  start.threads = threads;
+  RunRecord record(kNoLimit, kIterations, nullptr, progress);
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube(19));
+  const Start made = make_seamless(mesh, start, record);
+  ParametrizationOptions options = degree(3);
+  options.solve.elevation = Elevation::Direct;
+  options.solve.threads = threads;
+  return parametrize(made.map, options, record).map->control_points();
+}
+
+TEST(ConcurrentSolves, GiveTheBitsOfOneAfterTheOther) {
+  const Vec first = bijective(1), second = seamless(1);
+  for (const auto& [a, b] : {std::pair(2, 3), std::pair(4, 1)}) {
+    SCOPED_TRACE(testing::Message() << a << " and " << b << " threads");
+    Vec x, y;
+    std::thread one([&x, a = a] { x = bijective(a); });
+    std::thread other([&y, b = b] { y = seamless(b); });
+    one.join();
+    other.join();
+    EXPECT_EQ(x, first);
+    EXPECT_EQ(y, second);
+  }
+}
+
+// What libraries below keep for the process, or OpenMP for the calling thread.
+struct Settings {
+  int openmp_threads = omp_get_max_threads(), openmp_levels = omp_get_max_active_levels();
+  int blas_threads = openblas_get_num_threads();
+  int glog_level = FLAGS_minloglevel;
+  bool operator==(const Settings&) const = default;
+  friend void PrintTo(const Settings& s, std::ostream* out) {
+    *out << "OpenMP " << s.openmp_threads << " threads " << s.openmp_levels << " levels, BLAS "
+         << s.blas_threads << ", glog " << s.glog_level;
+  }
+};
+
+Settings seen_by_another_thread() {
+  Settings seen;
+  std::thread([&] { seen = Settings(); }).join();
+  return seen;
+}
+
+// As a program may have them, and not as they are by default; puts them back.
+class UnusualSettings {
+ public:
+  UnusualSettings() {
+    omp_set_num_threads(5);
+    omp_set_max_active_levels(3);
+    FLAGS_minloglevel = google::GLOG_ERROR;
+  }
+  ~UnusualSettings() {
+    omp_set_num_threads(before_.openmp_threads);
+    omp_set_max_active_levels(before_.openmp_levels);
+    FLAGS_minloglevel = before_.glog_level;
+  }
+
+ private:
+  Settings before_;
+};
+
+TEST(ConcurrentSolves, LeaveTheSettingsOfTheProcessAlone) {
+  const UnusualSettings unusual;
+  const Settings before, elsewhere = seen_by_another_thread();
+  int looked = 0;
+  const auto look = [&] {
+    ++looked;
+    EXPECT_EQ(seen_by_another_thread(), elsewhere);
+  };
+  for (const int threads : {0, 1, 2}) {
+    SCOPED_TRACE(threads);
+    bijective(threads, [&](const TraceEntry&) { look(); });
+    EXPECT_EQ(Settings(), before);
+    seamless(threads, [&](const TraceEntry&) { look(); });
+    EXPECT_EQ(Settings(), before);
+  }
+  EXPECT_GE(looked, 3 * kIterations);  // the cube is an isometry from the start
+  const int looked_before_ceres = looked;
+  const test::ChainProblem chain(10);
+  CeresMinimizer().minimize(chain.problem, chain.start, [&](const IterationRecord&, const Vec&) {
+    look();
+    return Directive::Continue;
+  });
+  EXPECT_GT(looked, looked_before_ceres);
+  EXPECT_EQ(Settings(), before);
+}
+
+// CHOLMOD computes with one thread of BLAS, whose number belongs to the process.
+TEST(ConcurrentSolves, ByCholmodToo) {
+  const int blas_threads = openblas_get_num_threads();
+  openblas_set_num_threads(2);
+  const UnusualSettings unusual;
+  const Settings before;
+  ASSERT_EQ(before.blas_threads, 2);
+  const auto solve = [](Vec& x) {
+    ParametrizationOptions options = degree(2);
+    options.solve.linear_solver = cholmod_solver;
+    RunRecord record(kNoLimit, kIterations);
+    x = parametrize(generated("creature"), options, record).map->control_points();
+  };
+  Vec first, x, y;
+  solve(first);
+  EXPECT_EQ(Settings(), before);
+  std::thread one([&] { solve(x); });
+  std::thread other([&] { solve(y); });
+  one.join();
+  other.join();
+  EXPECT_EQ(Settings(), before);
+  EXPECT_EQ(x, first);
+  EXPECT_EQ(y, first);
+  openblas_set_num_threads(blas_threads);
+}
+
+TEST(ThreadCount, LastsAsLongAsItsBlock) {
+  const ThreadCount outer(3);
+  const Settings before;
+  EXPECT_EQ(ThreadCount::current(), 3);
+  {
+    const ThreadCount one(1);
+    EXPECT_EQ(ThreadCount::current(), 1);
+    EXPECT_EQ(omp_get_max_active_levels(), 0);  // nor may others start a team
+    const ThreadCount two(2);
+    EXPECT_EQ(ThreadCount::current(), 2);
+    EXPECT_GE(omp_get_max_active_levels(), 1);
+    const ThreadCount same(0);
+    EXPECT_EQ(ThreadCount::current(), 2);
+  }
+  EXPECT_EQ(Settings(), before);
+  EXPECT_THROW(ThreadCount(-1), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

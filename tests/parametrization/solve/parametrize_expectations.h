@@ -1,0 +1,74 @@
+// What every result of parametrize() must satisfy, and a surface whose maps tend to overlap.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "majorant/framework/cholmod_solver.h"
+#include "majorant/parametrization/solve/parametrize.h"
+#include "mesh/test_meshes.h"
+#include "parametrization/maps/test_maps.h"
+
+namespace majorant {
+
+inline std::unique_ptr<LinearSolver> cholmod_solver(const SparsePattern&, Ordering ordering) {
+  return make_cholmod_solver({ordering});
+}
+
+// On CHOLMOD where the environment's MAJORANT_TEST_CHOLMOD says so: the tests *_on_cholmod.
+inline ParametrizationOptions degree(int n) {
+  ParametrizationOptions options;
+  options.map.degree = n;
+  if (std::getenv("MAJORANT_TEST_CHOLMOD")) options.solve.linear_solver = cholmod_solver;
+  return options;
+}
+
+// A fan cut along one edge whose cone angle is far beyond a full turn: a free
+// boundary lets the two sides of the cut overlap.
+inline PolygonMesh saddle_fan() {
+  constexpr int n = 16;
+  std::vector<Vector3> positions{{0, 0, 0}};
+  for (int k = 0; k <= n; ++k) {
+    const double t = 2 * kPi * k / n;
+    positions.push_back({std::cos(t), std::sin(t), 1.2 * std::sin(3 * t)});
+  }
+  for (int k = 0; k <= n; ++k) positions.push_back(2 * positions[1 + k]);
+  std::vector<std::vector<Index>> faces;
+  for (int k = 0; k < n; ++k) {
+    const Index a = 1 + k, b = a + 1, c = n + 2 + k, d = c + 1;
+    faces.push_back({0, a, b});
+    faces.push_back({a, c, d});
+    faces.push_back({a, d, b});
+  }
+  return polygon_mesh(std::move(positions), std::move(faces));
+}
+
+// What must hold for every result, converged or not.
+inline void expect_valid(const ParametrizationResult& result, int n) {
+  ASSERT_TRUE(result.map.has_value());
+  EXPECT_EQ(result.map->degree(), n);
+  EXPECT_TRUE(result.map->control_points().allFinite());
+  EXPECT_TRUE(result.measures.locally_injective);
+  EXPECT_GT(result.measures.min_det.minCoeff(), 0);
+  EXPECT_GE(result.measures.value, 4 - 1e-12);
+  EXPECT_LE(result.constraint_residual, 1e-12 * result.map->control_points().cwiseAbs().maxCoeff());
+}
+
+// The elevation of the start along the boundary, in the doubles that the solver fixes.
+inline void expect_boundary_fixed(const ParametrizationResult& result, const Vec& start) {
+  const BezierMap initial =
+      elevated_to(BezierMap::linear(result.map->shared_mesh(), start), result.map->degree());
+  const double size = start.cwiseAbs().maxCoeff();
+  for (const Index node : result.map->space().boundary_nodes())
+    EXPECT_LE((result.map->control_points().segment<2>(2 * node) -
+               initial.control_points().segment<2>(2 * node))
+                  .norm(),
+              1e-14 * size)
+        << "node " << node;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,107 @@
+// What parametrize_by() is told about its rules is what it goes by.
+#include <algorithm>
+#include <utility>
+
+#include "majorant/energies/named_energies.h"
+#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "parametrization/solve/parametrize_expectations.h"
+
+namespace majorant {
+namespace {
+
+struct RunByRules {
+  ParametrizationResult result;
+  std::vector<TraceEntry> trace;
+
+  int remedies() const {
+    int runs = 0;
+    for (const RemedyUse& use : result.remedies) runs += use.runs;
+    return runs;
+  }
+  bool uses_exact_hessians() const {
+    return std::any_of(trace.begin(), trace.end(),
+                       [](const TraceEntry& e) { return e.record.curvature == Curvature::Exact; });
+  }
+};
+
+// Held back by certificates of the usual depth, see remedies_test.cpp.
+RunByRules solve_cap(const SolverRules& rules) {
+  ParametrizationOptions options = degree(3);
+  options.map.energy = {{find_energy("log-isometric")->make, 1.0}};
+  const auto mesh = generated("cap");
+  RunRecord record;
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
+  RunByRules run{parametrize_by(rules, start, options, record), {}};
+  run.trace = record.trace();
+  return run;
+}
+
+TEST(SolverRules, WithoutRemediesARunStaysWhereItStalls) {
+  SolverRules rules;
+  rules.remedies.stall_rounds = 0;
+  const RunByRules run = solve_cap(rules);
+  EXPECT_EQ(status_name(run.result.status), status_name(Status::Stalled));
+  EXPECT_EQ(run.remedies(), 0);
+}
+
+TEST(SolverRules, AsDeepAsAllowed) {
+  SolverRules rules;
+  rules.remedies.deepest_bisection = ProofDepth::kStart;
+  const RunByRules run = solve_cap(rules);
+  EXPECT_EQ(run.result.remedies[static_cast<std::size_t>(Remedy::Deepen)].runs, 0);
+}
+
+// Made once for each degree, for the pattern of its Hessians, and used.
+TEST(SolveOptions, LinearSolverIsMadeForEveryDegree) {
+  const auto mesh = generated("cap");
+  for (const auto injectivity : {MapInjectivity::Local, MapInjectivity::Global}) {
+    ParametrizationOptions options = degree(3);
+    options.map.injectivity = injectivity;
+    const double value = parametrize(mesh, options).measures.value;
+    std::vector<Index> sizes;
+    options.solve.linear_solver = [&](const SparsePattern& pattern, Ordering ordering) {
+      sizes.push_back(pattern.size);
+      EXPECT_EQ(ordering == Ordering::Amd, injectivity == MapInjectivity::Global);
+      return make_direct_solver(ordering);
+    };
+    EXPECT_EQ(parametrize(mesh, options).measures.value, value);
+    ASSERT_EQ(sizes.size(), 3u);
+    EXPECT_LT(sizes[0], sizes[1]);
+    EXPECT_LT(sizes[1], sizes[2]);
+  }
+}
+
+TEST(SolverRules, ExactHessiansWhereAllowed) {
+  SolverRules rules;
+  EXPECT_TRUE(solve_cap(rules).uses_exact_hessians());
+  rules.blend.below = 0;
+  EXPECT_FALSE(solve_cap(rules).uses_exact_hessians());
+}
+
+// Hessians of maps in a scaffold never become exact: another step after the first small one is of
+// no use.
+TEST(SolverRules, InAScaffoldTheFirstSmallStepEndsARun) {
+  ParametrizationOptions options = degree(1);
+  options.map.injectivity = MapInjectivity::Global;
+  const auto mesh = generated("cap");
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
+  const auto solve = [&](int tail_steps) {
+    SolverRules rules;
+    rules.scaffold.tail_steps = tail_steps;
+    RunRecord record;
+    const ParametrizationResult result = parametrize_by(rules, start, options, record);
+    EXPECT_EQ(status_name(result.status), status_name(Status::Converged));
+    return std::pair(record.trace().size(), result.measures.value);
+  };
+  EXPECT_EQ(SolverRules().scaffold.tail_steps, 1);
+  const auto [one, energy] = solve(1);
+  const auto [three, least] = solve(3);
+  EXPECT_GE(three, one + 2);
+  EXPECT_LE(energy, (1 + 1e-6) * least);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,89 @@
+// What the trace of a run says of energies: in every phase the one that was asked for, beside what
+// is minimized.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "majorant/energies/named_energies.h"
+#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "parametrization/solve/parametrize_expectations.h"
+
+namespace majorant {
+namespace {
+
+std::vector<TraceEntry> trace_of(std::shared_ptr<const SurfaceMesh> mesh,
+                                 const ParametrizationOptions& options,
+                                 const SolverRules& rules = {}) {
+  RunRecord record;
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
+  const ParametrizationResult result = parametrize_by(rules, start, options, record);
+  double least = INFINITY;  // the result is the best place, which may not be the last
+  for (const TraceEntry& row : record.trace()) least = std::min(least, row.energy);
+  EXPECT_LE(result.value_quadrature, record.trace().back().energy);
+  EXPECT_GE(result.value_quadrature, least);
+  return record.trace();
+}
+
+// The first step on the energy asked for, after some on another, says where it began: where the
+// last of those ended or, after a stall, another row before it. How often there is one.
+int expect_one_energy(const std::vector<TraceEntry>& trace, Phase other) {
+  int changes = 0;
+  for (std::size_t k = 0; k + 1 < trace.size(); ++k) {
+    const TraceEntry &before = trace[k], &after = trace[k + 1];
+    EXPECT_EQ(before.phase == Phase::Newton, before.energy == before.record.energy) << k;
+    if (before.phase != other || after.phase != Phase::Newton) continue;
+    const double began_at = after.energy / (1 - after.record.relative_decrease);
+    EXPECT_TRUE(std::any_of(
+        trace.begin(), trace.begin() + static_cast<long>(k) + 1,
+        [&](const TraceEntry& row) { return std::abs(row.energy - began_at) <= 1e-8 * began_at; }))
+        << k << ": " << before.energy << ", then from " << began_at;
+    ++changes;
+  }
+  return changes;
+}
+
+TEST(Trace, SoftStartsSayTheEnergyAskedFor) {
+  SolverRules rules;
+  rules.soft_start = 6;
+  const auto trace = trace_of(generated("ribbon"), degree(1), rules);
+  EXPECT_EQ(trace.front().phase, Phase::SoftStart);
+  EXPECT_EQ(expect_one_energy(trace, Phase::SoftStart), 1);
+  EXPECT_LT(trace.front().record.energy, 0.9 * trace.front().energy);
+}
+
+TEST(Trace, EntriesSayTheEnergyAskedFor) {
+  ParametrizationOptions options = degree(1);
+  options.map.energy = {{find_energy("amips-exponential")->make, 2.0}};
+  const auto trace = trace_of(generated("tube"), options);
+  EXPECT_EQ(trace.front().phase, Phase::Entry);
+  EXPECT_EQ(trace.front().energy, INFINITY);
+  EXPECT_EQ(expect_one_energy(trace, Phase::Entry), 1);
+}
+
+TEST(Trace, BarriersAndExclusionsSayTheEnergyAskedFor) {
+  ParametrizationOptions options = degree(1);
+  options.map.energy = {{find_energy("arap")->make, 1.0}};
+  options.map.boundary = BoundaryCondition::Fixed;
+  const auto trace = trace_of(generated("tube"), options);
+  EXPECT_GE(expect_one_energy(trace, Phase::Barrier), 1);
+  EXPECT_GE(expect_one_energy(trace, Phase::Excluded), 1);
+}
+
+// The map's own, whatever surrounds it.
+TEST(Trace, BarriersOfAScaffoldSayTheEnergyAskedFor) {
+  ParametrizationOptions options = degree(2);
+  options.map.energy = {{find_energy("arap")->make, 1.0}};
+  options.map.injectivity = MapInjectivity::Global;
+  SolverRules rules;
+  rules.remedies.deepest_bisection = ProofDepth::kStart;
+  rules.scaffold.depth = 0;  // it needs a remedy then
+  const auto trace = trace_of(surface(saddle_fan()), options, rules);
+  EXPECT_GE(expect_one_energy(trace, Phase::Barrier), 1);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
