@@ -33,7 +33,7 @@ std::vector<std::vector<Corners>> placed(const PackingJob& job, const Strip& str
     all.push_back(job.charts[k].outline.loops);
     for (Corners& loop : all.back())
       for (Vector2& p : loop)
-        p = quarter_turned(p, strip.spots[k].quarters, job.charts[k].size) + strip.spots[k].low;
+        p = quarter_turned(p, strip.poses[k].quarters, job.charts[k].size) + strip.poses[k].low;
   }
   return all;
 }
@@ -67,7 +67,7 @@ TEST(Packers, the_smallest_box_is_found) {
   Random random(6);
   for (int k = 0; k < 50; ++k) {
     const BezierMap chart = test::polygon_chart(test::random_polygon(random, 1));
-    const ChartOutline chart = chart_outline(chart, 1, 1e-3);
+    const ChartOutline outline = chart_outline(chart, 1, 1e-3);
     double least = 1e300;
     for (int step = 0; step < 2000; ++step) {
       const Corners points =
@@ -76,8 +76,8 @@ TEST(Packers, the_smallest_box_is_found) {
       for (const Vector2& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
       least = std::min(least, (high - low).prod());
     }
-    EXPECT_LE(chart.size.prod(), least * (1 + 2e-6));
-    EXPECT_GE(chart.size.x(), chart.size.y());
+    EXPECT_LE(outline.size.prod(), least * (1 + 2e-6));
+    EXPECT_GE(outline.size.x(), outline.size.y());
   }
 }
 
@@ -108,17 +108,17 @@ TEST(Packers, outer_polygons_of_convex_ones_have_as_many_corners_as_asked_for) {
 // Points of the curve, off it by the distance asked for, lie in the cells.
 TEST(Packers, cells_cover_curves_and_what_is_around_them) {
   const BezierMap chart = test::wavy_chart(6, 1, 0.25, 0.5);
-  const ChartOutline chart = chart_outline(chart, 1, 1e-2);
-  EXPECT_GT(chart.outline.reach, 0);
+  const ChartOutline outline = chart_outline(chart, 1, 1e-2);
+  EXPECT_GT(outline.outline.reach, 0);
   Eigen::Matrix2d R;
-  R << chart.cosine, -chart.sine, chart.sine, chart.cosine;
+  R << outline.cosine, -outline.sine, outline.sine, outline.cosine;
   const double cell = 0.05, distance = 0.11;
   const Corners boundary = test::sampled_boundary(chart, 60)[0];
   for (int quarters = 0; quarters < 4; ++quarters) {
-    const CellRuns runs = cells_of(chart, quarters, Vector2(0.3, 0.2), cell, distance);
+    const CellRuns runs = cells_of(outline, quarters, Vector2(0.3, 0.2), cell, distance);
     for (const Vector2& on : boundary)
       for (int k = 0; k < 16; ++k) {
-        const Vector2 p = quarter_turned(R * on - chart.low, quarters, chart.size) +
+        const Vector2 p = quarter_turned(R * on - outline.low, quarters, outline.size) +
                           Vector2(0.3, 0.2) +
                           distance * Vector2(std::cos(k * 0.4), std::sin(k * 0.4));
         const int row = static_cast<int>(std::floor(p.y() / cell)),
