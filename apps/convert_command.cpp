@@ -123,7 +123,7 @@ int convert(ConvertRequest request) {
                    {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
                    {request.input, request.formats.readable_image()});
   request.formats.require_effect(request.outputs);
-  const ThreadCount threads(start_threads(request.common.threads));
+  const ThreadCount threads(usable_threads(request.common.threads));
   MapFile map = within_memory(
       request.input, [&] { return read_map(request.input, {}, request.common.strictness()); });
   say_warnings(map.warnings);

@@ -38,7 +38,7 @@ MapRun::MapRun(MapTask task, MapVerb& request, const std::vector<std::string>& o
                     {{request.outputs.distortion}, {".csv"}}},
                    inputs);
   solvers_.emplace(request.solve.linear_solver, request.common.petsc_options, request.common.quiet);
-  threads_.emplace(start_threads(request.common.threads));
+  threads_.emplace(usable_threads(request.common.threads));
 }
 
 void MapRun::read(const StartMaker& make_start) {

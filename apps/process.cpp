@@ -151,7 +151,7 @@ FreeMemoryOnly::FreeMemoryOnly() {
 
 FreeMemoryOnly::~FreeMemoryOnly() { ::setrlimit(RLIMIT_DATA, &before_); }
 
-int start_threads(int asked) {
+int usable_threads(int asked) {
   // glibc gives a thread that allocates an arena of 64 MiB, aligned to as much.
   constexpr std::size_t kArena = std::size_t{128} << 20;
   // Left to the run, to begin with.
@@ -159,11 +159,6 @@ int start_threads(int asked) {
   const std::size_t per_thread = stack_bytes() + kArena;
   int count = asked > 0 ? asked : ThreadCount::current();
   while (count > 1 && !can_map(kRun + static_cast<std::size_t>(count - 1) * per_thread)) --count;
-  const ThreadCount started(count);
-  const sigset_t set = ending_signals();
-  ThreadCount::run_on_each([&set] {
-    if (!pthread_equal(pthread_self(), main_thread)) pthread_sigmask(SIG_BLOCK, &set, nullptr);
-  });
   return count;
 }
 

@@ -1,7 +1,7 @@
 // The process around a run: signals, threads, memory.
 //
 //   prepare_process();                                          // first thing in main
-//   const ThreadCount threads(start_threads(0));
+//   const ThreadCount threads(usable_threads(0));
 //   RunRecord record(60, 10000, interruption_flag(), nullptr);  // signals stop it from now on
 //
 // SIGINT, SIGTERM and SIGHUP end the process and remove its temporary files. From the first call of
@@ -38,10 +38,9 @@ class FreeMemoryOnly {
   rlimit before_{};
 };
 
-// Starts that many threads, 0: as many as OpenMP has; fewer where an address space limit (ulimit
-// -v) leaves no room for their stacks: results do not depend on it. The ending signals do not reach
-// them. How many there are, for the ThreadCount of the work.
-int start_threads(int asked);
+// That many threads, 0: as many as ThreadCount has; fewer where an address space limit (ulimit -v)
+// leaves no space for their stacks: results do not depend on it.
+int usable_threads(int asked);
 
 }  // namespace majorant::app
 

@@ -234,7 +234,7 @@ int unwrap_file(UnwrapVerb request) {
   Progress progress(request.common);
   RunRecord record = request.solve.make_record(progress);
   require_usable(request);
-  const ThreadCount threads(start_threads(request.common.threads));
+  const ThreadCount threads(usable_threads(request.common.threads));
   AtlasJob job(record);
   job.energy = request.map.energy;
   record.begin(Activity::Reading);

@@ -1,6 +1,6 @@
 #include "unit_fe.h"
 
-#include <omp.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,19 +17,24 @@ namespace {
 
 class SingleThreaded {
  public:
-  SingleThreaded() : levels_(omp_get_max_active_levels()), blas_(openblas_get_num_threads()) {
-    omp_set_max_active_levels(0);
+  SingleThreaded() : blas_(openblas_get_num_threads()) {
+    set_openmp(1);
     openblas_set_num_threads(1);
   }
   ~SingleThreaded() {
-    omp_set_max_active_levels(levels_);
+    set_openmp(blas_);
     openblas_set_num_threads(blas_);
   }
   SingleThreaded(const SingleThreaded&) = delete;
   SingleThreaded& operator=(const SingleThreaded&) = delete;
 
  private:
-  int levels_, blas_;
+  // CHOLMOD's loops, where it was built with OpenMP.
+  static void set_openmp(int threads) {
+    if (void* set = ::dlsym(RTLD_DEFAULT, "omp_set_num_threads"))
+      reinterpret_cast<void (*)(int)>(set)(threads);
+  }
+  int blas_;
 };
 
 // The graph whose nodes are the pattern's blocks.

@@ -100,11 +100,7 @@ function(majorant_module folder)
   target_include_directories(majorant_${name} PUBLIC $<BUILD_INTERFACE:${root}>
                                                      $<INSTALL_INTERFACE:include>)
   target_link_libraries(majorant_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
-  if("OpenMP::OpenMP_CXX" IN_LIST ARG_PRIVATE)
-    majorant_use_precompiled(majorant_${name} threaded_library)
-  else()
-    majorant_use_precompiled(majorant_${name} library)
-  endif()
+  majorant_use_precompiled(majorant_${name} library)
 
   set(module majorant_${name})
   if(BUILD_SHARED_LIBS)

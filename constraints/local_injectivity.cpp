@@ -12,13 +12,13 @@
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/parallel_errors.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant {
 namespace {
 
-constexpr Index kParallelElements = 2048;  // fewer are not worth waking threads for
-constexpr Index kPolledElements = 64;      // are tested between two polls
+constexpr Index kElementsOfATask = 1024;  // fewer are not worth waking a thread for
+constexpr Index kPolledElements = 64;     // are tested between two polls
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
 }  // namespace
@@ -50,16 +50,12 @@ Vec LocalInjectivity::certify(VecIn x, std::vector<long>* proven) const {
   const Index count = space_->element_count();
   Vec bounds(count);
   std::vector<int> depths(proven ? to_size(count) : 0, -1);
-  ParallelErrors errors;
-#pragma omp parallel for schedule(static) if (count >= kParallelElements)
-  for (Index e = 0; e < count; ++e)
-    errors.guard([&] {
-      const PositivityProof proof = space_->certify(e, x, max_depth_);
-      const bool certified = proof.result == ProofStatus::Proven;
-      bounds[e] = (certified ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / rest_det_[e];
-      if (certified && proven) depths[e] = std::min(proof.depth, max_depth_);
-    });
-  errors.rethrow();
+  parallel_for(count, kElementsOfATask, [&](Index e) {
+    const PositivityProof proof = space_->certify(e, x, max_depth_);
+    const bool certified = proof.result == ProofStatus::Proven;
+    bounds[e] = (certified ? proof.lower_bound : std::min(proof.lower_bound, 0.0)) / rest_det_[e];
+    if (certified && proven) depths[e] = std::min(proof.depth, max_depth_);
+  });
   for (const int depth : depths)
     if (depth >= 0) ++(*proven)[depth];
   return bounds;
@@ -87,14 +83,10 @@ StepBound LocalInjectivity::max_step(VecIn x, VecIn d, double s) const {
   require_enough("LocalInjectivity::max_step: d", d.size(), unknowns());
   const Index count = space_->element_count();
   Vec quick(count);
-  ParallelErrors errors;
-#pragma omp parallel for schedule(static) if (count >= kParallelElements)
-  for (Index e = 0; e < count; ++e)
-    errors.guard([&] {
-      if (e % kPolledElements == 0) stop_.poll();
-      quick[e] = space_->largest_step(e, x, d, s, 0);
-    });
-  errors.rethrow();
+  parallel_for(count, kElementsOfATask, [&](Index e) {
+    if (e % kPolledElements == 0) stop_.poll();
+    quick[e] = space_->largest_step(e, x, d, s, 0);
+  });
   std::vector<Index> limiting;
   for (Index e = 0; e < count; ++e)
     if (quick[e] < s) limiting.push_back(e);

@@ -1,17 +1,14 @@
 #include "majorant/framework/evaluator.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
-#include "majorant/framework/internal/parallel_errors.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/stopwatch.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant {
 namespace {
@@ -26,18 +23,13 @@ double weight(const TermState& state, Index element) {
 // run(batch, workspace), batch by batch.
 template <class Run>
 void visit_batches(Index count, const StopCheck& stop, const Run& run) {
-  ParallelErrors errors;
-#pragma omp parallel if (count >= kParallelBatches)
-  {
-    Workspace workspace;
-#pragma omp for schedule(static)
-    for (Index c = 0; c < count; ++c)
-      errors.guard([&] {
-        stop.poll();
-        run(c, workspace);
-      });
-  }
-  errors.rethrow();
+  const int threads = count < kParallelBatches ? 1 : ThreadCount::current();
+  std::vector<Workspace> workspaces(to_size(threads));
+  const auto visit = [&](Index c, int thread) {
+    stop.poll();
+    run(c, workspaces[thread]);
+  };
+  parallel_tasks(count, visit, threads);
 }
 
 void add_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop, double& total) {
@@ -172,9 +164,9 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
   const auto n = to_size(term.element_dofs().local_size());
   constexpr std::size_t stride = LocalSystem::stride;
   batch_energies.assign(to_size(plan.batch_count()), 0.0);
-  const auto assemble_batch = [&](Index c) {
+  const auto assemble_batch = [&](Index c, int thread) {
     stop.poll();
-    Scratch& s = *scratch_[omp_get_thread_num()];
+    Scratch& s = *scratch_[thread];
     const ElementBatch batch = plan.batch(c);
     LocalSystem local;
     const std::size_t packed = hessian_values ? n * (n + 1) / 2 : 0;
@@ -194,14 +186,11 @@ void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradien
     }
     batch_energies[c] = sum;
   };
-  ParallelErrors errors;
-  for (const std::vector<Index>& colour : plan.colours()) {
-#pragma omp parallel for schedule(static) if (colour.size() > 1 && \
-                                              plan.batch_count() >= kParallelBatches)
-    for (std::size_t q = 0; q < colour.size(); ++q)
-      errors.guard([&] { assemble_batch(colour[q]); });
-  }
-  errors.rethrow();
+  const int threads = plan.batch_count() < kParallelBatches ? 1 : ThreadCount::current();
+  for (const std::vector<Index>& colour : plan.colours())
+    parallel_tasks(
+        static_cast<Index>(colour.size()),
+        [&](Index q, int thread) { assemble_batch(colour[q], thread); }, threads);
 }
 
 }  // namespace majorant

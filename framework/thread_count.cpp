@@ -1,37 +1,30 @@
 #include "majorant/framework/thread_count.h"
 
 #include <fmt/format.h>
-#include <omp.h>
-
-#include <algorithm>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/parallel_errors.h"
+#include "majorant/framework/internal/available_resources.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant {
+namespace {
 
-ThreadCount::ThreadCount(int count)
-    : threads_(omp_get_max_threads()), levels_(omp_get_max_active_levels()) {
+thread_local int threads_of_this_thread = 0;  // 0: as many as there are processors
+
+}  // namespace
+
+ThreadCount::ThreadCount(int count) : before_(threads_of_this_thread) {
   if (count < 0)
     throw InvalidArgument(fmt::format("ThreadCount: {} threads, at least 0 are needed", count));
-  if (count == 0) return;
-  omp_set_num_threads(count);
-  // num_threads(4) of somebody else counts for nothing where no level may be active.
-  omp_set_max_active_levels(count == 1 ? 0 : std::max(levels_, 1));
+  if (count > 0) threads_of_this_thread = count;
 }
 
-ThreadCount::~ThreadCount() {
-  omp_set_num_threads(threads_);
-  omp_set_max_active_levels(levels_);
-}
+ThreadCount::~ThreadCount() { threads_of_this_thread = before_; }
 
-int ThreadCount::current() { return omp_get_max_threads(); }
-
-void ThreadCount::run_on_each(const std::function<void()>& work) {
-  ParallelErrors errors;
-#pragma omp parallel
-  errors.guard(work);
-  errors.rethrow();
+int ThreadCount::current() {
+  static const int processors = available_processors();
+  if (is_parallel_task()) return 1;
+  return threads_of_this_thread > 0 ? threads_of_this_thread : processors;
 }
 
 }  // namespace majorant

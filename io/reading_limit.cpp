@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/available_memory.h"
+#include "majorant/framework/internal/available_resources.h"
 
 namespace majorant {
 namespace {

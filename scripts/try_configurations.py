@@ -113,7 +113,7 @@ def try_shared(build):
             run('cmake', '-S', CONSUMERS / name, '-B', Path(folder) / name, '-DCMAKE_BUILD_TYPE=Release',
                 '-DCMAKE_PREFIX_PATH=%s' % moved,
                 *('-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' % other
-                  for other in ('nlohmann_json', 'Ceres', 'PNG', 'ZLIB', 'fmt', 'OpenMP', 'Nest2D', 'Orderings')))
+                  for other in ('nlohmann_json', 'Ceres', 'PNG', 'ZLIB', 'fmt', 'Nest2D', 'Orderings')))
             run('cmake', '--build', Path(folder) / name)
         program = Path(folder) / 'consumer/consumer'
         print('the consumer says', run(program, MESH).strip(), 'of cap.obj')

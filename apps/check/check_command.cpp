@@ -111,7 +111,7 @@ int conclude(const Request& request, const MapFile& file, const MapCheck& check)
 int check(const Request& request) {
   require_writable(request.common, {{request.outputs, {".html"}}, {{request.distortion}, {".csv"}}},
                    {request.result, request.surface});
-  const ThreadCount threads(start_threads(request.common.threads));
+  const ThreadCount threads(usable_threads(request.common.threads));
   Progress progress(request.common);
   const RunRecord record(request.time_limit, 0, interruption_flag(), {}, progress.activities());
   const StopCheck& stop = record.stop();

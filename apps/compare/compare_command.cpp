@@ -308,7 +308,7 @@ int compare(const Request& request) {
   wanted_methods(request);  // complains before anything is read
   wanted_linear_solvers(request);
   interruption_flag();
-  const ThreadCount threads(start_threads(request.common.threads));
+  const ThreadCount threads(usable_threads(request.common.threads));
   const Contest contest = make_contest(request);
   const std::vector<const Method*> chosen = choose(request, contest);
   Comparison comparison;

@@ -16,7 +16,6 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/block_graph.h"
 #include "majorant/framework/internal/block_ordering.h"
-#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {
@@ -26,11 +25,14 @@ namespace {
 // and hand with 10K faces took 4 to 12 % less; larger zrelax gained nothing, nor did fewer columns.
 constexpr std::array<std::size_t, 3> kMergedColumns{8, 32, 96};
 
-// The number of OpenBLAS's threads belongs to the process: the first of these sets it to one, the
-// last puts it back. Other BLAS have no such number, or take OpenMP's.
+// CHOLMOD and its BLAS compute with one thread while one of these lives. OpenMP's number, which
+// CHOLMOD and some BLAS use, belongs to the calling thread. OpenBLAS's belongs to the process: the
+// first of these sets it to one, the last puts it back.
 class OneBlasThread {
  public:
-  OneBlasThread() : one_(1) {
+  OneBlasThread() {
+    if (const auto get = function<int (*)()>("omp_get_max_threads")) openmp_threads_ = get();
+    set_openmp(1);
     const std::lock_guard lock(mutex());
     if (alive()++ > 0) return;
     const auto get = function<int (*)()>("openblas_get_num_threads");
@@ -38,6 +40,7 @@ class OneBlasThread {
     set(1);
   }
   ~OneBlasThread() {
+    set_openmp(openmp_threads_);
     const std::lock_guard lock(mutex());
     if (--alive() == 0) set(before());
   }
@@ -52,6 +55,9 @@ class OneBlasThread {
   static void set(int threads) {
     if (const auto call = function<void (*)(int)>("openblas_set_num_threads")) call(threads);
   }
+  static void set_openmp(int threads) {
+    if (const auto call = function<void (*)(int)>("omp_set_num_threads")) call(threads);
+  }
   static std::mutex& mutex() {
     static std::mutex m;
     return m;
@@ -65,7 +71,7 @@ class OneBlasThread {
     return threads;
   }
 
-  ThreadCount one_;  // of OpenMP, which CHOLMOD and some BLAS use
+  int openmp_threads_ = 1;
 };
 
 class CholmodSolver final : public LinearSolver {

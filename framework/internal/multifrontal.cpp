@@ -1,12 +1,10 @@
 #include "majorant/framework/internal/multifrontal.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
 
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant {
 namespace {
@@ -135,12 +133,12 @@ bool MultifrontalFactor::factorize(const Vec& values, double shift) {
   const Work work{values, shift};
   std::atomic<bool> positive{true};
   const auto count = static_cast<Index>(tasks_.size());
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads_) if (threads_ > 1)
-  for (Index t = 0; t < count; ++t) {
-    double* packed = packed_.get() + to_size(omp_get_thread_num()) * packed_size();
+  const auto factorize_task = [&](Index t, int thread) {
+    double* packed = packed_.get() + to_size(thread) * packed_size();
     for (Index f = tasks_[t].first; f < tasks_[t].last && positive; ++f)
       if (!factorize_front(f, work, packed, 1)) positive = false;
-  }
+  };
+  parallel_tasks(count, factorize_task, threads_);
   for (const Index f : above_)
     if (positive && !factorize_front(f, work, packed_.get(), threads_)) positive = false;
   return positive;
@@ -180,8 +178,8 @@ void MultifrontalFactor::subtract_product(const Target& target, const double* pa
   };
   const double operations = 0.5 * target.rows * target.columns * target.depth;
   if (threads == 1 || operations < kParallelUpdate) return update(0, columns);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (Index c = 0; c < columns; ++c) update(c, c + 1);
+  parallel_tasks(
+      columns, [&](Index c, int) { update(c, c + 1); }, threads);
 }
 
 void MultifrontalFactor::take_in_entries(Index f, const Work& work) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -16,6 +15,7 @@
 #include "majorant/certify/proven_distance.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/internal/model_unit.h"
@@ -137,23 +137,22 @@ class Unwrapping {
     std::size_t large = 0;
     while (large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart)
       solve_chart(order[large++], record_.progress());
-    std::atomic<std::size_t> next = large;
     std::mutex failing, telling;
     std::exception_ptr failure;
     std::size_t failed = tasks_.size();  // the first in the order of charts is thrown
-    ThreadCount::run_on_each([&] {
-      const ThreadCount alone(1);
-      for (std::size_t k = next++; k < order.size(); k = next++) try {
-          solve_chart(order[k], {});
-          const std::vector<TraceEntry>& trace = atlas_.charts[order[k]].trace;
-          if (trace.empty() || !record_.progress()) continue;
-          const std::lock_guard lock(telling);
-          record_.progress()(trace.back());
-        } catch (...) {
-          const std::lock_guard lock(failing);
-          if (order[k] < failed) failure = std::current_exception();
-          failed = std::min(failed, order[k]);
-        }
+    parallel_for(static_cast<Index>(order.size() - large), 1, [&](Index task) {
+      const std::size_t chart = order[large + to_size(task)];
+      try {
+        solve_chart(chart, {});
+        const std::vector<TraceEntry>& trace = atlas_.charts[chart].trace;
+        if (trace.empty() || !record_.progress()) return;
+        const std::lock_guard lock(telling);
+        record_.progress()(trace.back());
+      } catch (...) {
+        const std::lock_guard lock(failing);
+        if (chart < failed) failure = std::current_exception();
+        failed = std::min(failed, chart);
+      }
     });
     if (failure) std::rethrow_exception(failure);
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -12,7 +11,7 @@
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/parametrization/maps/internal/extreme_samples.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
@@ -94,10 +93,9 @@ class Measurement {
   }
 
   MapDistortion run() {
-    std::atomic<Index> next = 0;
-    ThreadCount::run_on_each([&] {
-      for (Index first = kBlock * next++; first < cells_.rows(); first = kBlock * next++)
-        measure(first, std::min(first + kBlock, static_cast<Index>(cells_.rows())));
+    const auto faces = static_cast<Index>(cells_.rows());
+    parallel_for((faces + kBlock - 1) / kBlock, 1, [&](Index block) {
+      measure(block * kBlock, std::min((block + 1) * kBlock, faces));
     });
     std::erase_if(out_.samples, [](const auto& sample) {
       return sample.weight == 0 || std::isnan(sample.at.sigma_2);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/parallel_errors.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/parametrization/maps/internal/extreme_samples.h"
 #include "majorant/pictures/internal/bezier_image.h"
@@ -41,23 +41,19 @@ std::optional<Extremes> extremes_of(const MapFile& map, Quantity quantity) {
   const std::vector<Barycentric> points = extreme_samples(map.degree);
   const auto faces = static_cast<Index>(map.cells.rows());
   std::vector<Extremes> blocks(to_size(faces / kBlock + 1));
-  ParallelErrors errors;
-#pragma omp parallel for schedule(dynamic)
-  for (Index block = 0; block < static_cast<Index>(blocks.size()); ++block)
-    errors.guard([&] {
-      std::vector<Vector2> sigma;
-      for (Index f = block * kBlock; f < std::min(faces, (block + 1) * kBlock); ++f)
-        for (const Barycentric& xi : points)
-          if (const PointDistortion d = image.at(f, xi).distortion; d.sigma_2 > 0)
-            sigma.emplace_back(d.sigma_1, d.sigma_2);
-      std::vector<double> values(sigma.size());
-      evaluate(quantity, probe, sigma, values);
-      for (const double value : values) {
-        blocks[block].smallest = std::min(blocks[block].smallest, value);
-        blocks[block].largest = std::max(blocks[block].largest, value);
-      }
-    });
-  errors.rethrow();
+  parallel_for(static_cast<Index>(blocks.size()), 1, [&](Index block) {
+    std::vector<Vector2> sigma;
+    for (Index f = block * kBlock; f < std::min(faces, (block + 1) * kBlock); ++f)
+      for (const Barycentric& xi : points)
+        if (const PointDistortion d = image.at(f, xi).distortion; d.sigma_2 > 0)
+          sigma.emplace_back(d.sigma_1, d.sigma_2);
+    std::vector<double> values(sigma.size());
+    evaluate(quantity, probe, sigma, values);
+    for (const double value : values) {
+      blocks[block].smallest = std::min(blocks[block].smallest, value);
+      blocks[block].largest = std::max(blocks[block].largest, value);
+    }
+  });
   Extremes all;
   for (const Extremes& e : blocks) {
     all.smallest = std::min(all.smallest, e.smallest);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/framework/internal/parallel_errors.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant {
 namespace {
@@ -91,16 +91,12 @@ std::vector<std::vector<Index>> by_band(const std::vector<RasterTriangle>& trian
 void rasterize(const std::vector<RasterTriangle>& triangles, PixelSize size,
                const std::function<void(int, std::span<const Fragment>)>& paint) {
   const auto bands = by_band(triangles, size);
-  ParallelErrors errors;
-#pragma omp parallel for schedule(dynamic)
-  for (Index b = 0; b < static_cast<Index>(bands.size()); ++b)
-    errors.guard([&] {
-      Band band(b * kBand, size);
-      for (const Index k : bands[b]) band.draw(triangles[k]);
-      for (int y = 0; y < std::min(kBand, size.height - b * kBand); ++y)
-        paint(b * kBand + y, band.row(y));
-    });
-  errors.rethrow();
+  parallel_for(static_cast<Index>(bands.size()), 1, [&](Index b) {
+    Band band(b * kBand, size);
+    for (const Index k : bands[b]) band.draw(triangles[k]);
+    for (int y = 0; y < std::min(kBand, size.height - b * kBand); ++y)
+      paint(b * kBand + y, band.row(y));
+  });
 }
 
 }  // namespace majorant

@@ -12,10 +12,10 @@
 #include "framework/barrier_chain.h"
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/gradient_flow.h"
-#include "majorant/framework/internal/parallel_errors.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/lbfgs.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/framework/thread_count.h"
 
 namespace majorant::test {
@@ -25,9 +25,6 @@ TEST(StopCheck, NothingStopsByItself) {
   const StopCheck never;
   EXPECT_EQ(never(), Directive::Continue);
   EXPECT_NO_THROW(never.poll());
-  ParallelErrors errors;
-  errors.guard([&] { never.poll(); });
-  EXPECT_NO_THROW(errors.rethrow());
 }
 
 TEST(StopCheck, SaysWhy) {
@@ -39,9 +36,7 @@ TEST(StopCheck, SaysWhy) {
     } catch (const Stopped& stopped) {
       EXPECT_EQ(stopped.why(), why);
     }
-    ParallelErrors errors;  // carries it out of a loop that threads share
-    errors.guard([&] { stop.poll(); });
-    EXPECT_THROW(errors.rethrow(), Stopped);
+    EXPECT_THROW(parallel_for(100, 1, [&](Index) { stop.poll(); }), Stopped);
   }
 }
 

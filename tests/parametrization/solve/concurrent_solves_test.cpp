@@ -159,10 +159,8 @@ TEST(ThreadCount, LastsAsLongAsItsBlock) {
   {
     const ThreadCount one(1);
     EXPECT_EQ(ThreadCount::current(), 1);
-    EXPECT_EQ(omp_get_max_active_levels(), 0);  // nor may others start a team
     const ThreadCount two(2);
     EXPECT_EQ(ThreadCount::current(), 2);
-    EXPECT_GE(omp_get_max_active_levels(), 1);
     const ThreadCount same(0);
     EXPECT_EQ(ThreadCount::current(), 2);
   }

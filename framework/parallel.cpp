@@ -1,0 +1,175 @@
+#include "majorant/framework/parallel.h"
+
+#include <pthread.h>
+#include <signal.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace majorant {
+namespace {
+
+using Task = std::function<void(Index, int)>;
+
+// Of a parallel_tasks() that runs, on the stack of its caller.
+class Loop {
+ public:
+  Loop(Index count, int threads, const Task& work)
+      : threads_(threads), count_(count), work_(work) {}
+
+  // All tasks that are left, one after the other.
+  void run(int thread) noexcept {
+    for (Index task; (task = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) {
+      if (failed_.load(std::memory_order_relaxed)) return;
+      try {
+        work_(task, thread);
+      } catch (...) {
+        keep(task, std::current_exception());
+      }
+    }
+  }
+  void rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+  bool has_tasks() const { return next_.load(std::memory_order_relaxed) < count_; }
+  int threads() const { return threads_; }
+
+  // Guarded by the pool's mutex: threads that have joined, and those of them that are at work.
+  int joined = 1, at_work = 1;
+
+ private:
+  void keep(Index task, std::exception_ptr error) {
+    const std::lock_guard lock(mutex_);
+    failed_.store(true, std::memory_order_relaxed);
+    if (error_ && failed_task_ < task) return;
+    failed_task_ = task;
+    error_ = std::move(error);
+  }
+
+  const int threads_;
+  const Index count_;
+  const Task& work_;
+  std::atomic<Index> next_{0};
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;
+  Index failed_task_ = 0;
+  std::exception_ptr error_;
+};
+
+thread_local bool in_task = false;
+
+class InTask {
+ public:
+  InTask() { in_task = true; }
+  ~InTask() { in_task = false; }
+  InTask(const InTask&) = delete;
+  InTask& operator=(const InTask&) = delete;
+};
+
+// Its threads end with the process: whoever works when it exits must not outlive what he works on.
+class Pool {
+ public:
+  static Pool& get() {
+    static const int once = ::pthread_atfork(before_fork, after_fork, in_child);
+    (void)once;
+    return *instance();
+  }
+
+  void run(Loop& loop) {
+    {
+      const std::lock_guard lock(mutex_);
+      ++busy_;
+      loops_.push_back(&loop);
+      start(loop.threads() - 1);
+    }
+    for (int k = 1; k < loop.threads(); ++k) wake_.notify_one();
+    loop.run(0);
+    std::unique_lock lock(mutex_);
+    std::erase(loops_, &loop);
+    --busy_;
+    --loop.at_work;
+    done_.wait(lock, [&] { return loop.at_work == 0; });
+  }
+
+ private:
+  // Leaked: threads of the pool sleep in it until the process has gone.
+  static Pool*& instance() {
+    static Pool* pool = new Pool;
+    return pool;
+  }
+  static void before_fork() { instance()->mutex_.lock(); }
+  static void after_fork() { instance()->mutex_.unlock(); }
+  // None of the threads is there, nor whatever they hold; the old pool is left as it is.
+  static void in_child() { instance() = new Pool; }
+
+  // Fewer where the system refuses: results do not depend on it. Signals are for other threads.
+  void start(int threads) {
+    if (started_ >= threads) return;
+    sigset_t all, before;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before);
+    try {
+      for (; started_ < threads; ++started_) std::thread([this] { work(); }).detach();
+    } catch (const std::system_error&) {
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  }
+
+  // As many threads are at work as it may have: they are others' then.
+  Loop* one_to_join() const {
+    for (Loop* loop : loops_)
+      if (loop->joined < loop->threads() && busy_ < loop->threads() && loop->has_tasks())
+        return loop;
+    return nullptr;
+  }
+
+  void work() {
+    const InTask always;
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      Loop* loop = nullptr;
+      wake_.wait(lock, [&] { return (loop = one_to_join()) != nullptr; });
+      const int thread = loop->joined++;
+      ++loop->at_work;
+      ++busy_;
+      lock.unlock();
+      loop->run(thread);
+      lock.lock();
+      --busy_;
+      if (--loop->at_work == 0) done_.notify_all();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable wake_, done_;
+  std::vector<Loop*> loops_;
+  int busy_ = 0;     // callers and threads of the pool that are in a loop
+  int started_ = 0;  // threads of the pool
+};
+
+}  // namespace
+
+bool is_parallel_task() { return in_task; }
+
+void parallel_tasks(Index count, const std::function<void(Index task, int thread)>& work,
+                    int threads) {
+  threads = in_task ? 1 : std::min<int>(threads, count);
+  Loop loop(count, threads, work);
+  if (threads <= 1) {
+    loop.run(0);
+  } else {
+    const InTask now;
+    Pool::get().run(loop);
+  }
+  loop.rethrow();
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,194 @@
+#include "majorant/framework/parallel.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace majorant {
+namespace {
+
+std::vector<Index> squares(Index count, Index piece) {
+  std::vector<Index> out(to_size(count), -1);
+  parallel_for(count, piece, [&](Index i) { out[i] = i * i; });
+  return out;
+}
+
+TEST(Parallel, EveryTaskRunsOnce) {
+  for (int threads = 1; threads <= 64; threads += threads < 4 ? 1 : 12) {
+    const ThreadCount some(threads);
+    for (const Index count : {0, 1, 2, 3, 63, 64, 1000}) {
+      std::vector<std::atomic<int>> runs(to_size(count));
+      parallel_tasks(count, [&](Index task, int thread) {
+        EXPECT_TRUE(thread >= 0 && thread < threads) << thread;
+        ++runs[task];
+      });
+      for (const auto& r : runs) ASSERT_EQ(r, 1);
+      for (const Index piece : {1, 7, 1000, 5000}) {
+        const std::vector<Index> out = squares(count, piece);
+        for (Index i = 0; i < count; ++i) ASSERT_EQ(out[i], i * i);
+      }
+    }
+  }
+}
+
+// All tasks wait for each other: as many threads as there are tasks must be at work.
+TEST(Parallel, ThreadsWorkAtTheSameTimeWithNumbersOfTheirOwn) {
+  constexpr int kThreads = 4;
+  const ThreadCount four(kThreads);
+  for (int round = 0; round < 20; ++round) {
+    std::mutex mutex;
+    std::condition_variable all_here;
+    int here = 0;
+    std::array<int, kThreads> used{};
+    parallel_tasks(kThreads, [&](Index, int thread) {
+      std::unique_lock lock(mutex);
+      ++used[static_cast<std::size_t>(thread)];
+      if (++here == kThreads) all_here.notify_all();
+      EXPECT_TRUE(
+          all_here.wait_for(lock, std::chrono::seconds(60), [&] { return here == kThreads; }));
+    });
+    for (const int uses : used) EXPECT_EQ(uses, 1);
+  }
+}
+
+TEST(Parallel, TheLowestFailureIsThrown) {
+  for (const int threads : {1, 2, 5}) {
+    const ThreadCount some(threads);
+    for (int round = 0; round < 50; ++round) {
+      std::atomic<int> begun = 0;
+      try {
+        parallel_tasks(1000, [&](Index task, int) {
+          ++begun;
+          if (task >= 20 && task % 10 == 0) throw std::runtime_error(std::to_string(task));
+        });
+        ADD_FAILURE() << "nothing was thrown";
+      } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "20");
+      }
+      EXPECT_LT(begun, 1000) << "the others are skipped";
+      EXPECT_EQ(squares(100, 1)[99], 99 * 99) << "and the pool goes on";
+    }
+  }
+  EXPECT_THROW(parallel_for(3, 1, [](Index) { throw std::bad_alloc(); }), std::bad_alloc);
+}
+
+TEST(Parallel, LoopsOfATaskAreItsOwn) {
+  const ThreadCount four(4);
+  parallel_tasks(16, [&](Index, int) {
+    EXPECT_TRUE(is_parallel_task());
+    EXPECT_EQ(ThreadCount::current(), 1);
+    const auto self = std::this_thread::get_id();
+    parallel_tasks(100, [&](Index, int thread) {
+      EXPECT_EQ(std::this_thread::get_id(), self);
+      EXPECT_EQ(thread, 0);
+    });
+    EXPECT_TRUE(is_parallel_task());
+  });
+  EXPECT_FALSE(is_parallel_task());
+  EXPECT_EQ(ThreadCount::current(), 4);
+}
+
+// Where others are at work, nobody joins: four callers of two threads each are four threads.
+TEST(Parallel, CallersShareThePool) {
+  constexpr int kCallers = 4, kThreads = 2;
+  std::atomic<int> callers = 0, at_work = 0, most = 0;
+  std::vector<std::thread> all;
+  for (int k = 0; k < kCallers; ++k)
+    all.emplace_back([&] {
+      const ThreadCount two(kThreads);
+      for (++callers; callers < kCallers;) std::this_thread::yield();
+      for (int round = 0; round < 50; ++round) {
+        std::atomic<long> sum = 0;
+        parallel_tasks(64, [&](Index task, int) {
+          const int now = ++at_work;
+          for (int seen = most; seen < now && !most.compare_exchange_weak(seen, now);) continue;
+          sum += task;
+          --at_work;
+        });
+        EXPECT_EQ(sum, 64 * 63 / 2);
+      }
+    });
+  for (std::thread& thread : all) thread.join();
+  EXPECT_LE(most, kCallers + kThreads - 1);
+}
+
+double cpu_seconds() {
+  timespec now;
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+TEST(Parallel, ThreadsSleepWhereThereIsNothingToDo) {
+  const ThreadCount eight(8);
+  squares(1000, 1);
+  const double before = cpu_seconds();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_LT(cpu_seconds() - before, 0.1);
+}
+
+// What a child does is seen from its exit code; it ends without what gtest does at the end.
+int exit_code_of_child(const std::function<int()>& work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::alarm(60);
+    ::_exit(work());
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 100 + WTERMSIG(status);
+}
+
+TEST(Parallel, AForkedChildHasAPoolOfItsOwn) {
+  const ThreadCount three(3);
+  const std::vector<Index> expected = squares(1000, 10);
+  const auto same = [&] { return squares(1000, 10) == expected ? 0 : 1; };
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(exit_code_of_child(same), 0);
+  EXPECT_EQ(exit_code_of_child([&] { return same() + exit_code_of_child(same); }), 0);
+  EXPECT_EQ(same(), 0);
+}
+
+TEST(Parallel, AChildOfATimeWhenOthersWorkHasOneToo) {
+  std::atomic<bool> done = false;
+  std::thread other([&] {
+    const ThreadCount four(4);
+    while (!done) squares(1000, 10);
+  });
+  const ThreadCount three(3);
+  for (int k = 0; k < 20; ++k)
+    EXPECT_EQ(exit_code_of_child([] { return squares(100, 1)[7] == 49 ? 0 : 1; }), 0);
+  done = true;
+  other.join();
+}
+
+TEST(ThreadCount, LastsAsLongAsItsBlock) {
+  const int before = ThreadCount::current();
+  {
+    const ThreadCount outer(3);
+    EXPECT_EQ(ThreadCount::current(), 3);
+    const ThreadCount one(1);
+    EXPECT_EQ(ThreadCount::current(), 1);
+    const ThreadCount same(0);
+    EXPECT_EQ(ThreadCount::current(), 1);
+    std::thread([&] { EXPECT_EQ(ThreadCount::current(), before); }).join();
+  }
+  EXPECT_EQ(ThreadCount::current(), before);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
