@@ -280,7 +280,7 @@ DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double toler
   if (s.nodes.size() > 0) extent = s.block * (s.nodes.maxCoeff() + 1);
   if (x.size() < extent)
     throw InvalidArgument(
-        fmt::format("check_derivatives: x has {} numbers, the term's element_dofs use "
+        fmt::format("check_derivatives: x has {} numbers, the term's elements use "
                     "{}",
                     x.size(), extent));
   require_finite("check_derivatives: x", x);

@@ -112,7 +112,7 @@ double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, 
   require_curvature("Evaluator::linearize", problem_, curvature.model);
   if (!(curvature.projection_weight >= 0 && curvature.projection_weight <= 1))
     throw InvalidArgument(
-        "Evaluator::linearize: the projection_weight of a curvature must lie in 0..1");
+        "Evaluator::linearize: the projection weight of a curvature must lie in 0..1");
   const AddedSeconds time(counters_.linearize_seconds);
   ++counters_.linearizations;
   hessian_values.setZero(problem_.pattern().nonzeros());

@@ -236,7 +236,8 @@ const std::vector<Call> kCalls{
        Vec g, h;
        Evaluator(builder.build()).linearize(Vec::Zero(5), Curvature::Reweighted, g, h);
      }},
-    {"clamp_out_of_range", "InvalidArgument: Evaluator::linearize: the clamp of a curvature",
+    {"projection_weight_out_of_range",
+     "InvalidArgument: Evaluator::linearize: the projection weight of a curvature",
      [] {
        Vec g, h;
        Evaluator(problem()).linearize(Vec::Zero(5), BlendedCurvature::projected(2), g, h);
