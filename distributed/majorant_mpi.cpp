@@ -373,7 +373,7 @@ int run(int argc, char** argv) {
     return code;
   };
   try {
-    const ThreadCount threads(usable_threads(request.common.threads));
+    const ThreadCount threads(usable_threads(std::max(request.common.threads, 1)));
     const int code = SharedJob(request, *processes).run();
     if (const auto unused = processes->unused_options();
         rank == 0 && !request.common.quiet && !unused.empty())

@@ -1,5 +1,6 @@
 #include "distributed/processes.h"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <petscsys.h>
 
@@ -67,6 +68,14 @@ class MpiRanks final : public Ranks {
   int rank_ = 0, count_ = 1;
 };
 
+// A rank is one thread: loops of MUMPS and hypre that are OpenMP's have one, and a rank that waits
+// for others lets the rest of the machine work.
+void be_one_thread() {
+  if (void* set = ::dlsym(RTLD_DEFAULT, "omp_set_num_threads"))
+    reinterpret_cast<void (*)(int)>(set)(1);
+  ::setenv("OMPI_MCA_mpi_yield_when_idle", "1", 0);
+}
+
 }  // namespace
 
 // Signals, failures and what options are obeyed are ours; options given come last and win.
@@ -85,6 +94,7 @@ Processes::Processes(const std::vector<std::string>& petsc_options)
   pointers_.push_back(nullptr);
   char** argv = pointers_.data();
   for (const char* variable : {"PETSC_OPTIONS", "PETSC_OPTIONS_YAML"}) ::unsetenv(variable);
+  be_one_thread();
   keep_petsc_messages();
   try {
     require_petsc(PetscInitialize(&count, &argv, nullptr, nullptr));

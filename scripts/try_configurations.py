@@ -34,7 +34,7 @@ sys.path.insert(0, str(CONSUMERS))
 import public_names  # noqa: E402
 
 MESH = SOURCE / 'meshes/cap.obj'
-ALWAYS = {'libstdc++', 'libm', 'libgcc_s', 'libc', 'linux-vdso', 'ld-linux-x86-64', 'libgomp'}
+ALWAYS = {'libstdc++', 'libm', 'libgcc_s', 'libc', 'linux-vdso', 'ld-linux-x86-64'}
 FREE_LIBRARIES = ALWAYS | {'libamd', 'libsuitesparseconfig', 'libmetis', 'libfmt', 'libpng16', 'libz'}
 # Packages of Debian whose headers a binary under BSD-3-Clause may be made of: BSD, MIT, Apache, BSL,
 # MPL; GCC's and the C library's own by their exceptions.

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `make demo` does where packages are missing: with root, with sudo, with neither, without ninja; and
-compilers without OpenMP. apt-get, sudo, dpkg-query and id are stubs that write down what they were told."""
+"""What `make demo` does where packages are missing: with root, with sudo, with neither, without ninja.
+apt-get, sudo, dpkg-query and id are stubs that write down what they were told."""
 import os
 import re
 import shutil
@@ -14,7 +14,6 @@ from pathlib import Path
 SOURCE = Path(os.environ['MAJORANT_SOURCE_DIR'])
 SCRIPT = SOURCE / 'scripts/install_packages.sh'
 TOOLS = ('sh', 'cat', 'sed', 'dirname')
-CLANG = shutil.which('clang++-14') or shutil.which('clang++')
 
 
 def listed(name='packages.txt'):
