@@ -3,7 +3,7 @@
 //
 //     std::exception_ptr failure;
 //     try { ... } catch (...) { failure = std::current_exception(); }
-//     rethrow_collectively(ranks, failure);                // goes on everywhere, or throws everywhere
+//     rethrow_collectively(ranks, failure);   // goes on, or throws, everywhere
 #pragma once
 
 #include <exception>

@@ -59,7 +59,7 @@ class Extension {
 
  private:
   Index end_of(Index g) const { return old_.supernode_starts[g + 1]; }
-  // Old: what the supernode structure; new: what it touches, if that is more.
+  // The structure of a supernode as it was, or the new one, where there is more.
   std::span<const Index> structure(Index g) const {
     if (!more_[g].empty()) return more_[g];
     return {old_.structure.data() + old_.structure_starts[g],
