@@ -99,6 +99,7 @@ CellPositivity exact_positivity(const Points2& control_points, const StopCheck& 
         fmt::format("exact_positivity: {} control points; a triangle of degree 1 "
                     "to {} is needed",
                     control_points.rows(), BezierTriangleSpace::kMaxDegree));
+  if (!control_points.allFinite()) return {};
   std::vector<DeterminantPiece> open{determinant(control_points)};
   bool is_left = false;
   for (int pieces = 0; !open.empty(); ++pieces) {

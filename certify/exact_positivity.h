@@ -20,12 +20,13 @@ namespace majorant {
 
 struct CellPositivity {
   // Proven and Violated are exact; Undecided: the pieces ran out (a minimum of det J that is
-  // zero, or nearly so, at a point that bisection does not meet).
+  // zero, or nearly so, at a point that bisection does not meet), or coordinates are not finite,
+  // as where the Bezier form of interpolated values is beyond doubles.
   ProofStatus result = ProofStatus::Undecided;
   Barycentric at = Barycentric::Zero();  // where det J <= 0, when Violated
 };
 
-// control_points: finite, in VTK's order (elements/internal/bernstein.h). Throws
+// control_points: in VTK's order (elements/internal/bernstein.h). Throws
 // InvalidArgument when their number is not triangular or the degree is over
 // BezierTriangleSpace::kMaxDegree; Stopped.
 CellPositivity exact_positivity(const Points2& control_points, const StopCheck& stop = {});

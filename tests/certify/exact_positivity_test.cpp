@@ -100,6 +100,15 @@ TEST(CellPositivity, Valleys) {
   EXPECT_EQ(exact_positivity(valley(1.0 / 3, 0)).result == ProofStatus::Proven, false);
 }
 
+TEST(CellPositivity, CoordinatesBeyondDoublesAreUndecided) {
+  for (const double beyond : {INFINITY, -INFINITY, NAN}) {
+    Points2 points = valley(0.375, 0.01);
+    ASSERT_EQ(exact_positivity(points).result, ProofStatus::Proven);
+    points(1, 0) = beyond;
+    EXPECT_EQ(exact_positivity(points).result, ProofStatus::Undecided) << beyond;
+  }
+}
+
 TEST(CellPositivity, RefusesOtherCounts) {
   EXPECT_THROW(exact_positivity(Points2::Zero(5, 2)), InvalidArgument);
   EXPECT_THROW(exact_positivity(Points2::Zero(1, 2)), InvalidArgument);
