@@ -27,7 +27,7 @@ constexpr Part kParts[] = {
     {"zlib", "Zlib", "compressed files"},
     {"libpng", "Libpng", "pictures"},
     {"three.js", "MIT", "the pages that it writes"},
-    {"GCC's runtime (libstdc++)", "GPL-3.0 with GCC-exception-3.1", "C++"},
+    {"GCC's runtime (libstdc++, libgomp)", "GPL-3.0 with GCC-exception-3.1", "C++"},
     {"GNU C library", "LGPL-2.1-or-later", "the system"},
     {"CGAL", "GPL-3.0-or-later", "triangulations around images", In::Gpl},
     {"libnest2d", "LGPL-3.0", "packing of few charts", In::Gpl},

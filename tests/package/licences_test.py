@@ -21,7 +21,7 @@ import licence_lines  # noqa: E402
 # What a loaded library is called in `majorant --licenses`.
 NAMES = {
     'libamd': 'AMD', 'libsuitesparseconfig': 'AMD', 'libmetis': 'METIS', 'libfmt': 'fmt', 'libpng16': 'libpng',
-    'libz': 'zlib', 'libstdc++': "GCC's runtime", 'libgcc_s': "GCC's runtime",
+    'libz': 'zlib', 'libgomp': "GCC's runtime", 'libstdc++': "GCC's runtime", 'libgcc_s': "GCC's runtime",
     'libpolyclipping': 'Clipper', 'libnlopt_cxx': 'NLopt', 'libnlopt': 'NLopt', 'libceres': 'Ceres',
     'libcholmod': 'SuiteSparse', 'libspqr': 'SuiteSparse', 'libcxsparse': 'SuiteSparse', 'libcolamd': 'SuiteSparse',
     'libccolamd': 'SuiteSparse', 'libcamd': 'SuiteSparse', 'libglog': 'glog', 'libgflags': 'glog',
