@@ -49,16 +49,17 @@ std::optional<PlacedMap> placed(const BezierMap& map, const std::vector<LayoutMo
 Points2 LayoutMotion::operator()(const Points2& uv) const {
   using Real = long double;
   const Real c = direction.x(), s = direction.y();
-  const bool is_rigid = size == 1;
-  const Vector2 shift = is_rigid ? origin : Vector2::Zero();
+  const bool each_step = rounding == Rounding::EachStep;
+  const Vector2 shift = each_step ? Vector2::Zero() : origin;
+  const Real divisor = each_step ? 1 : size;
   Points2 moved(uv.rows(), 2);
   for (Index p = 0; p < uv.rows(); ++p) {
     const Real u = uv(p, 0), v = uv(p, 1);
-    moved.row(p) << static_cast<double>(c * u + s * v - Real(shift.x())),
-        static_cast<double>(c * v - s * u - Real(shift.y()));
+    moved.row(p) << static_cast<double>((c * u + s * v - Real(shift.x())) / divisor),
+        static_cast<double>((c * v - s * u - Real(shift.y())) / divisor);
   }
-  if (is_rigid) return moved;
-  return (moved.rowwise() - origin.transpose()) / size;
+  if (each_step) return (moved.rowwise() - origin.transpose()) / size;
+  return moved;
 }
 
 BezierMap LayoutMotion::operator()(const BezierMap& map) const {
@@ -110,10 +111,13 @@ std::optional<MovedLayout> moved_layout(const std::vector<BezierMap>& maps,
 
 std::vector<LayoutMotion> unit_square_motions(const Vector2& direction, const Vector2& low,
                                               double side) {
-  std::vector<LayoutMotion> attempts{{direction, low, side},
-                                     {direction, low, power_of_two(side, PowerOfTwo::Above)}};
+  constexpr auto kEach = LayoutMotion::Rounding::EachStep;
+  std::vector<LayoutMotion> attempts{
+      {direction, low, side, kEach},
+      {direction, low, power_of_two(side, PowerOfTwo::Above), kEach}};
   if (low.minCoeff() >= 0)
-    attempts.push_back({direction, {0, 0}, power_of_two(low.maxCoeff() + side, PowerOfTwo::Above)});
+    attempts.push_back(
+        {direction, {0, 0}, power_of_two(low.maxCoeff() + side, PowerOfTwo::Above), kEach});
   return attempts;
 }
 

@@ -19,13 +19,15 @@
 namespace majorant {
 
 // uv of before -> (R uv - origin) / size, where R turns `direction`, of length 1, to (1, 0). R uv
-// is computed in extended precision. Rigid motions (size 1) are rounded once; others after the
-// turn, the shift and the division, so that the least coordinate, as origin, becomes 0. Point by
-// point: equal points stay equal.
+// is computed in extended precision. Rounded at the end, or after the turn, the shift and the
+// division each, so that the least coordinate, as origin, becomes 0. Point by point: equal points
+// stay equal.
 struct LayoutMotion {
+  enum class Rounding { AtTheEnd, EachStep };
   Vector2 direction = Vector2(1, 0);
   Vector2 origin = Vector2::Zero();
   double size = 1;
+  Rounding rounding = Rounding::AtTheEnd;
 
   Points2 operator()(const Points2& uv) const;  // #N by 2
   BezierMap operator()(const BezierMap& map) const;

@@ -51,7 +51,7 @@ TEST(Placement, TheUnitSquareHoldsWhatIsTurned) {
   EXPECT_EQ(nodes.rowwise().minCoeff(), Vector2::Zero());
   EXPECT_EQ(nodes.maxCoeff(), 1);
   EXPECT_NEAR(placed->measures.value, measure_map(map, kMeasured).value, 1e-9);
-  const auto& [direction, origin, size] = placed->placement;
+  const auto& [direction, origin, size, rounding] = placed->placement;
   for (Index n = 0; n < map.space().node_count(); ++n) {
     Points2 uv(1, 2);
     uv << control_point(map, n).transpose();
@@ -120,6 +120,20 @@ TEST(MovedLayout, TheUnitSquareWithoutAShift) {
   ASSERT_TRUE(moved);
   EXPECT_EQ(moved->motion.origin, Vector2::Zero());
   EXPECT_EQ(moved->maps.front().control_points(), map.control_points());
+}
+
+// Of size 1, too, where the division rounds nothing and only the turn does.
+TEST(MovedLayout, NothingIsLeftOfTheUnitSquare) {
+  const Points2 uv = Points2::Random(200, 2);
+  for (int k = 1; k < 50; ++k) {
+    const Vector2 direction(std::cos(0.1 * k), std::sin(0.1 * k));
+    const Vector2 low = LayoutMotion{direction}(uv).colwise().minCoeff();
+    for (const double side : {0.75, 1.0, 3.0})
+      for (const LayoutMotion& motion : unit_square_motions(direction, low, side)) {
+        if (motion.origin != low) continue;
+        EXPECT_EQ(motion(uv).colwise().minCoeff(), Vector2::Zero().transpose()) << motion.size;
+      }
+  }
 }
 
 TEST(MovedLayout, KeepsWhatIsPromised) {
