@@ -62,9 +62,7 @@ class NewtonStepper::LaggedFactor {
   }
 
  private:
-  bool is_short(const IterationRecord& r) const {
-    return r.step < rules_.short_step || r.step_bound < rules_.short_bound;
-  }
+  bool is_short(const IterationRecord& r) const { return r.step < rules_.short_step; }
 
   LaggedFactorRules rules_;
   History history_;
@@ -106,8 +104,7 @@ void NewtonStepper::reset(const Problem& problem) {
 }
 
 void NewtonStepper::polish() {
-  clamp_ = 0;
-  hold_ = whole_steps_ = 0;
+  projection_weight_ = 0;
   kept_->drop();
 }
 
@@ -126,7 +123,7 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   last_gradient_norm_ = r.gradient_norm;
   if (step.outcome == Outcome::Breakdown) return;
   relative_decrement_ = relative_to(before, r.newton_decrement);
-  learn_clamp(step);
+  learn_weight(step);
   // An iterative solver has no factor to keep: its solves are what costs.
   if (step.outcome == Outcome::Moved && r.solver_iterations == 0)
     kept_->renew(from, gradient_, partition(), r, relative_decrement_);
@@ -158,14 +155,9 @@ bool NewtonStepper::blends() const {
 
 // Gradient, factors and direction at y.
 bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
-  if (blends()) {
-    if (whole_steps_ == 0) {
-      for (; clamp_ < 1; raise_clamp(clamp_))
-        if (solve_blend(y, record)) return true;
-    } else {
-      --whole_steps_;
-    }
-  }
+  if (blends())
+    for (; projection_weight_ < 1; raise_weight(projection_weight_))
+      if (solve_blend(y, record)) return true;
   return solve_whole(y, record);
 }
 
@@ -207,14 +199,14 @@ FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record)
 // the minimum a small one stays, or rounding errors of the gradient would turn the map.
 bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
-  const BlendedCurvature blend = BlendedCurvature::projected(clamp_);
+  const BlendedCurvature blend = BlendedCurvature::projected(projection_weight_);
   evaluator_.linearize(y, blend, gradient_, hessian_, stop_);
   record.seconds.assemble += watch.restart();
   const double size = partition().squared_norm(y);
-  record.shift = size > 0 ? (1 - clamp_) * kRotationShift *
+  record.shift = size > 0 ? (1 - projection_weight_) * kRotationShift *
                                 std::max(0.0, -partition().dot(y, gradient_)) / size
                           : 0.0;
-  if (clamp_ == 0 && relative_decrement_ <= kPolish)
+  if (projection_weight_ == 0 && relative_decrement_ <= kPolish)
     record.shift = std::max(record.shift, kPolishShift * mean_diagonal());
   stop_.poll();
   const FactorStatus status = solve_shifted(record.shift, record);
@@ -243,7 +235,7 @@ bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
 }
 
 // What the next blend is.
-void NewtonStepper::learn_clamp(const Step& step) {
+void NewtonStepper::learn_weight(const Step& step) {
   const IterationRecord& r = step.record;
   const BlendRules& rules = options_.blend;
   // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
@@ -252,21 +244,15 @@ void NewtonStepper::learn_clamp(const Step& step) {
                       relative_decrement_ > LineSearch::kResolution &&
                       r.relative_decrease < kMisleading * relative_decrement_;
   if (misled) {
-    raise_clamp(r.projection_weight);
-  } else if (step.outcome == Outcome::Moved &&
-             (r.step < rules.short_step || r.step_bound < rules.short_bound)) {
-    clamp_ = 1;
-    whole_steps_ = rules.whole_steps;
-  } else if (hold_ > 0) {
-    --hold_;
+    raise_weight(r.projection_weight);
   } else if (blends()) {
-    clamp_ = r.projection_weight * rules.fall < rules.least ? 0 : r.projection_weight * rules.fall;
+    projection_weight_ =
+        r.projection_weight * rules.fall < rules.least ? 0 : r.projection_weight * rules.fall;
   }
 }
 
-void NewtonStepper::raise_clamp(double failed) {
-  clamp_ = *std::upper_bound(std::begin(kRaised), std::end(kRaised) - 1, failed);
-  hold_ = options_.blend.hold;
+void NewtonStepper::raise_weight(double failed) {
+  projection_weight_ = *std::upper_bound(std::begin(kRaised), std::end(kRaised) - 1, failed);
 }
 
 SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,

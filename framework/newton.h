@@ -28,15 +28,6 @@ struct BlendRules {
   double fall = 0.2;
   // Below, t is 0: the exact Hessian. Origin: bench/tune.py blend.least.
   double least = 0.06;
-  // Steps during which t stays where a failure has raised it. Origin: bench/tune.py blend.hold.
-  int hold = 2;
-  // A shorter step, or a certified bound below the next number, is followed by `whole_steps` steps
-  // with t = 1. Origin: bench/tune.py blend.short_step.
-  double short_step = 0.26;
-  // Origin: bench/tune.py blend.short_bound.
-  double short_bound = 0.3;
-  // Origin: bench/tune.py blend.whole_steps.
-  int whole_steps = 2;
 };
 
 // Steps on a kept factor: instead of a factorization of its own a step may take the last one's
@@ -52,11 +43,8 @@ struct LaggedFactorRules {
   int history = 8;
   // Steps that a factor serves beside its own; more save little at any degree.
   int steps = 5;
-  // After a shorter step, or a certified bound below the next number, comes a factorization.
-  // Origin: bench/tune.py kept.short_step.
+  // A shorter step is followed by a factorization.
   double short_step = 0.05;
-  // Origin: bench/tune.py kept.short_bound.
-  double short_bound = 0.1;
 };
 
 // How accurately H p = -g is asked for, of solvers that can save by it (LinearSolver::solve):
@@ -114,17 +102,15 @@ class NewtonStepper final : public Stepper {
   FactorStatus solve_shifted(double shift, IterationRecord& record);
   double tolerance() const;
   double mean_diagonal() const;
-  void learn_clamp(const Step& step);
-  void raise_clamp(double failed);
+  void learn_weight(const Step& step);
+  void raise_weight(double failed);
 
   NewtonOptions options_;
   std::unique_ptr<LinearSolver> solver_;
   Vec hessian_, rhs_, p_;
   double last_gradient_norm_ = 0, last_tolerance_ = 0;  // of the step before; 0: there is none
   double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step
-  double clamp_ = 1;                                                     // t of the next blend
-  int hold_ = 0;                                                         // steps that it stays
-  int whole_steps_ = 0;                                                  // to come before it
+  double projection_weight_ = 1;                                         // t of the next blend
   class LaggedFactor;
   std::unique_ptr<LaggedFactor> kept_;
 };

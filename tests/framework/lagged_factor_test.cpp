@@ -64,7 +64,7 @@ TEST(LaggedFactors, BeginWithAnEmptyHistory) {
   NewtonOptions o;
   o.blend.below = 0;
   o.stopping = first_order_rules();
-  o.kept = {.below = test::kInfinity, .steps = 3, .short_step = 0, .short_bound = 0};
+  o.kept = {.below = test::kInfinity, .steps = 3, .short_step = 0};
   Preconditioner metric(chain.problem, Curvature::Projected, make_direct_solver());
   Evaluator evaluator(chain.problem);
   Vec here = chain.start, g, p;
@@ -95,7 +95,7 @@ TEST(LaggedFactors, AreNotForOtherProblemsAndPolishedSteps) {
   const test::ChainProblem chain(60);
   NewtonOptions o;
   o.kept.below = test::kInfinity;
-  o.kept.short_step = o.kept.short_bound = 0;
+  o.kept.short_step = 0;
   NewtonStepper stepper(chain.problem, o);
   Vec y = chain.start;
   double energy = stepper.evaluator().value(y);

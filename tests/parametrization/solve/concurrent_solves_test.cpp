@@ -1,10 +1,12 @@
 // Solves in several threads of one process: the bits of one after the other, and settings that
 // belong to the process or to another thread stay as they are.
+#include <dlfcn.h>
 #include <glog/logging.h>
-#include <omp.h>
 
 #include <functional>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "framework/barrier_chain.h"
@@ -64,15 +66,25 @@ TEST(ConcurrentSolves, GiveTheBitsOfOneAfterTheOther) {
   }
 }
 
+// OpenMP, which CHOLMOD brings.
+template <class Function>
+Function* openmp(const char* name) {
+  void* function = ::dlsym(RTLD_DEFAULT, name);
+  if (!function) throw std::runtime_error(std::string(name) + ": CHOLMOD without OpenMP");
+  return reinterpret_cast<Function*>(function);
+}
+int openmp_threads() { return openmp<int()>("omp_get_max_threads")(); }
+void set_openmp_threads(int count) { openmp<void(int)>("omp_set_num_threads")(count); }
+
 // What libraries below keep for the process, or OpenMP for the calling thread.
 struct Settings {
-  int openmp_threads = omp_get_max_threads(), openmp_levels = omp_get_max_active_levels();
+  int openmp = openmp_threads();
   int blas_threads = openblas_get_num_threads();
   int glog_level = FLAGS_minloglevel;
   bool operator==(const Settings&) const = default;
   friend void PrintTo(const Settings& s, std::ostream* out) {
-    *out << "OpenMP " << s.openmp_threads << " threads " << s.openmp_levels << " levels, BLAS "
-         << s.blas_threads << ", glog " << s.glog_level;
+    *out << "OpenMP " << s.openmp << " threads, BLAS " << s.blas_threads << ", glog "
+         << s.glog_level;
   }
 };
 
@@ -86,13 +98,11 @@ Settings seen_by_another_thread() {
 class UnusualSettings {
  public:
   UnusualSettings() {
-    omp_set_num_threads(5);
-    omp_set_max_active_levels(3);
+    set_openmp_threads(5);
     FLAGS_minloglevel = google::GLOG_ERROR;
   }
   ~UnusualSettings() {
-    omp_set_num_threads(before_.openmp_threads);
-    omp_set_max_active_levels(before_.openmp_levels);
+    set_openmp_threads(before_.openmp);
     FLAGS_minloglevel = before_.glog_level;
   }
 
@@ -150,22 +160,6 @@ TEST(ConcurrentSolves, ByCholmodToo) {
   EXPECT_EQ(x, first);
   EXPECT_EQ(y, first);
   openblas_set_num_threads(blas_threads);
-}
-
-TEST(ThreadCount, LastsAsLongAsItsBlock) {
-  const ThreadCount outer(3);
-  const Settings before;
-  EXPECT_EQ(ThreadCount::current(), 3);
-  {
-    const ThreadCount one(1);
-    EXPECT_EQ(ThreadCount::current(), 1);
-    const ThreadCount two(2);
-    EXPECT_EQ(ThreadCount::current(), 2);
-    const ThreadCount same(0);
-    EXPECT_EQ(ThreadCount::current(), 2);
-  }
-  EXPECT_EQ(Settings(), before);
-  EXPECT_THROW(ThreadCount(-1), InvalidArgument);
 }
 
 }  // namespace
