@@ -19,14 +19,14 @@
 // g bounds what E is above its constrained minimum. A constraint with multiplier l ends at the
 // distance mu / l from its boundary. Not for equality constraints: eliminate them (constraint.h);
 // nor for starts on the boundary: they must be inside, but for a BarrierChecker's bounds
-// (of_bounds(); barrier_checker.h has the code). A start that does not meet such a bound is first
+// (of_bounds(); feasibility.h has the code). A start that does not meet such a bound is first
 // led inside: by barriers of the bound relaxed as far as the point needs it, tightened as it comes
 // nearer.
 #pragma once
 
 #include <vector>
 
-#include "majorant/framework/barrier_checker.h"
+#include "majorant/framework/feasibility.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/barrier_checker.h"
+#include "majorant/framework/feasibility.h"
 
 namespace majorant {
 
