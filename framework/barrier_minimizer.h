@@ -32,16 +32,14 @@
 namespace majorant {
 
 struct BarrierOptions {
-  // m mu / max(1, |E|) of the first phase. Origin: [NW06] Sec. 19.3 starts near it; chosen, not
-  // tuned.
+  // m mu / max(1, |E|) of the first phase: [NW06] Sec. 19.3 starts near it.
   double first_gap = 0.1;
-  // Of mu, from one phase to the next. Origin: [NW06] Sec. 19.3 has 0.2; Newton's method follows
-  // further.
+  // Of mu, from one phase to the next. [NW06] Sec. 19.3 has 0.2; Newton's method follows further.
   double fall = 0.1;
-  // m mu / max(1, |E|) of the last phase. Origin: bounds with multipliers near 1 end within 1e-8.
+  // m mu / max(1, |E|) of the last phase: bounds with multipliers near 1 then end within 1e-8.
   double tolerance = 1e-8;
-  // A phase but the last ends with a decrease of at most so many m mu. Origin: what the next fall
-  // of mu changes is larger.
+  // A phase but the last ends with a decrease of at most so many m mu: what the next fall of mu
+  // changes is larger.
   double centred = 0.1;
   // Of every phase; its stopping rules hold in the last one, its iterations count through all.
   NewtonOptions newton = {};
