@@ -46,7 +46,8 @@ function(majorant_energy_kernels name set)
   # g++ 12 warns of its own _mm512_undefined_pd (GCC bug 105593).
   target_compile_options(${target} PRIVATE ${flags_${set}} -Wall -Wextra
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-uninitialized>)
-  target_compile_definitions(${target} PRIVATE MAJORANT_KERNEL_NAME=${name}_${set})
+  target_compile_definitions(${target} PRIVATE MAJORANT_KERNEL_NAME=${name}_${set}
+                             $<$<NOT:$<STREQUAL:${set},baseline>>:MAJORANT_USUAL_MODELS>)
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_EXTENSIONS OFF)
   majorant_add_objects(energies ${target})
 endfunction()

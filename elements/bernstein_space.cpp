@@ -1,12 +1,16 @@
 #include "majorant/elements/bernstein_space.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <set>
 #include <utility>
 
+#include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/internal/det_coefficients.h"
 #include "majorant/elements/internal/element_check.h"
 #include "majorant/elements/internal/node_lattice.h"
@@ -14,8 +18,143 @@
 #include "majorant/elements/internal/small_buffer.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/rounding.h"
 
 namespace majorant {
+
+namespace {
+
+double exact(double integer) {
+  if (!(integer < kExactIntegers))
+    throw InvalidArgument("BernsteinBasis: degree too high for exact weights");
+  return integer;
+}
+
+// (e_0 + e_1 + ...)! / (e_0! e_1! ...).
+double multinomial(const int* e, int size) {
+  double out = 1;
+  for (int k = 0, total = 0; k < size; ++k)
+    for (int j = 1; j <= e[k]; ++j) out = exact(out * ++total) / j;
+  return out;
+}
+
+}  // namespace
+
+BernsteinBasis::BernsteinBasis(Factors factors, std::vector<Exponents> functions)
+    : factors_(std::move(factors)),
+      coordinates_(std::accumulate(factors_.begin(), factors_.end(), 0)),
+      functions_(std::move(functions)) {
+  if (coordinates_ > static_cast<int>(Exponents{}.size()))
+    throw InvalidArgument("BernsteinBasis: cell with too many coordinates");
+  for (int k = 0; k < count(); ++k) {
+    double weight = 1;
+    const int* e = exponents(k).data();
+    for (const int corners : factors_) {
+      weight = exact(weight * multinomial(e, corners));
+      e += corners;
+    }
+    weights_.push_back(weight);
+    lookup_.emplace(exponents(k), k);
+  }
+}
+
+int BernsteinBasis::find(const Exponents& e) const {
+  const auto found = lookup_.find(e);
+  return found == lookup_.end() ? -1 : found->second;
+}
+
+bool BernsteinBasis::is_corner(int k) const {
+  const int* e = exponents(k).data();
+  for (const int corners : factors_) {
+    if (*std::max_element(e, e + corners) != std::accumulate(e, e + corners, 0)) return false;
+    e += corners;
+  }
+  return true;
+}
+
+Vec BernsteinBasis::values(VecIn point) const {
+  Index columns = 0;
+  for (const int corners : factors_) columns += corners == 2 ? 1 : corners;
+  require_size("BernsteinBasis::values: the point", point.size(), columns);
+  std::array<double, Exponents{}.size()> x{};
+  Index from = 0;
+  std::size_t to = 0;
+  for (const int corners : factors_)
+    if (corners == 2) {  // a segment, given by one number
+      x[to++] = 1 - point[from];
+      x[to++] = point[from++];
+    } else {
+      for (int k = 0; k < corners; ++k) x[to++] = point[from++];
+    }
+  Vec b(count());
+  for (int k = 0; k < count(); ++k) {
+    b[k] = weight(k);
+    for (std::size_t c = 0; c < to; ++c) b[k] *= integer_power(x[c], exponents(k)[c]);
+  }
+  return b;
+}
+
+namespace {
+
+// Of the degree `degree` on a simplex: (degree + corners - 1)! / (degree! (corners - 1)!).
+int function_count(int corners, int degree) {
+  int count = 1;
+  for (int k = 1; k < corners; ++k) count = count * (degree + k) / k;
+  return count;
+}
+
+bool has_degrees(const Factors& factors, const Degrees& degrees, const Exponents& e) {
+  auto at = e.begin();
+  for (std::size_t f = 0; f < factors.size(); at += factors[f++])
+    if (std::accumulate(at, at + factors[f], 0) != degrees[f]) return false;
+  return *std::min_element(e.begin(), e.end()) >= 0;
+}
+
+}  // namespace
+
+int BernsteinElement::corner_count() const {
+  int count = 1;
+  for (const int corners : factors) count *= corners;
+  return count;
+}
+
+int BernsteinElement::coordinate_count() const {
+  return std::accumulate(factors.begin(), factors.end(), 0);
+}
+
+std::vector<Exponents> BernsteinElement::functions(const Degrees& of) const {
+  std::vector<Exponents> out = lattice(of);
+  std::size_t expected = 1;
+  for (std::size_t f = 0; f < of.size(); ++f)
+    expected *= to_size(function_count(factors[f], of[f]));
+  const bool all = std::all_of(out.begin(), out.end(),
+                               [&](const Exponents& e) { return has_degrees(factors, of, e); });
+  if (!all || out.size() != expected || std::set(out.begin(), out.end()).size() != expected)
+    throw InvalidArgument(
+        fmt::format("{}: lattice({}) must be the {} functions of these degrees, each once", name,
+                    fmt::join(of, ", "), expected));
+  return out;
+}
+
+double BernsteinElement::measure() const {
+  double measure = 1;
+  for (const int corners : factors)
+    for (int k = 2; k < corners; ++k) measure /= k;
+  return measure;
+}
+
+int BernsteinElement::factor_of(int coordinate) const {
+  int factor = 0;
+  while (coordinate >= factors[factor]) coordinate -= factors[factor++];
+  return factor;
+}
+
+Degrees BernsteinElement::lowered(int factor) const {
+  Degrees d = degrees();
+  --d[factor];
+  return d;
+}
+
 namespace {
 
 // Local coordinates and coefficients of elements of moderate degree stay on the stack.

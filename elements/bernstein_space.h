@@ -1,15 +1,96 @@
-// The element space of any BernsteinElement: everything but the description of the element.
+// Elements whose maps are Bernstein polynomials: polynomials on a cell (BernsteinBasis), the
+// description of an element (BernsteinElement), and the space that follows from it
+// (BernsteinSpace).
 //
-// Derived classes add a constructor that describes it, and what only they have.
+// To add an element, describe it and derive its space from BernsteinSpace, as the tetrahedra,
+// squares and triangles beside it do (docs/elements.md). A space checks the description when it is
+// made.
 #pragma once
 
+#include <array>
+#include <map>
 #include <memory>
+#include <string_view>
 #include <vector>
 
-#include "majorant/elements/bernstein_element.h"
 #include "majorant/elements/element_space.h"
+#include "majorant/framework/types.h"
 
 namespace majorant {
+
+using Exponents = std::array<int, 6>;  // of the homogeneous coordinates; unused ones are 0
+using Degrees = std::vector<int>;      // of a polynomial space, one per factor
+
+// Bernstein polynomials on any cell that is a simplex or a product of simplices.
+//
+// A cell has homogeneous coordinates: the barycentric ones of a triangle or a tetrahedron, 1-s, s,
+// 1-t, t of a square. A basis function is weight * product of coordinates^exponents, the weight a
+// product of one multinomial coefficient per factor simplex. So the product of two functions is a
+// multiple of one function, and so is the derivative by a coordinate: every table of elements/
+// follows from lists of exponents.
+class BernsteinBasis {
+ public:
+  // Functions in the given order; several polynomial spaces may follow each other. Throws
+  // InvalidArgument for more than 6 coordinates and for weights beyond 2^53, which a double
+  // would round.
+  BernsteinBasis(Factors factors, std::vector<Exponents> functions);
+
+  const Factors& factors() const { return factors_; }
+  int coordinate_count() const { return coordinates_; }
+  int count() const { return static_cast<int>(functions_.size()); }
+  const Exponents& exponents(int k) const { return functions_[k]; }
+  double weight(int k) const { return weights_[k]; }
+  int find(const Exponents& e) const;  // -1 when no function has these exponents
+  // The function that is 1 at a corner of the cell and whose coefficient is the value there.
+  bool is_corner(int k) const;
+
+  // Values of all functions; point: barycentric coordinates of a simplex, (s, t) of a square.
+  Vec values(VecIn point) const;
+
+ private:
+  Factors factors_;
+  int coordinates_;
+  std::vector<Exponents> functions_;
+  std::vector<double> weights_;
+  std::map<Exponents, int> lookup_;
+};
+
+// A cut of a cell: of the edge between homogeneous coordinates a and b, at its midpoint. `first` is
+// the child with vertex a, `second` the one with b: which coordinate of the parent, or kMidpoint,
+// is each coordinate of the child.
+struct EdgeBisection {
+  static constexpr int kMidpoint = -1;
+  int a, b;
+  std::vector<int> first, second;
+};
+
+// What distinguishes one element type from another: data, no algorithms.
+struct BernsteinElement {
+  std::string_view name;  // of its space, for messages
+  int degree;             // of the map
+  int max_degree;
+  Factors factors;  // 2 or 3 dimensions together
+  // Exponents of a polynomial space in the element's node order (VTK's), corners first; each once,
+  // also for degrees that are 0 or differ between the factors.
+  std::vector<Exponents> (*lattice)(const Degrees& degrees);
+  // Derivative by reference coordinate d: by homogeneous coordinate [0] minus by coordinate [1].
+  std::vector<std::array<int, 2>> derivatives;
+  std::vector<EdgeBisection> bisections;  // one after the other, cyclically
+
+  int dim() const { return static_cast<int>(derivatives.size()); }
+  int corner_count() const;
+  int coordinate_count() const;  // homogeneous ones
+  double measure() const;        // of the reference cell
+
+  Degrees degrees() const { return Degrees(factors.size(), degree); }
+  // lattice(of), which must name every function of the space once. Throws InvalidArgument.
+  std::vector<Exponents> functions(const Degrees& of) const;
+  BernsteinBasis basis(const Degrees& of) const { return {factors, functions(of)}; }
+  // Factor that a homogeneous coordinate belongs to.
+  int factor_of(int coordinate) const;
+  // Degrees of the map's derivative by a coordinate of this factor.
+  Degrees lowered(int factor) const;
+};
 
 // Vertices keep their numbers, then come edges (from the smaller to the larger vertex), then faces,
 // then the interiors of cells.
@@ -19,6 +100,8 @@ struct NodeNumbering {
   std::vector<Index> boundary_nodes;  // on facets of one cell, sorted
 };
 
+// The element space of any BernsteinElement. Derived classes add a constructor that describes the
+// element, and what only they have.
 class BernsteinSpace : public ElementSpace {
  public:
   int degree() const { return element_.degree; }

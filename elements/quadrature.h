@@ -11,13 +11,17 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
-#include "majorant/elements/bernstein_basis.h"
+#include "majorant/framework/types.h"
 
 namespace majorant {
 
+// A cell, as corners of each factor: {3} triangle, {4} tetrahedron, {2, 2} square.
+using Factors = std::vector<int>;
+
 struct Quadrature {
-  Factors cell;  // corners of each factor: {3} triangle, {4} tetrahedron, {2, 2} square
+  Factors cell;
   // #L by coordinates, factor by factor: the barycentric ones of a triangle or tetrahedron, which
   // add to 1; one number in [0, 1] for a segment: (s, t) of a square, 3 + 1 columns for a wedge.
   RowMatrix points;

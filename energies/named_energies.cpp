@@ -30,13 +30,15 @@ template <class Density>
 EnergyFactory builtin(Density density, [[maybe_unused]] InstructionSet set) {
   constexpr int index = position<Density>(static_cast<const BuiltinEnergies*>(nullptr));
   static_assert(index < static_cast<int>(std::tuple_size_v<BuiltinEnergies>));
+  DensityKernels kernels = vectorized(density);
 #ifdef MAJORANT_X86_KERNELS
-  if (set == InstructionSet::Avx512)
-    return energy_factory(std::move(density), builtin_kernels_avx512(index));
-  if (set == InstructionSet::Avx2)
-    return energy_factory(std::move(density), builtin_kernels_avx2(index));
+  if (set != InstructionSet::Baseline) {
+    const auto baseline = kernels.local;
+    kernels =
+        set == InstructionSet::Avx512 ? builtin_kernels_avx512(index) : builtin_kernels_avx2(index);
+    kernels.local_of_comparisons = baseline;
+  }
 #endif
-  const DensityKernels kernels = vectorized(density);
   return energy_factory(std::move(density), kernels);
 }
 

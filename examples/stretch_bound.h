@@ -1,5 +1,5 @@
 // The bound of bounded_stretch.cpp, a checker with a barrier
-// (majorant/framework/barrier_checker.h): the largest stretch of a planar map, proven over all of
+// (majorant/framework/feasibility.h): the largest stretch of a planar map, proven over all of
 // it.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 #include "majorant/elements/jacobian_net.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/framework/barrier_checker.h"
+#include "majorant/framework/feasibility.h"
 
 namespace majorant {
 

@@ -19,29 +19,27 @@
 // g bounds what E is above its constrained minimum. A constraint with multiplier l ends at the
 // distance mu / l from its boundary. Not for equality constraints: eliminate them (constraint.h);
 // nor for starts on the boundary: they must be inside, but for a BarrierChecker's bounds
-// (of_bounds(); barrier_checker.h has the code). A start that does not meet such a bound is first
+// (of_bounds(); feasibility.h has the code). A start that does not meet such a bound is first
 // led inside: by barriers of the bound relaxed as far as the point needs it, tightened as it comes
 // nearer.
 #pragma once
 
 #include <vector>
 
-#include "majorant/framework/barrier_checker.h"
+#include "majorant/framework/feasibility.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {
 
 struct BarrierOptions {
-  // m mu / max(1, |E|) of the first phase. Origin: [NW06] Sec. 19.3 starts near it; chosen, not
-  // tuned.
+  // m mu / max(1, |E|) of the first phase: [NW06] Sec. 19.3 starts near it.
   double first_gap = 0.1;
-  // Of mu, from one phase to the next. Origin: [NW06] Sec. 19.3 has 0.2; Newton's method follows
-  // further.
+  // Of mu, from one phase to the next. [NW06] Sec. 19.3 has 0.2; Newton's method follows further.
   double fall = 0.1;
-  // m mu / max(1, |E|) of the last phase. Origin: bounds with multipliers near 1 end within 1e-8.
+  // m mu / max(1, |E|) of the last phase: bounds with multipliers near 1 then end within 1e-8.
   double tolerance = 1e-8;
-  // A phase but the last ends with a decrease of at most so many m mu. Origin: what the next fall
-  // of mu changes is larger.
+  // A phase but the last ends with a decrease of at most so many m mu: what the next fall of mu
+  // changes is larger.
   double centred = 0.1;
   // Of every phase; its stopping rules hold in the last one, its iterations count through all.
   NewtonOptions newton = {};

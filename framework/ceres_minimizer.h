@@ -25,16 +25,16 @@ namespace majorant {
 struct CeresOptions {
   enum class Method { Lbfgs, NonlinearConjugateGradient };
   Method method = Method::Lbfgs;
-  // Origin: as first_order_rules().
+  // As first_order_rules().
   int max_iterations = 10000;
-  // Origin: as first_order_rules(), steps without a gain.
+  // As first_order_rules(): only steps without a gain count.
   double function_tolerance = 1e-14;
-  // Absolute: an energy per unknown, times scale. Origin: Ceres' default.
+  // Absolute: an energy per unknown, times scale. Ceres' default.
   double gradient_tolerance = 1e-10;
-  // Origin: 100 unit roundoffs, below which points do not differ.
+  // 100 unit roundoffs, below which points do not differ.
   double parameter_tolerance = 1e-14;
   double scale = 1;  // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
-  // Pairs that L-BFGS keeps. Origin: Ceres' default.
+  // Pairs that L-BFGS keeps. Ceres' default.
   int history = 20;
   StopCheck stop = {};  // ends a run between evaluations and batches of elements
 };

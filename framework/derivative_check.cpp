@@ -17,11 +17,11 @@
 namespace majorant {
 namespace {
 
-// Of the size of an element's unknowns. Origin: rounding of the energy, divided by it, and the
-// fourth power of it both stay far below the tolerance.
+// Of the size of an element's unknowns: rounding of the energy, divided by it, and the fourth power
+// of it both stay far below the tolerance.
 constexpr double kStep = 1e-5;
 // Of the Hessian times the size: what a gradient may be off by without being called wrong, relative
-// to the tolerance. Origin: an element at rest has no gradient but that of rounding; with the usual
+// to the tolerance. An element at rest has no gradient but that of rounding; with the usual
 // tolerance this is a displacement of 1e-10 of the size.
 constexpr double kRest = 1e-5;
 

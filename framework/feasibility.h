@@ -3,12 +3,23 @@
 // A checker sees the full unknowns x. It certifies: "feasible" is a proof (up to the documented
 // model of arithmetic), "not feasible" may be mere caution. A checker is immutable and called from
 // several threads: what it did it returns, and who asks adds it up (Evaluator::violation).
+//
+// A BarrierChecker also knows how to keep away from its limit, so that a bound is a constraint of
+// the optimization and no wall at which runs stall:
+//
+//   const auto hold = [](ProblemBuilder& b, std::shared_ptr<const BarrierChecker> bound) {
+//     b.add(bound);                                        // at every step
+//     const TermId barrier = b.add(bound->barrier(), 1.0);
+//     return BarrierMinimizer::of_bounds({{barrier, bound}});
+//   };
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string_view>
 #include <vector>
 
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
@@ -41,6 +52,20 @@ class FeasibilityChecker {
   // checker that cannot certify paths returns s: its check() at the end point then decides. Solvers
   // throw InvalidArgument, with the name, for an answer that is negative or NaN.
   virtual StepBound max_step(VecIn x, VecIn d, double s) const = 0;
+};
+
+// The barrier grows to infinity towards the limit; while its weight falls, minima of the sum run
+// along a path inside the feasible set to the constrained minimum (interior points, [NW06]
+// Sec. 19.6). A start outside is led inside by relaxed bounds. parametrize() does the same for what
+// MapExtension::add() is given (map_extension.h). Not for what has no derivatives: a
+// FeasibilityChecker alone, where runs end "held at the limit of the feasible set".
+class BarrierChecker : public FeasibilityChecker {
+ public:
+  // Finite where check() says feasible, and ever larger towards the limit: sums of -log(room).
+  virtual std::shared_ptr<const EnergyTerm> barrier() const = 0;
+  // The same bound, its limit moved so far that x keeps clear of it (by a tenth of it, say), and no
+  // farther; never stricter than this one.
+  virtual std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const = 0;
 };
 
 }  // namespace majorant

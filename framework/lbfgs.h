@@ -22,14 +22,14 @@ namespace majorant {
 // A minimum is found when -g.p <= stopping.decrement |E|, p = -B g the L-BFGS direction: the
 // decrement that Newton's method has with B^-1 as its Hessian.
 struct LbfgsOptions {
-  // Pairs (change of y, change of g) that B satisfies; 0: descent in the metric. Origin: [NW06]
-  // Sec. 7.2 has 3 to 20.
+  // Pairs (change of y, change of g) that B satisfies; 0: descent in the metric. [NW06] Sec. 7.2
+  // has 3 to 20.
   int history = 10;
   // The metric is its Hessian, shifted if need be; empty: the problem itself.
   std::optional<Problem> metric = {};
   Curvature curvature = Curvature::Projected;  // of the metric
-  // Pairs with s.q <= cautious |s| |q| are skipped: B stays positive definite [LF01]. Origin: far
-  // above the rounding of s.q; chosen, not tuned.
+  // Pairs with s.q <= cautious |s| |q| are skipped: B stays positive definite [LF01]. Far above the
+  // rounding of s.q.
   double cautious = 1e-10;
   StoppingRules stopping = first_order_rules();
   LineSearchOptions line_search = {};

@@ -14,14 +14,12 @@
 namespace majorant {
 namespace {
 
-// Of kResolution: an increase that is taken for rounding. Origin: well below what counts as a
-// change.
+// Of kResolution: an increase that is taken for rounding, well below what counts as a change.
 constexpr double kRoundingPart = 0.25;
-// Where the minimum of the parabola lies between these multiples of the step, the step stays.
-// Origin: a quadratic loses 1/16 of its decrease at most there.
+// Where the minimum of the parabola lies between these multiples of the step, the step stays: a
+// quadratic loses 1/16 of its decrease at most there.
 constexpr double kWorthShortening = 0.8, kWorthGrowing = 1.25;
-// Of the step, per trial of the barrier phase. Origin: chosen, not tuned; the parabola asks for
-// 1.455.
+// Of the step, per trial of the barrier phase; the parabola asks for 1.455.
 constexpr double kStride = 2;
 
 }  // namespace

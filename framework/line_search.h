@@ -11,39 +11,39 @@
 #pragma once
 
 #include "majorant/framework/evaluator.h"
-#include "majorant/framework/iteration.h"
+#include "majorant/framework/run_record.h"
 
 namespace majorant {
 
-// Part of the predicted decrease that a step must achieve. Origin: [NW06] Sec. 3.1.
+// Part of the predicted decrease that a step must achieve [NW06, Sec. 3.1].
 inline constexpr double kArmijo = 1e-4;
-// Part of a step that must not be reached (the largest certified one) that is taken. Origin:
+// Part of a step that must not be reached (the largest certified one) that is taken. Tuned by
 // bench/tune.py line_search.boundary_fraction.
 inline constexpr double kPartOfLimit = 0.9;
 
 struct LineSearchOptions {
   double armijo = kArmijo;                  // accept s when E(s) <= E(0) + armijo * s * g.p, finite
   double boundary_fraction = kPartOfLimit;  // of the largest certified step, when that is the limit
-  // Of the step per trial, while the energy asks for more. Origin: bench/tune.py
+  // Of the step per trial, while the energy asks for more. Tuned by bench/tune.py
   // line_search.largest_growth.
   double largest_growth = 4;
-  // Longer or shorter steps that are tried after the first one that is good enough. Origin:
+  // Longer or shorter steps that are tried after the first one that is good enough. Tuned by
   // bench/tune.py line_search.most_improvements.
   int most_improvements = 8;
   // In the barrier phase, decrement > barrier_decrement |E(0)|, a step that the parabola would make
-  // longer is doubled instead, as long as E falls by the part barrier_gain of it. Origin:
+  // longer is doubled instead, as long as E falls by the part barrier_gain of it. Tuned by
   // bench/tune.py line_search.barrier_decrement.
   double barrier_decrement = 0.5;
-  // Origin: bench/tune.py line_search.barrier_gain.
+  // Tuned by bench/tune.py line_search.barrier_gain.
   double barrier_gain = 0.1;
-  // Give up below. Origin: steps of this part of y are lost in its rounding.
+  // Give up below: steps of this part of y are lost in its rounding.
   double smallest_step = 1e-14;
 };
 
 class LineSearch {
  public:
-  // Relative changes of an energy that its evaluations may not tell from rounding. Origin: 4500
-  // unit roundoffs; a sum of N terms of one sign loses about sqrt(N) of them.
+  // Relative changes of an energy that its evaluations may not tell from rounding: 4500 unit
+  // roundoffs; a sum of N terms of one sign loses about sqrt(N) of them.
   static constexpr double kResolution = 5e-13;
   // Along y + s p from a feasible y, all of size(); energy: E(y); decrement: -g.p >= 0, an energy.
   // The arguments must outlive the search, but `stop`. Evaluations poll `stop`, checkers their own.

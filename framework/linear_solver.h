@@ -92,13 +92,13 @@ std::unique_ptr<LinearSolver> make_eigen_ldlt_solver();
 double mean_diagonal(const SparsePattern& pattern, const Vec& values);
 double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Partition& partition);
 
-// The first shift, of the mean diagonal, where a matrix is not positive definite. Origin: 100 unit
+// The first shift, of the mean diagonal, where a matrix is not positive definite: 100 unit
 // roundoffs, what the factorization of a singular matrix may be off; Newton's next matrix is
 // another one. Where the matrix stays, callers say why theirs is larger.
 inline constexpr double kSmallestShift = 1e-14;
 
 // Residual asked for where one matrix serves many solves as a metric, which has to be the same
-// operator every time. Origin: the square root of the unit roundoff.
+// operator every time: the square root of the unit roundoff.
 inline constexpr double kPreconditionerTolerance = 1e-8;
 
 struct ShiftedFactorization {

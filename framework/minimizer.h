@@ -1,19 +1,14 @@
 // Iterative solvers: what they are given and what they return. Why they stop: stopping.h.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "majorant/framework/iteration.h"
 #include "majorant/framework/problem.h"
+#include "majorant/framework/run_record.h"
 #include "majorant/framework/stopping.h"
 
 namespace majorant {
-
-// Receives each record and the point reached, before the next iteration; anything but Continue
-// ends the solve with that status.
-using Observer = std::function<Directive(const IterationRecord&, const Vec& y)>;
 
 struct SolveResult {
   Status status = Status::Failed;

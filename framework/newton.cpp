@@ -19,18 +19,18 @@
 namespace majorant {
 namespace {
 
-// Relative decrement below which rounding errors of the gradient matter. Origin: its square root,
-// 1e-5, is the relative distance to the minimum.
+// Relative decrement below which rounding errors of the gradient matter. Its square root, 1e-5, is
+// the relative distance to the minimum.
 constexpr double kPolish = 1e-10;
-// Of the mean diagonal. Origin: ten times kPolish, well above the rounding of the Hessian.
+// Of the mean diagonal: ten times kPolish, well above the rounding of the Hessian.
 constexpr double kPolishShift = 1e-9;
-// Part of the decrement below which a decrease says that the Hessian misleads. Origin: a quadratic
+// Part of the decrement below which a decrease says that the Hessian misleads: a quadratic
 // decreases by half of it.
 constexpr double kMisleading = 0.1;
-// Of the curvature along a rotation that is made up for. Origin: 1 would leave it singular.
+// Of the curvature along a rotation that is made up for; 1 would leave it singular.
 constexpr double kRotationShift = 1.5;
-// What t of a blend rises to when it was too small. Origin: about a factor of 5, so that two
-// failures lead from the exact Hessian to one that is mostly projected.
+// What t of a blend rises to when it was too small: by about a factor of 5, so that two failures
+// lead from the exact Hessian to one that is mostly projected.
 constexpr double kRaised[] = {0.1, 0.5, 1};
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace majorant {
 
-// Pivots and columns below, in parts of the largest diagonal entry, are 0. Origin: 100 unit
-// roundoffs, the rounding of a small factorization.
+// Pivots and columns below, in parts of the largest diagonal entry, are 0: 100 unit roundoffs, the
+// rounding of a small factorization.
 inline constexpr double kZeroPivot = 1e-14;
 
 // Whether no eigenvalue is below 0, but for rounding, by a factorization: a fraction of the time

@@ -1,24 +1,185 @@
-// The one owner of what spans a whole run: trace over degrees and rebuilt problems, time limit,
+// What a run leaves behind, and what spans it: the record of a step (IterationRecord, StepResult),
+// the trace (a row for each step that was tried, taken or not), what is being done (Activity), and
+// RunRecord, the one owner of the trace over degrees and rebuilt problems, of the time limit and of
 // interruption.
+//
+//   std::string_view now;
+//   RunRecord record(60, 1000, nullptr, {}, [&](Activity a) { now = activity_name(a); });
+//   double in_vain = 0;  // seconds of steps that were not taken
+//   for (const TraceEntry& row : record.trace())
+//     if (row.outcome != StepResult::Outcome::Moved) in_vain += row.record.seconds.sum();
+//
+// Solvers, starts and measurements announce what they begin and note their steps; progress lines,
+// reports and CSV files show it. No solver is here: who decides from a step whether to go on is
+// StoppingTest (stopping.h).
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/activity.h"
+#include "majorant/framework/curvature.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/minimizer.h"
 #include "majorant/framework/ranks.h"
-#include "majorant/framework/trace.h"
+#include "majorant/framework/stop_check.h"
+#include "majorant/framework/types.h"
 
 namespace majorant {
+
+enum class Status {
+  Converged,  // a stopping formula holds
+  MaxIterations,
+  TimeLimit,    // an observer said so
+  Interrupted,  // an observer said so
+  Stalled,      // no step decreases the energy, or only tiny ones, far from a minimum
+  Infeasible,   // the start violates a checker or lies outside an energy's domain
+  Failed,       // numerical breakdown: no factorization, no finite energy
+};
+// "converged", "max_iterations", ... as reports have it.
+std::string_view status_name(Status status);
+Status stopped_status(Directive why);  // of a run that was stopped
+
+struct IterationRecord {
+  int iteration = 0;                           // 1-based
+  double energy = 0;                           // after the step
+  double relative_decrease = 0;                // (E_before - E_after) / |E_before|
+  double step = 0;                             // accepted multiple of the Newton direction
+  double step_bound = 0;                       // largest certified multiple
+  double gradient_norm = 0;                    // before the step, reduced unknowns, Euclidean
+  double newton_decrement = 0;                 // -g . p, an energy; before the step
+  double shift = 0;                            // added to the Hessian's diagonal
+  Curvature curvature = Curvature::Projected;  // model that gave the direction
+  double projection_weight = 1;                // BlendedCurvature::projection_weight of it
+  int trials = 0;                              // energy evaluations of the line search
+  double residual = 0;                         // Solution::residual, 0 with a direct solver
+  int solver_iterations = 0;                   // Solution::iterations, of all solves
+  int factorizations = 0;                      // of a matrix of this size, failed ones included
+  int failed_factorizations = 0;               // of these: the matrix was not positive definite
+  struct Seconds {
+    double assemble = 0, factorize = 0, solve = 0, line_search = 0;
+    double sum() const { return assemble + factorize + solve + line_search; }
+  } seconds;
+};
+
+// value / |energy|, 0 / 0 = 0: energies may vanish at their minimum.
+double relative_to(double energy, double value);
+
+// What refused the last of the trials that were too long, of a step that was shortened or of one
+// that was not found. In this order: of several the last is named.
+enum class StepLimit {
+  None,     // nothing: the first trial was good
+  Energy,   // it falls less than its derivatives promise, or not at all
+  Domain,   // it is not finite there
+  Checker,  // a FeasibilityChecker
+};
+
+struct StepResult {
+  enum class Outcome {
+    Moved,
+    AtMinimum,   // decrement rule, or no unknowns: y unchanged
+    Blocked,     // the largest certified step is below smallest_step: y unchanged
+    NoDecrease,  // no decrease down to smallest_step: y unchanged
+    Breakdown,   // no factorization or no finite direction: y unchanged
+    Stopped,     // `why`: y unchanged
+  };
+  Outcome outcome = Outcome::Breakdown;
+  double energy_before = 0;
+  IterationRecord record;       // record.energy is the energy after the step
+  std::vector<Index> blocking;  // StepBound::blocking of the line search
+  StepLimit limit = StepLimit::None;
+  Directive why = Directive::Continue;
+  std::string why_none;  // of a Breakdown, where somebody looked into it: a sentence
+};
+
+// Receives each record and the point reached, before the next iteration; anything but Continue
+// ends the solve with that status.
+using Observer = std::function<Directive(const IterationRecord&, const Vec& y)>;
+
+// What an iteration minimizes. Minimized energies of different phases do not compare.
+enum class Phase {
+  Newton,     // the energy that was asked for
+  Entry,      // one that is finite at the start, where the energy asked for is not
+  SoftStart,  // sum A sqrt(density), from a start of enormous energy
+  Excluded,   // without the elements that block
+  Barrier,    // the energy and a part of one whose barrier is strong
+};
+// "newton", "entry", "soft-start", ... as reports have it.
+std::string_view phase_name(Phase phase);
+
+// What is tried when a run is held at the limit of the feasible set, in this order.
+enum class Remedy {
+  Deepen,         // certificates that bisect deeper
+  Refine,         // finer quadrature on the elements that block
+  Exclude,        // a few steps without these elements' say
+  FollowBarrier,  // steps with a strong barrier of falling weight
+};
+inline constexpr std::array<Remedy, 4> kRemedies{Remedy::Deepen, Remedy::Refine, Remedy::Exclude,
+                                                 Remedy::FollowBarrier};
+std::string_view remedy_name(Remedy remedy);  // "deepen", ..., "follow-barrier"
+
+// How often a remedy ran, and by how much the energy fell from the stalls to where the runs after
+// it ended; what a run ended without a gain has gained 0.
+struct RemedyUse {
+  int runs = 0;
+  double gained = 0;
+};
+using RemedyUses = std::array<RemedyUse, kRemedies.size()>;  // as kRemedies
+
+// "moved", "at-minimum", "blocked", ... as reports have it.
+std::string_view outcome_name(StepResult::Outcome outcome);
+
+struct TraceEntry {
+  int degree = 1;
+  // record.iteration counts through the whole run. record.energy: what was minimized, without the
+  // part of what surrounds the map.
+  IterationRecord record;
+  Phase phase = Phase::Newton;
+  StepResult::Outcome outcome = StepResult::Outcome::Moved;
+  int level = 0;      // of the mesh: 0 is the one asked for, 1 and more are coarser, of a start
+  double energy = 0;  // after the step, the one asked for: record.energy in Phase::Newton
+  std::optional<Remedy> remedy;  // ran just before this iteration
+  double elapsed = 0;            // seconds from the start of the run to the end of the step
+  // Of these, since the row before it (in the first one since the start of the run), outside of
+  // record.seconds: the start, problems made and analysed, remedies, scaffolds.
+  double other_seconds = 0;
+};
+
+// Of the mesh asked for: steps that moved the map.
+int steps_taken(const std::vector<TraceEntry>& trace);
+// Seconds of one factorization and one solve at that degree on the mesh asked for, the median over
+// the rows; none where there was no factorization.
+std::optional<double> factor_solve_seconds(const std::vector<TraceEntry>& trace, int degree);
+
+// What a run is doing, for whoever waits for it: it lasts until the next one is announced, and one
+// may come more than once. Steps are told apart (the trace): they all happen while Solving.
+enum class Activity {
+  Reading,
+  Cutting,   // of a surface that becomes charts
+  Starting,  // the first map, on coarser meshes too
+  Scaffold,  // the first triangulation of the space around an image
+  Solving,
+  Measuring,
+  Packing,
+  Proving,  // that nothing overlaps; of a file, all that is asked of it
+  Writing,  // each file proven before it takes its name
+};
+
+constexpr std::string_view activity_name(Activity activity) {
+  constexpr std::array<std::string_view, 9> kNames{"reading",  "cutting", "start",
+                                                   "scaffold", "solving", "measuring",
+                                                   "packing",  "proving", "writing"};
+  return kNames[static_cast<std::size_t>(activity)];
+}
 
 class RunRecord {
  public:

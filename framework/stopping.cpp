@@ -11,11 +11,11 @@
 namespace majorant {
 namespace {
 
-// Of the start's energy: about what is left of it after cancellation of terms of its size. Origin:
-// 100 unit roundoffs.
+// Of the start's energy: about what is left of it after cancellation of terms of its size, 100 unit
+// roundoffs.
 constexpr double kSmallestScale = 1e-14;
-// Times the start's energy, or 1: an energy so far below 0 has no minimum. Origin: no sum of terms
-// that has one begins to cancel there; the squares of what is below leave the range of doubles.
+// Times the start's energy, or 1: an energy so far below 0 has no minimum. No sum of terms that has
+// one begins to cancel there; the squares of what is below leave the range of doubles.
 constexpr double kUnbounded = 1e100;
 
 // Of a run that ends near a minimum although its last step promised more.
@@ -36,16 +36,15 @@ std::string stalled_at(StepLimit limit) {
 
 StoppingRules first_order_rules() {
   StoppingRules rules;
-  // Origin: below LineSearch::kResolution, so that only steps without a gain count.
+  // Below LineSearch::kResolution, so that only steps without a gain count.
   rules.relative_decrease = 1e-14;
   rules.plateau_factor = std::numeric_limits<double>::infinity();
-  // Origin: square root of the unit roundoff, as good as a gradient is.
+  // The square root of the unit roundoff, as good as a gradient is.
   rules.stall_decrement = 1e-8;
-  // Origin: chosen, not tuned.
   rules.stall_step = 1e-9;
-  // Origin: steps are short anyway, every point is one to return to.
+  // Steps are short anyway, every point is one to return to.
   rules.fallback_step = 0;
-  // Origin: ten times Newton's.
+  // Ten times Newton's.
   rules.max_iterations = 10000;
   return rules;
 }
@@ -53,7 +52,7 @@ StoppingRules first_order_rules() {
 StoppingRules brief_rules(int steps, double relative_decrease) {
   StoppingRules rules;
   rules.relative_decrease = relative_decrease;
-  // Origin: the first small step ends it, exact Hessian or not, and no other rule does.
+  // The first small step ends it, exact Hessian or not, and no other rule does.
   rules.tail_factor = 0;
   rules.last_factor = std::numeric_limits<double>::infinity();
   rules.plateau_factor = std::numeric_limits<double>::infinity();

@@ -19,7 +19,7 @@
 #include <optional>
 #include <string>
 
-#include "majorant/framework/iteration.h"
+#include "majorant/framework/run_record.h"
 
 namespace majorant {
 
@@ -52,36 +52,35 @@ namespace majorant {
 //     unbounded: an energy below -1e100 max(1, |E_0|): Failed, a minimum does not exist
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 struct StoppingRules {
-  // Origin: bench/tune.py stopping.relative_decrease.
+  // Tuned by bench/tune.py stopping.relative_decrease.
   double relative_decrease = 1e-6;
-  // Origin: -g.p is twice what is left, and that is 5 decreases where each step leaves 5/6.
+  // -g.p is twice what is left, and that is 5 decreases where each step leaves 5/6.
   double tail_factor = 10;
-  // Origin: bench/tolerance.py, which finds ten times -g.p left in valleys as curved as those of
-  // long strips.
+  // bench/tolerance.py finds ten times -g.p left in valleys as curved as those of long strips.
   double last_factor = 0.1;
-  // Such small steps that end a run. Origin: the first is followed by a step with the exact
-  // Hessian; 1 where Hessians never become exact.
+  // Such small steps that end a run: the first is followed by a step with the exact Hessian; 1
+  // where Hessians never become exact.
   int tail_steps = 2;
   // Of relative_decrease, that may be left; held by tests/campaigns/plateaus.py.
   double plateau_factor = 2;
-  // Of that, where Hessians are indefinite. Origin: hand_500 passes a saddle with decreases of
-  // 1e-7; bench/tune.py stopping.saddle_part.
+  // Of that, where Hessians are indefinite: runs pass saddles with decreases of 1e-7. Tuned by
+  // bench/tune.py stopping.saddle_part.
   double saddle_part = 0.01;
   // Steps in each of the two sums; held by tests/campaigns/plateaus.py.
   int plateau_window = 12;
-  // Foreseen at most. Origin: the iterations of a run, max_iterations.
+  // Foreseen at most: the iterations of a run, max_iterations.
   double plateau_steps = 1000;
-  // Origin: twice LineSearch::kResolution: no energy could tell what is left.
+  // Twice LineSearch::kResolution: no energy could tell what is left.
   double decrement = 1e-12;
-  // Origin: bench/tune.py stopping.stall_decrement.
+  // Tuned by bench/tune.py stopping.stall_decrement.
   double stall_decrement = 1e-4;
-  // Origin: bench/tune.py stopping.stall_iterations.
+  // Tuned by bench/tune.py stopping.stall_iterations.
   int stall_iterations = 3;
-  // Origin: bench/tune.py stopping.stall_step.
+  // Tuned by bench/tune.py stopping.stall_step.
   double stall_step = 1e-3;
-  // Origin: bench/tune.py stopping.fallback_step.
+  // Tuned by bench/tune.py stopping.fallback_step.
   double fallback_step = 0.1;
-  // Origin: bounds the cost of a solve that nobody watches; parametrize() has no such limit.
+  // Bounds the cost of a solve that nobody watches; parametrize() has no such limit.
   int max_iterations = 1000;
 };
 

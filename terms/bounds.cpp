@@ -65,7 +65,7 @@ class BoundBarrier final : public EnergyTerm {
 };
 
 // Of the gap between two bounds, or of 1, and of what a point exceeds a bound by: how far the
-// relaxed bound keeps from it. Origin: BarrierChecker::relaxed() asks for about a tenth.
+// relaxed bound keeps from it. BarrierChecker::relaxed() asks for about a tenth.
 constexpr double kClear = 0.1;
 
 class BoundChecker final : public BarrierChecker {

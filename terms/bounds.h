@@ -17,7 +17,7 @@
 
 #include <memory>
 
-#include "majorant/framework/barrier_checker.h"
+#include "majorant/framework/feasibility.h"
 
 namespace majorant {
 

@@ -30,7 +30,7 @@
 #include <string_view>
 #include <utility>
 
-#include "majorant/framework/barrier_checker.h"
+#include "majorant/framework/feasibility.h"
 #include "majorant/terms/local_term.h"
 
 namespace majorant {

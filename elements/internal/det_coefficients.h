@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "majorant/elements/bernstein_element.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/internal/step_polynomial.h"
 
 namespace majorant {

@@ -2,7 +2,7 @@
 // cell, so that a wrong description is refused where it is written and not believed by a proof.
 #pragma once
 
-#include "majorant/elements/bernstein_element.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/internal/det_coefficients.h"
 
 namespace majorant {

@@ -62,6 +62,11 @@ struct StarModel {
   double f, gx, gy, hxx, hxy, hyy, area_margin;
 };
 
+// Models that no run uses unless somebody asks for them.
+[[gnu::always_inline]] constexpr bool for_comparisons(Curvature model) {
+  return model != Curvature::Projected && model != Curvature::Exact;
+}
+
 // Kernels of one density. `density` is the object they were made for.
 struct DensityKernels {
   int rows, dims;  // of the Jacobian: M by D
@@ -76,6 +81,9 @@ struct DensityKernels {
   int (*scratch_size)(const ContractionView&);
   // Of densities of planar maps (2 by 2), with the exact Hessian; null for others.
   void (*star)(const void* density, const StarView&, double vx, double vy, StarModel&) = nullptr;
+  // `local` under models for_comparisons(), where `local` itself has no code for them: the library
+  // compiles them for the baseline instruction set alone. Null where `local` knows all models.
+  decltype(local) local_of_comparisons = nullptr;
 };
 
 }  // namespace majorant

@@ -117,7 +117,10 @@ template <class Arch, class Density, Curvature C>
   }
 }
 
-template <class Arch, class Density>
+// Which curvature models kernels have code for: all, or those that are not for comparisons.
+enum class Models { All, Usual };
+
+template <class Arch, class Density, Models models>
 void local(const void* object, const ContractionView& t, const BatchView& c,
            BlendedCurvature curvature, double* scratch, double* f, double* gradient,
            double* hessian) {
@@ -126,7 +129,8 @@ void local(const void* object, const ContractionView& t, const BatchView& c,
     constexpr Curvature C = decltype(model)::value;
     // What a density does not define is not compiled; DensityTerm::supports() keeps it from being
     // asked for.
-    constexpr Curvature defined = Density::defines(C) ? C : Curvature::Exact;
+    constexpr bool known = Density::defines(C) && (models == Models::All || !for_comparisons(C));
+    constexpr Curvature defined = known ? C : Curvature::Exact;
     local_with<Arch, Density, defined>(object, t, c, projection_weight, scratch, f, gradient,
                                        hessian);
   };
@@ -207,10 +211,10 @@ template <class Arch, class Density>
   for (const double lane : lanes) out.area_margin = lane < out.area_margin ? lane : out.area_margin;
 }
 
-template <class Arch, class Density>
+template <class Arch, class Density, Models models = Models::All>
 DensityKernels make_kernels() {
   DensityKernels kernels{Density::rows, Density::dims, &values<Arch, Density>,
-                         &local<Arch, Density>, &scratch_size<Arch, Density>};
+                         &local<Arch, Density, models>, &scratch_size<Arch, Density>};
   if constexpr (Density::rows == 2 && Density::dims == 2) kernels.star = &star<Arch, Density>;
   return kernels;
 }

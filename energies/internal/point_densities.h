@@ -4,11 +4,105 @@
 // Everything here is a template on the batch or always inlined, as in detail/contraction_kernel.h.
 #pragma once
 
+#include <xsimd/xsimd.hpp>
+
 #include "majorant/energies/detail/point_functions.h"
-#include "majorant/energies/internal/semidefinite_batch.h"
 #include "majorant/energies/spectral.h"
 
 namespace majorant {
+
+// Small symmetric matrices, one in each lane of SIMD batches, made semidefinite all at once by
+// make_semidefinite_batch(): what framework/packed_symmetric.h does for one of them. Lanes do not
+// see each other: what comes out of one does not depend on the others.
+
+// Entries, in parts of the largest one, that are 0: as kZeroPivot.
+inline constexpr double kZeroEntry = 1e-14;
+// Of all pairs of rows: rotations converge quadratically, in 6 or 7 sweeps.
+inline constexpr int kMostSweeps = 30;
+
+template <int N, class T>
+using PackedBatch = T[N * (N + 1) / 2];
+
+// Lanes without an eigenvalue below 0, by a factorization; "no" may be caution.
+template <int N, class T>
+auto semidefinite_lanes(const PackedBatch<N, T>& k, const T& zero) {
+  T a[N][N];
+  for (int i = 0, p = 0; i < N; ++i)
+    for (int j = 0; j <= i; ++j, ++p) a[i][j] = k[p];
+  auto holds = a[0][0] == a[0][0];
+  for (int c = 0; c < N; ++c) {
+    const auto positive = a[c][c] > zero;
+    holds = holds && a[c][c] >= -zero;
+    const T inverse = xsimd::select(positive, T(1.0) / a[c][c], T(0.0));
+    for (int i = c + 1; i < N; ++i) {
+      holds = holds && (positive || xsimd::abs(a[i][c]) <= zero);
+      const T factor = a[i][c] * inverse;
+      for (int j = c + 1; j <= i; ++j) a[i][j] -= factor * a[j][c];
+    }
+  }
+  return holds;
+}
+
+// a = V^T a V without a(i, j), V in v, by one of Jacobi's rotations in the lanes that `turns`.
+template <int N, class T, class Lanes>
+void rotate(int i, int j, const Lanes& turns, T (&a)[N][N], T (&v)[N][N]) {
+  const T one(1.0), zero(0.0), off = xsimd::select(turns, a[i][j], one);
+  const T cotangent = (a[j][j] - a[i][i]) / (off + off);  // of twice the angle
+  const T size = one / (xsimd::abs(cotangent) + xsimd::sqrt(cotangent * cotangent + one));
+  const T t = xsimd::select(turns, xsimd::select(cotangent < zero, -size, size), zero);
+  const T c = one / xsimd::sqrt(t * t + one), s = t * c;
+  const T low = a[i][i] - t * a[i][j], high = a[j][j] + t * a[i][j];
+  const T rest = xsimd::select(turns, zero, a[i][j]);
+  for (int m = 0; m < N; ++m) {
+    const T x = a[m][i], y = a[m][j], p = v[m][i], q = v[m][j];
+    a[m][i] = a[i][m] = c * x - s * y;
+    a[m][j] = a[j][m] = s * x + c * y;
+    v[m][i] = c * p - s * q;
+    v[m][j] = s * p + c * q;
+  }
+  a[i][i] = low;
+  a[j][j] = high;
+  a[i][j] = a[j][i] = rest;
+}
+
+// `projection_weight` of the negative eigenvalues taken away (BlendedCurvature::projection_weight),
+// 1: set to 0; where an entry is not finite, the zero matrix.
+template <int N, class T>
+void make_semidefinite_batch(double projection_weight, PackedBatch<N, T>& k) {
+  T nothing(0.0), largest(0.0);
+  for (const T& entry : k) nothing += entry * T(0.0);
+  for (T& entry : k) {
+    entry = xsimd::select(nothing == T(0.0), entry, T(0.0));
+    largest = xsimd::max(largest, xsimd::abs(entry));
+  }
+  const T zero = T(kZeroEntry) * largest;
+  const auto holds = semidefinite_lanes<N, T>(k, zero);
+  if (xsimd::all(holds)) return;
+
+  T a[N][N], v[N][N];
+  for (int i = 0, p = 0; i < N; ++i)
+    for (int j = 0; j <= i; ++j, ++p) {
+      a[i][j] = a[j][i] = k[p];
+      v[i][j] = v[j][i] = T(i == j ? 1.0 : 0.0);
+    }
+  bool turned = true;
+  for (int sweep = 0; turned && sweep < kMostSweeps; ++sweep) {
+    turned = false;
+    for (int i = 1; i < N; ++i)
+      for (int j = 0; j < i; ++j) {
+        const auto turns = !holds && xsimd::abs(a[i][j]) > zero;
+        if (!xsimd::any(turns)) continue;
+        rotate<N>(i, j, turns, a, v);
+        turned = true;
+      }
+  }
+  for (int e = 0; e < N; ++e) {
+    const T taken =
+        xsimd::select(holds, T(0.0), T(projection_weight) * xsimd::min(a[e][e], T(0.0)));
+    for (int i = 0, p = 0; i < N; ++i)
+      for (int j = 0; j <= i; ++j, ++p) k[p] -= taken * v[i][e] * v[j][e];
+  }
+}
 
 template <int M, int D>
 class PointwiseJacobian {

@@ -13,12 +13,17 @@ DensityKernels point_kernels_avx512(int index);
 namespace {
 
 DensityKernels point_kernels(int index) {
+  const DensityKernels baseline = point_kernels_baseline(index);
 #ifdef MAJORANT_X86_KERNELS
   const InstructionSet set = widest_instruction_set();
-  if (set == InstructionSet::Avx512) return point_kernels_avx512(index);
-  if (set == InstructionSet::Avx2) return point_kernels_avx2(index);
+  if (set == InstructionSet::Baseline) return baseline;
+  DensityKernels kernels =
+      set == InstructionSet::Avx512 ? point_kernels_avx512(index) : point_kernels_avx2(index);
+  kernels.local_of_comparisons = baseline.local;
+  return kernels;
+#else
+  return baseline;
 #endif
-  return point_kernels_baseline(index);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Compiled once per instruction set (cmake/kernels.cmake names the function). Nothing here may
-// instantiate inline code that other files share.
+// Compiled once per instruction set (cmake/kernels.cmake names the function), without the models
+// that are for comparisons. Nothing here may instantiate inline code that other files share.
 #include "majorant/energies/detail/contraction_kernel.h"
 #include "majorant/energies/internal/builtin_densities.h"
 
@@ -9,7 +9,8 @@ namespace {
 template <class... Energies>
 DensityKernels at(int index, const std::tuple<Energies...>*) {
   const DensityKernels table[] = {
-      kernel::make_kernels<xsimd::default_arch, typename Energies::Density>()...};
+      kernel::make_kernels<xsimd::default_arch, typename Energies::Density,
+                           kernel::Models::Usual>()...};
   return table[index];
 }
 

@@ -6,9 +6,16 @@
 namespace majorant {
 namespace {
 
+// Models for comparisons are compiled for the baseline alone.
+#ifdef MAJORANT_USUAL_MODELS
+constexpr kernel::Models kModels = kernel::Models::Usual;
+#else
+constexpr kernel::Models kModels = kernel::Models::All;
+#endif
+
 template <int M, int D>
 DensityKernels of_jacobian() {
-  return kernel::make_kernels<xsimd::default_arch, PointwiseJacobian<M, D>>();
+  return kernel::make_kernels<xsimd::default_arch, PointwiseJacobian<M, D>, kModels>();
 }
 
 }  // namespace
@@ -16,11 +23,16 @@ DensityKernels of_jacobian() {
 // Of M by D Jacobians at 3 (M - 1) + D - 1; of isotropic planar densities at 9.
 DensityKernels MAJORANT_KERNEL_NAME(int index) {
   const DensityKernels table[] = {
-      of_jacobian<1, 1>(), of_jacobian<1, 2>(),
-      of_jacobian<1, 3>(), of_jacobian<2, 1>(),
-      of_jacobian<2, 2>(), of_jacobian<2, 3>(),
-      of_jacobian<3, 1>(), of_jacobian<3, 2>(),
-      of_jacobian<3, 3>(), kernel::make_kernels<xsimd::default_arch, PointwiseInvariant>()};
+      of_jacobian<1, 1>(),
+      of_jacobian<1, 2>(),
+      of_jacobian<1, 3>(),
+      of_jacobian<2, 1>(),
+      of_jacobian<2, 2>(),
+      of_jacobian<2, 3>(),
+      of_jacobian<3, 1>(),
+      of_jacobian<3, 2>(),
+      of_jacobian<3, 3>(),
+      kernel::make_kernels<xsimd::default_arch, PointwiseInvariant, kModels>()};
   return table[index];
 }
 

@@ -130,7 +130,7 @@ class Callback final : public ceres::IterationCallback {
 };
 
 // Of the energy at the start: what a gradient step has to gain for a point not to be a minimum.
-// Origin: the rounding of energies that are sums over thousands of elements.
+// Above the rounding of energies that are sums over thousands of elements.
 constexpr double kLeastGain = 1e-12;
 
 // Whether some step along the negative gradient gains `least`, from where the linear model of the

@@ -331,7 +331,7 @@ class RealRows {
                             rows_.label(r), others, left));
   }
 
-  // Origin: some roundings of the two numbers that cancel.
+  // Of the larger of two numbers that cancel: some roundings of it.
   static constexpr double kCancelled = 1e-15;
 
   Index full_size_;

@@ -21,13 +21,13 @@
 namespace majorant {
 
 // Of the largest product that a coefficient is a sum of; of the largest right-hand side, what a row
-// of integers that follows from others may be off. Origin: thousands of roundings, whose number
-// grows with the rows that are subtracted.
+// of integers that follows from others may be off. Thousands of roundings, whose number grows with
+// the rows that are subtracted.
 inline constexpr double kFollows = 1e-12;
-// Below, half of the digits are lost. Origin: square root of the unit roundoff.
+// Below the square root of the unit roundoff half of the digits are lost.
 inline constexpr double kNearlyFollows = 1e-8;
-// Of the largest numbers in it: a residual of a row that follows from others. Origin: kFollows,
-// and the digits that right-hand sides may have lost before they came here.
+// Of the largest numbers in it: a residual of a row that follows from others. Larger than kFollows
+// by the digits that right-hand sides may have lost before they came here.
 inline constexpr double kSameTarget = 1e-9;
 
 // sum coefficient * x[unknown] + constant.

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/barrier_checker.h"
+#include "majorant/framework/feasibility.h"
 
 namespace majorant {
 
@@ -44,7 +44,7 @@ class HeldBounds {
 // Of phase k: first fall^k.
 struct BarrierWeights {
   double first = 0;
-  // Origin: [NW06] Sec. 19.3 has 0.2; Newton's method follows further.
+  // [NW06] Sec. 19.3 has 0.2; Newton's method follows further.
   double fall = 0.1;
   int most_phases = std::numeric_limits<int>::max();
 };
@@ -65,14 +65,14 @@ PathEnd follow_barrier(const BarrierWeights& weights, const Phase& phase) {
 // Bounds are relaxed as far as the start needs it, and tightened as their barriers lead away from
 // them.
 struct BoundEntryRules {
-  // Relative decrease that ends a round on the way inside. Origin: they only lead there.
+  // Relative decrease that ends a round on the way inside, which only leads there.
   double tolerance = 1e-3;
-  // Of the margin, by which a round comes nearer; else the weight grows. Origin: a small part of
-  // the tenth by which bounds are relaxed; chosen, not tuned.
+  // Of the margin, by which a round comes nearer; else the weight grows. A small part of the tenth
+  // by which bounds are relaxed.
   double least_progress = 0.02;
-  // By so much. Origin: chosen, not tuned: a round costs a few steps.
+  // By so much; a round costs a few steps.
   double harder = 10;
-  // Origin: bounds the cost of what leads nowhere; chosen, not tuned.
+  // Bounds the cost of what leads nowhere.
   int most_rounds = 40;
 };
 

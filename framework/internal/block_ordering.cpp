@@ -37,8 +37,8 @@ struct Neighbours {
   }
 };
 
-// Blocks from which METIS pays for ten factorizations. Origin: ms more to order and less to
-// factorize than with AMD: 10K faces 15 and 0.3, 50K 110 and 3, 160K (80K blocks) 380 and 52.
+// Blocks from which METIS pays for ten factorizations: below, it takes longer to order than it
+// saves against AMD.
 constexpr Index kMetisBlocks = 75000;
 
 std::vector<Index> as_numbered(Index size) {

@@ -50,7 +50,7 @@ std::vector<Index> local_order(const Cells& nodes) {
   return order;
 }
 
-// Elements. Origin: more than are around almost any vertex.
+// Elements: more than are around almost any vertex.
 constexpr Index kWide = 24;
 
 // Calls visit(j) for the reduced unknowns of an element, repeatedly where they occur repeatedly.

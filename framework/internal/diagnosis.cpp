@@ -12,7 +12,7 @@ namespace majorant {
 namespace {
 
 // Distances along the negative gradient, of the size of the point, at which an energy is looked at.
-// Origin: chosen; the last one is where doubles still tell a linear energy from its start.
+// The last one is where doubles still tell a linear energy from its start.
 constexpr double kProbes[] = {1, 1e4, 1e8, 1e12};
 
 bool counts(const TermState& state, Index e) {

@@ -9,16 +9,16 @@
 namespace majorant {
 namespace {
 
-// Columns of a front that are eliminated before the rest is updated. Origin: a panel of 1000 rows
-// fits into a second-level cache.
+// Columns of a front that are eliminated before the rest is updated: a panel of 1000 rows fits into
+// a second-level cache.
 constexpr Index kPanelColumns = 64;
 static_assert(kPanelColumns % FrontKernels::kTile == 0);
 
-// Less is not worth waking threads for: of the whole factorization, and of one update in it.
-// Origin: half a millisecond, and a tenth, on one core.
+// Less is not worth waking threads for: of the whole factorization, half a millisecond on one core,
+// and of one update in it, a tenth of that.
 constexpr double kParallelOperations = 1e7, kParallelUpdate = 2e6;
-// Largest subtree for one thread, of the operations of all for each thread. Origin: the last one to
-// finish keeps the others waiting for at most an eighth of the time.
+// Largest subtree for one thread, of the operations of all for each thread: the last one to finish
+// keeps the others waiting for at most an eighth of the time.
 constexpr double kTaskPart = 1.0 / 8;
 
 std::unique_ptr<double[]> uninitialized(std::size_t size) {

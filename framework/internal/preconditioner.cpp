@@ -13,8 +13,8 @@
 namespace majorant {
 namespace {
 
-// The first shift, of the mean diagonal. Origin: not kSmallestShift, since a metric stays: it would
-// send every step down its near null space.
+// The first shift, of the mean diagonal. Not kSmallestShift, since a metric stays: it would send
+// every step down its near null space.
 constexpr double kMetricShift = 1e-3;
 
 bool same_z(const Elimination& a, const Elimination& b) {

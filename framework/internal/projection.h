@@ -11,14 +11,14 @@
 
 namespace majorant {
 
-// Of the coordinates: what constraints are satisfied to. Origin: 45 unit roundoffs.
+// Of the coordinates: what constraints are satisfied to, 45 unit roundoffs.
 inline constexpr double kSatisfied = 1e-14;
 
 struct ProjectionRules {
-  // Of the first residual, squared. Origin: all the digits of a projection that a double can hold:
-  // 1e-10 of the distance.
+  // Of the first residual, squared: all the digits of a projection that a double can hold, 1e-10 of
+  // the distance.
   double enough = 1e-20;
-  // Steps at most. Origin: bounds the cost of what does not converge; chosen, not tuned.
+  // Steps at most: bounds the cost of what does not converge.
   int most_steps = 1000;
 };
 

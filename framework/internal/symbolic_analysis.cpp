@@ -10,9 +10,8 @@ namespace majorant {
 namespace {
 
 // Merged supernodes of at most so many blocks may be filled with this share of zeros: all of them,
-// many, some; larger ones the last. Origin: bench/solver_cost --no-runs, factorization of spot,
-// hand, scorpion and helix at 10K faces: 0.22, 0.24, 0.17, 0.25 fe; with 4, 16, 48 blocks 0.24,
-// 0.27, 0.21, 0.32, with 16, 48, 128 0.39, 0.41, 0.38, 0.69. Shares: as CHOLMOD's [CDHR08].
+// many, some; larger ones the last. Shares are CHOLMOD's [CDHR08]; of the block counts that
+// bench/solver_cost --no-runs tried these factorize fastest.
 constexpr std::array<Index, 3> kRelaxedBlocks{4, 8, 16};
 constexpr std::array<double, 3> kRelaxedZeros{0.8, 0.1, 0.05};
 

@@ -12,7 +12,7 @@ using Stride = FrontKernels::Stride;
 constexpr Index kTile = FrontKernels::kTile;
 constexpr Index kLanes = static_cast<Index>(Batch::size);
 constexpr Index kParts = kTile / kLanes;  // batches in a tile of rows
-// Columns at a time. Origin: their sums fill the registers without leaving them; changes no bit.
+// Columns at a time: their sums fill the registers without leaving them. Changes no bit.
 constexpr Index kColumns = kLanes >= 8 ? 8 : kLanes >= 4 ? 4 : 2;
 
 // kTile rows of one column.

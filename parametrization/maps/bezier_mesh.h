@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "majorant/elements/bernstein_basis.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/mesh/half_edge.h"
 
 namespace majorant {

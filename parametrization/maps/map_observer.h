@@ -14,7 +14,7 @@
 #include <functional>
 #include <memory>
 
-#include "majorant/framework/trace.h"
+#include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {

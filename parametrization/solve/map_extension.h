@@ -26,8 +26,8 @@
 #include <vector>
 
 #include "majorant/elements/rest_shapes.h"
-#include "majorant/framework/barrier_checker.h"
 #include "majorant/framework/constraint.h"
+#include "majorant/framework/feasibility.h"
 #include "majorant/parametrization/maps/map_observer.h"
 
 namespace majorant {

@@ -18,7 +18,7 @@ max_degree: int
 defaults: dict[str, Any]
 
 class Step:
-    """A step of a run, as the trace has it (framework/trace.h)."""
+    """A step of a run, as the trace has it (framework/run_record.h)."""
     @property
     def iteration(self) -> int: ...
     @property

@@ -1,9 +1,8 @@
 // Bisection of Bernstein coefficients against exact rationals, for every element.
-#include "majorant/elements/internal/subdivision.h"
-
 #include <gtest/gtest.h>
 
 #include "element_maps.h"
+#include "majorant/elements/internal/positivity.h"
 
 namespace majorant {
 namespace {

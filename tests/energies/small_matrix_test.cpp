@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
-#include "majorant/energies/internal/semidefinite_batch.h"
+#include "majorant/energies/internal/point_densities.h"
 #include "majorant/framework/packed_symmetric.h"
 
 namespace majorant {

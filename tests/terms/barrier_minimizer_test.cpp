@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "majorant/framework/barrier_checker.h"
 #include "majorant/framework/derivative_check.h"
+#include "majorant/framework/feasibility.h"
 #include "majorant/terms/inequality.h"
 #include "majorant/terms/linear_term.h"
 #include "random.h"

@@ -1,4 +1,4 @@
-#include "majorant/terms/robust_loss.h"
+#include "majorant/terms/least_squares.h"
 
 #include <algorithm>
 #include <cmath>

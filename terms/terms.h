@@ -1,0 +1,24 @@
+// Terms of lambdas, whole: energies that are not densities of a Jacobian, their derivatives by dual
+// numbers. For densities: energies/energies.h.
+//
+//   const auto barrier = make_term<1>("x0 > 1", Cells::Zero(1, 1), [](Index, const auto& z) {
+//     using std::log;
+//     return -log(z[0] - 1.0);
+//   });
+//
+// Its headers:
+//     local_term.h                make_term(): any function of few unknowns an element
+//     least_squares.h             residuals, Gauss-Newton; robust losses
+//     linear_term.h               loads
+//     inequality.h                g(x) > 0 for an element, and its barrier
+//     bounds.h                    lower and upper bounds of unknowns
+#pragma once
+
+#include "majorant/terms/bounds.h"
+#include "majorant/terms/inequality.h"
+#include "majorant/terms/least_squares.h"
+#include "majorant/terms/linear_term.h"
+#include "majorant/terms/local_term.h"
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
