@@ -14,7 +14,6 @@
 #include "apps/within_memory.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/curvature_name.h"
-#include "majorant/io/read_face_weights.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/parametrization/initialization/texture_seams.h"

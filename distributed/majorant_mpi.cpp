@@ -3,24 +3,27 @@
 //     mpirun -n 8 majorant-mpi parametrize big.ply -o big.pvtu --report run.json
 //
 // A binary of its own, so that `majorant` needs no MPI. Every rank reads the same words; rank 0
-// reads files and speaks. Exit codes are those of `majorant`; a rank that fails ends all.
+// reads files and speaks. Exit codes are those of `majorant`; a rank that fails ends all.#include
+// <CLI/App.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <signal.h>
 
-#include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <new>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "apps/arguments/command_line.h"
+#include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
@@ -33,20 +36,264 @@
 #include "apps/solve_request.h"
 #include "apps/streams.h"
 #include "distributed/boundary_proof.h"
-#include "distributed/checkpoint_request.h"
+#include "distributed/checkpoint.h"
+#include "distributed/internal/collect.h"
 #include "distributed/internal/part_data.h"
 #include "distributed/internal/rethrow_collectively.h"
 #include "distributed/parametrize_parts.h"
-#include "distributed/parts_report.h"
 #include "distributed/petsc_solver.h"
 #include "distributed/processes.h"
 #include "distributed/starts_of_parts.h"
 #include "distributed/write_parts.h"
+#include "majorant/certify/global_injectivity.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/results/internal/global_verdict.h"
+#include "majorant/results/internal/map_job.h"
 
 namespace majorant::app {
 namespace {
+
+// --checkpoint, --every and --resume of majorant-mpi: what was said, and whether a file fits it.
+
+struct CheckpointRequest {
+  std::string file, resume;  // or empty
+  int every = 10;            // iterations
+
+  void add_to(CLI::App& verb);
+  Json to_json() const;
+};
+
+constexpr const char* kSurface = "surface";
+
+std::string name_of(std::span<const double> numbers) {
+  return numbers.empty() ? "" : fmt::format("{:016x}", hashed(std::as_bytes(numbers)));
+}
+
+std::string name_of(const std::vector<Pin>& points) {
+  std::vector<double> numbers;
+  for (const Pin& p : points) {
+    const Vector2 target = p.target.value_or(Vector2::Zero());
+    numbers.insert(numbers.end(),
+                   {static_cast<double>(p.vertex), p.target ? 1.0 : 0.0, target.x(), target.y()});
+  }
+  return name_of(numbers);
+}
+
+// The values of files are names of their contents: not for users.
+bool is_file(const std::string& key) {
+  return key == "pins" || key == "handles" || key == "weights";
+}
+
+std::string difference(const std::string& key, const Json& told, const Json& asked) {
+  if (key == kSurface) return "it is of another surface than the input";
+  if (is_file(key)) return fmt::format("it is of a run with other --{}", key);
+  const auto text = [](const Json& value) {
+    return value.is_string() ? value.get<std::string>() : value.dump();
+  };
+  return fmt::format("it is of a run with --{} {}, this one has {}", key, text(told), text(asked));
+}
+
+// The points asked for, with targets.
+void require_points(const HeaderReader& told, const std::vector<Pin>& asked) {
+  if (told.size() != asked.size()) refuse_checkpoint(told.file(), "its header has other points");
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    told[k].integer(std::size_t{0}, asked[k].vertex, asked[k].vertex);
+    for (const std::size_t c : {1, 2}) told[k].finite(c);
+  }
+}
+
+void CheckpointRequest::add_to(CLI::App& verb) {
+  verb.add_option("--checkpoint", file,
+                  "keeps where the run is in this file, .ckpt, for --resume on any number of ranks")
+      ->type_name("FILE");
+  verb.add_option("--every", every, "iterations from one checkpoint to the next (10)")
+      ->type_name("N")
+      ->check(whole_number(1))
+      ->needs("--checkpoint");
+  verb.add_option("--resume", resume, "go on where this checkpoint was made")->type_name("FILE");
+}
+
+Json CheckpointRequest::to_json() const {
+  return {{"checkpoint", file}, {"every", every}, {"resume", resume}};
+}
+
+// What decides which map a run ends at: the surface and what is asked of it, files by their
+// contents. How it is looked for may change from a run to the next: tolerance, limits, solvers,
+// ranks.
+Json identity(const MapRequest& request, const MapJob& job) {
+  const MapOptions& map = job.options.map;
+  return {{kSurface, fingerprint(*job.mesh)},
+          {"degree", request.degree},
+          {"energy", request.energy},
+          {"boundary", request.boundary},
+          {"quadrature", request.quadrature},
+          {"pins", name_of(map.pins)},
+          {"handles", name_of(map.handles)},
+          {"soft", request.soft},
+          {"weights",
+           name_of({map.face_weight.data(), static_cast<std::size_t>(map.face_weight.size())})}};
+}
+
+// Points with targets, as headers of checkpoints have them.
+Json points_json(const std::vector<Pin>& points) {
+  Json list = Json::array();
+  for (const Pin& p : points) list.push_back({p.vertex, p.target->x(), p.target->y()});
+  return list;
+}
+
+std::vector<Pin> points_from(const Json& json) {
+  std::vector<Pin> points;
+  for (const Json& p : json) points.push_back({p.at(0), Vector2(p.at(1), p.at(2))});
+  return points;
+}
+
+// The file that --resume names. Throws Error(Unreadable) as read_checkpoint_file(), where it is of
+// another surface, where something else was asked for, and where it says what no run has written.
+CheckpointFile read_fitting(const std::string& path, const MapRequest& request, const MapJob& job) {
+  CheckpointFile file = read_checkpoint_file(path);
+  const HeaderReader header(path, file.header), told = header["identity"];
+  const Json all = identity(request, job);
+  for (const auto& [key, asked] : all.items())
+    if (told.at(key.c_str()) != asked)
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: {}; ask for the same, or start anew without --resume", path,
+                              difference(key, told.at(key.c_str()), asked)));
+  // What a file of this surface and these asked must say, too.
+  constexpr auto kMany = std::numeric_limits<std::int64_t>::max();
+  header.integer("vertices", job.mesh->vertex_count(), job.mesh->vertex_count());
+  header.integer("faces", job.mesh->face_count(), job.mesh->face_count());
+  header.integer("degree", 1, request.degree);
+  header.integer("iterations", 0, kMany);
+  header.integer("ranks", 1, kMany);
+  header.finite("seconds");
+  header.text("start");
+  require_points(header["pins"], job.options.map.pins);
+  require_points(header["handles"], job.options.map.handles);
+  require_state(path, file, job.options.solve.quadrature_points);
+  return file;
+}
+
+// Of reports: what was kept, and what the run went on from.
+Json checkpoint_section(const CheckpointRequest& request, const CheckpointWriter& writer) {
+  return {{"file", request.file},
+          {"every", request.every},
+          {"written", writer.written()},
+          {"failure", writer.failure()},
+          {"seconds", writer.seconds()}};
+}
+
+Json resumed_section(const CheckpointRequest& request, const CheckpointFile& file) {
+  Json section{{"file", request.resume}};
+  for (const char* key : {"degree", "iterations", "seconds", "ranks"})
+    section[key] = file.header.at(key);
+  return section;
+}
+
+// The JSON report of a run on several ranks: the sections of results/internal/report.h that need no
+// map in one process, and what ranks and linear solvers did ("ranks", "linear_solver").
+
+// What rank 0 knows of the run, all others of it through collective calls.
+struct PartsRun {
+  const MapJob& job;
+  const MeshPart& part;
+  const PartResult& result;
+  const GlobalInjectivity& boundary;  // rank 0's
+  std::string start, file;
+  double divide_seconds = 0, initialize_seconds = 0, write_seconds = 0;
+  Json checkpoint, resumed;  // null: there were none
+};
+
+Json boundary_section(const GlobalInjectivity& proof) {
+  return {{"pairs_tested", proof.pairs_tested},
+          {"pairs_left", proof.pairs_left},
+          {"subdivisions", proof.subdivisions},
+          {"reason", proof.reason},
+          {"contacts", proof.contacts.size()}};
+}
+
+Json result_section(const PartsRun& run, GlobalIndex control_points) {
+  const PartResult& r = run.result;
+  const PartMeasures& m = r.measures;
+  Json section =
+      measures_section({r.map->degree(), control_points}, m, m.least_det, run.job.energy);
+  section.update(overlap_section(run.boundary, ImageOf::Surface, m));
+  section.update({{"boundary", boundary_section(run.boundary)},
+                  {"start", run.start},
+                  {"variables", r.variables},
+                  {"initial_value", r.initial_value},
+                  {"value_quadrature", r.value_quadrature},
+                  {"newton_decrement", r.newton_decrement},
+                  {"handle_distance", r.handle_distance}});
+  return section;
+}
+
+// Collective; rank 0's is the report, others get null.
+Json parts_report(const PartsRun& run) {
+  const MeshPart& part = run.part;
+  const auto nodes = part.unknowns(run.result.map->space());
+  double shared = 0;
+  for (const auto& n : nodes->neighbours()) shared += static_cast<double>(n.owned.size() / 2);
+  const Traffic sent = traffic();
+  const auto all = gathered(part.ranks(), {static_cast<double>(part.mesh->face_count()),
+                                           static_cast<double>(nodes->owned_size() / 2), shared,
+                                           static_cast<double>(peak_memory_bytes()), sent.messages,
+                                           sent.bytes, sent.reductions});
+  if (part.ranks().rank() > 0) return nullptr;
+  Json ranks = Json::array();
+  for (const auto& r : all)
+    ranks.push_back({{"faces", static_cast<long>(r[0])},
+                     {"nodes", static_cast<long>(r[1])},
+                     {"shared_nodes", static_cast<long>(r[2])},
+                     {"peak_memory_bytes", static_cast<long>(r[3])},
+                     {"messages", static_cast<long>(r[4])},
+                     {"message_bytes", static_cast<long>(r[5])},
+                     {"reductions", static_cast<long>(r[6])}});
+  const PartResult& r = run.result;
+  return {{"schema_version", 1},
+          {"version", MAJORANT_VERSION},
+          {"command", task_name(run.job.task)},
+          {"status", status_name(r.status)},
+          {"message", r.message},
+          {"input",
+           {{"file", run.file},
+            {"vertices", part.whole.vertices},
+            {"edges", part.whole.edges},
+            {"faces", part.whole.faces}}},
+          {"options", run.job.asked},
+          {"result", result_section(run, nodes->global_size() / 2)},
+          {"iterations", iterations_section(run.job.record.trace())},
+          {"injectivity_tests", {{"depth", r.injectivity_tests}}},
+          {"remedies", remedies_section(r.remedies)},
+          {"linear_solver", run.job.linear_solver},
+          {"ranks", ranks},
+          {"checkpoint", run.checkpoint},
+          {"resumed", run.resumed},
+          {"seconds",
+           {{"read", run.job.read_seconds},
+            {"divide", run.divide_seconds},
+            {"initialize", run.initialize_seconds},
+            {"optimize", r.optimize_seconds},
+            {"measure", r.measure_seconds},
+            {"write", run.write_seconds},
+            {"total", run.job.record.seconds()}}},
+          {"vector_instructions", vector_instructions()}};
+}
+
+// What the files promise.
+std::string parts_claims(const PartsRun& run) {
+  return json_text(without_folders({{"version", MAJORANT_VERSION},
+                                    {"degree", run.result.map->degree()},
+                                    {"energy", run.job.energy},
+                                    {"value", run.result.measures.value},
+                                    {"boundary", run.job.asked["boundary"]},
+                                    {"init", run.start},
+                                    {"seams", false},
+                                    {"bijective", false},
+                                    {"cuts", Json::array()},
+                                    {"options", run.job.asked}}));
+}
 
 // Of unknowns, below which `auto` factorizes: a step by MUMPS took a third of one by
 // cg-hypre at 80,000 unknowns, half at 320,000 (one rank, measured once; no command).

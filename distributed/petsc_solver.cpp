@@ -2,18 +2,210 @@
 
 #include <fmt/format.h>
 #include <petscksp.h>
+#include <petscmat.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
-#include "distributed/internal/mumps_factor.h"
 #include "distributed/internal/petsc_call.h"
-#include "distributed/internal/petsc_matrix.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/partition.h"
+#include "majorant/framework/sparse_pattern.h"
 
 namespace majorant {
 namespace {
+
+// A matrix factorized by MUMPS, on all ranks.
+//
+//     MumpsFactor factor(matrix.mat());      // analysed once a pattern
+//     if (factor.factorize() == FactorStatus::Ok) factor.solve(r, p);
+
+
+class MumpsFactor {
+ public:
+  explicit MumpsFactor(_p_Mat* matrix);
+  ~MumpsFactor();
+  MumpsFactor(const MumpsFactor&) = delete;
+  MumpsFactor& operator=(const MumpsFactor&) = delete;
+
+  // Of the values that the matrix has now; by its inertia, not by what a Cholesky variant believes.
+  // Throws Error(Unsupported) where MUMPS runs out of memory or fails otherwise.
+  FactorStatus factorize();
+  void solve(_p_Vec* r, _p_Vec* p) const;
+
+ private:
+  _p_Mat *matrix_, *factor_ = nullptr;
+  bool analysed_ = false;
+};
+
+// Per cent of the memory that MUMPS expects to need, on top; chosen; its own 20 are for
+// matrices without delayed pivots.
+constexpr PetscInt kMoreMemory = 60;
+
+// MAT_SPD stays unset: as a definite matrix (SYM = 1) MUMPS would not report negative pivots.
+MumpsFactor::MumpsFactor(Mat matrix) : matrix_(matrix) {
+  require_petsc(MatGetFactor(matrix_, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factor_));
+  require_petsc(MatMumpsSetIcntl(factor_, 13, 1));  // the root on one rank, so that it is counted
+  require_petsc(MatMumpsSetIcntl(factor_, 14, kMoreMemory));
+  require_petsc(MatMumpsSetIcntl(factor_, 24, 1));  // pivots that vanish are counted
+}
+
+MumpsFactor::~MumpsFactor() { MatDestroy(&factor_); }
+
+FactorStatus MumpsFactor::factorize() {
+  MatFactorInfo info;
+  require_petsc(MatFactorInfoInitialize(&info));
+  if (!analysed_) {
+    IS rows = nullptr, columns = nullptr;
+    require_petsc(MatGetOrdering(matrix_, MATORDERINGEXTERNAL, &rows, &columns));
+    require_petsc(MatCholeskyFactorSymbolic(factor_, matrix_, rows, &info));
+    ISDestroy(&rows);
+    ISDestroy(&columns);
+    analysed_ = true;
+  }
+  require_petsc(MatCholeskyFactorNumeric(factor_, matrix_, &info));
+  MatFactorError error = MAT_FACTOR_NOERROR;
+  require_petsc(MatFactorGetError(factor_, &error));
+  if (error == MAT_FACTOR_OUTMEMORY)
+    throw Error(ErrorKind::Unsupported,
+                "MUMPS has not enough memory for the factor; use more ranks, or cg-hypre");
+  if (error != MAT_FACTOR_NOERROR) return FactorStatus::NotPositiveDefinite;
+  PetscInt negative = 0, zero = 0, positive = 0;
+  require_petsc(MatGetInertia(factor_, &negative, &zero, &positive));
+  return negative == 0 && zero == 0 ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite;
+}
+
+void MumpsFactor::solve(::Vec r, ::Vec p) const { require_petsc(MatSolve(factor_, r, p)); }
+
+// The sum of the ranks' matrices as one of PETSc's, assembled again and again on one pattern.
+//
+//     PetscMatrix matrix(pattern, partition);
+//     matrix.set(values, shift);
+//     matrix.to_petsc(r, matrix.right_hand_side());
+
+
+class PetscMatrix {
+ public:
+  // Both outlive the matrix.
+  PetscMatrix(const SparsePattern& pattern, const Partition& partition);
+  ~PetscMatrix();
+  PetscMatrix(const PetscMatrix&) = delete;
+  PetscMatrix& operator=(const PetscMatrix&) = delete;
+
+  // H + shift I; values parallel to pattern.rows.
+  void set(const Vec& values, double shift);
+
+  _p_Mat* mat() const { return mat_; }
+  _p_Vec* right_hand_side() const { return r_; }
+  _p_Vec* solution() const { return p_; }
+  // The owned entries; and back, copies filled in.
+  void to_petsc(const Vec& from, _p_Vec* to) const;
+  void from_petsc(_p_Vec* from, Vec& to) const;
+
+ private:
+  const SparsePattern& pattern_;
+  const Partition& partition_;
+  _p_Mat* mat_ = nullptr;
+  _p_Vec *r_ = nullptr, *p_ = nullptr;
+  std::vector<double> entries_;  // scratch
+};
+
+PetscInt petsc_index(GlobalIndex i) { return static_cast<PetscInt>(i); }
+
+// Unknowns of a node, where all nodes of all ranks have as many (u and v of a map; a line that is
+// held has fewer); else 1. Collective.
+PetscInt block_size(const SparsePattern& pattern, const Partition& partition) {
+  Index most = 1;
+  for (Index i = 0, first = 0; i < pattern.size; ++i) {
+    if (pattern.block_of[i] != pattern.block_of[first]) first = i;
+    most = std::max(most, i - first + 1);
+  }
+  most = static_cast<Index>(partition.ranks().max(most));
+  bool regular = pattern.size % most == 0;
+  for (Index i = 0; i < pattern.size && regular; ++i)
+    regular = pattern.block_of[i] == i / most && partition.owns(i) == partition.owns(i - i % most);
+  return partition.ranks().all(regular) ? most : 1;
+}
+
+PetscMatrix::PetscMatrix(const SparsePattern& pattern, const Partition& partition)
+    : pattern_(pattern), partition_(partition) {
+  if (partition.global_size() > std::numeric_limits<PetscInt>::max())
+    throw Error(ErrorKind::Unsupported,
+                "the problem has more unknowns than the integers of this PETSc count; use a PETSc "
+                "with 64-bit integers (petsc64-dev)");
+  if (2 * pattern.rows.size() > static_cast<std::size_t>(std::numeric_limits<PetscInt>::max()))
+    throw Error(ErrorKind::Unsupported,
+                "the matrix of a rank has more entries than the integers of this PETSc count; use "
+                "more ranks, or a PETSc with 64-bit integers (petsc64-dev)");
+  // Both triangles, entry by entry of the pattern; PETSc adds those of one place, of other ranks
+  // too.
+  std::vector<PetscInt> rows, columns;
+  rows.reserve(2 * pattern.rows.size());
+  columns.reserve(2 * pattern.rows.size());
+  const auto add = [&](Index row, Index column) {
+    rows.push_back(petsc_index(partition.global(row)));
+    columns.push_back(petsc_index(partition.global(column)));
+  };
+  for (Index c = 0; c < pattern.size; ++c)
+    for (Index k = pattern.column_starts[c]; k < pattern.column_starts[c + 1]; ++k) {
+      const Index r = pattern.rows[k];
+      add(r, c);
+      if (r != c) add(c, r);
+    }
+  const PetscInt owned = partition.owned_size(), all = petsc_index(partition.global_size());
+  require_petsc(MatCreate(PETSC_COMM_WORLD, &mat_));
+  require_petsc(MatSetSizes(mat_, owned, owned, all, all));
+  // Multigrid keeps u and v apart then: what makes one level out of both takes 53 instead of 6
+  // conjugate gradients to 1e-2 (nefertiti_10000, tenth step).
+  require_petsc(MatSetBlockSize(mat_, block_size(pattern, partition)));
+  require_petsc(MatSetType(mat_, MATAIJ));
+  require_petsc(MatSetPreallocationCOO(mat_, static_cast<PetscCount>(rows.size()), rows.data(),
+                                       columns.data()));
+  require_petsc(MatSetOption(mat_, MAT_SYMMETRIC, PETSC_TRUE));
+  require_petsc(MatSetOption(mat_, MAT_SYMMETRY_ETERNAL, PETSC_TRUE));
+  require_petsc(MatCreateVecs(mat_, &p_, &r_));
+}
+
+PetscMatrix::~PetscMatrix() {
+  VecDestroy(&p_);
+  VecDestroy(&r_);
+  MatDestroy(&mat_);
+}
+
+void PetscMatrix::set(const Vec& values, double shift) {
+  entries_.clear();
+  for (Index c = 0; c < pattern_.size; ++c)
+    for (Index k = pattern_.column_starts[c]; k < pattern_.column_starts[c + 1]; ++k) {
+      entries_.push_back(values[k]);
+      if (pattern_.rows[k] != c) entries_.push_back(values[k]);
+    }
+  require_petsc(MatSetValuesCOO(mat_, entries_.data(), INSERT_VALUES));
+  if (shift != 0) require_petsc(MatShift(mat_, shift));
+}
+
+void PetscMatrix::to_petsc(const Vec& from, ::Vec to) const {
+  PetscScalar* entries = nullptr;
+  require_petsc(VecGetArrayWrite(to, &entries));
+  for (Index i = 0; i < partition_.size(); ++i)
+    if (partition_.owns(i)) *entries++ = from[i];
+  require_petsc(VecRestoreArrayWrite(to, nullptr));
+}
+
+void PetscMatrix::from_petsc(::Vec from, Vec& to) const {
+  const PetscScalar* entries = nullptr;
+  require_petsc(VecGetArrayRead(from, &entries));
+  to.setZero(partition_.size());
+  const PetscScalar* entry = entries;
+  for (Index i = 0; i < partition_.size(); ++i)
+    if (partition_.owns(i)) to[i] = *entry++;
+  require_petsc(VecRestoreArrayRead(from, &entries));
+  partition_.copy_from_owners(to);
+}
 
 // Asked of conjugate gradients where a caller wants all that rounding leaves: what they
 // reach on Tutte's systems.

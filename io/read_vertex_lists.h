@@ -6,7 +6,8 @@
 //     {"edges": [[12, 13], [13, 40]]}
 //
 // Vertices count from 0; "index_base": 1 at the top says they count from 1. Other keys are
-// comments.
+// comments. Weights of faces are a text file: numbers separated by space or line ends, `#` starts a
+// comment.
 #pragma once
 
 #include <array>
@@ -37,6 +38,10 @@ std::vector<Cone> read_cones(const std::string& path, Index vertex_count);
 // The edges in the order of the file, 0-based; whether the mesh has them is not known here. Throws
 // Error(Unreadable) likewise.
 std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vertex_count);
+
+// face_count positive numbers, in the order of the mesh file's faces, each a usable weight
+// (map_problem.h). Throws Error(Unreadable), naming the file and the line, for anything else.
+Vec read_face_weights(const std::string& path, Index face_count);
 
 }  // namespace majorant
 

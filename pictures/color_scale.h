@@ -25,6 +25,7 @@
 // map: with_range() is there for close looks, and legends say the range.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -100,6 +101,15 @@ class ColorScale {
 // evaluating it; not looked at for other quantities. Throws Error(Usage) for a density without
 // energy.
 ColorScale color_scale(Quantity quantity, const EnergySum& energy);
+
+// Lightness 0 to 1, then green to red and blue to yellow, about -0.4 to 0.4.
+using Oklab = Eigen::Vector3d;
+
+// Linear light (red, green, blue), inside 0 to 1 where a screen can show it.
+Eigen::Vector3d to_linear(const Oklab& lab);
+// Rounded, and clamped to what a screen can show.
+Color to_srgb(const Oklab& lab);
+Oklab to_oklab(Color color);
 
 }  // namespace majorant
 

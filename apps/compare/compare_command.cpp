@@ -1,23 +1,29 @@
 // majorant compare IN: one problem, many methods.
 //
 // Every method minimizes the same Problem from the same start, on one quadrature rule, without the
-// help that parametrize gives Newton (degree schedule, refined quadrature, ways out of stalls).
-#include <fmt/format.h>
-
+// help that parametrize gives Newton (degree schedule, refined quadrature, ways out of
+// stalls).
 #include <CLI/App.hpp>
+#include <fmt/format.h>
+#include <malloc.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <memory>
+#include <new>
+#include <string>
+#include <vector>
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
 #include "apps/compare/comparison_table.h"
-#include "apps/compare/linear_systems.h"
 #include "apps/compare/methods.h"
 #include "apps/compare/write_comparison.h"
 #include "apps/energy_option.h"
@@ -25,18 +31,170 @@
 #include "apps/or_interrupted.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
+#include "apps/plugins/plugin.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/streams.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/problem.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/waiting_output.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/internal/solver_rules.h"
 #include "majorant/results/internal/report.h"
+#include "majorant/results/internal/solver_ladder.h"
 
 namespace majorant::app {
 namespace {
+
+// `majorant compare --linear-solvers`: what solves Newton's systems, each on the same matrix, the
+// projected Hessian at the start, and its gradient.
+//
+//   std::vector<LinearSolverRun> runs;
+//   for (const std::string& name : linear_solver_names())
+//     runs.push_back(measure_linear_solver(name, problem, y0));
+//   std::cout << linear_solver_table(runs);
+
+struct LinearSolverRun {
+  std::string name;
+  std::string description;  // LinearSolver::description()
+  std::string message;      // why there is nothing else: it cannot be loaded, or it failed
+  // Of the processor, all threads; of several repetitions the median.
+  double analyze_seconds = 0, factorize_seconds = 0, solve_seconds = 0;
+  std::size_t memory_bytes = 0;  // that the process had at most beyond what it had before
+  double residual = 0;           // |H p + g| / |g|
+};
+
+// Of iterative solvers; direct ones do not look at it.
+constexpr double kAskedResidual = 1e-8;
+
+// Of one measurement: as many repetitions as fit into this, three at least, twenty at most.
+constexpr double kMeasuredSeconds = 0.3;
+constexpr std::size_t kFewest = 3, kMost = 20;
+
+double cpu_seconds() {
+  timespec t{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+template <class Work>
+double median_seconds(const Work& work) {
+  std::vector<double> seconds;
+  double all = 0;
+  while (seconds.size() < kFewest || (all < kMeasuredSeconds && seconds.size() < kMost)) {
+    const double before = cpu_seconds();
+    work();
+    seconds.push_back(cpu_seconds() - before);
+    all += seconds.back();
+  }
+  std::nth_element(seconds.begin(), seconds.begin() + static_cast<long>(seconds.size() / 2),
+                   seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+// The most resident memory of the process since this was made, beyond what it had then; 0 where
+// Linux does not reset its count (/proc/self/clear_refs).
+class MemoryPeak {
+ public:
+  MemoryPeak() {
+    ::malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << "5";
+    before_ = status("VmHWM:");
+  }
+  std::size_t bytes() const { return status("VmHWM:") - before_; }
+
+ private:
+  static std::size_t status(const std::string& name) {
+    std::ifstream file("/proc/self/status");
+    std::string word;
+    std::size_t kib = 0;
+    while (file >> word)
+      if (word == name) file >> kib;
+    return 1024 * kib;
+  }
+  std::size_t before_;
+};
+
+std::unique_ptr<LinearSolver> make(const std::string& name) {
+  if (name == "direct") return make_direct_solver();
+  if (name == "eigen") return make_eigen_ldlt_solver();
+  if (name == "cholmod") return load_plugin<CholmodPlugin>(kCholmodPlugin).make_solver();
+  const Rung rung = name == "mumps" ? Rung::Mumps : Rung::Amg;
+  return load_plugin<PetscPlugin>(kPetscPlugin)
+      .ladder({rung, 0}, std::make_shared<LadderRecord>(), {})();
+}
+
+double residual(const SparsePattern& pattern, const Vec& values, const Vec& p, const Vec& r) {
+  Vec rest = r;
+  for (Index c = 0; c < pattern.size; ++c)
+    for (Index k = pattern.column_starts[c]; k < pattern.column_starts[c + 1]; ++k) {
+      const Index row = pattern.rows[k];
+      rest[row] -= values[k] * p[c];
+      if (row != c) rest[c] -= values[k] * p[row];
+    }
+  return rest.norm() / r.norm();
+}
+
+void measure(LinearSolver& solver, const Problem& problem, const Vec& y, LinearSolverRun& run) {
+  Vec gradient, hessian, p;
+  Evaluator(problem).linearize(y, Curvature::Projected, gradient, hessian);
+  const SparsePattern& pattern = problem.pattern();
+  const MemoryPeak memory;
+  // For multigrid; as runs say it.
+  const SolverFactory some = [] { return make_direct_solver(); };
+  solver.hint_near_null_space(
+      newton_options(Curvature::Projected, {}, {}, Ordering::Automatic, some)
+          .near_null_space(problem));
+  const double before = cpu_seconds();
+  solver.analyze(pattern);
+  run.analyze_seconds = cpu_seconds() - before;
+  run.description = solver.description();
+  const ShiftedFactorization first = factorize_shifted(solver, pattern, hessian);
+  if (first.status != FactorStatus::Ok) throw Error(ErrorKind::Invalid, "not positive definite");
+  if (first.shift > 0)
+    for (Index c = 0; c < pattern.size; ++c) hessian[pattern.diagonal_slot(c)] += first.shift;
+  run.factorize_seconds = median_seconds([&] { solver.factorize(hessian, 0); });
+  const Vec r = -gradient;
+  run.solve_seconds = median_seconds([&] { solver.solve(r, p, kAskedResidual); });
+  run.memory_bytes = memory.bytes();
+  run.residual = residual(pattern, hessian, p, r);
+}
+
+// as --linear-solver has them, and "eigen"
+std::vector<std::string> linear_solver_names() {
+  return {"direct", "cholmod", "eigen", "mumps", "cg-hypre"};
+}
+
+LinearSolverRun measure_linear_solver(const std::string& name, const Problem& problem,
+                                      const Vec& y) {
+  LinearSolverRun run;
+  run.name = name;
+  try {
+    measure(*make(name), problem, y, run);
+  } catch (const Error& e) {
+    run.message = e.what();
+  } catch (const std::bad_alloc&) {
+    run.message = "out of memory";
+  }
+  return run;
+}
+
+std::string linear_solver_table(const std::vector<LinearSolverRun>& runs) {
+  std::string text = fmt::format("{:<13}  {:>9}  {:>9}  {:>9}  {:>9}  {:>9}  {}\n", "linear solver",
+                                 "analyze s", "factor s", "solve s", "memory MB", "residual", "");
+  for (const LinearSolverRun& run : runs)
+    text += !run.message.empty()
+                ? fmt::format("{:<13}  {}\n", run.name, run.message)
+                : fmt::format("{:<13}  {:>9.3g}  {:>9.3g}  {:>9.3g}  {:>9.4g}  {:>9.1e}  {}\n",
+                              run.name, run.analyze_seconds, run.factorize_seconds,
+                              run.solve_seconds, static_cast<double>(run.memory_bytes) / 1e6,
+                              run.residual, run.description);
+  return text;
+}
 
 struct Request {
   CommonOptions common;

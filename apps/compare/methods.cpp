@@ -4,8 +4,11 @@
 
 #include <vector>
 
-#include "apps/compare/ceres_methods.h"
+#include "apps/compare/ceres_plugin.h"
+#include "apps/parts.h"
+#include "apps/plugins/plugin.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/energies/named_energies.h"
 #include "majorant/framework/gradient_flow.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/lbfgs.h"
@@ -13,6 +16,58 @@
 
 namespace majorant::app {
 namespace {
+
+// Solvers of Ceres among the methods of `majorant compare`, from a library that is loaded when one
+// of them is to run: none in a build without GPL parts.
+
+const CeresPlugin& ceres() {
+  static const CeresPlugin& plugin = load_plugin<CeresPlugin>(kCeresPlugin);
+  plugin.silence();
+  return plugin;
+}
+
+void load_ceres() { ceres(); }
+
+Method ceres_gradient(std::string name, std::string summary, CeresOptions::Method method) {
+  return {std::move(name), std::move(summary), nullptr,
+          [method](const Contest& c) {
+            CeresOptions options;
+            options.method = method;
+            options.max_iterations = c.max_iterations;
+            options.stop = c.stop;
+            return ceres().gradient(options);
+          },
+          load_ceres};
+}
+
+Method least_squares() {
+  const auto obstacle = [](const Contest& c) -> std::string {
+    const EnergySum& energy = c.specification.energy;
+    const std::string squares = symmetric_dirichlet().traits().name;
+    if (energy.size() != 1 || energy[0].make.traits().name != squares || energy[0].weight != 1)
+      return "it needs --energy " + squares;
+    if (c.specification.face_weight.size()) return "it does not know --weights";
+    if (!c.specification.handles.empty()) return "it does not know --handles";
+    return {};
+  };
+  return {"ceres-lm", "Ceres, Levenberg-Marquardt on J and J^-1 as residuals", obstacle,
+          [](const Contest& c) {
+            LeastSquaresOptions options;
+            options.max_iterations = c.max_iterations;
+            return ceres().least_squares(c.space, c.specification.rest, c.rule, options);
+          },
+          load_ceres};
+}
+
+std::vector<Method> ceres_methods() {
+  if (!has_gpl_parts()) return {};
+  return {
+      ceres_gradient("ceres-lbfgs", "Ceres, L-BFGS", CeresOptions::Method::Lbfgs),
+      ceres_gradient("ceres-nlcg", "Ceres, nonlinear conjugate gradients",
+                     CeresOptions::Method::NonlinearConjugateGradient),
+      least_squares(),
+  };
+}
 
 using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
 

@@ -13,7 +13,7 @@ namespace majorant {
 struct CheckedMap {
   const MapFile& file;
   const BezierMap& map;         // faces in the order of the file's cells; uv of the file
-  const MapMeasures& measures;  // of measure_as_claimed() (check_energy.h)
+  const MapMeasures& measures;  // of measure_as_claimed() (check_map.h)
   const Claims& claims;
   const PolygonMesh* surface;  // what it should be a map of; may be null
   const CutCount& cuts;        // with others than seams, marks and cones are not compared

@@ -1,5 +1,4 @@
 // Files of checkpoints that no run has written, under a checksum that fits: refused, by name.
-#include "distributed/internal/checkpoint_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

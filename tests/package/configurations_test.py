@@ -49,7 +49,7 @@ class Configurations(unittest.TestCase):
         link = run('ninja', '-C', folder, '-t', 'commands', 'apps/majorant').splitlines()[-1]
         self.assertIn('libmetis', link)
         for name in ('ceres', 'cholmod', 'blas', 'nlopt', 'clipping', 'gmp', 'glog'):
-            self.assertNotIn(name, link.replace('ceres_methods', ''))
+            self.assertNotIn(name, link)
         self.check_what_their_sources_include(sources)
 
     def check_what_their_sources_include(self, sources):

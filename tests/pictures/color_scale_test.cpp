@@ -3,7 +3,6 @@
 #include "expected_error.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/pictures/internal/density_probe.h"
-#include "majorant/pictures/internal/oklab.h"
 
 namespace majorant {
 namespace {
