@@ -11,7 +11,7 @@
 #pragma once
 
 #include "majorant/framework/evaluator.h"
-#include "majorant/framework/iteration.h"
+#include "majorant/framework/trace.h"
 
 namespace majorant {
 

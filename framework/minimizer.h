@@ -1,19 +1,14 @@
 // Iterative solvers: what they are given and what they return. Why they stop: stopping.h.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "majorant/framework/iteration.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/stopping.h"
+#include "majorant/framework/trace.h"
 
 namespace majorant {
-
-// Receives each record and the point reached, before the next iteration; anything but Continue
-// ends the solve with that status.
-using Observer = std::function<Directive(const IterationRecord&, const Vec& y)>;
 
 struct SolveResult {
   Status status = Status::Failed;
@@ -28,8 +23,9 @@ struct SolveResult {
 class Minimizer {
  public:
   virtual ~Minimizer() = default;
-  // y0: a feasible point of the reduced unknowns. Never throws for numerical reasons.
-  virtual SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const = 0;
+  // y0: a feasible point of the reduced unknowns. observer: sees each step that is taken; may be
+  // null. Never throws for numerical reasons.
+  virtual SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const = 0;
 };
 
 }  // namespace majorant

@@ -269,8 +269,7 @@ void NewtonStepper::raise_clamp(double failed) {
   hold_ = options_.blend.hold;
 }
 
-SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
-                                      const Observer& observer) const {
+SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
   NewtonStepper stepper(problem, options_);
   return stepper.minimize(std::move(y0), options_.stopping, observer);
 }

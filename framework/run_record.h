@@ -6,13 +6,11 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/activity.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/framework/ranks.h"
@@ -22,27 +20,21 @@ namespace majorant {
 
 class RunRecord {
  public:
-  // Called after every row of the trace.
-  using Progress = std::function<void(const TraceEntry&)>;
-  // Called by the thread that runs, when it begins something else.
-  using Announce = std::function<void(Activity)>;
-
   // Seconds beyond the time limit that reading and making the start may take: what is stopped
   // before it has a map has nothing to show. (50,000 faces take half a second for both.) Ctrl-C has
   // no such grace.
   static constexpr double kGrace = 10;
 
   // interrupt: set by others, a signal handler say, and looked at between pieces of work; may be
-  // null. Throws InvalidArgument for a time limit that is NaN and a negative number of iterations.
+  // null, and so may the observer, which outlives the record. Throws InvalidArgument for a time
+  // limit that is NaN and a negative number of iterations.
   explicit RunRecord(double time_limit_seconds = std::numeric_limits<double>::infinity(),
                      int max_iterations = std::numeric_limits<int>::max(),
-                     const std::atomic<bool>* interrupt = nullptr, Progress progress = {},
-                     Announce announce = {})
+                     const std::atomic<bool>* interrupt = nullptr, RunObserver* observer = nullptr)
       : max_iterations_(max_iterations),
         stop_(limits(start_, time_limit_seconds, interrupt)),
         start_stop_(limits(start_, time_limit_seconds + kGrace, interrupt)),
-        progress_(std::move(progress)),
-        announce_(std::move(announce)) {
+        observer_(observer) {
     if (std::isnan(time_limit_seconds))
       throw InvalidArgument("RunRecord: the time limit is nan; infinity is no limit");
     if (max_iterations < 0) throw InvalidArgument("RunRecord: the iteration limit is negative");
@@ -53,11 +45,13 @@ class RunRecord {
   // iterations_left() answer what they do on rank 0, and all ranks ask them. ranks: outlives that.
   void agree(const Ranks& ranks) { ranks_ = &ranks; }
   // Of one part of the run that is solved by itself, perhaps on another thread: the same limits
-  // (iterations count from 0), a trace of its own; what it begins is not announced.
-  RunRecord part(Progress progress = {}) const {
+  // (iterations count from 0), a trace of its own; what it begins is not announced, its steps are
+  // told the observer.
+  RunRecord part(RunObserver* observer = nullptr) const {
     RunRecord part;
     part.max_iterations_ = max_iterations_;
-    part.progress_ = std::move(progress);
+    part.observer_ = observer;
+    part.is_part_ = true;
     part.stop_ = stop_;
     part.start_stop_ = start_stop_;
     return part;
@@ -72,22 +66,13 @@ class RunRecord {
     row.elapsed = seconds();
     row.other_seconds = std::max(0.0, row.elapsed - before - row.record.seconds.sum());
     trace_.push_back(std::move(row));
-    if (progress_) progress_(trace_.back());
-    return directive();
+    const Directive asked =
+        observer_ ? observer_->after_step(trace_.back(), {}) : Directive::Continue;
+    const Directive limit = stop_();
+    return ranks_->of_first(limit == Directive::Continue ? asked : limit);
   }
   void begin(Activity activity) const {
-    if (announce_) announce_(activity);
-  }
-  // Notes the steps that a minimizer takes on the energy asked for.
-  Observer observer(int degree, int level = 0) {
-    return [this, degree, level](const IterationRecord& record, const Vec&) {
-      TraceEntry row;
-      row.degree = degree;
-      row.level = level;
-      row.record = record;
-      row.energy = record.energy;
-      return note(std::move(row));
-    };
+    if (observer_ && !is_part_) observer_->begin(activity);
   }
   // The next iteration is the first one after that.
   void mark(Remedy remedy) { remedy_ = remedy; }
@@ -105,7 +90,7 @@ class RunRecord {
   }
   double seconds() const { return seconds_since(start_); }
   const std::vector<TraceEntry>& trace() const { return trace_; }
-  const Progress& progress() const { return progress_; }
+  RunObserver* observer() const { return observer_; }  // may be null
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -126,8 +111,8 @@ class RunRecord {
   Clock::time_point start_ = Clock::now();
   int max_iterations_ = std::numeric_limits<int>::max();
   StopCheck stop_, start_stop_;
-  Progress progress_;
-  Announce announce_;
+  RunObserver* observer_ = nullptr;
+  bool is_part_ = false;
   std::vector<TraceEntry> trace_;
   std::optional<Remedy> remedy_;
   const Ranks* ranks_ = one_process().get();

@@ -19,7 +19,7 @@
 #include <optional>
 #include <string>
 
-#include "majorant/framework/iteration.h"
+#include "majorant/framework/trace.h"
 
 namespace majorant {
 

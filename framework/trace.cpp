@@ -1,8 +1,38 @@
 #include "majorant/framework/trace.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace majorant {
+
+std::string_view status_name(Status status) {
+  switch (status) {
+    case Status::Converged:
+      return "converged";
+    case Status::MaxIterations:
+      return "max_iterations";
+    case Status::TimeLimit:
+      return "time_limit";
+    case Status::Interrupted:
+      return "interrupted";
+    case Status::Stalled:
+      return "stalled";
+    case Status::Infeasible:
+      return "infeasible";
+    case Status::Failed:
+      return "failed";
+  }
+  return "failed";
+}
+
+Status stopped_status(Directive why) {
+  return why == Directive::TimeLimit ? Status::TimeLimit : Status::Interrupted;
+}
+
+double relative_to(double energy, double value) {
+  return value / std::max(std::abs(energy), std::numeric_limits<double>::min());
+}
 
 std::string_view phase_name(Phase phase) {
   switch (phase) {
@@ -69,6 +99,14 @@ std::optional<double> factor_solve_seconds(const std::vector<TraceEntry>& trace,
   const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
   std::nth_element(seconds.begin(), middle, seconds.end());
   return *middle;
+}
+
+Directive observed(RunObserver* observer, const IterationRecord& record, const Vec& y) {
+  if (!observer) return Directive::Continue;
+  TraceEntry row;
+  row.record = record;
+  row.energy = record.energy;
+  return observer->after_step(row, y);
 }
 
 }  // namespace majorant

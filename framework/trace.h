@@ -1,22 +1,104 @@
-// What a run leaves behind, step by step: a row for each step that was tried, taken or not, with
-// the energy that was asked for beside the one that was minimized, and with the time.
+// What a run tells while it goes on, and leaves behind: a row for each step that was tried, taken
+// or not, with the energy that was asked for beside the one that was minimized, and with the time;
+// and who watches it.
+//
+//   class Printer final : public RunObserver {
+//     void begin(Activity activity) override { std::cerr << activity_name(activity) << "\n"; }
+//     Directive after_step(const TraceEntry& row, const Vec&) override {
+//       return row.energy < 4.1 ? Directive::Interrupt : Directive::Continue;
+//     }
+//   };
+//   Printer printer;
+//   SolveResult result = NewtonMinimizer().minimize(problem, y0, &printer);  // or for a whole run:
+//   RunRecord run(60, 1000, nullptr, &printer);
 //
 //   double in_vain = 0;  // seconds of steps that were not taken
-//   for (const TraceEntry& row : record.trace())
+//   for (const TraceEntry& row : run.trace())
 //     if (row.outcome != StepResult::Outcome::Moved) in_vain += row.record.seconds.sum();
 //
-// Solvers write it through RunRecord (run_record.h); progress lines, reports and CSV files show it.
-// Not for what a step itself knows: that is IterationRecord (iteration.h).
+// Values only: no solver. Whether to go on is decided from them by StoppingTest (stopping.h),
+// limits of a whole run are RunRecord's (run_record.h), who needs the map itself is a MapObserver
+// (parametrization/maps/map_observer.h).
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "majorant/framework/iteration.h"
+#include "majorant/framework/curvature.h"
+#include "majorant/framework/stop_check.h"
+#include "majorant/framework/types.h"
 
 namespace majorant {
+
+enum class Status {
+  Converged,  // a stopping formula holds
+  MaxIterations,
+  TimeLimit,    // an observer said so
+  Interrupted,  // an observer said so
+  Stalled,      // no step decreases the energy, or only tiny ones, far from a minimum
+  Infeasible,   // the start violates a checker or lies outside an energy's domain
+  Failed,       // numerical breakdown: no factorization, no finite energy
+};
+// "converged", "max_iterations", ... as reports have it.
+std::string_view status_name(Status status);
+Status stopped_status(Directive why);  // of a run that was stopped
+
+struct IterationRecord {
+  int iteration = 0;                           // 1-based
+  double energy = 0;                           // after the step
+  double relative_decrease = 0;                // (E_before - E_after) / |E_before|
+  double step = 0;                             // accepted multiple of the Newton direction
+  double step_bound = 0;                       // largest certified multiple
+  double gradient_norm = 0;                    // before the step, reduced unknowns, Euclidean
+  double newton_decrement = 0;                 // -g . p, an energy; before the step
+  double shift = 0;                            // added to the Hessian's diagonal
+  Curvature curvature = Curvature::Projected;  // model that gave the direction
+  double projection_weight = 1;                // BlendedCurvature::projection_weight of it
+  int trials = 0;                              // energy evaluations of the line search
+  double residual = 0;                         // Solution::residual, 0 with a direct solver
+  int solver_iterations = 0;                   // Solution::iterations, of all solves
+  int factorizations = 0;                      // of a matrix of this size, failed ones included
+  int failed_factorizations = 0;               // of these: the matrix was not positive definite
+  struct Seconds {
+    double assemble = 0, factorize = 0, solve = 0, line_search = 0;
+    double sum() const { return assemble + factorize + solve + line_search; }
+  } seconds;
+};
+
+// value / |energy|, 0 / 0 = 0: energies may vanish at their minimum.
+double relative_to(double energy, double value);
+
+// What refused the last of the trials that were too long, of a step that was shortened or of one
+// that was not found. In this order: of several the last is named.
+enum class StepLimit {
+  None,     // nothing: the first trial was good
+  Energy,   // it falls less than its derivatives promise, or not at all
+  Domain,   // it is not finite there
+  Checker,  // a FeasibilityChecker
+};
+
+struct StepResult {
+  enum class Outcome {
+    Moved,
+    AtMinimum,   // decrement rule, or no unknowns: y unchanged
+    Blocked,     // the largest certified step is below smallest_step: y unchanged
+    NoDecrease,  // no decrease down to smallest_step: y unchanged
+    Breakdown,   // no factorization or no finite direction: y unchanged
+    Stopped,     // `why`: y unchanged
+  };
+  Outcome outcome = Outcome::Breakdown;
+  double energy_before = 0;
+  IterationRecord record;       // record.energy is the energy after the step
+  std::vector<Index> blocking;  // StepBound::blocking of the line search
+  StepLimit limit = StepLimit::None;
+  Directive why = Directive::Continue;
+  std::string why_none;  // of a Breakdown, where somebody looked into it: a sentence
+};
 
 // What an iteration minimizes. Minimized energies of different phases do not compare.
 enum class Phase {
@@ -72,6 +154,61 @@ int steps_taken(const std::vector<TraceEntry>& trace);
 // Seconds of one factorization and one solve at that degree on the mesh asked for, the median over
 // the rows; none where there was no factorization.
 std::optional<double> factor_solve_seconds(const std::vector<TraceEntry>& trace, int degree);
+
+// Solvers, starts and measurements announce through their RunRecord what they begin; it lasts until
+// the next one is announced, and one may come more than once. Steps all happen while Solving.
+enum class Activity {
+  Reading,
+  Cutting,   // of a surface that becomes charts
+  Starting,  // the first map, on coarser meshes too
+  Scaffold,  // the first triangulation of the space around an image
+  Solving,
+  Measuring,
+  Packing,
+  Proving,  // that nothing overlaps; of a file, all that is asked of it
+  Writing,  // each file proven before it takes its name
+};
+
+constexpr std::string_view activity_name(Activity activity) {
+  constexpr std::array<std::string_view, 9> kNames{"reading",  "cutting", "start",
+                                                   "scaffold", "solving", "measuring",
+                                                   "packing",  "proving", "writing"};
+  return kNames[static_cast<std::size_t>(activity)];
+}
+
+// Watches a run. It outlives the run, and is called by the thread that runs.
+class RunObserver {
+ public:
+  virtual ~RunObserver() = default;
+  // The run begins something else.
+  virtual void begin(Activity /*activity*/) {}
+  // A step was tried: of a minimizer by itself one that was taken, before the next one. y: the
+  // point it reached, empty where the rows are those of a RunRecord. Anything but Continue ends the
+  // solve with that status.
+  virtual Directive after_step(const TraceEntry& /*row*/, const Vec& /*y*/) {
+    return Directive::Continue;
+  }
+};
+
+// The observer of a lambda:
+//
+//   StepObserver print([](const TraceEntry& row, const Vec& y) {
+//     std::cerr << row.energy << " at " << y[0] << "\n";
+//     return Directive::Continue;
+//   });
+//   SolveResult result = NewtonMinimizer().minimize(problem, y0, &print);
+template <class F>
+class StepObserver final : public RunObserver {
+ public:
+  explicit StepObserver(F f) : f_(std::move(f)) {}
+  Directive after_step(const TraceEntry& row, const Vec& y) override { return f_(row, y); }
+
+ private:
+  F f_;
+};
+
+// The answer of an observer that may be null to a step of a minimizer.
+Directive observed(RunObserver* observer, const IterationRecord& record, const Vec& y);
 
 }  // namespace majorant
 

@@ -14,8 +14,8 @@
 #include <string>
 
 #include "majorant/framework/evaluator.h"
-#include "majorant/framework/iteration.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/trace.h"
 
 namespace majorant {
 

@@ -136,7 +136,7 @@ class Unwrapping {
     });
     std::size_t large = 0;
     while (large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart)
-      solve_chart(order[large++], record_.progress());
+      solve_chart(order[large++], record_.observer());
     std::atomic<std::size_t> next = large;
     std::mutex failing, telling;
     std::exception_ptr failure;
@@ -144,11 +144,11 @@ class Unwrapping {
     ThreadCount::run_on_each([&] {
       const ThreadCount alone(1);
       for (std::size_t k = next++; k < order.size(); k = next++) try {
-          solve_chart(order[k], {});
+          solve_chart(order[k], nullptr);
           const std::vector<TraceEntry>& trace = atlas_.charts[order[k]].trace;
-          if (trace.empty() || !record_.progress()) continue;
+          if (trace.empty() || !record_.observer()) continue;
           const std::lock_guard lock(telling);
-          record_.progress()(trace.back());
+          record_.observer()->after_step(trace.back(), {});
         } catch (...) {
           const std::lock_guard lock(failing);
           if (order[k] < failed) failure = std::current_exception();
@@ -158,9 +158,9 @@ class Unwrapping {
     if (failure) std::rethrow_exception(failure);
   }
 
-  void solve_chart(std::size_t k, const RunRecord::Progress& progress) {
+  void solve_chart(std::size_t k, RunObserver* observer) {
     const Task& task = tasks_[k];
-    RunRecord record = record_.part(progress);
+    RunRecord record = record_.part(observer);
     const bool has_texture =
         options_.cuts.method == CutMethod::Texture && is_textured(*task.mesh, 0);
     Chart chart = ChartSolver(task.mesh, task.options,

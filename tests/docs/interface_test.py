@@ -117,7 +117,7 @@ class Codes(unittest.TestCase):
                          re.findall(r'= (\d+)', codes))
 
     def test_statuses(self):
-        """The names that status_name() knows (framework/iteration.cpp), by its table."""
+        """The names that status_name() knows (framework/trace.cpp), by its table."""
         names = set()
         for name in sorted(glob.glob(os.path.join(SOURCE, 'framework', '*.cpp'))):
             with open(name) as f:

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/iteration.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/trace.h"
 
 namespace majorant::test {
 
