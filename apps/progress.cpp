@@ -155,18 +155,13 @@ Progress::Progress(const CommonOptions& options) {
 
 Progress::~Progress() = default;
 
-RunRecord::Progress Progress::steps() {
-  if (!display_) return {};
-  return [this](const TraceEntry& e) {
-    if (display_) display_->note(e);
-  };
+void Progress::begin(Activity activity) {
+  if (display_) display_->begin(activity);
 }
 
-RunRecord::Announce Progress::activities() {
-  if (!display_) return {};
-  return [this](Activity activity) {
-    if (display_) display_->begin(activity);
-  };
+Directive Progress::after_step(const TraceEntry& row, const Vec&) {
+  if (display_) display_->note(row);
+  return Directive::Continue;
 }
 
 void Progress::finish() {

@@ -1,7 +1,7 @@
 // What a run is doing, on stderr: one live line on a terminal, plain lines otherwise.
 //
 //   Progress progress(common);
-//   RunRecord record(60, 1000, interruption_flag(), progress.steps(), progress.activities());
+//   RunRecord record(60, 1000, interruption_flag(), &progress);
 //   record.begin(Activity::Reading);
 //   ...
 //   progress.finish();   // before the line that sums up
@@ -27,16 +27,15 @@ inline double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-class Progress {
+class Progress final : public RunObserver {
  public:
   explicit Progress(const CommonOptions& options);
-  ~Progress();  // takes the live line away
+  ~Progress() override;  // takes the live line away
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // For the record of the run, which this must outlive.
-  RunRecord::Progress steps();
-  RunRecord::Announce activities();
+  void begin(Activity activity) override;
+  Directive after_step(const TraceEntry& row, const Vec&) override;  // goes on
   // The last activity is over. Nothing is shown any more.
   void finish();
 

@@ -79,8 +79,7 @@ void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest
 
 RunRecord SolveRequest::make_record(Progress& progress) const {
   if (!(time_limit >= 0)) throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
-  RunRecord record(time_limit, max_iterations, interruption_flag(), progress.steps(),
-                   progress.activities());
+  RunRecord record(time_limit, max_iterations, interruption_flag(), &progress);
   set_output_stop(record.stop());
   return record;
 }

@@ -32,7 +32,7 @@ class Phases {
  public:
   Phases(const Problem& problem, const std::vector<TermId>& barriers,
          const std::vector<HeldBound>& bounds, const BarrierOptions& options, Vec y0,
-         const Observer& observer)
+         RunObserver* observer)
       : problem_(problem),
         barriers_(barriers),
         bounds_(held(bounds)),
@@ -149,25 +149,19 @@ class Phases {
   // From where the run is; the number of iterations.
   int descend(StoppingRules rules, double start) {
     rules.max_iterations = iterations_left();
-    Directive directive = Directive::Continue;
-    SolveResult part =
-        stepper_.descend_from(std::move(result_.y), start, rules, numbered(directive));
+    Directive directive = Directive::Continue;  // the last answer
+    StepObserver numbered([&, before = static_cast<int>(result_.iterations.size())](
+                              const TraceEntry& row, const Vec& y) {
+      IterationRecord record = row.record;
+      record.iteration += before;  // they count through all phases
+      return directive = observed(observer_, record, y);
+    });
+    SolveResult part = stepper_.descend_from(std::move(result_.y), start, rules, &numbered);
     if (directive != Directive::Continue) {  // also where the phase had ended anyway
       part.status = stopped_status(directive);
       part.message = Stopped(directive).what();
     }
     return append(std::move(part));
-  }
-
-  // Iterations count through all phases. What it said last is kept.
-  Observer numbered(Directive& said) {
-    if (!observer_) return {};
-    return [this, &said, before = static_cast<int>(result_.iterations.size())](
-               const IterationRecord& record, const Vec& y) {
-      IterationRecord numbered = record;
-      numbered.iteration += before;
-      return said = observer_(numbered, y);
-    };
   }
 
   int append(SolveResult part) {
@@ -185,7 +179,7 @@ class Phases {
   const std::vector<TermId>& barriers_;
   HeldBounds bounds_;
   const BarrierOptions& options_;
-  const Observer& observer_;
+  RunObserver* observer_;
   NewtonStepper stepper_;
   BarrierResult result_;
   double m_ = 0;
@@ -214,8 +208,7 @@ BarrierMinimizer BarrierMinimizer::of_bounds(std::vector<HeldBound> bounds,
   return minimizer;
 }
 
-BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0,
-                                    const Observer& observer) const {
+BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0, RunObserver* observer) const {
   for (auto id = barriers_.begin(); id != barriers_.end(); ++id)
     if (static_cast<std::size_t>(*id) >= problem.terms().size() ||
         std::find(barriers_.begin(), id, *id) != id)

@@ -77,8 +77,8 @@ class BarrierMinimizer final : public Minimizer {
   // y0: strictly inside, but for the bounds. Status::Infeasible names what it violates, or the
   // bound that no point was found to meet. Throws InvalidArgument for ids that the problem does not
   // have, and for bounds that are none of its checkers.
-  BarrierResult run(const Problem& problem, Vec y0, const Observer& observer = {}) const;
-  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override {
+  BarrierResult run(const Problem& problem, Vec y0, RunObserver* observer = nullptr) const;
+  SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override {
     return run(problem, std::move(y0), observer);
   }
 

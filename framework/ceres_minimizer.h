@@ -48,7 +48,7 @@ class CeresMinimizer final : public Minimizer {
   // that of Ceres. Records: step in multiples of Ceres' direction; step_bound, newton_decrement and
   // shift are 0, since nothing is certified and the direction is not known; trials: evaluations,
   // those with gradients included; seconds.line_search: everything.
-  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override;
+  SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:
   CeresOptions options_;

@@ -43,7 +43,7 @@ class GradientFlowStepper final : public Stepper {
 }  // namespace
 
 SolveResult GradientFlowMinimizer::minimize(const Problem& problem, Vec y0,
-                                            const Observer& observer) const {
+                                            RunObserver* observer) const {
   GradientFlowStepper stepper(problem, options_);
   return stepper.minimize(std::move(y0), options_.stopping, observer);
 }

@@ -40,7 +40,7 @@ class GradientFlowMinimizer final : public Minimizer {
   // `problem` or does not support options.curvature. Records: newton_decrement = g.M^-1 g, step and
   // step_bound in multiples of p, shift and curvature of M. The first trial step of an iteration is
   // the step that the last one accepted.
-  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override;
+  SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:
   GradientFlowOptions options_;

@@ -67,8 +67,7 @@ class LbfgsStepper final : public Stepper {
 
 }  // namespace
 
-SolveResult LbfgsMinimizer::minimize(const Problem& problem, Vec y0,
-                                     const Observer& observer) const {
+SolveResult LbfgsMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
   LbfgsStepper stepper(problem, options_);
   return stepper.minimize(std::move(y0), options_.stopping, observer);
 }

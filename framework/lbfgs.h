@@ -46,7 +46,7 @@ class LbfgsMinimizer final : public Minimizer {
   // `problem` or does not support options.curvature. A direction that is no descent direction, or
   // along which nothing is gained, is replaced by that of the metric and the history dropped.
   // Records: newton_decrement = -g.p, shift and curvature of the metric.
-  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override;
+  SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:
   LbfgsOptions options_;

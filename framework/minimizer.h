@@ -7,6 +7,7 @@
 #include "majorant/framework/problem.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/stopping.h"
+#include "majorant/framework/run_record.h"
 
 namespace majorant {
 
@@ -23,8 +24,9 @@ struct SolveResult {
 class Minimizer {
  public:
   virtual ~Minimizer() = default;
-  // y0: a feasible point of the reduced unknowns. Never throws for numerical reasons.
-  virtual SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const = 0;
+  // y0: a feasible point of the reduced unknowns. observer: sees each step that is taken; may be
+  // null. Never throws for numerical reasons.
+  virtual SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const = 0;
 };
 
 }  // namespace majorant

@@ -255,8 +255,7 @@ void NewtonStepper::raise_weight(double failed) {
   projection_weight_ = *std::upper_bound(std::begin(kRaised), std::end(kRaised) - 1, failed);
 }
 
-SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0,
-                                      const Observer& observer) const {
+SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
   NewtonStepper stepper(problem, options_);
   return stepper.minimize(std::move(y0), options_.stopping, observer);
 }

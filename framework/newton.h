@@ -118,7 +118,7 @@ class NewtonStepper final : public Stepper {
 class NewtonMinimizer final : public Minimizer {
  public:
   explicit NewtonMinimizer(NewtonOptions options = {}) : options_(std::move(options)) {}
-  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override;
+  SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:
   NewtonOptions options_;

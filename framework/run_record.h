@@ -1,10 +1,17 @@
 // What a run leaves behind, and what spans it: the record of a step (IterationRecord, StepResult),
-// the trace (a row for each step that was tried, taken or not), what is being done (Activity), and
+// the trace (a row for each step that was tried, taken or not), what is being done (Activity), who
+// watches it (RunObserver), and
 // RunRecord, the one owner of the trace over degrees and rebuilt problems, of the time limit and of
 // interruption.
 //
-//   std::string_view now;
-//   RunRecord record(60, 1000, nullptr, {}, [&](Activity a) { now = activity_name(a); });
+//   class Printer final : public RunObserver {
+//     void begin(Activity activity) override { std::cerr << activity_name(activity) << "\n"; }
+//     Directive after_step(const TraceEntry& row, const Vec&) override {
+//       return row.energy < 4.1 ? Directive::Interrupt : Directive::Continue;
+//     }
+//   };
+//   Printer printer;
+//   RunRecord record(60, 1000, nullptr, &printer);
 //   double in_vain = 0;  // seconds of steps that were not taken
 //   for (const TraceEntry& row : record.trace())
 //     if (row.outcome != StepResult::Outcome::Moved) in_vain += row.record.seconds.sum();
@@ -101,10 +108,6 @@ struct StepResult {
   std::string why_none;  // of a Breakdown, where somebody looked into it: a sentence
 };
 
-// Receives each record and the point reached, before the next iteration; anything but Continue
-// ends the solve with that status.
-using Observer = std::function<Directive(const IterationRecord&, const Vec& y)>;
-
 // What an iteration minimizes. Minimized energies of different phases do not compare.
 enum class Phase {
   Newton,     // the energy that was asked for
@@ -160,8 +163,8 @@ int steps_taken(const std::vector<TraceEntry>& trace);
 // the rows; none where there was no factorization.
 std::optional<double> factor_solve_seconds(const std::vector<TraceEntry>& trace, int degree);
 
-// What a run is doing, for whoever waits for it: it lasts until the next one is announced, and one
-// may come more than once. Steps are told apart (the trace): they all happen while Solving.
+// Solvers, starts and measurements announce through their RunRecord what they begin; it lasts until
+// the next one is announced, and one may come more than once. Steps all happen while Solving.
 enum class Activity {
   Reading,
   Cutting,   // of a surface that becomes charts
@@ -181,29 +184,57 @@ constexpr std::string_view activity_name(Activity activity) {
   return kNames[static_cast<std::size_t>(activity)];
 }
 
+// Watches a run. It outlives the run, and is called by the thread that runs.
+class RunObserver {
+ public:
+  virtual ~RunObserver() = default;
+  // The run begins something else.
+  virtual void begin(Activity /*activity*/) {}
+  // A step was tried: of a minimizer by itself one that was taken, before the next one. y: the
+  // point it reached, empty where the rows are those of a RunRecord. Anything but Continue ends the
+  // solve with that status.
+  virtual Directive after_step(const TraceEntry& /*row*/, const Vec& /*y*/) {
+    return Directive::Continue;
+  }
+};
+
+// The observer of a lambda:
+//
+//   StepObserver print([](const TraceEntry& row, const Vec& y) {
+//     std::cerr << row.energy << " at " << y[0] << "\n";
+//     return Directive::Continue;
+//   });
+//   SolveResult result = NewtonMinimizer().minimize(problem, y0, &print);
+template <class F>
+class StepObserver final : public RunObserver {
+ public:
+  explicit StepObserver(F f) : f_(std::move(f)) {}
+  Directive after_step(const TraceEntry& row, const Vec& y) override { return f_(row, y); }
+
+ private:
+  F f_;
+};
+
+// The answer of an observer that may be null to a step of a minimizer.
+Directive observed(RunObserver* observer, const IterationRecord& record, const Vec& y);
+
 class RunRecord {
  public:
-  // Called after every row of the trace.
-  using Progress = std::function<void(const TraceEntry&)>;
-  // Called by the thread that runs, when it begins something else.
-  using Announce = std::function<void(Activity)>;
-
   // Seconds beyond the time limit that reading and making the start may take: what is stopped
   // before it has a map has nothing to show. (50,000 faces take half a second for both.) Ctrl-C has
   // no such grace.
   static constexpr double kGrace = 10;
 
   // interrupt: set by others, a signal handler say, and looked at between pieces of work; may be
-  // null. Throws InvalidArgument for a time limit that is NaN and a negative number of iterations.
+  // null, and so may the observer, which outlives the record. Throws InvalidArgument for a time
+  // limit that is NaN and a negative number of iterations.
   explicit RunRecord(double time_limit_seconds = std::numeric_limits<double>::infinity(),
                      int max_iterations = std::numeric_limits<int>::max(),
-                     const std::atomic<bool>* interrupt = nullptr, Progress progress = {},
-                     Announce announce = {})
+                     const std::atomic<bool>* interrupt = nullptr, RunObserver* observer = nullptr)
       : max_iterations_(max_iterations),
         stop_(limits(start_, time_limit_seconds, interrupt)),
         start_stop_(limits(start_, time_limit_seconds + kGrace, interrupt)),
-        progress_(std::move(progress)),
-        announce_(std::move(announce)) {
+        observer_(observer) {
     if (std::isnan(time_limit_seconds))
       throw InvalidArgument("RunRecord: the time limit is nan; infinity is no limit");
     if (max_iterations < 0) throw InvalidArgument("RunRecord: the iteration limit is negative");
@@ -214,11 +245,13 @@ class RunRecord {
   // iterations_left() answer what they do on rank 0, and all ranks ask them. ranks: outlives that.
   void agree(const Ranks& ranks) { ranks_ = &ranks; }
   // Of one part of the run that is solved by itself, perhaps on another thread: the same limits
-  // (iterations count from 0), a trace of its own; what it begins is not announced.
-  RunRecord part(Progress progress = {}) const {
+  // (iterations count from 0), a trace of its own; what it begins is not announced, its steps are
+  // told the observer.
+  RunRecord part(RunObserver* observer = nullptr) const {
     RunRecord part;
     part.max_iterations_ = max_iterations_;
-    part.progress_ = std::move(progress);
+    part.observer_ = observer;
+    part.is_part_ = true;
     part.stop_ = stop_;
     part.start_stop_ = start_stop_;
     return part;
@@ -233,22 +266,13 @@ class RunRecord {
     row.elapsed = seconds();
     row.other_seconds = std::max(0.0, row.elapsed - before - row.record.seconds.sum());
     trace_.push_back(std::move(row));
-    if (progress_) progress_(trace_.back());
-    return directive();
+    const Directive asked =
+        observer_ ? observer_->after_step(trace_.back(), {}) : Directive::Continue;
+    const Directive limit = stop_();
+    return ranks_->of_first(limit == Directive::Continue ? asked : limit);
   }
   void begin(Activity activity) const {
-    if (announce_) announce_(activity);
-  }
-  // Notes the steps that a minimizer takes on the energy asked for.
-  Observer observer(int degree, int level = 0) {
-    return [this, degree, level](const IterationRecord& record, const Vec&) {
-      TraceEntry row;
-      row.degree = degree;
-      row.level = level;
-      row.record = record;
-      row.energy = record.energy;
-      return note(std::move(row));
-    };
+    if (observer_ && !is_part_) observer_->begin(activity);
   }
   // The next iteration is the first one after that.
   void mark(Remedy remedy) { remedy_ = remedy; }
@@ -266,7 +290,7 @@ class RunRecord {
   }
   double seconds() const { return seconds_since(start_); }
   const std::vector<TraceEntry>& trace() const { return trace_; }
-  const Progress& progress() const { return progress_; }
+  RunObserver* observer() const { return observer_; }  // may be null
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -287,8 +311,8 @@ class RunRecord {
   Clock::time_point start_ = Clock::now();
   int max_iterations_ = std::numeric_limits<int>::max();
   StopCheck stop_, start_stop_;
-  Progress progress_;
-  Announce announce_;
+  RunObserver* observer_ = nullptr;
+  bool is_part_ = false;
   std::vector<TraceEntry> trace_;
   std::optional<Remedy> remedy_;
   const Ranks* ranks_ = one_process().get();

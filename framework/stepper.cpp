@@ -13,15 +13,15 @@ namespace {
 
 class Observed final : public Descent {
  public:
-  explicit Observed(const Observer& observer) : observer_(observer) {}
+  explicit Observed(RunObserver* observer) : observer_(observer) {}
   Answer after_step(const StepResult& step) override {
     Descent::after_step(step);
-    if (!observer_ || step.outcome != StepResult::Outcome::Moved) return {};
-    return {observer_(step.record, result.y)};
+    if (step.outcome != StepResult::Outcome::Moved) return {};
+    return {observed(observer_, step.record, result.y)};
   }
 
  private:
-  const Observer& observer_;
+  RunObserver* observer_;
 };
 
 }  // namespace
@@ -120,7 +120,7 @@ bool check_start(Evaluator& evaluator, SolveResult& result) {
   return false;
 }
 
-SolveResult Stepper::minimize(Vec y0, const StoppingRules& rules, const Observer& observer) {
+SolveResult Stepper::minimize(Vec y0, const StoppingRules& rules, RunObserver* observer) {
   SolveResult result;
   result.y = std::move(y0);
   if (!check_start(evaluator_, result)) return result;
@@ -128,7 +128,7 @@ SolveResult Stepper::minimize(Vec y0, const StoppingRules& rules, const Observer
 }
 
 SolveResult Stepper::descend_from(Vec y, double energy, const StoppingRules& rules,
-                                  const Observer& observer) {
+                                  RunObserver* observer) {
   require_size("the start y", y.size(), evaluator_.problem().size());
   Observed descent(observer);
   descent.result.y = std::move(y);

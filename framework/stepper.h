@@ -57,10 +57,10 @@ class Stepper {
   // Steps from y0 until a stopping rule, the observer or the stop check says so. An infeasible y0
   // is Status::Infeasible; outer loops that change the state of the problem call this repeatedly.
   // Throws as check_start().
-  SolveResult minimize(Vec y0, const StoppingRules& rules, const Observer& observer = {});
+  SolveResult minimize(Vec y0, const StoppingRules& rules, RunObserver* observer = nullptr);
   // The same from a point that is known to be feasible, `energy` its value.
   SolveResult descend_from(Vec y, double energy, const StoppingRules& rules,
-                           const Observer& observer = {});
+                           RunObserver* observer = nullptr);
   // The loop of all of them: steps from descent.result.y until a rule or an answer ends it. What
   // after_step() throws leaves it, with descent.result as it is then.
   void descend(Descent& descent, const StoppingRules& rules);

@@ -113,7 +113,7 @@ int check(const Request& request) {
                    {request.result, request.surface});
   const ThreadCount threads(usable_threads(request.common.threads));
   Progress progress(request.common);
-  const RunRecord record(request.time_limit, 0, interruption_flag(), {}, progress.activities());
+  const RunRecord record(request.time_limit, 0, interruption_flag(), &progress);
   const StopCheck& stop = record.stop();
   set_output_stop(stop);
   const auto read = [&](const std::string& path, const auto& reader) {

@@ -206,7 +206,7 @@ struct Request {
 
 // Every point of a run measured in the same way, whatever the method says of itself. The clock
 // stands still while measuring.
-class PointMeter {
+class PointMeter final : public RunObserver {
  public:
   PointMeter(const Contest& contest, double time_limit)
       : evaluator_(contest.problem),
@@ -218,9 +218,9 @@ class PointMeter {
     measure(0, 0, 0, y);
     resumed_ = Clock::now();
   }
-  Directive operator()(const IterationRecord& record, const Vec& y) {
+  Directive after_step(const TraceEntry& row, const Vec& y) override {
     running_ += seconds_since(resumed_);
-    measure(record.iteration, running_, record.step, y);
+    measure(row.record.iteration, running_, row.record.step, y);
     resumed_ = Clock::now();
     if (interrupted_->load()) return Directive::Interrupt;
     return running_ > time_limit_ ? Directive::TimeLimit : Directive::Continue;
@@ -379,8 +379,7 @@ MethodRun race(const Method& method, const Contest& contest, double time_limit) 
   timed.stop = watch.stop();
   const std::unique_ptr<Minimizer> minimizer = method.make(timed);
   watch.start(y0);
-  const SolveResult result = minimizer->minimize(
-      contest.problem, y0, [&](const IterationRecord& r, const Vec& y) { return watch(r, y); });
+  const SolveResult result = minimizer->minimize(contest.problem, y0, &watch);
   const std::string message = result.status == Status::Converged ? "" : result.message;
   return {method.name, std::string(status_name(result.status)), message, watch.take_points()};
 }

@@ -79,7 +79,7 @@ std::vector<char> fixed_unknowns(const Problem& problem) {
 
 class Progress final : public ceres::IterationCallback {
  public:
-  Progress(const Problem& problem, const Vec& x, const Observer& observer, SolveResult& result)
+  Progress(const Problem& problem, const Vec& x, RunObserver* observer, SolveResult& result)
       : problem_(problem), x_(x), observer_(observer), result_(result) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& s) override {
@@ -101,7 +101,7 @@ class Progress final : public ceres::IterationCallback {
     record.seconds.solve = s.iteration_time_in_seconds;
     result_.y = problem_.reduce(x_);
     result_.iterations.push_back(record);
-    const Directive directive = observer_ ? observer_(record, result_.y) : Directive::Continue;
+    const Directive directive = observed(observer_, record, result_.y);
     if (directive == Directive::Continue) return ceres::SOLVER_CONTINUE;
     result_.status = directive == Directive::TimeLimit ? Status::TimeLimit : Status::Interrupted;
     result_.message = status_name(result_.status);
@@ -111,7 +111,7 @@ class Progress final : public ceres::IterationCallback {
  private:
   const Problem& problem_;
   const Vec& x_;
-  const Observer& observer_;
+  RunObserver* observer_;
   SolveResult& result_;
 };
 
@@ -168,7 +168,7 @@ LeastSquaresMinimizer::LeastSquaresMinimizer(std::shared_ptr<const BezierTriangl
 }
 
 SolveResult LeastSquaresMinimizer::minimize(const Problem& problem, Vec y0,
-                                            const Observer& observer) const {
+                                            RunObserver* observer) const {
   SolveResult result;
   result.y = std::move(y0);
   Evaluator evaluator(problem);

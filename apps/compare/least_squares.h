@@ -38,7 +38,7 @@ class LeastSquaresMinimizer final : public Minimizer {
   // of the problem it takes the fixed unknowns and the checkers. Ceres does not certify paths: a
   // step that leaves the feasible set ends the solve with Stalled, at the last feasible point.
   // Throws InvalidArgument when the constraints do more than fix unknowns.
-  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override;
+  SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:
   std::shared_ptr<const BezierTriangleSpace> space_;

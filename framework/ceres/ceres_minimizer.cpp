@@ -21,7 +21,7 @@ using CeresSolver = ceres::GradientProblemSolver;
 
 // What the function and the callback share.
 struct Run {
-  Run(const Problem& problem, const CeresOptions& o, const Observer& observes)
+  Run(const Problem& problem, const CeresOptions& o, RunObserver* observes)
       : evaluator(problem), options(o), observer(observes) {}
 
   // Ceres accepted y; step: multiple of its direction.
@@ -39,7 +39,7 @@ struct Run {
     result.iterations.push_back(r);
     cut_short = std::exchange(refused, false);
     result.blocking = cut_short ? blocking : std::vector<Index>();
-    if (observer) directive = observer(r, y);
+    directive = observed(observer, r, y);
   }
   // After an exception or a stop every trial point is refused, until Ceres gives up.
   bool is_over() const { return error || directive != Directive::Continue; }
@@ -52,7 +52,7 @@ struct Run {
 
   Evaluator evaluator;
   const CeresOptions& options;
-  const Observer& observer;
+  RunObserver* observer;
   SolveResult result;
   double gradient_norm = 0;  // at result.y
   int trials = 0;
@@ -179,8 +179,7 @@ Status status_of(ceres::TerminationType type, Run& run) {
 
 }  // namespace
 
-SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0,
-                                     const Observer& observer) const {
+SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
   if (!problem.partition().is_whole())
     throw InvalidArgument(
         "CeresMinimizer: the problem is that of several processes, Ceres knows one; use "

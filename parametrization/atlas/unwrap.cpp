@@ -136,18 +136,18 @@ class Unwrapping {
     });
     std::size_t large = 0;
     while (large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart)
-      solve_chart(order[large++], record_.progress());
+      solve_chart(order[large++], record_.observer());
     std::mutex failing, telling;
     std::exception_ptr failure;
     std::size_t failed = tasks_.size();  // the first in the order of charts is thrown
     parallel_for(static_cast<Index>(order.size() - large), 1, [&](Index task) {
       const std::size_t chart = order[large + to_size(task)];
       try {
-        solve_chart(chart, {});
+        solve_chart(chart, nullptr);
         const std::vector<TraceEntry>& trace = atlas_.charts[chart].trace;
-        if (trace.empty() || !record_.progress()) return;
+        if (trace.empty() || !record_.observer()) return;
         const std::lock_guard lock(telling);
-        record_.progress()(trace.back());
+        record_.observer()->after_step(trace.back(), {});
       } catch (...) {
         const std::lock_guard lock(failing);
         if (chart < failed) failure = std::current_exception();
@@ -157,9 +157,9 @@ class Unwrapping {
     if (failure) std::rethrow_exception(failure);
   }
 
-  void solve_chart(std::size_t k, const RunRecord::Progress& progress) {
+  void solve_chart(std::size_t k, RunObserver* observer) {
     const Task& task = tasks_[k];
-    RunRecord record = record_.part(progress);
+    RunRecord record = record_.part(observer);
     const bool has_texture =
         options_.cuts.method == CutMethod::Texture && is_textured(*task.mesh, 0);
     Chart chart = ChartSolver(task.mesh, task.options,

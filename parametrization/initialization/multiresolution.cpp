@@ -298,11 +298,12 @@ class Multiresolution {
     const auto [problem, start] = problem_on(level, all_);
     // Energies only fall from here: what misleads now is not worth its steps.
     if (misled_by(Evaluator(problem).value(start))) return false;
-    const auto watch = [note = run_.observer(1, level_)](const IterationRecord& r, const Vec& y) {
-      note(r, y);
+    StepObserver watch([this](TraceEntry row, const Vec&) {
+      row.level = level_;
+      run_.note(std::move(row));
       return Directive::Continue;  // what ends a start is stop_
-    };
-    const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, watch);
+    });
+    const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, &watch);
     stop_.poll();
     if (!solved.y.allFinite() || !std::isfinite(solved.energy)) return false;
     record.steps = static_cast<int>(solved.iterations.size());

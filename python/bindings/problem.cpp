@@ -124,20 +124,21 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
   Run run(keyword<double>(keywords, "time_limit"), std::numeric_limits<int>::max(), py::none());
   const Problem& problem = p.built();
   const Vec start = matrix<Vec>(x0);
-  const auto watch = [&](const IterationRecord& record, const Vec& y) {
+  StepObserver watch([&](const TraceEntry& row, const Vec& y) {
     bool ends = false;
     if (!callback.is_none() && !run.raised().guard([&] {
-          ends = static_cast<bool>(py::bool_(callback(as_dict(record), moved(problem.expand(y)))));
+          ends =
+              static_cast<bool>(py::bool_(callback(as_dict(row.record), moved(problem.expand(y)))));
         }))
       ends = true;
     return ends ? Directive::Interrupt : run.record().directive();
-  };
+  });
   const auto minimizer =
       minimizer_named(keyword<std::string>(keywords, "method"), keywords, run.record().stop());
   const int threads = keyword<int>(keywords, "threads");
   const SolveResult result = run([&] {
     const ThreadCount count(threads);
-    return minimizer->minimize(problem, problem.reduce(start), watch);
+    return minimizer->minimize(problem, problem.reduce(start), &watch);
   });
   py::list records;
   for (const IterationRecord& record : result.iterations) records.append(as_dict(record));

@@ -71,19 +71,17 @@ InterruptScope::~InterruptScope() {
 
 Run::Run(double time_limit, int max_iterations, py::object callback)
     : callback_(std::move(callback)),
-      record_(
-          time_limit, max_iterations, &interrupted_,
-          callback_.is_none() ? RunRecord::Progress()
-                              : [this](const TraceEntry& row) { notify(row); }) {}
+      record_(time_limit, max_iterations, &interrupted_, callback_.is_none() ? nullptr : this) {}
 
 Run::Run()
     : record_(std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(),
               &interrupted_) {}
 
-void Run::notify(const TraceEntry& row) {
+Directive Run::after_step(const TraceEntry& row, const Vec&) {
   bool ends = false;
   if (!raised_.guard([&] { ends = static_cast<bool>(py::bool_(callback_(row))); }) || ends)
     interrupted_.store(true);
+  return Directive::Continue;  // the record looks at interrupted_
 }
 
 void Run::raise() const {

@@ -55,7 +55,7 @@ class InterruptScope {
   bool installed_ = false;
 };
 
-class Run {
+class Run final : public RunObserver {
  public:
   // callback: called with a Step after every step, or None; what it returns is true ends the run.
   Run(double time_limit, int max_iterations, py::object callback);
@@ -86,7 +86,7 @@ class Run {
   }
 
  private:
-  void notify(const TraceEntry& row);
+  Directive after_step(const TraceEntry& row, const Vec&) override;
   void raise() const;
 
   py::object callback_;

@@ -39,7 +39,7 @@ extern Vec x, y0, start;  // full, reduced, full unknowns
 extern ParametrizationOptions options;
 extern RunRecord record;
 extern StopCheck stop;
-extern Observer observer;
+extern RunObserver* observer;
 
 extern Points3 directions;  // a vector a face
 inline const auto shear = density<2, 2>("shear", [](const auto& J) { return J(0, 0) * J(0, 1); });

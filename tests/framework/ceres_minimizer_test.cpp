@@ -55,13 +55,13 @@ TEST(Ceres, TheLastPointIsReportedOnce) {
     o.function_tolerance = tolerance;
     int calls = 0;
     Vec last;
-    const SolveResult r = CeresMinimizer(o).minimize(chain.problem, chain.start,
-                                                     [&](const IterationRecord&, const Vec& y) {
-                                                       ++calls;
-                                                       EXPECT_TRUE(last.size() == 0 || y != last);
-                                                       last = y;
-                                                       return Directive::Continue;
-                                                     });
+    StepObserver observer([&](const TraceEntry&, const Vec& y) {
+      ++calls;
+      EXPECT_TRUE(last.size() == 0 || y != last);
+      last = y;
+      return Directive::Continue;
+    });
+    const SolveResult r = CeresMinimizer(o).minimize(chain.problem, chain.start, &observer);
     EXPECT_EQ(r.status, Status::Converged);
     EXPECT_EQ(r.y, last);
     EXPECT_EQ(static_cast<int>(r.iterations.size()), calls);

@@ -55,7 +55,7 @@ std::optional<Problem> dirichlet(const Problem& problem) {
 class FlowForTests final : public Minimizer {
  public:
   explicit FlowForTests(int max_iterations) { options_.stopping.max_iterations = max_iterations; }
-  SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer) const override {
+  SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override {
     GradientFlowOptions o = options_;
     if (problem.terms().size() == 1 &&
         problem.term(problem.terms().front()).name() == "barrier chain")

@@ -70,7 +70,8 @@ TEST(LaggedFactors, BeginWithAnEmptyHistory) {
   Vec here = chain.start, g, p;
   std::optional<History> history;  // of the factor's own step
   int factors = 0;
-  const auto observer = [&](const IterationRecord& r, const Vec& y) {
+  StepObserver observer([&](const TraceEntry& row, const Vec& y) {
+    const IterationRecord& r = row.record;
     evaluator.gradient(here, g);
     if (r.factorizations > 0) {
       EXPECT_TRUE(metric.factorize(here));
@@ -85,8 +86,8 @@ TEST(LaggedFactors, BeginWithAnEmptyHistory) {
     }
     here = y;
     return Directive::Continue;
-  };
-  NewtonMinimizer(o).minimize(chain.problem, chain.start, observer);
+  });
+  NewtonMinimizer(o).minimize(chain.problem, chain.start, &observer);
   EXPECT_GT(factors, 1);
 }
 

@@ -125,11 +125,11 @@ TEST(Lbfgs, PairsOfNegativeCurvatureDoNotBreakIt) {
   o.curvature = Curvature::Exact;  // indefinite at the start: shifted
   Vec y0(4);
   y0 << 0.05, -0.1, 0.4, 2.5;
-  const SolveResult r =
-      LbfgsMinimizer(o).minimize(problem, y0, [](const IterationRecord& i, const Vec&) {
-        EXPECT_GT(i.newton_decrement, 0);
-        return Directive::Continue;
-      });
+  StepObserver observer([](const TraceEntry& row, const Vec&) {
+    EXPECT_GT(row.record.newton_decrement, 0);
+    return Directive::Continue;
+  });
+  const SolveResult r = LbfgsMinimizer(o).minimize(problem, y0, &observer);
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_GT(r.iterations[0].shift, 0);
   EXPECT_NEAR(r.energy, 4, 1e-8);

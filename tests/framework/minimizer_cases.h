@@ -38,7 +38,7 @@ inline Problem chain_of(Index count, Scalar phi,
 template <class Traits>
 class MinimizerCases : public testing::Test {
  protected:
-  static SolveResult minimize(const Problem& problem, Vec y0, const Observer& observer = {},
+  static SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer = nullptr,
                               int max_iterations = 20000) {
     return Traits::make(max_iterations)->minimize(problem, std::move(y0), observer);
   }
@@ -67,7 +67,8 @@ TYPED_TEST_P(MinimizerCases, RecordsAgreeWithWhatHappens) {
   double previous = evaluator.value(chain.start);
   Vec last = chain.start, gradient;
   int calls = 0;
-  const auto observer = [&](const IterationRecord& r, const Vec& y) {
+  StepObserver observer([&](const TraceEntry& row, const Vec& y) {
+    const IterationRecord& r = row.record;
     EXPECT_EQ(r.iteration, ++calls);
     EXPECT_EQ(r.energy, evaluator.value(y));
     EXPECT_LE(r.energy, previous);
@@ -80,8 +81,8 @@ TYPED_TEST_P(MinimizerCases, RecordsAgreeWithWhatHappens) {
     previous = r.energy;
     last = y;
     return Directive::Continue;
-  };
-  const SolveResult r = this->minimize(chain.problem, chain.start, observer);
+  });
+  const SolveResult r = this->minimize(chain.problem, chain.start, &observer);
   EXPECT_EQ(r.status, Status::Converged);
   EXPECT_GE(calls, 5);
   ASSERT_EQ(static_cast<int>(r.iterations.size()), calls);
@@ -102,12 +103,12 @@ TYPED_TEST_P(MinimizerCases, NeverLeavesTheFeasibleSet) {
   for (Index i = 0; i < 11; ++i) x[i] = 0.5 + (i < 5 ? 0.32 : 2.4) * (i - 5);
   x.array() += (1 - x[0] - x[10]) / 2;
   int calls = 0;
-  const auto observer = [&](const IterationRecord&, const Vec& y) {
+  StepObserver observer([&](const TraceEntry&, const Vec& y) {
     ++calls;
     EXPECT_TRUE(checker->check(problem.expand(y)).feasible);
     return Directive::Continue;
-  };
-  const SolveResult r = this->minimize(problem, problem.reduce(x), observer);
+  });
+  const SolveResult r = this->minimize(problem, problem.reduce(x), &observer);
   EXPECT_GT(calls, 3);
   // Who only tries end points may stick to the boundary, but has to say so.
   EXPECT_EQ(r.status, TypeParam::kAmongGaps) << r.message;
@@ -152,11 +153,11 @@ TYPED_TEST_P(MinimizerCases, ObserversStopIt) {
   for (const auto& [directive, status] : {std::pair(Directive::TimeLimit, Status::TimeLimit),
                                           {Directive::Interrupt, Status::Interrupted}}) {
     Vec seen;
-    const auto observer = [&, d = directive](const IterationRecord& r, const Vec& y) {
+    StepObserver observer([&, d = directive](const TraceEntry& row, const Vec& y) {
       seen = y;
-      return r.iteration == 2 ? d : Directive::Continue;
-    };
-    const SolveResult r = this->minimize(chain.problem, chain.start, observer);
+      return row.record.iteration == 2 ? d : Directive::Continue;
+    });
+    const SolveResult r = this->minimize(chain.problem, chain.start, &observer);
     EXPECT_EQ(r.status, status);
     EXPECT_EQ(r.iterations.size(), 2u);
     EXPECT_EQ(r.y, seen);

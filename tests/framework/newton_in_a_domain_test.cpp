@@ -31,11 +31,11 @@ TEST_P(NewtonInTheBox, NeverLeavesTheFeasibleSet) {
       ProblemBuilder(4).add(std::make_shared<const Chain>(4, double_well()), 1).add(box).build();
   Vec y0(4);
   y0 << 0.6, -0.7, 1.1, -0.8;
-  const auto observer = [&](const IterationRecord&, const Vec& y) {
+  StepObserver observer([&](const TraceEntry&, const Vec& y) {
     EXPECT_TRUE(box->check(problem.expand(y)).feasible);
     return Directive::Continue;
-  };
-  const SolveResult r = NewtonMinimizer(exact()).minimize(problem, y0, observer);
+  });
+  const SolveResult r = NewtonMinimizer(exact()).minimize(problem, y0, &observer);
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_NEAR(r.energy, 4, 1e-5);
 }

@@ -76,7 +76,8 @@ TEST(Newton, EnergiesDecreaseAndRecordsAgree) {
   y0 << 0.3, -0.7, 3, 0.6, -1.5;
   double previous = Evaluator(problem).value(y0);
   int calls = 0;
-  const auto observer = [&](const IterationRecord& r, const Vec& y) {
+  StepObserver observer([&](const TraceEntry& row, const Vec& y) {
+    const IterationRecord& r = row.record;
     EXPECT_EQ(r.iteration, ++calls);
     EXPECT_LT(r.energy, previous);
     EXPECT_EQ(r.energy, Evaluator(problem).value(y));
@@ -85,8 +86,8 @@ TEST(Newton, EnergiesDecreaseAndRecordsAgree) {
     EXPECT_GE(r.trials, 1);
     previous = r.energy;
     return Directive::Continue;
-  };
-  const SolveResult r = NewtonMinimizer(options()).minimize(problem, y0, observer);
+  });
+  const SolveResult r = NewtonMinimizer(options()).minimize(problem, y0, &observer);
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_EQ(static_cast<int>(r.iterations.size()), calls);
   for (const double t : r.y) EXPECT_NEAR(std::abs(t), 1, 1e-3);
@@ -201,11 +202,11 @@ TEST(Newton, ObserversStopIt) {
       ProblemBuilder(1).add(std::make_shared<const Chain>(1, double_well()), 1).build();
   for (const auto& [directive, status] : {std::pair(Directive::TimeLimit, Status::TimeLimit),
                                           {Directive::Interrupt, Status::Interrupted}}) {
-    const auto observer = [d = directive](const IterationRecord& r, const Vec&) {
-      return r.iteration == 2 ? d : Directive::Continue;
-    };
+    StepObserver observer([d = directive](const TraceEntry& row, const Vec&) {
+      return row.record.iteration == 2 ? d : Directive::Continue;
+    });
     const SolveResult r =
-        NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 30), observer);
+        NewtonMinimizer(options()).minimize(problem, Vec::Constant(1, 30), &observer);
     EXPECT_EQ(r.status, status);
     EXPECT_EQ(r.iterations.size(), 2u);
     EXPECT_EQ(r.energy, Evaluator(problem).value(r.y));

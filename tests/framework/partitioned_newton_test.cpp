@@ -285,13 +285,12 @@ TEST_P(PartitionedNewton, TheObserverOfRankZeroStopsAll) {
     const Problem problem = part.problem();
     NewtonOptions options;
     options.linear_solver = [] { return std::make_unique<DenseSolver>(); };
-    Observer observer;
-    if (ranks->rank() == 0)
-      observer = [](const IterationRecord& r, const Vec&) {
-        return r.iteration == 2 ? Directive::Interrupt : Directive::Continue;
-      };
+    StepObserver observer([](const TraceEntry& row, const Vec&) {
+      return row.record.iteration == 2 ? Directive::Interrupt : Directive::Continue;
+    });
     const SolveResult result =
-        NewtonStepper(problem, options).minimize(problem.reduce(part.x0()), {}, observer);
+        NewtonStepper(problem, options)
+            .minimize(problem.reduce(part.x0()), {}, ranks->rank() == 0 ? &observer : nullptr);
     EXPECT_EQ(result.status, Status::Interrupted);
     EXPECT_EQ(result.iterations.size(), 2u);
   });

@@ -11,7 +11,7 @@ namespace majorant {
 namespace {
 
 std::optional<Remedy> noted(RunRecord& record) {
-  record.observer(1)({}, {});
+  record.note({});
   return record.trace().back().remedy;
 }
 
@@ -61,7 +61,9 @@ TEST(RunRecord, RowsAddUpToTheTime) {
 
 TEST(RunRecord, CoarserMeshesDoNotUseUpIterations) {
   RunRecord record(1e9, 3);
-  record.observer(1, 2)({}, {});
+  TraceEntry coarse;
+  coarse.level = 2;
+  record.note(coarse);
   EXPECT_EQ(record.trace().back().level, 2);
   EXPECT_EQ(record.iterations_left(), 3);
   record.note(row_of(0, StepResult::Outcome::Blocked));

@@ -110,18 +110,18 @@ TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
   for (const Maker make : makers) {
     SCOPED_TRACE(&make - makers);
     std::vector<Vec> points{chain.start};
-    const Observer observe = [&](const IterationRecord&, const Vec& y) {
+    StepObserver observe([&](const TraceEntry&, const Vec& y) {
       points.push_back(y);
       return Directive::Continue;
-    };
+    });
     const CountedStop never;
-    const SolveResult whole = make(never.check())->minimize(chain.problem, chain.start, observe);
+    const SolveResult whole = make(never.check())->minimize(chain.problem, chain.start, &observe);
     // An evaluation with its gradient, and a line search that evaluates once, at least.
     EXPECT_GE(never.asked(), 2 * batches * static_cast<long>(whole.iterations.size()));
     for (long k = 1; k <= never.asked(); k += std::max(1L, never.asked() / 30)) {
       points.assign(1, chain.start);
       const CountedStop stop(k);
-      const SolveResult r = make(stop.check())->minimize(chain.problem, chain.start, observe);
+      const SolveResult r = make(stop.check())->minimize(chain.problem, chain.start, &observe);
       EXPECT_EQ(r.status, Status::Interrupted) << k << ": " << r.message;
       EXPECT_EQ(r.y, points.back()) << k;
       EXPECT_EQ(r.iterations.size() + 1, points.size());

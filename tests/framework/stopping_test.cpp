@@ -235,11 +235,11 @@ TEST(Stopping, MinimizeReturnsToTheFallback) {
   options.blend.below = 0;
   NewtonStepper stepper(builder.build(), options);
   std::vector<double> points;
-  const SolveResult r = stepper.minimize(Vec::Zero(1), StoppingRules{},
-                                         [&](const IterationRecord& record, const Vec& y) {
-                                           if (record.step_bound >= 0.1) points.push_back(y[0]);
-                                           return Directive::Continue;
-                                         });
+  StepObserver observer([&](const TraceEntry& row, const Vec& y) {
+    if (row.record.step_bound >= 0.1) points.push_back(y[0]);
+    return Directive::Continue;
+  });
+  const SolveResult r = stepper.minimize(Vec::Zero(1), StoppingRules{}, &observer);
   EXPECT_EQ(r.status, Status::Stalled) << r.message;
   ASSERT_FALSE(points.empty());
   EXPECT_EQ(r.y[0], points.back());

@@ -73,9 +73,9 @@ TEST(ThrownErrors, OfTermsLeaveEveryMinimizer) {
 }
 
 TEST(ThrownErrors, OfObserversLeaveEveryMinimizer) {
-  const Observer throws = [](const IterationRecord&, const Vec&) -> Directive { throw Mine{42}; };
+  StepObserver throws([](const TraceEntry&, const Vec&) -> Directive { throw Mine{42}; });
   for (const auto& [name, minimizer] : minimizers())
-    expect_mine([&, m = minimizer] { m->minimize(throwing_chain(-1), start(), throws); }, name);
+    expect_mine([&, m = minimizer] { m->minimize(throwing_chain(-1), start(), &throws); }, name);
 }
 
 class ThrowingChecker final : public FeasibilityChecker {

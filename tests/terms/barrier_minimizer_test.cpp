@@ -57,12 +57,12 @@ TEST(BarrierMinimizer, ReportsItsPhases) {
   options.fall = 0.2;
   options.tolerance = 1e-5;
   int seen = 0;
+  StepObserver observer([&](const TraceEntry& row, const Vec&) {
+    EXPECT_EQ(row.record.iteration, ++seen);
+    return Directive::Continue;
+  });
   const BarrierResult result =
-      BarrierMinimizer({disks.barrier}, options)
-          .run(disks.problem, Vec::Zero(14), [&](const IterationRecord& record, const Vec&) {
-            EXPECT_EQ(record.iteration, ++seen);
-            return Directive::Continue;
-          });
+      BarrierMinimizer({disks.barrier}, options).run(disks.problem, Vec::Zero(14), &observer);
   int iterations = 0;
   for (std::size_t k = 0; k < result.phases.size(); ++k) {
     const BarrierPhase& phase = result.phases[k];
@@ -125,17 +125,17 @@ TEST(BarrierMinimizer, PenaltyEndsOutside) {
 
 TEST(BarrierMinimizer, LimitsAndStarts) {
   const Disks disks(5);
-  const auto run = [&](BarrierOptions options, const Vec& y0, Observer observer = {}) {
+  const auto run = [&](BarrierOptions options, const Vec& y0, RunObserver* observer = nullptr) {
     return BarrierMinimizer({disks.barrier}, options).run(disks.problem, y0, observer);
   };
   BarrierOptions few;
   few.newton.stopping.max_iterations = 7;
   EXPECT_EQ(run(few, Vec::Zero(10)).status, Status::MaxIterations);
   EXPECT_EQ(run(few, Vec::Zero(10)).iterations.size(), 7);
-  const auto interrupt = [](const IterationRecord& r, const Vec&) {
-    return r.iteration == 9 ? Directive::Interrupt : Directive::Continue;
-  };
-  const BarrierResult interrupted = run({}, Vec::Zero(10), interrupt);
+  StepObserver interrupt([](const TraceEntry& row, const Vec&) {
+    return row.record.iteration == 9 ? Directive::Interrupt : Directive::Continue;
+  });
+  const BarrierResult interrupted = run({}, Vec::Zero(10), &interrupt);
   EXPECT_EQ(interrupted.status, Status::Interrupted);
   EXPECT_EQ(interrupted.iterations.size(), 9);
   const BarrierResult outside = run({}, Vec::Constant(10, 1));

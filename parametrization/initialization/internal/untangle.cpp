@@ -82,9 +82,9 @@ class Untangler {
   }
 
   double descend(double energy, const StopCheck& stop) {
-    SolveResult round =
-        stepper_.descend_from(std::move(y_), energy, brief_rules(kStepsPerRound, kRoundTolerance),
-                              [&](const IterationRecord&, const Vec&) { return stop(); });
+    StepObserver stopped([&](const TraceEntry&, const Vec&) { return stop(); });
+    SolveResult round = stepper_.descend_from(
+        std::move(y_), energy, brief_rules(kStepsPerRound, kRoundTolerance), &stopped);
     y_ = std::move(round.y);
     result_.iterations += static_cast<int>(round.iterations.size());
     return round.energy;

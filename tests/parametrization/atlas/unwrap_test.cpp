@@ -140,7 +140,11 @@ TEST(Unwrap, ProgressHearsOfSmallCharts) {
   PolygonMesh mesh = grid(2, bumpy);
   for (int k = 1; k < 6; ++k) mesh = together(mesh, moved(grid(2, bumpy), {0, 0, 3.0 * k}));
   std::vector<TraceEntry> told;
-  RunRecord record(INFINITY, 1000, nullptr, [&](const TraceEntry& row) { told.push_back(row); });
+  StepObserver observer([&](const TraceEntry& row, const Vec&) {
+    told.push_back(row);
+    return Directive::Continue;
+  });
+  RunRecord record(INFINITY, 1000, nullptr, &observer);
   const Atlas atlas = unwrap(repair(mesh).mesh, of_degree(2), record);
   ASSERT_EQ(told.size(), atlas.charts.size());
   double sum = 0, expected = 0;

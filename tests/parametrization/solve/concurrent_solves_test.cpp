@@ -28,22 +28,22 @@ constexpr int kIterations = 3;
 const double kNoLimit = std::numeric_limits<double>::infinity();
 
 // More faces than evaluators and checkers take on one thread.
-Vec bijective(int threads, const RunRecord::Progress& progress = {}) {
+Vec bijective(int threads, RunObserver* observer = nullptr) {
   ParametrizationOptions options = degree(3);
   options.map.injectivity = MapInjectivity::Global;
   options.solve.elevation = Elevation::Direct;
   options.solve.threads = threads;
-  RunRecord record(kNoLimit, kIterations, nullptr, progress);
+  RunRecord record(kNoLimit, kIterations, nullptr, observer);
   const ParametrizationResult result = parametrize(generated("creature"), options, record);
   EXPECT_EQ(record.trace().size(), to_size(kIterations));
   expect_valid(result, 3);
   return result.map->control_points();
 }
 
-Vec seamless(int threads, const RunRecord::Progress& progress = {}) {
+Vec seamless(int threads, RunObserver* observer = nullptr) {
   SeamlessOptions start;
   start.threads = threads;
-  RunRecord record(kNoLimit, kIterations, nullptr, progress);
+  RunRecord record(kNoLimit, kIterations, nullptr, observer);
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube(19));
   const Start made = make_seamless(mesh, start, record);
   ParametrizationOptions options = degree(3);
@@ -114,24 +114,22 @@ TEST(ConcurrentSolves, LeaveTheSettingsOfTheProcessAlone) {
   const UnusualSettings unusual;
   const Settings before, elsewhere = seen_by_another_thread();
   int looked = 0;
-  const auto look = [&] {
+  StepObserver look([&](const TraceEntry&, const Vec&) {
     ++looked;
     EXPECT_EQ(seen_by_another_thread(), elsewhere);
-  };
+    return Directive::Continue;
+  });
   for (const int threads : {0, 1, 2}) {
     SCOPED_TRACE(threads);
-    bijective(threads, [&](const TraceEntry&) { look(); });
+    bijective(threads, &look);
     EXPECT_EQ(Settings(), before);
-    seamless(threads, [&](const TraceEntry&) { look(); });
+    seamless(threads, &look);
     EXPECT_EQ(Settings(), before);
   }
   EXPECT_GE(looked, 3 * kIterations);  // the cube is an isometry from the start
   const int looked_before_ceres = looked;
   const test::ChainProblem chain(10);
-  CeresMinimizer().minimize(chain.problem, chain.start, [&](const IterationRecord&, const Vec&) {
-    look();
-    return Directive::Continue;
-  });
+  CeresMinimizer().minimize(chain.problem, chain.start, &look);
   EXPECT_GT(looked, looked_before_ceres);
   EXPECT_EQ(Settings(), before);
 }

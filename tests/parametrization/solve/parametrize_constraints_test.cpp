@@ -190,9 +190,11 @@ TEST(Parametrize, InterruptionGivesAValidMapOfTheDegree) {
   for (const std::size_t after : {std::size_t(1), std::size_t(3)}) {
     std::atomic<bool> interrupt{false};
     std::size_t calls = 0;
-    RunRecord record(INFINITY, std::numeric_limits<int>::max(), &interrupt, [&](const TraceEntry&) {
+    StepObserver observer([&](const TraceEntry&, const Vec&) {
       if (++calls >= after) interrupt = true;
+      return Directive::Continue;
     });
+    RunRecord record(INFINITY, std::numeric_limits<int>::max(), &interrupt, &observer);
     const ParametrizationResult result = parametrize(mesh, degree(4), record);
     EXPECT_EQ(result.status, Status::Interrupted);
     expect_valid(result, 4);

@@ -134,10 +134,12 @@ class StoppedOnTheWay : public testing::TestWithParam<int> {
   static RunWithTrace run(const SolverRules& rules, int last) {
     std::atomic<bool> interrupt{false};
     int steps = 0;
+    StepObserver observer([&](const TraceEntry& row, const Vec&) {
+      if (row.phase == Phase::Barrier && ++steps == last) interrupt = true;
+      return Directive::Continue;
+    });
     RunRecord record(std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(),
-                     &interrupt, [&](const TraceEntry& entry) {
-                       if (entry.phase == Phase::Barrier && ++steps == last) interrupt = true;
-                     });
+                     &interrupt, &observer);
     const auto mesh = surface(saddle_fan());
     const ParametrizationOptions options = bijective_arap();
     const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
