@@ -1,6 +1,6 @@
 // Constraints of maps, whole: what is eliminated exactly, and what every step must hold.
 //
-//   builder.add(std::make_shared<LocalInjectivity>(space));
+//   builder.add(std::make_shared<const LocalInjectivity>(space, 2 * rest.measure));
 //
 // Its headers:
 //     fixed_points.h              nodes that stay where they are

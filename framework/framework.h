@@ -3,8 +3,8 @@
 // surfaces is majorant.h.
 //
 //   const Problem problem = builder.build();
-//   NewtonStepper stepper;
-//   const SolveResult result = stepper.minimize(problem, y0, {});
+//   const NewtonMinimizer newton(NewtonOptions{});
+//   const SolveResult result = newton.minimize(problem, y0, {});
 //
 // What a problem is made of:
 //     types.h                     vectors, matrices, indices

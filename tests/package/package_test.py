@@ -93,15 +93,6 @@ class Package(unittest.TestCase):
                             wrong.append('%s:%d: %s' % (name, number, other))
         self.assertEqual(wrong, [])
 
-    def test_headers_are_short(self):
-        root, headers = self.headers()
-        long = []
-        for name in headers:
-            with open(os.path.join(root, name)) as f:
-                if sum(1 for _ in f) > 250:
-                    long.append(name)
-        self.assertEqual(long, [])
-
     def begins_with_eigen(self, name):
         """Whether all that a header includes comes first, and Eigen is among it, or among what that
         includes: then nothing changes when Eigen comes earlier."""
