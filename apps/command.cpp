@@ -5,7 +5,7 @@
 #include "apps/arguments/number_check.h"
 #include "apps/parts.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/results/internal/solver_ladder.h"
+#include "majorant/results/solver_ladder.h"
 
 namespace majorant::app {
 
@@ -48,7 +48,9 @@ std::string version_line() {
 
 void CommonOptions::add_to(CLI::App& verb) {
   verb.set_version_flag("--version", version_line());
-  verb.add_option("--threads", threads, "threads (default: all cores that the process may use); results do not depend on it")
+  verb.add_option(
+          "--threads", threads,
+          "threads (default: all cores that the process may use); results do not depend on it")
       ->check(whole_number(1, 1024));
   auto* q = verb.add_flag("--quiet", quiet, "no progress");
   verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "majorant/io/read_mesh.h"
-#include "majorant/results/internal/map_job.h"
+#include "majorant/results/map_job.h"
 
 namespace majorant::app {
 

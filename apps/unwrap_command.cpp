@@ -28,8 +28,8 @@
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/results/internal/atlas_job.h"
-#include "majorant/results/internal/global_verdict.h"
+#include "majorant/results/atlas_job.h"
+#include "majorant/results/global_verdict.h"
 
 namespace majorant::app {
 namespace {

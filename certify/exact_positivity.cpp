@@ -11,7 +11,7 @@
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/internal/det_coefficients.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/exact_integers.h"
+#include "majorant/mesh/exact_integers.h"
 
 namespace majorant {
 namespace {

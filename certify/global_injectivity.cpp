@@ -13,7 +13,7 @@
 #include "majorant/certify/internal/curve_contact.h"
 #include "majorant/certify/loop_winding.h"
 #include "majorant/framework/internal/rounding.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {

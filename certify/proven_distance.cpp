@@ -9,7 +9,7 @@
 #include "majorant/certify/internal/curve_piece.h"
 #include "majorant/certify/loop_winding.h"
 #include "majorant/certify/moved_layout.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {

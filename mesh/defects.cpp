@@ -12,11 +12,11 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/mesh_validation.h"
 #include "majorant/mesh/internal/place_text.h"
-#include "majorant/mesh/internal/weld.h"
+#include "majorant/mesh/mesh_validation.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/weld.h"
 
 namespace majorant {
 namespace {

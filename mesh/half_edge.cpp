@@ -7,7 +7,7 @@
 #include <map>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 

@@ -11,11 +11,11 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/mesh/internal/geometry.h"
-#include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/mesh/internal/mesh_validation.h"
-#include "majorant/mesh/internal/triangle_list.h"
+#include "majorant/mesh/geometry.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/mesh_validation.h"
 #include "majorant/mesh/refusal.h"
+#include "majorant/mesh/triangle_list.h"
 
 namespace majorant {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "majorant/certify/internal/curve_graph.h"
 #include "majorant/certify/internal/curve_piece.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "majorant/certify/internal/match_tolerance.h"
 #include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/weld.h"
+#include "majorant/mesh/weld.h"
 
 namespace majorant {
 namespace {

@@ -12,7 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/rounding.h"
 #include "majorant/io/lagrange_cell.h"
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/parametrization/initialization/tutte.h"

@@ -1,4 +1,4 @@
-#include "majorant/mesh/internal/mesh_validation.h"
+#include "majorant/mesh/mesh_validation.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {
