@@ -6,7 +6,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 
 namespace majorant {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/internal/place_text.h"
 #include "majorant/mesh/mesh_validation.h"
 #include "majorant/mesh/repair.h"

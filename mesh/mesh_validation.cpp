@@ -11,9 +11,9 @@
 #include <set>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 
 namespace majorant {

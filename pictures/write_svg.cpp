@@ -14,7 +14,7 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/map_check.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 #include "majorant/pictures/internal/legend.h"

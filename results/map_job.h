@@ -26,7 +26,7 @@
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/pictures/film.h"
+#include "majorant/pictures/write_page.h"
 #include "majorant/results/report.h"
 
 namespace majorant {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 
 namespace majorant {

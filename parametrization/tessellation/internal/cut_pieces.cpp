@@ -11,7 +11,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/exact_predicates.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/tessellation/internal/piece_boundary.h"
 
 namespace majorant {

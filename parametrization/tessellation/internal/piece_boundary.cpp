@@ -5,7 +5,7 @@
 
 #include "majorant/certify/box_pairs.h"
 #include "majorant/mesh/exact_predicates.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 
 namespace majorant {
