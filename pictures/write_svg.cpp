@@ -25,7 +25,7 @@ namespace {
 
 // What a vector drawing says of its colours.
 
-inline constexpr double kSvgLegendHeight = 130.0;
+constexpr double kSvgLegendHeight = 130.0;
 
 constexpr double kBarLeft = 26.0;
 constexpr double kBarWidth = SvgLayout::kWidth - 2 * kBarLeft;
