@@ -245,7 +245,8 @@ int unwrap_file(UnwrapVerb request) {
     });
     say_warnings(polygons.warnings);
     request.unwrap.open(job, std::move(polygons), strictness);
-    job.options.chart = read_options(request.map, *job.polygons, *job.surface.mesh);
+    job.options.chart =
+        read_options(request.map, *job.polygons, *job.surface.mesh, record.start_stop());
   });
   request.solve.apply(job.options.chart);
   LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,
