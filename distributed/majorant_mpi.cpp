@@ -555,6 +555,7 @@ void add_to(CLI::App& app, Request& request) {
   CLI::App& verb = *app.add_subcommand(
       "parametrize", "map a disk onto the plane, injectively and with low distortion");
   request.common.add_to(verb);
+  request.common.add_petsc_to(verb);
   request.map.add_to(verb, "3");
   request.map.add_start_to(verb);
   verb.add_flag("--seamless", request.map.seamless, "for one process");
