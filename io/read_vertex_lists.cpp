@@ -126,7 +126,7 @@ std::optional<Vector2> read_target(const VertexList& list, const json& entry) {
 }
 
 int read_quarter_turns(const VertexList& list, const json& entry) {
-  // No vertex has so many faces. Origin: chosen, not tuned.
+  // No vertex has so many faces. Chosen, not tuned.
   constexpr double kMost = 1000;
   const bool turns = entry.contains("quarter_turns");
   if (turns == entry.contains("index"))
