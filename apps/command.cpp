@@ -5,7 +5,7 @@
 #include "apps/arguments/number_check.h"
 #include "apps/parts.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/results/internal/solver_ladder.h"
+#include "majorant/results/solver_ladder.h"
 
 namespace majorant::app {
 
@@ -56,6 +56,12 @@ void CommonOptions::add_to(CLI::App& verb) {
   verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);
   verb.add_option("--report", report, "write a JSON report to FILE, - for stdout")
       ->type_name("FILE");
+  verb.add_flag("--force", force, "an output may replace a file that is read");
+  verb.add_flag("--strict", strict,
+                "refuse a mesh file of which something would be left out or repaired");
+}
+
+void CommonOptions::add_petsc_to(CLI::App& verb) {
   verb.add_option("--petsc-options", petsc_options,
                   "words for PETSc, where a run uses it: \"-ksp_monitor -info\"; it obeys no "
                   "options file and no variable")
@@ -70,9 +76,6 @@ void CommonOptions::add_to(CLI::App& verb) {
             return std::string();
           },
           ""));
-  verb.add_flag("--force", force, "an output may replace a file that is read");
-  verb.add_flag("--strict", strict,
-                "refuse a mesh file of which something would be left out or repaired");
 }
 
 Strictness CommonOptions::strictness(Strictness least) const {

@@ -36,6 +36,7 @@ struct CommonOptions {
   std::string petsc_options;
 
   void add_to(CLI::App& verb);
+  void add_petsc_to(CLI::App& verb);  // --petsc-options, where PETSc may solve
   // Of reading meshes. least: where --strict was not said.
   Strictness strictness(Strictness least = Strictness::Shape) const;
 };

@@ -18,7 +18,7 @@
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/internal/smallest_rectangle.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/report.h"
 
 namespace majorant::app {
 namespace {

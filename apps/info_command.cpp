@@ -19,7 +19,7 @@
 #include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/parametrization/solve/internal/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/report.h"
 
 namespace majorant::app {
 namespace {

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/results/internal/machine_memory.h"
-#include "majorant/results/internal/solver_ladder.h"
+#include "majorant/results/machine_memory.h"
+#include "majorant/results/solver_ladder.h"
 
 namespace majorant::app {
 

@@ -18,7 +18,7 @@
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/parametrization/solve/internal/free_scale.h"
-#include "majorant/results/internal/input_points.h"
+#include "majorant/results/input_points.h"
 
 namespace majorant::app {
 namespace {
@@ -30,12 +30,18 @@ Curvature find_curvature(const std::string& wanted) {
 }
 
 std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygons,
-                             const SurfaceMesh& mesh) {
-  return points_of(mesh, read_handles(path, static_cast<Index>(polygons.positions.size())), path);
+                             const SurfaceMesh& mesh, const StopCheck& stop) {
+  const auto handles = or_interrupted("reading " + path, [&] {
+    return read_handles(path, static_cast<Index>(polygons.positions.size()), stop);
+  });
+  return points_of(mesh, handles, path);
 }
 
-Vec read_weights(const std::string& path, const PolygonMesh& polygons, const SurfaceMesh& mesh) {
-  const Vec of_polygon = read_face_weights(path, static_cast<Index>(polygons.polygons.size()));
+Vec read_weights(const std::string& path, const PolygonMesh& polygons, const SurfaceMesh& mesh,
+                 const StopCheck& stop) {
+  const Vec of_polygon = or_interrupted("reading " + path, [&] {
+    return read_face_weights(path, static_cast<Index>(polygons.polygons.size()), stop);
+  });
   Vec weights(mesh.face_count());
   for (Index f = 0; f < weights.size(); ++f) weights[f] = of_polygon[mesh.input_face(f)];
   return weights;
@@ -99,7 +105,7 @@ Json MapRequest::to_json() const {
 std::vector<std::string> MapRequest::inputs() const { return {input, pins, handles, weights}; }
 
 ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
-                                    const SurfaceMesh& mesh) {
+                                    const SurfaceMesh& mesh, const StopCheck& stop) {
   ParametrizationOptions options;
   options.map.energy = parse_energy(request.energy);
   options.map.degree = request.degree;
@@ -108,10 +114,11 @@ ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh
   if (request.boundary_angles) options.map.boundary_angles = BoundaryAngles::AtMostFullTurn;
   options.solve.quadrature_points = request.quadrature;
   options.map.handle_weight = request.soft;
-  if (!request.pins.empty()) options.map.pins = read_points(request.pins, polygons, mesh);
-  if (!request.handles.empty()) options.map.handles = read_points(request.handles, polygons, mesh);
+  if (!request.pins.empty()) options.map.pins = read_points(request.pins, polygons, mesh, stop);
+  if (!request.handles.empty())
+    options.map.handles = read_points(request.handles, polygons, mesh, stop);
   if (!request.weights.empty())
-    options.map.face_weight = read_weights(request.weights, polygons, mesh);
+    options.map.face_weight = read_weights(request.weights, polygons, mesh, stop);
   return options;
 }
 
@@ -133,7 +140,7 @@ void read_input(const MapRequest& request, MapJob& job, const StartMaker& make_s
     or_interrupted("making the start of " + request.input, [&] { make_start(job); });
   else if (request.seamless)
     job.start_from_texture();
-  job.options = read_options(request, *job.polygons, job.mapped_mesh());
+  job.options = read_options(request, *job.polygons, job.mapped_mesh(), job.record.start_stop());
   for (const StartMethod method : {StartMethod::Tutte, StartMethod::Multiresolution})
     if (request.init == start_name(method)) job.options.map.start = method;
   if (request.init == "input" && !request.seamless)

@@ -18,6 +18,7 @@ void MapVerb::add_to(CLI::App& verb) {
   solve.add_to(verb, map.curvature);
   add_linear_solver_to(verb, solve.linear_solver);
   common.add_to(verb);
+  common.add_petsc_to(verb);
 }
 
 MapRun::MapRun(MapTask task, MapVerb& request, const std::vector<std::string>& other_inputs)

@@ -16,8 +16,8 @@
 
 #include "apps/command.h"
 #include "majorant/io/atomic_file.h"
-#include "majorant/results/internal/report.h"
-#include "majorant/results/internal/write_map.h"
+#include "majorant/results/report.h"
+#include "majorant/results/write_map.h"
 
 namespace majorant::app {
 

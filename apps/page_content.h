@@ -7,8 +7,8 @@
 
 #include "apps/result_files.h"
 #include "majorant/io/claims.h"
-#include "majorant/pictures/film.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/pictures/write_page.h"
+#include "majorant/results/report.h"
 
 namespace majorant::app {
 

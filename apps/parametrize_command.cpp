@@ -19,7 +19,8 @@ struct ParametrizeRequest : MapVerb {
 // Cuts keep off vertices with pins and handles.
 void cut_open(const ParametrizeRequest& request, MapJob& job) {
   CutOptions asked = request.seams.options(*job.polygons);
-  const MapOptions map = read_options(request.map, *job.polygons, *job.mesh).map;
+  const MapOptions map =
+      read_options(request.map, *job.polygons, *job.mesh, job.record.start_stop()).map;
   for (const auto* points : {&map.pins, &map.handles})
     for (const Pin& p : *points) asked.whole.push_back(p.vertex);
   job.start_cut(asked, [&](Index pieces) {

@@ -10,7 +10,7 @@
 #include "apps/streams.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/results/internal/global_verdict.h"
+#include "majorant/results/global_verdict.h"
 
 namespace majorant::app {
 namespace {

@@ -18,7 +18,7 @@
 #include "apps/map_request.h"
 #include "apps/outputs.h"
 #include "apps/progress.h"
-#include "majorant/results/internal/map_job.h"
+#include "majorant/results/map_job.h"
 
 namespace majorant::app {
 

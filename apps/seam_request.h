@@ -11,7 +11,7 @@
 
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/report.h"
 
 namespace majorant::app {
 

@@ -24,7 +24,8 @@ int run_job(SeamlessRequest request) {
     options.method = method_called(request.start);
     options.field.curvature_weight = request.curvature_alignment;
     if (!request.cones.empty())
-      options.cones = read_cones(request.cones, static_cast<Index>(job.polygons->positions.size()));
+      options.cones = read_cones(request.cones, static_cast<Index>(job.polygons->positions.size()),
+                                 job.record.start_stop());
     job.start_seamless(std::move(options), request.cones);
     request.map.init = job.init;
   });

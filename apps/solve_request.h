@@ -10,7 +10,7 @@
 #include "apps/result_files.h"
 #include "majorant/framework/stopping.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/report.h"
 
 namespace majorant::app {
 

@@ -28,8 +28,8 @@
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/results/internal/atlas_job.h"
-#include "majorant/results/internal/global_verdict.h"
+#include "majorant/results/atlas_job.h"
+#include "majorant/results/global_verdict.h"
 
 namespace majorant::app {
 namespace {
@@ -245,7 +245,8 @@ int unwrap_file(UnwrapVerb request) {
     });
     say_warnings(polygons.warnings);
     request.unwrap.open(job, std::move(polygons), strictness);
-    job.options.chart = read_options(request.map, *job.polygons, *job.surface.mesh);
+    job.options.chart =
+        read_options(request.map, *job.polygons, *job.surface.mesh, record.start_stop());
   });
   request.solve.apply(job.options.chart);
   LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,

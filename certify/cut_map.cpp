@@ -14,7 +14,7 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/maps/map_file.h"
 

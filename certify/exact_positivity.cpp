@@ -11,7 +11,7 @@
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/internal/det_coefficients.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/exact_integers.h"
+#include "majorant/mesh/exact_integers.h"
 
 namespace majorant {
 namespace {
@@ -23,7 +23,7 @@ using Integer = boost::multiprecision::cpp_int;
 // times what valid cells take.
 constexpr int kMostPieces = 4000;
 // Of bisection; two halve the edges, so pieces are 2^-50 of the cell then. Integers grow with it.
-// Origin: coordinates in doubles say nothing below.
+// Coordinates in doubles say nothing below.
 constexpr int kDeepest = 100;
 
 // A triangular array of Bernstein coefficients of degree `degree`, and the corners of the piece.

@@ -13,7 +13,7 @@
 #include "majorant/certify/internal/curve_contact.h"
 #include "majorant/certify/loop_winding.h"
 #include "majorant/framework/internal/rounding.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {
@@ -258,7 +258,7 @@ const PlanarCurve& curve_of(const BoundaryLoops& boundary, Index half_edge) {
 // Where a point that is covered twice may be, seen from a contact: where two edges cross it is to
 // the left of both.
 std::vector<Vector2> directions_at(const PlanarCurve& a, const PlanarCurve& b) {
-  // Origin: where edges have other directions than their ends, at a vertex say; chosen, not tuned.
+  // For where edges have other directions than their ends, at a vertex say; chosen, not tuned.
   constexpr int kDirections = 6;
   const auto to_the_left = [](const PlanarCurve& curve) {
     const Vector2 along = (curve.back() - curve.front()).stableNormalized();
@@ -277,7 +277,7 @@ std::vector<Vector2> directions_at(const PlanarCurve& a, const PlanarCurve& b) {
 std::optional<DoubleCover> find_double_cover(const BoundaryLoops& boundary,
                                              const std::vector<BoundaryContact>& contacts,
                                              SubdivisionBudget& budget) {
-  // Origin: a few places show what any would; chosen, not tuned.
+  // A few places show what any would; chosen, not tuned.
   constexpr std::size_t kPlaces = 8;
   const LoopWinding winding(boundary);
   const auto all = [](const BoundaryLoop&) { return true; };
@@ -394,7 +394,7 @@ GlobalInjectivity check_layout(const BoundaryLoops& boundary, const InjectivityO
 
 namespace {
 
-// Layouts whose largest coordinate is above 2^400 are compared at a size near 1. Origin: products
+// Layouts whose largest coordinate is above 2^400 are compared at a size near 1. Products
 // of two coordinates stay far from the end of the range of doubles, 2^1024.
 constexpr int kLargeExponent = 400;
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "majorant/certify/internal/curve_piece.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {

@@ -26,7 +26,7 @@ namespace majorant {
 namespace {
 
 // Angle sums are whole multiples of a quarter turn by continuity; their rounding is some 1e-14.
-// Quarter turns. Origin: between their rounding and a quarter turn.
+// Quarter turns. Between their rounding and a quarter turn.
 constexpr double kWholeTurnTolerance = 1e-6;
 constexpr Index kCellsPerPoll = 256;
 

@@ -41,7 +41,7 @@ bool has_positive_determinants(const BezierMap& map, const StopCheck& stop = {})
 // What is kept beside det J > 0.
 struct LayoutPromise {
   bool simple_boundaries = false;  // each map is injective as a whole (global_injectivity.h)
-  double distance = 0;  // of any two maps (proven_distance.h), before; but for a part of 1e-12
+  double distance = 0;  // of any two maps before; but for a part of 1e-12
   std::vector<char> fixed = {};  // flags of maps; pairs of two of these need not keep it
 };
 

@@ -9,19 +9,19 @@
 #include "majorant/certify/internal/curve_piece.h"
 #include "majorant/certify/loop_winding.h"
 #include "majorant/certify/moved_layout.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {
 
 using curve_piece::Piece;
 
-// Bounds stop getting better here. Origin: the parts in a thousand that the header promises.
+// Bounds stop getting better here. These are the parts in a thousand that the header promises.
 constexpr double kTight = 0.999;
-// Pieces of a pair of curves. Origin: curves that keep a distance take some dozens; pairs that take
+// Pieces of a pair of curves. Curves that keep a distance take some dozens; pairs that take
 // more than this run along each other within the rounding of their coordinates.
 constexpr int kMostPieces = 1 << 14;
-// Halvings of a pair of curves. Origin: both 53 times, of which nothing but rounding is left;
+// Halvings of a pair of curves. Both 53 times, of which nothing but rounding is left;
 // curves that cross are halved at the crossing for ever.
 constexpr int kMostHalvings = 106;
 // Roundings in a distance of a point and a segment, as a multiple of their size. Origin: four

@@ -6,8 +6,8 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 AxisAlignment::AxisAlignment(std::shared_ptr<const BezierTriangleSpace> space,

@@ -16,7 +16,7 @@
 namespace majorant {
 
 struct AlignedEdge {
-  Index half_edge;  // 3 face + corner, as in half_edge.h
+  Index half_edge;  // 3 face + corner, as in surface_mesh.h
   int coordinate;   // 0: u is constant along it, 1: v
 };
 

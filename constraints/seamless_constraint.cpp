@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 namespace {

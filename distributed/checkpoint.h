@@ -20,7 +20,7 @@
 
 #include "distributed/parametrize_parts.h"
 #include "majorant/framework/types.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/report.h"
 
 namespace majorant {
 

@@ -49,8 +49,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/results/internal/global_verdict.h"
-#include "majorant/results/internal/map_job.h"
+#include "majorant/results/global_verdict.h"
+#include "majorant/results/map_job.h"
 
 namespace majorant::app {
 namespace {
@@ -191,7 +191,7 @@ Json resumed_section(const CheckpointRequest& request, const CheckpointFile& fil
   return section;
 }
 
-// The JSON report of a run on several ranks: the sections of results/internal/report.h that need no
+// The JSON report of a run on several ranks: the sections of results/report.h that need no
 // map in one process, and what ranks and linear solvers did ("ranks", "linear_solver").
 
 // What rank 0 knows of the run, all others of it through collective calls.
@@ -555,6 +555,7 @@ void add_to(CLI::App& app, Request& request) {
   CLI::App& verb = *app.add_subcommand(
       "parametrize", "map a disk onto the plane, injectively and with low distortion");
   request.common.add_to(verb);
+  request.common.add_petsc_to(verb);
   request.map.add_to(verb, "3");
   request.map.add_start_to(verb);
   verb.add_flag("--seamless", request.map.seamless, "for one process");

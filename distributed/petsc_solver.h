@@ -19,7 +19,7 @@
 
 #include <memory>
 
-#include "majorant/results/internal/solver_ladder.h"
+#include "majorant/results/solver_ladder.h"
 
 namespace majorant {
 

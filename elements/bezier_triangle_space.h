@@ -43,7 +43,7 @@ class BezierTriangleSpace final : public BernsteinSpace {
 };
 
 // Nodes of the space along a half-edge, from its start to its end: degree + 1 of them. Half-edge
-// 3 f + k runs from corner k of face f to its corner k + 1 (mod 3), as in mesh/half_edge.h.
+// 3 f + k runs from corner k of face f to its corner k + 1 (mod 3), as in mesh/surface_mesh.h.
 std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge);
 
 }  // namespace majorant

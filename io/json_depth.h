@@ -11,7 +11,7 @@
 namespace majorant {
 
 // Levels of lists and objects: what majorant reads needs four, comments of other programs some
-// more. Origin: a recursive parser's stack holds it; chosen, not tuned.
+// more. A recursive parser's stack holds it; chosen, not tuned.
 inline constexpr int kMaxJsonDepth = 64;
 
 // Throws Error(Unreadable, "what: ... nested too deeply ...") for more levels than kMaxJsonDepth;

@@ -147,7 +147,7 @@ class CellTransform {
   }
 
  private:
-  // More than what rounding a bound to double takes away. Origin: 2^-53 of it.
+  // More than what rounding a bound to double takes away. Rounding takes 2^-53 of it.
   static constexpr double kRoundUp = 1.0000001;
 
   static Vector2 rounding(const MapFile& map, Index point) {

@@ -17,7 +17,7 @@
 
 namespace majorant {
 
-// Lagrange cells beyond are not read nor written. Origin: the highest degree that gmsh and VTK
+// Lagrange cells beyond are not read nor written. It is the highest degree that gmsh and VTK
 // have.
 inline constexpr int kHighestLagrangeDegree = 10;
 

@@ -24,9 +24,9 @@ class VertexList {
  public:
   // example: a file that is right.
   VertexList(const std::string& path, std::string_view key, std::string_view example,
-             Index vertex_count)
+             Index vertex_count, const StopCheck& stop)
       : path_(path), key_(key), vertex_count_(vertex_count) {
-    json document = parse();
+    json document = parse(stop);
     if (!document.is_object() || !document.contains(key_))
       fail(fmt::format("no list \"{}\"; write {}", key_, example));
     if (!document[key_].is_array()) fail(fmt::format("\"{}\" is not a list", key_));
@@ -55,8 +55,8 @@ class VertexList {
   long long base() const { return base_; }
 
  private:
-  json parse() const {
-    const std::string content = read_whole_file(path_);
+  json parse(const StopCheck& stop) const {
+    const std::string content = read_whole_file(path_, stop);
     require_shallow_json(path_, content);
     try {
       return json::parse(content);
@@ -126,7 +126,7 @@ std::optional<Vector2> read_target(const VertexList& list, const json& entry) {
 }
 
 int read_quarter_turns(const VertexList& list, const json& entry) {
-  // No vertex has so many faces. Origin: chosen, not tuned.
+  // No vertex has so many faces. Chosen, not tuned.
   constexpr double kMost = 1000;
   const bool turns = entry.contains("quarter_turns");
   if (turns == entry.contains("index"))
@@ -142,9 +142,10 @@ int read_quarter_turns(const VertexList& list, const json& entry) {
 
 }  // namespace
 
-std::vector<Handle> read_handles(const std::string& path, Index vertex_count) {
+std::vector<Handle> read_handles(const std::string& path, Index vertex_count,
+                                 const StopCheck& stop) {
   VertexList list(path, "handles", "{\"handles\": [{\"vertex\": 0, \"target\": [0, 0]}]}",
-                  vertex_count);
+                  vertex_count, stop);
   const auto read = [&](const json& item, Index vertex) {
     return Handle{vertex, read_target(list, item)};
   };
@@ -152,9 +153,9 @@ std::vector<Handle> read_handles(const std::string& path, Index vertex_count) {
                            [](const Handle& a, const Handle& b) { return a.target == b.target; });
 }
 
-std::vector<Cone> read_cones(const std::string& path, Index vertex_count) {
+std::vector<Cone> read_cones(const std::string& path, Index vertex_count, const StopCheck& stop) {
   VertexList list(path, "cones", "{\"cones\": [{\"vertex\": 0, \"quarter_turns\": 3}]}",
-                  vertex_count);
+                  vertex_count, stop);
   const auto read = [&](const json& item, Index vertex) {
     return Cone{vertex, read_quarter_turns(list, item)};
   };
@@ -163,8 +164,9 @@ std::vector<Cone> read_cones(const std::string& path, Index vertex_count) {
   });
 }
 
-std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vertex_count) {
-  VertexList list(path, "edges", "{\"edges\": [[0, 1], [1, 2]]}", vertex_count);
+std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vertex_count,
+                                             const StopCheck& stop) {
+  VertexList list(path, "edges", "{\"edges\": [[0, 1], [1, 2]]}", vertex_count, stop);
   std::vector<std::array<Index, 2>> edges;
   list.for_each([&](const json& item) {
     if (!item.is_array() || item.size() != 2) list.fail_here("an edge is two vertices");
@@ -174,8 +176,8 @@ std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vert
   return edges;
 }
 
-Vec read_face_weights(const std::string& path, Index face_count) {
-  std::string text = read_whole_file(path);
+Vec read_face_weights(const std::string& path, Index face_count, const StopCheck& stop) {
+  std::string text = read_whole_file(path, stop);
   require_text(path, text);
   LineCursor cursor(path, text, Continuation::None);
   Vec weights(face_count);

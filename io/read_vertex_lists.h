@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 #include "majorant/mesh/seams.h"
 
@@ -28,20 +29,23 @@ struct Handle {
 // The handles in the order of the file; one that is repeated with the same target counts once.
 // Throws Error(Unreadable), naming the file and the handle or the place, for broken JSON, missing
 // or malformed entries, numbers that are not finite, vertices outside 0 .. vertex_count - 1, and
-// two different targets for one vertex.
-std::vector<Handle> read_handles(const std::string& path, Index vertex_count);
+// two different targets for one vertex; Stopped, also while a FIFO has no writer, as all of these.
+std::vector<Handle> read_handles(const std::string& path, Index vertex_count,
+                                 const StopCheck& stop = {});
 
 // The cones in the order of the file; quarter turns = 4 - 4 index, at least 1. Throws
 // Error(Unreadable) likewise.
-std::vector<Cone> read_cones(const std::string& path, Index vertex_count);
+std::vector<Cone> read_cones(const std::string& path, Index vertex_count,
+                             const StopCheck& stop = {});
 
 // The edges in the order of the file, 0-based; whether the mesh has them is not known here. Throws
 // Error(Unreadable) likewise.
-std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vertex_count);
+std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vertex_count,
+                                             const StopCheck& stop = {});
 
 // face_count positive numbers, in the order of the mesh file's faces, each a usable weight
 // (map_problem.h). Throws Error(Unreadable), naming the file and the line, for anything else.
-Vec read_face_weights(const std::string& path, Index face_count);
+Vec read_face_weights(const std::string& path, Index face_count, const StopCheck& stop = {});
 
 }  // namespace majorant
 

@@ -15,7 +15,7 @@ namespace majorant {
 
 class ReadingLimit {
  public:
-  // Of every compressed byte, and on top. Origin: deflate makes at most 1,032 of one; files that
+  // Of every compressed byte, and on top. Deflate makes at most 1,032 of one; files that
   // programs write stay below 100, arrays of zeros apart, which fit into what is on top.
   static constexpr std::size_t kMostOfAByte = 1000, kOnTop = std::size_t{64} << 20;
 

@@ -11,10 +11,10 @@
 
 namespace majorant {
 
-// Between two questions whether to go on, while waiting. Origin: chosen; nobody notices it.
+// Between two questions whether to go on, while waiting. Chosen; nobody notices it.
 inline constexpr int kWaitMilliseconds = 50;
 
-// Seconds that a reader may take for a piece once the run is to end. Origin: chosen; schedulers
+// Seconds that a reader may take for a piece once the run is to end. Chosen; schedulers
 // kill 10 to 30 seconds after they asked.
 inline constexpr double kOutputPatience = 2;
 

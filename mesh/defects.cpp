@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/mesh_validation.h"
 #include "majorant/mesh/internal/place_text.h"
-#include "majorant/mesh/internal/weld.h"
+#include "majorant/mesh/mesh_validation.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/weld.h"
 
 namespace majorant {
 namespace {
@@ -24,7 +23,7 @@ namespace {
 // Vertices on the inside of boundary edges, where a neighbour was refined and its edge was not.
 
 // Part of the edge's length: midpoints as files have them, in seven digits.
-constexpr double kOnEdge = 1e-6;
+constexpr double kTJunctionDistance = 1e-6;
 
 struct TJunction {
   Index vertex, half_edge;
@@ -111,8 +110,8 @@ class PointTree {
   std::vector<Node> nodes_;
 };
 
-// One for each such vertex, ascending: boundary vertices that are kOnEdge from a boundary edge and
-// farther than that from its ends. O(n log n).
+// One for each such vertex, ascending: boundary vertices that are kTJunctionDistance from a
+// boundary edge and farther than that from its ends. O(n log n).
 std::vector<TJunction> find_t_junctions(const SurfaceMesh& mesh, const StopCheck& stop = {}) {
   std::vector<Index> boundary;
   for (const auto& loop : mesh.boundary_loops())
@@ -124,7 +123,7 @@ std::vector<TJunction> find_t_junctions(const SurfaceMesh& mesh, const StopCheck
     stop.poll_at(to_size(h));
     const Vector3 a = mesh.positions().row(mesh.from_vertex(h));
     const Vector3 b = mesh.positions().row(mesh.to_vertex(h));
-    const double length = (b - a).norm(), reach = kOnEdge * length;
+    const double length = (b - a).norm(), reach = kTJunctionDistance * length;
     if (!(length > 0)) continue;
     tree.near_segment(a, b, reach, [&](Index v) {
       const Vector3 p = Vector3(mesh.positions().row(v)) - a;

@@ -15,15 +15,15 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/mesh/internal/mesh_validation.h"
 #include "majorant/mesh/internal/place_text.h"
-#include "majorant/mesh/internal/texture_borders.h"
-#include "majorant/mesh/internal/triangle_list.h"
-#include "majorant/mesh/internal/triangulate_polygon.h"
-#include "majorant/mesh/internal/union_find.h"
-#include "majorant/mesh/internal/weld.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/mesh_validation.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/texture_borders.h"
+#include "majorant/mesh/triangle_list.h"
+#include "majorant/mesh/triangulate_polygon.h"
+#include "majorant/mesh/union_find.h"
+#include "majorant/mesh/weld.h"
 
 namespace majorant {
 namespace {

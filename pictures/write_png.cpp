@@ -33,7 +33,8 @@ namespace {
 constexpr Color kInk{51, 51, 51};
 constexpr int kWideEnough = 900;  // for letters of twice the size
 // In dots of letters.
-constexpr int kLegendMargin = 6, kBarHeight = 8, kPoint = 5, kTick = 2, kLine = 12, kHeight = 52;
+constexpr int kLegendMargin = 6, kPixelBarHeight = 8, kPixelPoint = 5, kTick = 2, kLine = 12,
+              kHeight = 52;
 
 int zoom_of(int width) { return width >= kWideEnough ? 2 : 1; }
 
@@ -61,15 +62,16 @@ int png_legend_height(int width) { return kHeight * zoom_of(width); }
 // Into those rows: as add_color_legend() of write_svg.cpp, the lines of text below the bar.
 void draw_legend(PixelImage& image, const Legend& legend) {
   const int zoom = zoom_of(image.width);
-  const int left = (kLegendMargin + kPoint) * zoom;
+  const int left = (kLegendMargin + kPixelPoint) * zoom;
   const int width = std::max(1, std::min(image.width / 2, 400 * zoom) - 2 * left);
-  const int top = image.height - (kHeight - 4) * zoom, height = kBarHeight * zoom;
+  const int top = image.height - (kHeight - 4) * zoom, height = kPixelBarHeight * zoom;
   for (int x = 0; x < width; ++x)
     fill_column(image, left + x, top, top + height, legend.scale.color_at((x + 0.5) / width));
   if (legend.goes_below)
-    draw_point(image, left - 1, -1, top, height, kPoint * zoom, legend.scale.colors().front());
+    draw_point(image, left - 1, -1, top, height, kPixelPoint * zoom, legend.scale.colors().front());
   if (legend.goes_above)
-    draw_point(image, left + width, 1, top, height, kPoint * zoom, legend.scale.colors().back());
+    draw_point(image, left + width, 1, top, height, kPixelPoint * zoom,
+               legend.scale.colors().back());
   const int ticks = top + height;
   int free = 0;  // labels that would overlap the one before are left out
   for (const ColorScale::Tick& tick : legend.scale.ticks()) {

@@ -14,7 +14,7 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/map_check.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 #include "majorant/pictures/internal/legend.h"
@@ -25,7 +25,7 @@ namespace {
 
 // What a vector drawing says of its colours.
 
-inline constexpr double kSvgLegendHeight = 130.0;
+constexpr double kSvgLegendHeight = 130.0;
 
 constexpr double kBarLeft = 26.0;
 constexpr double kBarWidth = SvgLayout::kWidth - 2 * kBarLeft;

@@ -23,7 +23,7 @@
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/waiting_output.h"
-#include "majorant/results/internal/check_map.h"
+#include "majorant/results/check_map.h"
 
 namespace majorant::app {
 namespace {

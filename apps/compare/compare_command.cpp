@@ -3,10 +3,10 @@
 // Every method minimizes the same Problem from the same start, on one quadrature rule, without the
 // help that parametrize gives Newton (degree schedule, refined quadrature, ways out of
 // stalls).
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <malloc.h>
 
+#include <CLI/App.hpp>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -44,8 +44,8 @@
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/solve/internal/normalized_start.h"
 #include "majorant/parametrization/solve/internal/solver_rules.h"
-#include "majorant/results/internal/report.h"
-#include "majorant/results/internal/solver_ladder.h"
+#include "majorant/results/report.h"
+#include "majorant/results/solver_ladder.h"
 
 namespace majorant::app {
 namespace {

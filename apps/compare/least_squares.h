@@ -18,13 +18,13 @@
 namespace majorant {
 
 struct LeastSquaresOptions {
-  // Origin: as StoppingRules.
+  // As StoppingRules.
   int max_iterations = 1000;
-  // |cost decrease| / cost; largest gradient entry. Origin: as StoppingRules::decrement: no energy
+  // |cost decrease| / cost; largest gradient entry. As StoppingRules::decrement: no energy
   // could tell what is left.
   double function_tolerance = 1e-12;
   double gradient_tolerance = 1e-12;
-  // |step| / |x|. Origin: 100 unit roundoffs.
+  // |step| / |x|. 100 unit roundoffs.
   double parameter_tolerance = 1e-14;
 };
 

@@ -6,7 +6,7 @@
 
 #include "majorant/certify/internal/curve_graph.h"
 #include "majorant/certify/internal/curve_piece.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {
@@ -20,11 +20,11 @@ using curve_piece::Piece;
 using curve_piece::split;
 
 // Once a place is found that cannot be decided, the rest is searched for a crossing, but not long.
-// Origin: chosen, not tuned.
+// Chosen, not tuned.
 constexpr long kStepsAfterDoubt = 1 << 6;
 
 // kSteps: pairs of pieces looked at before a pair of curves is given up. kCost: a step's share of a
-// budget, by time. Origin: what is decided at all takes a few dozen steps, curves along each other
+// budget, by time. What is decided at all takes a few dozen steps, curves along each other
 // at 1e-12 of their size 20 to 300 (degrees 2 and 8).
 template <class Real>
 struct Limits {
@@ -96,7 +96,7 @@ bool crosses_straight(const Piece<Real>& a, const Piece<Real>& b) {
 // other, pieces often end at the same place.
 template <class Real>
 bool crosses_curved(const Piece<Real>& a, const Piece<Real>& b) {
-  // Origin: chosen, not tuned.
+  // Chosen, not tuned.
   constexpr double kFirst = 1.0 / 16, kLast = 15.0 / 16;
   const Graph<Real> graph = curve_piece::graph_between(b, b);
   const Heights<Real> of_b = heights(b, graph), of_a = heights(a, graph);
@@ -113,7 +113,7 @@ enum class Relation { Apart, Crossing, Unknown };
 // point the same way, or the opposite one.
 template <class Real>
 bool may_be_graphs(const Piece<Real>& a, const Piece<Real>& b) {
-  // Origin: chosen, not tuned; what is decided is proven either way.
+  // Chosen, not tuned; what is decided is proven either way.
   constexpr double kFlat = 0.5, kLike = 8, kSlope = 0.25;
   const Direction<Real> u = a.chord(), v = b.chord();
   if (magnitude(u.x * v.y - u.y * v.x) > Real(kSlope) * magnitude(u.x * v.x + u.y * v.y))

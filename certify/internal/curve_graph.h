@@ -20,12 +20,12 @@
 
 namespace majorant::curve_piece {
 
-// Origin: Wiggling cubics 1e-9 of their length apart take 431, 153, 71, 42, 25 pairs of pieces with
+// Wiggling cubics 1e-9 of their length apart take 431, 153, 71, 42, 25 pairs of pieces with
 // degrees 3 to 7, the time of which falls likewise. 7 is the last for which the binomials below are
 // exact.
 constexpr int kGraphDegree = 7;
 // Graphs are of no use further away than this from where they were fitted, in half widths of that.
-// Origin: a polynomial fitted on [-1, 1] grows by 2^7 to there.
+// A polynomial fitted on [-1, 1] grows by 2^7 to there.
 constexpr double kGraphReach = 2;
 
 template <class Real>
@@ -170,7 +170,7 @@ Graph<Real> graph_between(const Piece<Real>& a, const Piece<Real>& b) {
   }
   const Eigen::HouseholderQR<SampleMatrix> qr(matrix);
   // Rounds of refinement: the first gives the digits of a double, each further one as many more.
-  // Origin: three times 53 bits cover the 113 of a quadruple.
+  // Three times 53 bits cover the 113 of a quadruple.
   constexpr int kRounds = Piece<Real>::kUnit < Real(kUnitRoundoff<double>) ? 3 : 1;
   for (int round = 0; round < kRounds; ++round) {
     SampleVector rest;
@@ -231,7 +231,7 @@ Heights<Real> heights(const Piece<Real>& p, const Graph<Real>& graph) {
       Real(1.01) * (local.error * (1 + slope) + roundings * Piece<Real>::kUnit * (sum + above)) +
       Real(std::numeric_limits<double>::min());
   // NaN compares false; where the axis is finite, so are the coordinates.
-  // Times a coordinate, below PlanarCurve's limit. Origin: the square root of the range of doubles,
+  // Times a coordinate, below PlanarCurve's limit. It is the square root of the range of doubles,
   // less what sums take.
   constexpr double kLargestAxis = 1e150;
   const Real axis = magnitude(graph.axis.x) + magnitude(graph.axis.y);

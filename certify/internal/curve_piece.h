@@ -18,7 +18,7 @@
 
 namespace majorant::curve_piece {
 
-// Of products that underflow; more than any of the sums below collects. Origin: a sum has at most 2
+// Of products that underflow; more than any of the sums below collects. A sum has at most 2
 // (degree + 1) products.
 constexpr double kUnderflow = 64 * std::numeric_limits<double>::denorm_min();
 

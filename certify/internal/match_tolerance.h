@@ -10,7 +10,7 @@
 namespace majorant {
 
 // box: of what a file holds. Ten digits of its size, and what rounding takes far from the origin;
-// 0 of an empty one. Origin: what a point computed on an edge, or printed with ten digits, may be
+// 0 of an empty one. What a point computed on an edge, or printed with ten digits, may be
 // off; 8 spacings of the largest coordinate for sums of a few such points.
 inline double match_tolerance(const Eigen::AlignedBox3d& box) {
   if (box.isEmpty()) return 0;

@@ -14,7 +14,7 @@ namespace majorant {
 struct PlanarCurve {
   static constexpr int kMaxDegree = BezierTriangleSpace::kMaxDegree;
   // Coordinates whose products overflow are of no use; rounding bounds cover everything else.
-  // Origin: square root of the range of doubles.
+  // The square root of the range of doubles.
   static constexpr double kLargest = 1e150;
   int degree = 1;                                      // 1..kMaxDegree
   std::array<Vector2, kMaxDegree + 1> control_points;  // degree + 1, in range

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "majorant/certify/internal/match_tolerance.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/weld.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/weld.h"
 
 namespace majorant {
 namespace {

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "majorant/certify/internal/match_tolerance.h"
-#include "majorant/mesh/internal/triangle_list.h"
-#include "majorant/mesh/internal/triangulate_polygon.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/triangle_list.h"
+#include "majorant/mesh/triangulate_polygon.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {

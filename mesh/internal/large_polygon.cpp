@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/constrained_delaunay.h"
+#include "majorant/mesh/constrained_delaunay.h"
 
 namespace majorant {
 namespace {

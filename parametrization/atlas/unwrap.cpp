@@ -17,10 +17,10 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/mesh/internal/model_unit.h"
-#include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/model_unit.h"
 #include "majorant/mesh/refusal.h"
+#include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/solve/internal/normalized_start.h"
 

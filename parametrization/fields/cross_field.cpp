@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/fields/internal/cone_optimization.h"
 #include "majorant/parametrization/fields/internal/curvature_field.h"
 #include "majorant/parametrization/fields/internal/trivial_connection.h"

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/fields/internal/trivial_connection.h"
 

@@ -10,7 +10,7 @@
 
 #include "majorant/framework/internal/rounding.h"
 #include "majorant/framework/newton.h"
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/parametrization/initialization/internal/area_margin.h"
 #include "majorant/parametrization/initialization/internal/decimation.h"
 #include "majorant/parametrization/initialization/internal/reinsertion.h"

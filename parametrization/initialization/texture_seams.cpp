@@ -10,10 +10,10 @@
 #include "majorant/constraints/cut_surface.h"
 #include "majorant/constraints/internal/sector_angle.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/texture_borders.h"
 
 namespace majorant {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "majorant/framework/internal/sparse_spd.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/initialization/internal/area_margin.h"
 #include "majorant/parametrization/initialization/internal/filled_holes.h"
 #include "majorant/parametrization/initialization/internal/tutte_system.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 

@@ -9,8 +9,8 @@
 
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/exact_predicates.h"
-#include "majorant/mesh/internal/triangulate_polygon.h"
+#include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/triangulate_polygon.h"
 
 namespace majorant {
 

@@ -7,8 +7,8 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {

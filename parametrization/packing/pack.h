@@ -10,7 +10,7 @@
 // curved image: at rest in the holes and bays of others, too. Three ways are taken and the smallest
 // square wins: shelves of boxes (a skyline), which any number of charts survives; a raster of
 // outlines; and for few charts libnest2d, which slides polygons along each other. What they say is
-// not believed: the distances are proven on the digits returned (proven_distance.h), and det J > 0
+// not believed: the distances are proven on the digits returned, and det J > 0
 // again for every chart that was moved.
 //
 // Not for one chart alone that shall stay as it is; not for charts whose own image overlaps, of

@@ -10,11 +10,11 @@
 #include <set>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/mesh/internal/mesh_validation.h"
-#include "majorant/mesh/internal/model_unit.h"
-#include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/mesh_validation.h"
+#include "majorant/mesh/model_unit.h"
 #include "majorant/mesh/refusal.h"
+#include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/seams/internal/automatic_cut.h"
 #include "majorant/parametrization/seams/internal/edge_costs.h"
 #include "majorant/parametrization/seams/internal/flattening_strain.h"

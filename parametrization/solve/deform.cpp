@@ -7,8 +7,8 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/mesh/internal/geometry.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/geometry.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/solve/internal/free_scale.h"
 #include "majorant/parametrization/solve/internal/parametrize_by.h"
 #include "majorant/parametrization/solve/internal/pin_homotopy.h"

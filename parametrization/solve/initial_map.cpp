@@ -5,7 +5,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/initialization/multiresolution.h"
 #include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/solve/internal/normalized_start.h"

@@ -13,7 +13,7 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/thread_count.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/scaffold/internal/improve_mesh.h"
 #include "majorant/parametrization/solve/internal/degree_schedule.h"

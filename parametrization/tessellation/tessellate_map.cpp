@@ -11,7 +11,7 @@
 
 #include "majorant/certify/box_pairs.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 #include "majorant/parametrization/tessellation/internal/cut_pieces.h"
 #include "majorant/parametrization/tessellation/internal/map_pieces.h"
 

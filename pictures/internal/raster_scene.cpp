@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/pictures/internal/bezier_image.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "majorant/results/internal/check_map.h"
+#include "majorant/results/check_map.h"
 #include "map_file.h"
 #include "mesh.h"
 #include "run.h"

@@ -8,7 +8,7 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/pictures/write_svg.h"
-#include "majorant/results/internal/write_map.h"
+#include "majorant/results/write_map.h"
 #include "mesh.h"
 #include "run.h"
 

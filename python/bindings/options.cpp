@@ -6,7 +6,7 @@
 #include "density.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/internal/curvature_name.h"
-#include "majorant/results/internal/input_points.h"
+#include "majorant/results/input_points.h"
 
 namespace majorant::python {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "majorant/framework/error.h"
-#include "majorant/results/internal/atlas_job.h"
-#include "majorant/results/internal/solver_ladder.h"
+#include "majorant/results/atlas_job.h"
+#include "majorant/results/solver_ladder.h"
 #include "map_file.h"
 #include "options.h"
 #include "run.h"

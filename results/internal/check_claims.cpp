@@ -12,7 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/rounding.h"
 #include "majorant/io/lagrange_cell.h"
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/parametrization/initialization/tutte.h"
@@ -168,12 +168,12 @@ void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings)
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
-// What reported energies are good to. Origin: a hundred times kEnergyAgreement of measure.cpp,
+// What reported energies are good to. A hundred times kEnergyAgreement of measure.cpp,
 // since rounded control points are measured anew.
 constexpr double kEnergyClose = 1e-4;
-// Of faces. Origin: what rounding does to tiny ones is less; chosen, not tuned.
+// Of faces. What rounding does to tiny ones is less; chosen, not tuned.
 constexpr double kDistortionClose = 1e-2;
-// Energies may vanish at isometries. Origin: as kTenDigits.
+// Energies may vanish at isometries. As kTenDigits.
 constexpr double kZeroEnergy = 1e-9;
 
 // The scale that a normalized result was made in.

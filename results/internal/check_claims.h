@@ -5,7 +5,7 @@
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/claims.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/results/internal/findings.h"
+#include "majorant/results/findings.h"
 
 namespace majorant {
 

@@ -53,6 +53,9 @@ OF_VERBS = {
 }
 
 
+SOLVED_BY_PETSC = {'parametrize', 'seamless', 'deform'}
+
+
 def verbs():
     return re.findall(r'^  (\w+) ', majorant('--help').out.split('Subcommands:')[1], re.MULTILINE)
 
@@ -76,6 +79,15 @@ class OptionsWithoutEffect(CommandTest):
                 self.assertEqual(sum([option in ALWAYS, option in CASES, verb in OF_VERBS.get(option, {})]), 1,
                                  (verb, option))
         self.assertEqual(found, set(ALWAYS) | set(CASES) | set(OF_VERBS))
+
+    def test_words_for_petsc_where_it_never_solves(self):
+        for verb in verbs():
+            with self.subTest(verb=verb):
+                self.assertEqual('--petsc-options' in options_of(verb), verb in SOLVED_BY_PETSC)
+                if verb not in SOLVED_BY_PETSC:
+                    outcome = majorant(verb, generated('cap'), '--petsc-options', '-info')
+                    self.assertEqual(outcome.code, USAGE, outcome.err)
+                    self.assertIn('--petsc-options', outcome.err)
 
     def test_refused_with_what_to_do(self):
         mesh = self.write('flat.obj', obj_text(*grid(3, lambda x, y: 0.0)))

@@ -122,6 +122,18 @@ class Waiting(CommandTest):
             self.assertIn('interrupted while reading ' + self.path('in.obj'), err)
             self.assertEqual(self.files(), ['in.obj'])
 
+    def test_points_and_weights_that_nobody_writes(self):
+        os.mkfifo(self.path('list'))
+        for option in ('--pins', '--handles', '--weights'):
+            process = self.start(*self.job('out.vtu'), option, self.path('list'))
+            time.sleep(1)
+            self.assertIsNone(process.poll())
+            process.send_signal(signal.SIGTERM)
+            code, err = self.ended(process)
+            self.assertEqual(code, INVALID, err)
+            self.assertIn('interrupted while reading ' + self.path('list'), err)
+            self.assertEqual(self.files(), ['list'])
+
     def test_an_input_that_somebody_writes(self):
         os.mkfifo(self.path('in.obj'))
         process = self.start('info', self.path('in.obj'))

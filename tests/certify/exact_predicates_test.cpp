@@ -1,4 +1,4 @@
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 #include <gtest/gtest.h>
 

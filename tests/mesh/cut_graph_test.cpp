@@ -1,5 +1,5 @@
 // Cut graphs make disks of every surface, pass through what they have to and end nowhere else.
-#include "majorant/mesh/internal/cut_graph.h"
+#include "majorant/mesh/cut_graph.h"
 
 #include <algorithm>
 #include <random>

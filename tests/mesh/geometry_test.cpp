@@ -1,5 +1,5 @@
 // Lengths and angles in space, at any scale; the parts of a surface make it again.
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/geometry.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
 // The half-edge vocabulary against its definition: corners, edges met by their two vertices, loops
 // walked edge by edge, components and fans found by brute force.
-#include "majorant/mesh/half_edge.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {

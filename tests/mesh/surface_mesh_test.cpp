@@ -7,7 +7,7 @@
 
 #include "counted_stop.h"
 #include "expected_error.h"
-#include "majorant/mesh/internal/triangulate_polygon.h"
+#include "majorant/mesh/triangulate_polygon.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 

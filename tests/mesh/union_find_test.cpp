@@ -1,5 +1,5 @@
 // Sets of a union-find are those of a search over the joined pairs, named by their smallest member.
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/union_find.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "majorant/mesh/defects.h"
-#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/seams.h"
 #include "majorant/mesh/surface_mesh.h"

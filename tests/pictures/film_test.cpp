@@ -1,8 +1,7 @@
-#include "majorant/pictures/film.h"
-
 #include <gtest/gtest.h>
 
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/pictures/write_page.h"
 
 namespace majorant {
 namespace {

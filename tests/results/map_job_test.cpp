@@ -1,5 +1,5 @@
 // Jobs that every front end runs: what is refused before a solve, what a start and a move leave.
-#include "majorant/results/internal/map_job.h"
+#include "majorant/results/map_job.h"
 
 #include "expected_error.h"
 #include "majorant/mesh/refusal.h"

@@ -5,7 +5,7 @@
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/atlas/internal/texture_start.h"
 #include "majorant/parametrization/initialization/internal/area_margin.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/mesh/internal/exact_predicates.h"
-#include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/initialization/internal/untangle.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/fields/internal/cone_potential.h"
 
 namespace majorant {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 ConformalEnergy::ConformalEnergy(const SurfaceMesh& mesh, Vec wanted_angles)

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "majorant/framework/internal/pattern_of_pairs.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 
 namespace majorant {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/geometry.h"
 
 namespace majorant {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "majorant/framework/internal/rounding.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {

@@ -8,18 +8,18 @@
 //
 // A collapse moves a vertex onto a neighbour: no positions change, vertices and faces keep their
 // numbers, and what is gone keeps its entries, so that undoing is exact. Half-edges are those of
-// half_edge.h. Not for closed surfaces with fewer than five vertices: nothing may collapse there.
+// surface_mesh.h. Not for closed surfaces with fewer than five vertices: nothing may collapse there.
 #pragma once
 
 #include <vector>
 
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 
 class CollapsingMesh {
  public:
-  // faces: #F by 3, one fan at every vertex; opposite: 3 #F (half_edge.h).
+  // faces: #F by 3, one fan at every vertex; opposite: 3 #F (surface_mesh.h).
   CollapsingMesh(const Cells& faces, std::vector<Index> opposite, Index vertex_count);
 
   Index from(Index h) const { return from_[h]; }

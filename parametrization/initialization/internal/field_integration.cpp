@@ -11,9 +11,9 @@
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/geometry.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/geometry.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {

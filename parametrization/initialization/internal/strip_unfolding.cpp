@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 namespace {

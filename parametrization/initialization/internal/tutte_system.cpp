@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 

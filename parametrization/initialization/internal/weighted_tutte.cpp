@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {

@@ -10,7 +10,7 @@
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/scaffold/internal/moving_barrier.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 

@@ -12,7 +12,7 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 

@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/constrained_delaunay.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/constrained_delaunay.h"
+#include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
 namespace {

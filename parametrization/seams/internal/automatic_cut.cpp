@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/cut_graph.h"
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/cut_graph.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/seams/internal/cut_tree.h"
 #include "majorant/parametrization/seams/internal/flattening_strain.h"

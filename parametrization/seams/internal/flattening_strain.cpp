@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "majorant/framework/internal/pattern_of_pairs.h"
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/geometry.h"
 
 namespace majorant {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 
 namespace majorant {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "majorant/mesh/internal/cut_chains.h"
+#include "majorant/mesh/cut_chains.h"
 
 namespace majorant {
 

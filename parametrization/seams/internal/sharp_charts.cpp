@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/seams/internal/edge_costs.h"
 
 namespace majorant {

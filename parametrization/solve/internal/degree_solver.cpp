@@ -14,7 +14,7 @@
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/projection.h"
 #include "majorant/framework/internal/stopwatch.h"
-#include "majorant/mesh/half_edge.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/solve/internal/solver_rules.h"
 
 namespace majorant {

@@ -7,7 +7,7 @@
 
 #include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {

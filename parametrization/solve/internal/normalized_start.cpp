@@ -10,7 +10,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/framework/internal/rounding.h"
-#include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"

@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/tessellation/internal/piece_boundary.h"
 
 namespace majorant {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "majorant/certify/box_pairs.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/exact_predicates.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "expected_error.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/cut_graph.h"
+#include "majorant/mesh/cut_graph.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "public_data.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "expected_error.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 #include "majorant/parametrization/initialization/internal/area_margin.h"
 #include "majorant/parametrization/initialization/internal/strip_unfolding.h"
 #include "majorant/parametrization/initialization/internal/weighted_tutte.h"

@@ -6,7 +6,7 @@
 
 #include "expected_error.h"
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 #include "parametrization/packing/chart_cases.h"
 
 namespace majorant {

@@ -1,4 +1,4 @@
-#include "majorant/results/internal/write_map.h"
+#include "majorant/results/write_map.h"
 
 #include <algorithm>
 #include <cctype>

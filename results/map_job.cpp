@@ -1,4 +1,4 @@
-#include "majorant/results/internal/map_job.h"
+#include "majorant/results/map_job.h"
 
 #include <utility>
 
@@ -7,9 +7,9 @@
 #include "majorant/io/map_distortion.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/parametrization/solve/deform.h"
-#include "majorant/results/internal/global_verdict.h"
-#include "majorant/results/internal/input_points.h"
-#include "majorant/results/internal/write_map.h"
+#include "majorant/results/global_verdict.h"
+#include "majorant/results/input_points.h"
+#include "majorant/results/write_map.h"
 
 namespace majorant {
 namespace {

@@ -1,4 +1,4 @@
-#include "majorant/results/internal/machine_memory.h"
+#include "majorant/results/machine_memory.h"
 
 #include <algorithm>
 #include <cstdlib>

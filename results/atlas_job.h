@@ -18,7 +18,7 @@
 #include "majorant/certify/map_proof.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/unwrap.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/report.h"
 
 namespace majorant {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/mesh/internal/triangle_list.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/triangle_list.h"
 
 namespace majorant {
 

@@ -1,4 +1,4 @@
-#include "majorant/results/internal/global_verdict.h"
+#include "majorant/results/global_verdict.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "majorant/results/internal/atlas_job.h"
+#include "majorant/results/atlas_job.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include "majorant/certify/cut_map.h"
 #include "majorant/io/atlas_file.h"
 #include "majorant/io/map_distortion.h"
-#include "majorant/results/internal/global_verdict.h"
-#include "majorant/results/internal/write_map.h"
+#include "majorant/results/global_verdict.h"
+#include "majorant/results/write_map.h"
 
 namespace majorant {
 namespace {

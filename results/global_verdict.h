@@ -7,7 +7,7 @@
 #include <string>
 
 #include "majorant/certify/global_injectivity.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/report.h"
 
 namespace majorant {
 

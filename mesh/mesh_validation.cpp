@@ -1,4 +1,4 @@
-#include "majorant/mesh/internal/mesh_validation.h"
+#include "majorant/mesh/mesh_validation.h"
 
 #include <fmt/format.h>
 
@@ -11,10 +11,10 @@
 #include <set>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/half_edge.h"
-#include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {

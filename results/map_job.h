@@ -26,8 +26,8 @@
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/pictures/film.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/pictures/write_page.h"
+#include "majorant/results/report.h"
 
 namespace majorant {
 

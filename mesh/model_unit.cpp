@@ -1,11 +1,11 @@
-#include "majorant/mesh/internal/model_unit.h"
+#include "majorant/mesh/model_unit.h"
 
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "majorant/framework/internal/rounding.h"
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/geometry.h"
 
 namespace majorant {
 namespace {

@@ -1,4 +1,4 @@
-#include "majorant/mesh/internal/texture_borders.h"
+#include "majorant/mesh/texture_borders.h"
 
 namespace majorant {
 

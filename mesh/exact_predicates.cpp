@@ -1,4 +1,4 @@
-#include "majorant/mesh/internal/exact_predicates.h"
+#include "majorant/mesh/exact_predicates.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/internal/rounding.h"
-#include "majorant/mesh/internal/exact_integers.h"
+#include "majorant/mesh/exact_integers.h"
 
 namespace majorant {
 namespace {

@@ -1,4 +1,4 @@
-#include "majorant/results/internal/report.h"
+#include "majorant/results/report.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -13,7 +13,7 @@
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/atomic_file.h"
-#include "majorant/mesh/internal/geometry.h"
+#include "majorant/mesh/geometry.h"
 
 namespace majorant {
 

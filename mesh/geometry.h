@@ -8,7 +8,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "majorant/mesh/half_edge.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {

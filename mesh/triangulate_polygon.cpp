@@ -1,4 +1,4 @@
-#include "majorant/mesh/internal/triangulate_polygon.h"
+#include "majorant/mesh/triangulate_polygon.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

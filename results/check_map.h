@@ -17,8 +17,8 @@
 #include "majorant/io/claims.h"
 #include "majorant/parametrization/maps/map_file.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/results/internal/findings.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/findings.h"
+#include "majorant/results/report.h"
 
 namespace majorant {
 

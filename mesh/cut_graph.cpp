@@ -1,4 +1,4 @@
-#include "majorant/mesh/internal/cut_graph.h"
+#include "majorant/mesh/cut_graph.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/internal/cut_shortening.h"
-#include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {

@@ -1,4 +1,4 @@
-#include "majorant/mesh/internal/triangle_list.h"
+#include "majorant/mesh/triangle_list.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/mesh/internal/exact_predicates.h"
-#include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/mesh/internal/triangulate_polygon.h"
+#include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/triangulate_polygon.h"
 
 namespace majorant {
 namespace {

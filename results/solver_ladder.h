@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "majorant/framework/linear_solver.h"
-#include "majorant/results/internal/report.h"
+#include "majorant/results/report.h"
 
 namespace majorant {
 

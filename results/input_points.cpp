@@ -1,4 +1,4 @@
-#include "majorant/results/internal/input_points.h"
+#include "majorant/results/input_points.h"
 
 #include <fmt/format.h>
 

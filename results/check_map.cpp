@@ -1,4 +1,4 @@
-#include "majorant/results/internal/check_map.h"
+#include "majorant/results/check_map.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/maps/internal/energy_text.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/results/global_verdict.h"
 #include "majorant/results/internal/check_claims.h"
-#include "majorant/results/internal/global_verdict.h"
-#include "majorant/results/internal/write_map.h"
+#include "majorant/results/write_map.h"
 
 namespace majorant {
 namespace {

@@ -1,11 +1,11 @@
-#include "majorant/mesh/internal/weld.h"
+#include "majorant/mesh/weld.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "majorant/mesh/internal/union_find.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {

@@ -1,10 +1,10 @@
-#include "majorant/mesh/internal/cut_chains.h"
+#include "majorant/mesh/cut_chains.h"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
-#include "majorant/mesh/internal/cut_graph.h"
+#include "majorant/mesh/cut_graph.h"
 #include "majorant/mesh/internal/cut_shortening.h"
 
 namespace majorant {

@@ -1,4 +1,4 @@
-#include "majorant/results/internal/solver_ladder.h"
+#include "majorant/results/solver_ladder.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
