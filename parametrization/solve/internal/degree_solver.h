@@ -19,7 +19,7 @@
 
 #include "majorant/framework/newton.h"
 #include "majorant/framework/run_record.h"
-#include "majorant/parametrization/maps/internal/quadrature_levels.h"
+#include "majorant/parametrization/solve/internal/quadrature_levels.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/solve/internal/map_domain.h"
 #include "majorant/parametrization/solve/internal/solver_rules.h"

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/maps/internal/quadrature_levels.h"
+#include "majorant/parametrization/solve/internal/quadrature_levels.h"
 
 #include <algorithm>
 #include <numeric>
