@@ -12,7 +12,7 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/stopwatch.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 
 namespace majorant {
 namespace {

@@ -31,8 +31,8 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/waiting_output.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/results/internal/report.h"
 
 namespace majorant::app {

@@ -13,7 +13,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/parametrization/solve/internal/solver_rules.h"
+#include "majorant/parametrization/solve/solver_rules.h"
 #include "majorant/results/internal/solver_ladder.h"
 
 namespace majorant::app {

@@ -22,7 +22,7 @@
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/normalized_start.h"
 
 namespace majorant {
 namespace {

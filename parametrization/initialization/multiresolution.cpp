@@ -11,7 +11,7 @@
 #include "majorant/framework/internal/rounding.h"
 #include "majorant/framework/newton.h"
 #include "majorant/mesh/internal/geometry.h"
-#include "majorant/parametrization/initialization/internal/area_margin.h"
+#include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
 #include "majorant/parametrization/initialization/tutte.h"

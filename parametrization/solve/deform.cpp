@@ -9,9 +9,9 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/internal/geometry.h"
 #include "majorant/mesh/internal/mesh_messages.h"
-#include "majorant/parametrization/solve/internal/free_scale.h"
-#include "majorant/parametrization/solve/internal/parametrize_by.h"
-#include "majorant/parametrization/solve/internal/pin_homotopy.h"
+#include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
+#include "majorant/parametrization/solve/pin_homotopy.h"
 
 namespace majorant {
 namespace {

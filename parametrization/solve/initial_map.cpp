@@ -8,7 +8,7 @@
 #include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/parametrization/initialization/multiresolution.h"
 #include "majorant/parametrization/initialization/tutte.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {

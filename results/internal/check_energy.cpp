@@ -7,7 +7,7 @@
 
 #include "majorant/energies/named_energies.h"
 #include "majorant/io/layout_scale.h"
-#include "majorant/parametrization/maps/internal/energy_text.h"
+#include "majorant/parametrization/maps/energy_text.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {

@@ -9,9 +9,9 @@
 #include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/internal/texture_borders.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/initialization/internal/area_margin.h"
-#include "majorant/parametrization/initialization/internal/strip_unfolding.h"
-#include "majorant/parametrization/initialization/internal/untangle.h"
+#include "majorant/parametrization/initialization/area_margin.h"
+#include "majorant/parametrization/initialization/strip_unfolding.h"
+#include "majorant/parametrization/initialization/untangle.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {

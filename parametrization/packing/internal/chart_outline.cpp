@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "majorant/certify/boundary_loops.h"
-#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
+#include "majorant/parametrization/maps/smallest_rectangle.h"
 
 namespace majorant {
 namespace {

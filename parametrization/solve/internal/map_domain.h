@@ -18,10 +18,10 @@
 #include "majorant/framework/stepper.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/scaffold/internal/scaffold.h"
-#include "majorant/parametrization/solve/internal/solver_rules.h"
+#include "majorant/parametrization/scaffold/scaffold.h"
 #include "majorant/parametrization/solve/map_extension.h"
 #include "majorant/parametrization/solve/solve_options.h"
+#include "majorant/parametrization/solve/solver_rules.h"
 
 namespace majorant {
 

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/initialization/internal/tutte_system.h"
+#include "majorant/parametrization/initialization/tutte_system.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/fields/internal/edge_laplacian.h"
+#include "majorant/parametrization/fields/edge_laplacian.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/solve/internal/pin_homotopy.h"
+#include "majorant/parametrization/solve/pin_homotopy.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "majorant/mesh/internal/exact_predicates.h"
 #include "majorant/mesh/internal/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/initialization/internal/untangle.h"
+#include "majorant/parametrization/initialization/untangle.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/initialization/internal/strip_unfolding.h"
+#include "majorant/parametrization/initialization/strip_unfolding.h"
 
 #include <Eigen/Geometry>
 #include <deque>

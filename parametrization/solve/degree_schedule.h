@@ -15,7 +15,7 @@
 
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/solve/internal/degree_solver.h"
+#include "majorant/parametrization/solve/degree_solver.h"
 
 namespace majorant {
 

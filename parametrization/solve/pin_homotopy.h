@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "majorant/framework/run_record.h"
-#include "majorant/parametrization/solve/internal/pins.h"
+#include "majorant/parametrization/solve/pins.h"
 #include "majorant/parametrization/solve/solve_options.h"
 
 namespace majorant {

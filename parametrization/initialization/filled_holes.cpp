@@ -1,4 +1,4 @@
-#include "majorant/parametrization/initialization/internal/filled_holes.h"
+#include "majorant/parametrization/initialization/filled_holes.h"
 
 #include <algorithm>
 #include <array>

@@ -15,8 +15,8 @@
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/internal/barrier_path.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
 #include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/solve_options.h"
 
 namespace majorant {

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/scaffold/internal/scaffold.h"
+#include "majorant/parametrization/scaffold/scaffold.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/newton.h"
 #include "majorant/mesh/half_edge.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 
 namespace majorant {

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/solve/internal/degree_schedule.h"
+#include "majorant/parametrization/solve/degree_schedule.h"
 
 #include <fmt/format.h>
 

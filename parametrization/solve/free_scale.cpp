@@ -1,4 +1,4 @@
-#include "majorant/parametrization/solve/internal/free_scale.h"
+#include "majorant/parametrization/solve/free_scale.h"
 
 #include <fmt/format.h>
 

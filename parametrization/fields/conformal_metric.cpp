@@ -1,4 +1,4 @@
-#include "majorant/parametrization/fields/internal/conformal_metric.h"
+#include "majorant/parametrization/fields/conformal_metric.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/mesh/internal/mesh_messages.h"
+#include "majorant/parametrization/fields/edge_laplacian.h"
 #include "majorant/parametrization/fields/internal/conformal_energy.h"
-#include "majorant/parametrization/fields/internal/edge_laplacian.h"
 
 namespace majorant {
 namespace {

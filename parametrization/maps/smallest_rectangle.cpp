@@ -1,4 +1,4 @@
-#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
+#include "majorant/parametrization/maps/smallest_rectangle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/initialization/internal/area_margin.h"
+#include "majorant/parametrization/initialization/area_margin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/initialization/internal/untangle.h"
+#include "majorant/parametrization/initialization/untangle.h"
 
 #include <algorithm>
 #include <cmath>

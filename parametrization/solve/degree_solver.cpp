@@ -1,4 +1,4 @@
-#include "majorant/parametrization/solve/internal/degree_solver.h"
+#include "majorant/parametrization/solve/degree_solver.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "majorant/framework/internal/projection.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/mesh/half_edge.h"
-#include "majorant/parametrization/solve/internal/solver_rules.h"
+#include "majorant/parametrization/solve/solver_rules.h"
 
 namespace majorant {
 namespace {

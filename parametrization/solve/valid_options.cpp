@@ -1,4 +1,4 @@
-#include "majorant/parametrization/solve/internal/valid_options.h"
+#include "majorant/parametrization/solve/valid_options.h"
 
 #include <fmt/format.h>
 

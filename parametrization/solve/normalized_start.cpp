@@ -1,4 +1,4 @@
-#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/normalized_start.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +14,8 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
-#include "majorant/parametrization/solve/internal/free_scale.h"
-#include "majorant/parametrization/solve/internal/pins.h"
+#include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/pins.h"
 
 namespace majorant {
 namespace {

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/solve/internal/pins.h"
+#include "majorant/parametrization/solve/pins.h"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "majorant/framework/types.h"
-#include "majorant/parametrization/fields/internal/edge_laplacian.h"
+#include "majorant/parametrization/fields/edge_laplacian.h"
 
 namespace majorant {
 

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/scaffold/internal/improve_mesh.h"
+#include "majorant/parametrization/scaffold/improve_mesh.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/element_values.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 
 namespace majorant {
@@ -253,7 +253,7 @@ constexpr double kCoplanar = 1e-12;
 constexpr double kSine = 1e-8;
 // Of a pair's energy: less may come from unfinished Newton.
 constexpr double kGain = 1e-9;
-// Of a pair's energy: ten times what ends its minimization (pair_energy.cpp).
+// Of a pair's energy: ten times what ends its minimization.
 constexpr double kSameEnergy = 1e-12;
 // Of the measuring rules: good to 1e-5 on mild maps.
 constexpr std::size_t kRuleOfMaps = 1;

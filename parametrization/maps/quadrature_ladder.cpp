@@ -1,4 +1,4 @@
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 
 #include <algorithm>
 #include <array>

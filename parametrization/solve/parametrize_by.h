@@ -2,9 +2,9 @@
 // solves on the way to a solve. A part of the facade: what it is made of does not include this.
 #pragma once
 
-#include "majorant/parametrization/solve/internal/pin_homotopy.h"
-#include "majorant/parametrization/solve/internal/solver_rules.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/parametrization/solve/pin_homotopy.h"
+#include "majorant/parametrization/solve/solver_rules.h"
 
 namespace majorant {
 

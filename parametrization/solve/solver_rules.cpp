@@ -1,4 +1,4 @@
-#include "majorant/parametrization/solve/internal/solver_rules.h"
+#include "majorant/parametrization/solve/solver_rules.h"
 
 #include <fmt/format.h>
 
