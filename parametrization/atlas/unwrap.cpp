@@ -27,11 +27,11 @@
 namespace majorant {
 namespace {
 
-// Faces from which on a chart has all threads for itself. Origin: below, loops over elements are
+// Faces from which on a chart has all threads for itself. Below, loops over elements are
 // too short for more than one thread to pay.
 constexpr Index kLargeChart = 5000;
 
-// In square roots of a chart's area: what pinned charts are apart at least. Origin: a billion
+// In square roots of a chart's area: what pinned charts are apart at least. A billion
 // roundings.
 constexpr double kTouching = 1e-7;
 

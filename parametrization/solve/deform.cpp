@@ -18,7 +18,7 @@ namespace {
 
 // Of the mesh's size: deviation from a plane.
 constexpr double kFlat = kTenDigits;
-// Towards the targets. Origin: chosen so that a right angle is turned by 9 degrees at a time.
+// Towards the targets. Chosen so that a right angle is turned by 9 degrees at a time.
 constexpr int kDeformSteps = 10;
 
 }  // namespace

@@ -66,9 +66,9 @@ DomainInput DegreeSolver::input() const {
 namespace {
 
 // Of a unit edge's stiffness, that a unit displacement costs: displacements that no edge feels stay
-// small. Origin: far below what edges cost, far above rounding.
+// small. Far below what edges cost, far above rounding.
 constexpr double kAnchor = 1e-6;
-// How near a start comes. Origin: it needs no more digits, and takes more steps, since nothing
+// How near a start comes. It needs no more digits, and takes more steps, since nothing
 // preconditions it.
 constexpr ProjectionRules kRough{.enough = 1e-16, .most_steps = 2000};
 

@@ -17,7 +17,7 @@ namespace majorant {
 void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked);
 
 // Extents of the surface beyond which the position of a free map is given up for its digits.
-// Origin: three of the sixteen digits are lost there.
+// Three of the sixteen digits are lost there.
 inline constexpr double kLargestOffset = 1000;
 
 // Where the origin is: where coordinates have most digits, or where the start has it, because

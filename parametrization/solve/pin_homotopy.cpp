@@ -20,22 +20,22 @@
 namespace majorant {
 namespace {
 
-// Relative decrease that ends a solve on the way. Origin: a thousand times the final one: they only
+// Relative decrease that ends a solve on the way. A thousand times the final one: they only
 // lead there.
 constexpr double kRoughly = 1e-3;
-// Stiffness of the springs that pull pins. Origin: from a hundred times the default of soft handles
+// Stiffness of the springs that pull pins. From a hundred times the default of soft handles
 // to where the energy has three digits left beside them.
 constexpr double kFirstStiffness = 1e5, kStiffer = 100, kStiffest = 1e13;
-// Steps towards the targets, and where these fail. Origin: a right angle is turned by 9 degrees at
+// Steps towards the targets, and where these fail. A right angle is turned by 9 degrees at
 // a time; a quarter of that.
 constexpr int kSteps = 10, kSmallSteps = 40;
-// Orders in which pins go one after the other, and steps of each. Origin: bench/pins.py, seeds 1 to
-// 3: the eighth order reaches the last set, and ten steps reach no more than two.
+// Orders in which pins go one after the other, and steps of each. Measured by bench/pins.py, seeds
+// 1 to 3: the eighth order reaches the last set, and ten steps reach no more than two.
 constexpr int kMostOrders = 8, kStepsInTurn = 2;
-// Of its way: what a pin may be short of its target while it is held softly. Origin: chosen;
+// Of its way: what a pin may be short of its target while it is held softly. Chosen;
 // stiffer springs do the rest.
 constexpr double kArrived = 1e-2;
-// Sizes of the map by which a target may be away from it. Origin: coordinates there have seven
+// Sizes of the map by which a target may be away from it. Coordinates there have seven
 // digits left for the map.
 constexpr double kFarthest = 1e9;
 

@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// Of the largest coordinate: pins this close to where the start has their vertex are there. Origin:
+// Of the largest coordinate: pins this close to where the start has their vertex are there.
 // targets in files have ten digits.
 constexpr double kPinned = 1e-9;
 

@@ -25,35 +25,35 @@ namespace majorant {
 struct RemedyRules {
   // Bisection where the depth asked for holds a run back.
   int deepest_bisection = ProofDepth::kDeepest;
-  // Levels at a time. Origin: two remedies lead from 5 to 13.
+  // Levels at a time. Two remedies lead from 5 to 13.
   int bisections_deeper = 4;
-  // Weight of triangles that are excluded. Origin: method.md section 9.
+  // Weight of triangles that are excluded: docs/method.md, section 9.
   double excluded_weight = 1e-6;
-  // Steps without them. Origin: bench/tune.py remedies.excluded_iterations.
+  // Steps without them. Measured by bench/tune.py remedies.excluded_iterations.
   int excluded_iterations = 10;
-  // Relative decrease that ends these steps early. Origin: a thousand times the final one: they
+  // Relative decrease that ends these steps early. A thousand times the final one: they
   // only leave a corner.
   double excluded_tolerance = 1e-3;
-  // Remedies of a degree. Origin: bench/tune.py remedies.stall_rounds.
+  // Remedies of a degree. Measured by bench/tune.py remedies.stall_rounds.
   int stall_rounds = 60;
-  // Of the barrier to follow, relative to the energy. Origin: bench/tune.py
+  // Of the barrier to follow, relative to the energy. Measured by bench/tune.py
   // remedies.barrier_rounds, which leaves them out.
   BarrierWeights barrier_weights{.first = 0.1, .most_phases = 6};
-  // Relative decrease that ends a weight. Origin: bench/tune.py remedies.barrier_tolerance.
+  // Relative decrease that ends a weight. Measured by bench/tune.py remedies.barrier_tolerance.
   double barrier_tolerance = 1e-4;
-  // Ways along the barrier. Origin: a second one helps where the first did (creature, ARAP, degree
-  // 2, fixed boundary: 0.64 instead of a stall), a third one has not been seen to.
+  // Ways along the barrier. A second one helps where the first did, a third one has not been
+  // seen to.
   int barrier_rounds = 3;
-  // Of the energy, gained by a way along the barrier. Origin: a hundred times the final decrease.
+  // Of the energy, gained by a way along the barrier. A hundred times the final decrease.
   double worth_another_round = 1e-4;
 };
 
 // The space around an image (map_domain.h).
 struct ScaffoldRules {
-  // lambda E_conf / E while the image moves. Origin: [MC20]'s 1e-4 is too weak a barrier where
-  // curves touch (scorpion_500 at degree 3 stalls at 5.386 with it from the start).
+  // lambda E_conf / E while the image moves. [MC20]'s 1e-4 is too weak a barrier where
+  // curves touch: runs stall with it from the start.
   double share = 1e-3;
-  // The same at rest. Origin: [MC20] Sec. 6; energies are 1e-5 to 3e-4 lower than with `share`
+  // The same at rest. [MC20] Sec. 6; energies are 1e-5 to 3e-4 lower than with `share`
   // where the image would overlap (docs/bijective.md); bench/tune.py scaffold.share_at_rest.
   double share_at_rest = 1e-4;
   // Depth of bisection in its certificates, where a run asks for less: slits are full of slivers,
@@ -61,43 +61,43 @@ struct ScaffoldRules {
   // not proven before is bisected, and none of it is in a result.
   int depth = 25;
   // The image rests when a step that nothing held back decreases the energy by less than this part.
-  // Origin: bench/tune.py scaffold.at_rest.
+  // Measured by bench/tune.py scaffold.at_rest.
   double at_rest = 1e-5;
   // A change of lambda below this part does not count: the stepper keeps what it has learned.
-  // Origin: bench/tune.py scaffold.same_lambda.
+  // Measured by bench/tune.py scaffold.same_lambda.
   double same_lambda = 0.02;
-  // Mean density: where the map's vanishes, the scaffold stays. Origin: a small part of the
+  // Mean density: where the map's vanishes, the scaffold stays. A small part of the
   // densities of maps that are not isometric, 4 and more where isometries do not have 0.
   double least_energy = 1e-3;
   // The scaffold is relaxed after flips where the relative decrease is below this: before, the next
-  // step changes everything again. Origin: bench/tune.py scaffold.still_moving.
+  // step changes everything again. Measured by bench/tune.py scaffold.still_moving.
   double still_moving = 1e-3;
-  // It is relaxed where less than this part of a step was free of inverted triangles. Origin:
+  // It is relaxed where less than this part of a step was free of inverted triangles.
   // bench/tune.py scaffold.short_bound.
   double short_bound = 0.5;
-  // Newton steps that relax it. Origin: bench/tune.py scaffold.relax_steps.
+  // Newton steps that relax it. Measured by bench/tune.py scaffold.relax_steps.
   int relax_steps = 5;
-  // Of the tolerance asked for, where the first small step ends a run. Origin: Newton steps never
+  // Of the tolerance asked for, where the first small step ends a run. Newton steps never
   // become exact (the image of a scaffolded map may not turn freely, so the exact Hessian is
   // indefinite), and the small steps at the end add up: penguin_500 at degree 2 ends 2e-5 above its
   // minimum at a decrease of 1e-6. Two small steps of half the tolerance end no lower, on no disk
   // of 500 faces, but need 1227 iterations in place of 1115 (39 runs).
   double part_of_tolerance = 0.25;
-  // StoppingRules::tail_steps. Origin: bench/tune.py scaffold.tail_steps.
+  // StoppingRules::tail_steps. Measured by bench/tune.py scaffold.tail_steps.
   int tail_steps = 1;
 };
 
 // Bounds with a barrier (degree_solver.cpp).
 struct BoundRules {
-  // Of the energy: the first weight times the absolute values of the barrier's elements. Origin:
+  // Of the energy: the first weight times the absolute values of the barrier's elements.
   // strong enough to lead away from the bound, weak enough to leave the energy its say.
   double first_share = 0.1;
   // Mean density: where the map's vanishes, a barrier has a weight.
   double least_energy = ScaffoldRules{}.least_energy;
-  // The same of a barrier's values, which are 0 where rooms are 1. Origin: no weight is infinite.
+  // The same of a barrier's values, which are 0 where rooms are 1. No weight is infinite.
   double least_barrier = 1e-6;
   BoundEntryRules entry;
-  // The first is first_share's. Origin: bounds the cost of what leads nowhere; chosen, not tuned.
+  // The first is first_share's. Bounds the cost of what leads nowhere; chosen, not tuned.
   BarrierWeights weights{.most_phases = 40};
 };
 
@@ -108,9 +108,9 @@ struct SolverRules {
   // They have most of what any such values gain, at every degree.
   LaggedFactorRules kept{.below = 1e-4};
   QuadratureRules quadrature;
-  // Times the quadrature of a finished run is refined. Origin: bench/tune.py accuracy_rounds.
+  // Times the quadrature of a finished run is refined. Measured by bench/tune.py accuracy_rounds.
   int accuracy_rounds = 3;
-  // Mean density of a start beyond which it is softened. Origin: bench/tune.py soft_start.
+  // Mean density of a start beyond which it is softened. Measured by bench/tune.py soft_start.
   double soft_start = 1e5;
   RemedyRules remedies;
   BoundRules bounds;

@@ -163,7 +163,7 @@ std::optional<std::pair<int, int>> CellGrid::lowest_place(const CellRuns& runs, 
   return {};
 }
 
-// ChartOutlines of the same class are looked for from where the last of them was found. Origin:
+// ChartOutlines of the same class are looked for from where the last of them was found.
 // classes a fifth apart in width and height; finer ones cost time for less than a hundredth of the
 // side.
 constexpr double kClassesPerOctave = 4;
@@ -284,7 +284,7 @@ class RasterPacker {
   Strip strip_;
 };
 
-// Added to every radius, in cells. Origin: a million roundings of a grid of 10,000 cells.
+// Added to every radius, in cells. A million roundings of a grid of 10,000 cells.
 constexpr double kMargin = 1e-6;
 
 struct Interval {

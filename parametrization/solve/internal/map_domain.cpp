@@ -34,11 +34,11 @@ class KeptSolver final : public LinearSolver {
   std::shared_ptr<LinearSolver> solver_;
 };
 
-// Of the size of the surface, about 1: the translation that terms are asked about. Origin: chosen;
+// Of the size of the surface, about 1: the translation that terms are asked about. Chosen;
 // any that is no rounding error of the coordinates.
 constexpr double kTranslation = 0.5;
 // Of the largest number that they are sums of: what is no change of a term's value, and no
-// coefficient of a translation. Origin: far above rounding, far below what a term means.
+// coefficient of a translation. Far above rounding, far below what a term means.
 constexpr double kNoChange = 1e-9;
 
 // A checker of the map's unknowns in a problem with more. Its elements are its own: the remedies

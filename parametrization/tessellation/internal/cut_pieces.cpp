@@ -22,19 +22,19 @@ using Edge = MapPieces::Edge;
 using Piece = MapPieces::Piece;
 
 // Two halvings halve the edges. After 26 of these the area of a piece is 2^-52 of its cell's, which
-// is what doubles of the cell's size resolve. Origin: the 53 bits of a double.
+// is what doubles of the cell's size resolve. The 53 bits of a double.
 constexpr int kDeepestCut = 52;
 // Of a cell, more than there are in the beginning: as many as a lattice of 64 pieces an edge has. A
-// map that is not locally injective would take any number. Origin: chosen, not tuned.
+// map that is not locally injective would take any number. Chosen, not tuned.
 constexpr std::size_t kMostPieces = 64 * 64;
 constexpr std::size_t kMostNamedCells = 8;  // cells in a message; then the search ends
-// A diagonal leaves no piece with less than this part of the two. Origin: chosen, not tuned.
+// A diagonal leaves no piece with less than this part of the two. Chosen, not tuned.
 constexpr double kThinnest = 1.0 / 64;
 // Of pieces that were halved more often, diagonals and edges are not chosen by what they repair:
-// the shapes that halving longest edges makes are bounded. Origin: chosen, not tuned.
+// the shapes that halving longest edges makes are bounded. Chosen, not tuned.
 constexpr int kTriedDepth = 12;
 // Edges whose lengths differ by less are equally long: an edge seen from another cell is evaluated
-// in another order. Origin: far above the rounding of a length.
+// in another order. Far above the rounding of a length.
 constexpr double kLonger = 1 + 1e-9;
 
 double area(const Vector3& a, const Vector3& b, const Vector3& c) {  // of a cell of area 1
@@ -326,7 +326,7 @@ class OverlapSearch {
   std::vector<Index> run() {
     BoxTree(boxes_).visit_pairs([&](Index i, Index j) {
       if (!meet(edges_[i], edges_[j])) return true;
-      // Origin: chosen, not tuned; whatever is cut, the result is proven.
+      // Chosen, not tuned; whatever is cut, the result is proven.
       constexpr double kPart = 0.25;
       const double least = kPart * std::max(bend_[i], bend_[j]);
       for (const Index k : {i, j})
