@@ -17,7 +17,7 @@
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
+#include "majorant/parametrization/maps/smallest_rectangle.h"
 #include "majorant/results/report.h"
 
 namespace majorant::app {

@@ -7,7 +7,7 @@
 
 #include "apps/arguments/suggestion.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/maps/internal/energy_text.h"
+#include "majorant/parametrization/maps/energy_text.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant::app {

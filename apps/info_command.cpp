@@ -17,7 +17,7 @@
 #include "majorant/mesh/defects.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/report.h"
 

@@ -17,7 +17,7 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
-#include "majorant/parametrization/solve/internal/free_scale.h"
+#include "majorant/parametrization/solve/free_scale.h"
 #include "majorant/results/input_points.h"
 
 namespace majorant::app {

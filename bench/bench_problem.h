@@ -10,7 +10,7 @@
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initialization/tutte.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {

@@ -24,7 +24,7 @@
 #include "../examples/stretch_bound.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
 
 using namespace majorant;
 

@@ -41,8 +41,8 @@ bool has_positive_determinants(const BezierMap& map, const StopCheck& stop = {})
 // What is kept beside det J > 0.
 struct LayoutPromise {
   bool simple_boundaries = false;  // each map is injective as a whole (global_injectivity.h)
-  double distance = 0;  // of any two maps before; but for a part of 1e-12
-  std::vector<char> fixed = {};  // flags of maps; pairs of two of these need not keep it
+  double distance = 0;             // of any two maps before; but for a part of 1e-12
+  std::vector<char> fixed = {};    // flags of maps; pairs of two of these need not keep it
 };
 
 struct MovedLayout {

@@ -24,7 +24,7 @@
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/json_depth.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 
 namespace majorant {
 namespace {

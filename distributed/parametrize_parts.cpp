@@ -12,8 +12,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/maps/measure.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
-#include "majorant/parametrization/solve/internal/degree_schedule.h"
-#include "majorant/parametrization/solve/internal/valid_options.h"
+#include "majorant/parametrization/solve/degree_schedule.h"
+#include "majorant/parametrization/solve/valid_options.h"
 
 namespace majorant {
 namespace {

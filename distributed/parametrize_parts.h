@@ -1,5 +1,5 @@
 // parametrize() of several ranks: each solves its part, with the same Newton steps, remedies and
-// rules as one process (parametrization/solve/internal/degree_solver.h).
+// rules as one process (parametrization/solve/degree_solver.h).
 //
 //     PartResult result = parametrize_parts(part, uv, options, record);
 //     result.map->control_points();                 // of this rank's faces, model units
@@ -17,7 +17,7 @@
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/parametrization/solve/internal/degree_solver.h"
+#include "majorant/parametrization/solve/degree_solver.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {

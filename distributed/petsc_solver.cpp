@@ -25,7 +25,6 @@ namespace {
 //     MumpsFactor factor(matrix.mat());      // analysed once a pattern
 //     if (factor.factorize() == FactorStatus::Ok) factor.solve(r, p);
 
-
 class MumpsFactor {
  public:
   explicit MumpsFactor(_p_Mat* matrix);
@@ -87,7 +86,6 @@ void MumpsFactor::solve(::Vec r, ::Vec p) const { require_petsc(MatSolve(factor_
 //     PetscMatrix matrix(pattern, partition);
 //     matrix.set(values, shift);
 //     matrix.to_petsc(r, matrix.right_hand_side());
-
 
 class PetscMatrix {
  public:

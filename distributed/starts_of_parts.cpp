@@ -6,13 +6,13 @@
 
 #include "distributed/internal/part_data.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/initialization/internal/area_margin.h"
-#include "majorant/parametrization/initialization/internal/filled_holes.h"
-#include "majorant/parametrization/initialization/internal/tutte_system.h"
+#include "majorant/parametrization/initialization/area_margin.h"
+#include "majorant/parametrization/initialization/filled_holes.h"
 #include "majorant/parametrization/initialization/tutte.h"
-#include "majorant/parametrization/solve/internal/free_scale.h"
-#include "majorant/parametrization/solve/internal/parametrize_by.h"
-#include "majorant/parametrization/solve/internal/pin_homotopy.h"
+#include "majorant/parametrization/initialization/tutte_system.h"
+#include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
+#include "majorant/parametrization/solve/pin_homotopy.h"
 
 namespace majorant {
 namespace {

@@ -7,7 +7,6 @@
 #include "majorant/framework/problem.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/stopping.h"
-#include "majorant/framework/run_record.h"
 
 namespace majorant {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/mesh/internal/cut_shortening.h"
+#include "majorant/mesh/cut_shortening.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/union_find.h"
 

@@ -10,7 +10,7 @@
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_distortion.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/maps/internal/energy_text.h"
+#include "majorant/parametrization/maps/energy_text.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/internal/check_claims.h"

@@ -41,9 +41,9 @@
 #include "majorant/framework/problem.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/io/waiting_output.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
-#include "majorant/parametrization/solve/internal/solver_rules.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/parametrization/solve/normalized_start.h"
+#include "majorant/parametrization/solve/solver_rules.h"
 #include "majorant/results/report.h"
 #include "majorant/results/solver_ladder.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "majorant/parametrization/maps/rest_shapes_of.h"
-#include "majorant/parametrization/solve/internal/pins.h"
+#include "majorant/parametrization/solve/pins.h"
 
 namespace majorant {
 namespace {

@@ -1,5 +1,5 @@
 // The start of an optimization in coordinates that suit it, as NormalizedStart makes it of a whole
-// map (parametrization/solve/internal/normalized_start.h): the surface scaled by a power of two to
+// map (parametrization/solve/normalized_start.h): the surface scaled by a power of two to
 // size about 1, a free map moved to the origin, both undone at the end.
 //
 //     const StartOfPart start(part, uv, options.map);
@@ -11,8 +11,8 @@
 
 #include "distributed/mesh_part.h"
 #include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
 #include "majorant/parametrization/solve/map_options.h"
+#include "majorant/parametrization/solve/normalized_start.h"
 
 namespace majorant {
 

@@ -11,7 +11,7 @@
 namespace majorant {
 namespace {
 
-// Points inside a face, all of the same weight. Origin: 10 points a face; for reports alone.
+// Points inside a face, all of the same weight. 10 points a face; for reports alone.
 constexpr int kLattice = 6;
 
 std::vector<Barycentric> sample_points(int degree) {

@@ -22,16 +22,16 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/normalized_start.h"
 
 namespace majorant {
 namespace {
 
-// Faces from which on a chart has all threads for itself. Origin: below, loops over elements are
+// Faces from which on a chart has all threads for itself. Below, loops over elements are
 // too short for more than one thread to pay.
 constexpr Index kLargeChart = 5000;
 
-// In square roots of a chart's area: what pinned charts are apart at least. Origin: a billion
+// In square roots of a chart's area: what pinned charts are apart at least. A billion
 // roundings.
 constexpr double kTouching = 1e-7;
 

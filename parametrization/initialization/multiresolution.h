@@ -50,25 +50,24 @@ struct MultiresolutionRules {
   int sweeps = 4;
   // Of the vertices that came back, how many neighbours have to have given way for the squeezed
   // parts of a level to be relaxed before the whole: bench/multiresolution: 3 % do on disks
-  // where that gains nothing, 9 to 12 % on scorpion_10000 and penguin_10000.
+  // where that gains nothing, 9 to 12 % on limbs.
   double squeezed_share = 0.05;
   // Of the mean over all vertices of the mean energy around them: above, a vertex is squeezed.
-  // bench/multiresolution: scorpion_10000 takes 16.3 fe with 1.5, 16.9 with 1.3, 18.4 with
-  // 2, 26.9 without.
+  // bench/multiresolution: a creature of 10,000 faces takes 16.3 fe with 1.5, 16.9 with 1.3, 18.4
+  // with 2, 26.9 without.
   double squeezed = 1.5;
   // Rings of neighbours that move with the squeezed vertices: bench/multiresolution: 2 take
-  // 0.7 fe more on scorpion_10000.
+  // 0.7 fe more.
   int squeezed_rings = 1;
-  // Newton steps of the squeezed parts: bench/multiresolution: 15 leave twice the error on
-  // scorpion_10000.
+  // Newton steps of the squeezed parts: bench/multiresolution: 15 leave twice the error.
   int squeezed_steps = 30;
   // Relative decrease that ends them, of the energy of these parts: as `decrease`.
   double squeezed_decrease = 1e-4;
   // Steps of all vertices together for a factorization: bench/multiresolution: 6 cost
   // 0.3 fe more at 10,000 faces.
   int factor_steps = 10;
-  // Of these, on a level: bench/multiresolution: hand, scorpion and penguin reach it on
-  // coarse levels.
+  // Of these, on a level: bench/multiresolution: surfaces with long limbs reach it
+  // on coarse levels.
   int most_steps = 30;
   // Of all triangles, what a coarse level has at most; chosen, not tuned.
   double coarse_part = 1.0 / 8;

@@ -9,10 +9,10 @@
 #include "majorant/framework/internal/sparse_spd.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/initialization/internal/area_margin.h"
-#include "majorant/parametrization/initialization/internal/filled_holes.h"
-#include "majorant/parametrization/initialization/internal/tutte_system.h"
+#include "majorant/parametrization/initialization/area_margin.h"
+#include "majorant/parametrization/initialization/filled_holes.h"
 #include "majorant/parametrization/initialization/internal/weighted_tutte.h"
+#include "majorant/parametrization/initialization/tutte_system.h"
 
 namespace majorant {
 namespace {

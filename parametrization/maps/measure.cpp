@@ -14,8 +14,8 @@
 #include "majorant/elements/internal/singular_values.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/element_values.h"
-#include "majorant/parametrization/maps/internal/extreme_samples.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/extreme_samples.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {

@@ -12,7 +12,7 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/parametrization/maps/internal/extreme_samples.h"
+#include "majorant/parametrization/maps/extreme_samples.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {

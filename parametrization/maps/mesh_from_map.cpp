@@ -10,7 +10,7 @@ namespace majorant {
 namespace {
 
 // Vertices without a cell may exist, up to this number of a vertex, or this many times the points
-// of the file. Origin: memory that a damaged file may ask for, 100 MB; chosen, not tuned.
+// of the file. Memory that a damaged file may ask for, 100 MB; chosen, not tuned.
 constexpr long long kUnsuspicious = 1LL << 22;
 constexpr long long kUnsuspiciousTimes = 4;
 

@@ -18,30 +18,30 @@
 namespace majorant {
 namespace {
 
-// Charts do not touch, whatever padding was asked for: as a part of the side. Origin: a thousandth
+// Charts do not touch, whatever padding was asked for: as a part of the side. A thousandth
 // of a pixel, and a billion roundings.
 constexpr double kLeastGap = 1e-6;
-// Gaps are made larger than asked for by this. Origin: far above what rounding and the turns of
+// Gaps are made larger than asked for by this. Far above what rounding and the turns of
 // attempts() take, far below a pixel.
 constexpr double kGapMargin = 1e-5;
-// Origin: the side to within 1e-4 or so, and a fraction of a second for 10,000 boxes.
+// The side to within 1e-4 or so, and a fraction of a second for 10,000 boxes.
 constexpr int kSkylineTries = 14;
 // First width of the skyline, in roots of the area, and the factor from square to square until one
-// holds all. Origin: chosen, not tuned.
+// holds all. Chosen, not tuned.
 constexpr double kFirstWidth = 1.5, kSkylineFactor = 1.25;
 // The same of the raster, in sides that the skyline found, and of nesting, in the best side of
-// these two. Origin: chosen, not tuned.
+// these two. Chosen, not tuned.
 constexpr double kRasterWidth = 0.9, kNestingWidth = 0.97, kFactor = 1.08;
 
-// Cells of the raster along the side. Origin: bench/packing.cpp, twice as many gain less than 0.01
-// of fill for few charts, and 0.02 to 0.04 for many.
+// Cells of the raster along the side. Measured by bench/packing.cpp, twice as many gain less than
+// 0.01 of fill for few charts, and 0.02 to 0.04 for many.
 constexpr int kCoarseCells = 1024, kFineCells = 2048;
 constexpr std::size_t kFew = 200;
-// More than these are not nested. Origin: bench/packing.cpp, seconds.
+// More than these are not nested. Measured by bench/packing.cpp, seconds.
 constexpr std::size_t kMostNested = 40;
-// Of raster and nesting, after the square is known to within 8 %. Origin: the side to 0.5 %.
+// Of raster and nesting, after the square is known to within 8 %. The side to 0.5 %.
 constexpr int kTries = 4;
-// Of the raster where charts are more than kMany. Origin: 1,000 charts are packed in the time that
+// Of the raster where charts are more than kMany. 1,000 charts are packed in the time that
 // their solves take.
 constexpr int kFewTries = 1;
 constexpr std::size_t kMany = 500;

@@ -28,7 +28,7 @@ namespace majorant {
 
 struct PackOptions {
   // Any two charts are at least padding_pixels / resolution of the square's side apart.
-  // padding_pixels >= 0, resolution, the pixels along the side, > 0. Origin: a usual texture, and
+  // padding_pixels >= 0, resolution, the pixels along the side, > 0. A usual texture, and
   // two levels of its mipmaps that do not bleed; chosen, not tuned.
   double padding_pixels = 4;
   double resolution = 1024;

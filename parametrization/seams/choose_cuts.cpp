@@ -4,26 +4,352 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numbers>
 #include <optional>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/stop_check.h"
+#include "majorant/mesh/cut_graph.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/mesh_validation.h"
 #include "majorant/mesh/model_unit.h"
 #include "majorant/mesh/refusal.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/texture_borders.h"
-#include "majorant/parametrization/seams/internal/automatic_cut.h"
+#include "majorant/mesh/union_find.h"
+#include "majorant/parametrization/fields/cross_field.h"
+#include "majorant/parametrization/seams/internal/cut_tree.h"
 #include "majorant/parametrization/seams/internal/edge_costs.h"
 #include "majorant/parametrization/seams/internal/flattening_strain.h"
-#include "majorant/parametrization/seams/internal/given_edges.h"
 #include "majorant/parametrization/seams/internal/pieces.h"
-#include "majorant/parametrization/seams/internal/sharp_charts.h"
 
 namespace majorant {
 namespace {
+
+// Edges named by the vertices of a file.
+
+enum class Found { Nothing, InnerEdge, Edge };
+
+[[noreturn]] void refuse(const std::string& source, const std::pair<Index, Index>& edge,
+                         const std::string& what) {
+  throw Error(
+      ErrorKind::Usage,
+      fmt::format("{}{}vertices {} and {} (counting from 0) are joined {}; correct the list",
+                  source, source.empty() ? "" : ": ", edge.first, edge.second, what));
+}
+
+// 3 #F flags, both sides, of the edges between these vertices of the file (from 0); all copies of
+// an edge where the surface has several. Edges of the boundary are cut already. source:
+// for messages, may be empty. Throws Error(Usage) naming a pair that is no edge of the file, or
+// that runs inside one of its polygons.
+std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
+                                 const std::vector<std::array<Index, 2>>& edges,
+                                 const std::string& source) {
+  std::map<std::pair<Index, Index>, Found> wanted;
+  for (const auto& [a, b] : edges) wanted[std::minmax(a, b)] = Found::Nothing;
+  std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index o = mesh.opposite(h);
+    const auto edge = wanted.find(
+        std::minmax(mesh.input_vertex(mesh.from_vertex(h)), mesh.input_vertex(mesh.to_vertex(h))));
+    if (edge == wanted.end()) continue;
+    if (o >= 0 && mesh.input_face(face_of(h)) == mesh.input_face(face_of(o))) {
+      edge->second = std::max(edge->second, Found::InnerEdge);
+    } else {
+      edge->second = Found::Edge;
+      is_cut[h] = o >= 0;
+    }
+  }
+  for (const auto& [edge, found] : wanted) {
+    if (found == Found::Nothing)
+      refuse(source, edge, "by no edge of " + (mesh.file().empty() ? "the mesh" : mesh.file()));
+    if (found == Found::InnerEdge)
+      refuse(source, edge, "inside a polygon only, along whose edges one can cut");
+  }
+  return is_cut;
+}
+
+// Charts between sharp edges.
+
+// A component of n faces has at most kFewCharts + n / kFacesPerChart charts: what a texture
+// artist still handles; a box has six.
+constexpr Index kFewCharts = 2, kFacesPerChart = 200;
+
+class Charts {
+ public:
+  Charts(const SurfaceMesh& mesh, double radians)
+      : mesh_(mesh),
+        charts_(mesh.face_count()),
+        component_(face_components(mesh.opposites())),
+        size_(to_size(mesh.face_count()), 0),
+        borders_(to_size(mesh.face_count())) {
+    const Vec angle = dihedral_angles(mesh);
+    for (Index h = 0; h < mesh.half_edge_count(); ++h)
+      if (const Index o = mesh.opposite(h); o > h && angle[h] <= radians)
+        charts_.join(face_of(h), face_of(o));
+    for (Index f = 0; f < mesh.face_count(); ++f) ++size_[charts_.find(f)];
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      if (mesh.opposite(h) < 0) continue;
+      const Index a = charts_.find(face_of(h)), b = charts_.find(face_of(mesh.opposite(h)));
+      if (a != b) borders_[a][b] += mesh.edge_length(h);
+    }
+  }
+
+  void join_small() {
+    const Index components =
+        component_.empty() ? 0 : *std::max_element(component_.begin(), component_.end()) + 1;
+    std::vector<Index> faces(to_size(components), 0), charts(to_size(components), 0);
+    std::set<std::pair<Index, Index>> by_size;
+    for (Index f = 0; f < mesh_.face_count(); ++f) {
+      ++faces[component_[f]];
+      if (charts_.find(f) != f) continue;
+      ++charts[component_[f]];
+      by_size.emplace(size_[f], f);
+    }
+    while (!by_size.empty()) {
+      const auto [size, chart] = *by_size.begin();
+      by_size.erase(by_size.begin());
+      const std::size_t c = to_size(component_[chart]);
+      const bool few = charts[c] <= kFewCharts + faces[c] / kFacesPerChart;
+      if (borders_[chart].empty() || (few && size > 1)) continue;
+      Index best = -1;
+      double longest = -1;
+      for (const auto& [other, length] : borders_[chart])
+        if (length > longest) longest = length, best = other;
+      by_size.erase({size_[best], best});
+      by_size.emplace(size + size_[best], join(chart, best));
+      --charts[c];
+    }
+  }
+
+  std::vector<char> borders() {
+    std::vector<char> is_cut(to_size(mesh_.half_edge_count()), 0);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (const Index o = mesh_.opposite(h); o >= 0)
+        is_cut[h] = charts_.find(face_of(h)) != charts_.find(face_of(o));
+    return is_cut;
+  }
+
+ private:
+  // The number of the chart that both become.
+  Index join(Index a, Index b) {
+    charts_.join(a, b);
+    const Index joint = charts_.find(a), gone = joint == a ? b : a;
+    borders_[joint].erase(gone);
+    borders_[gone].erase(joint);
+    for (const auto& [other, length] : borders_[gone]) {
+      borders_[joint][other] += length;
+      borders_[other].erase(gone);
+      borders_[other][joint] += length;
+    }
+    borders_[gone].clear();
+    size_[joint] += size_[gone];
+    return joint;
+  }
+
+  const SurfaceMesh& mesh_;
+  UnionFind charts_;
+  const std::vector<Index> component_;            // #F
+  std::vector<Index> size_;                       // faces, by number of the chart
+  std::vector<std::map<Index, double>> borders_;  // by number of the chart: length with each other
+};
+
+// 3 #F flags, both sides, of the edges between the charts: parts of the surface that edges with a
+// dihedral angle above `angle` (degrees) enclose. Creases that end inside a chart enclose nothing
+// and are not cut. Charts are joined, the smallest first, each with the neighbour along the longest
+// common border, until none is a single face and a component of n faces has at most 2 + n / 200;
+// they may have any topology.
+std::vector<char> sharp_charts(const SurfaceMesh& mesh, double angle) {
+  Charts charts(mesh, angle * std::numbers::pi / 180);
+  charts.join_small();
+  return charts.borders();
+}
+
+// One chart of a connected surface, opened where that saves distortion.
+
+struct AutomaticCut {
+  std::vector<char> is_cut;  // 3 #F, both sides: one planar piece
+  double strain = 0;         // flattening_strain.h
+  std::vector<Index> ends;   // vertices inside the surface where it ends
+};
+
+// What a cut that leaves no curvature at all may be longer than the one chosen otherwise, in square
+// roots of the area: a box,
+// a tin and a square tube are unfolded whole.
+constexpr double kDevelopableWorth = 1;
+constexpr double kCurved = 1e-3;  // radians: an angle defect; files with 4 digits are flat
+// Cuts are routed anew through the ends and the cones that are left as long as they become shorter.
+// Large ones only once: 50,000 faces are cut in ten seconds, and the third route of small
+// ones is the last that changes anything.
+constexpr Index kMostRoutes = 3, kRouteWork = 20000;
+// How many branches a cut is divided into: one for each two edges of a small mesh, and such that
+// one solve for each takes as long on all large ones: a second or two; on public meshes the strains
+// expected and found then agree within 10 %.
+constexpr Index kMostBranches = 150, kFewestBranches = 40, kBranchSolves = 600000;
+// Corrections, in proportion, where what branches are worth was estimated too low: one or two
+// are enough, coarse meshes take five.
+constexpr int kMostCorrections = 8;
+// Without a field: as many vertices of the largest angle defects; as many as fields have.
+constexpr std::size_t kMostDefects = 40;
+
+class Cutter {
+ public:
+  Cutter(const SurfaceMesh& mesh, const Vec& edge_cost, const std::vector<char>& is_whole,
+         double limit, const StopCheck& stop)
+      : mesh_(mesh),
+        cost_(edge_cost),
+        is_whole_(is_whole),
+        limit_(limit),
+        unit_(std::sqrt(mesh.area())),
+        stop_(stop),
+        defect_(angle_defects(mesh)) {}
+
+  AutomaticCut run() const {
+    if (is_planar(mesh_)) {
+      AutomaticCut none{std::vector<char>(to_size(mesh_.half_edge_count()), 0), 0, {}};
+      none.strain = strain(none.is_cut);
+      if (none.strain <= limit_) return none;
+    }
+    const std::vector<Index> cones = field_cones();
+    AutomaticCut best = peeled(routed(cones), cones);
+    const Index routes = std::clamp(kRouteWork / mesh_.vertex_count(), 1, kMostRoutes);
+    for (Index k = 0; k < routes; ++k) {
+      AutomaticCut next = peeled_route(cones_on(best, cones), best);
+      if (routes > 1) next = peeled_route(next.ends, next);
+      if (!(cost(next) < cost(best))) break;
+      best = std::move(next);
+    }
+    return developed(best);
+  }
+
+ private:
+  static Vec angle_defects(const SurfaceMesh& mesh) {
+    Vec defect = Vec::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
+    for (Index h = 0; h < mesh.half_edge_count(); ++h)
+      defect[mesh.from_vertex(h)] -= corner_angle(mesh, h).radians();
+    for (const auto& loop : mesh.boundary_loops())
+      for (const Index v : loop) defect[v] = 0;
+    return defect;
+  }
+
+  double cost(const AutomaticCut& cut) const {
+    double sum = 0;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (cut.is_cut[h]) sum += 0.5 * cost_[h];
+    return sum / unit_;
+  }
+  double strain(const std::vector<char>& is_cut) const {
+    return FlatteningStrain(mesh_.cut_along(is_cut, nullptr), -1, stop_).strain();
+  }
+  AutomaticCut routed(const std::vector<Index>& terminals) const {
+    AutomaticCut cut{cut_graph(mesh_, terminals, cost_, stop_), 0, terminals};
+    cut.strain = strain(cut.is_cut);
+    return cut;
+  }
+
+  std::vector<Index> field_cones() const {
+    std::vector<Index> cones = all_field_cones();
+    std::erase_if(cones, [&](Index v) { return is_whole_[v] != 0; });
+    return cones;
+  }
+
+  std::vector<Index> all_field_cones() const {
+    CrossFieldOptions field;
+    field.stop = stop_;
+    try {
+      return cone_vertices(smoothest_cross_field(mesh_, field));
+    } catch (const Error&) {  // too coarse
+      std::vector<Index> most(to_size(mesh_.vertex_count()));
+      for (Index v = 0; v < mesh_.vertex_count(); ++v) most[v] = v;
+      std::stable_sort(most.begin(), most.end(), [&](Index a, Index b) {
+        return std::abs(defect_[a]) > std::abs(defect_[b]);
+      });
+      most.resize(std::min(most.size(), kMostDefects));
+      return most;
+    }
+  }
+
+  AutomaticCut peeled(const AutomaticCut& full, const std::vector<Index>& terminals) const {
+    std::vector<char> is_terminal(to_size(mesh_.vertex_count()), 0);
+    for (const Index v : terminals) is_terminal[v] = 1;
+    const Index branches =
+        std::clamp(kBranchSolves / mesh_.vertex_count(), kFewestBranches, kMostBranches);
+    CutTree tree(mesh_, full.is_cut, is_terminal, cost_, branches, stop_);
+    const double limit = std::max(limit_, full.strain);
+    tree.peel(full.strain, limit, stop_);
+    std::size_t steps = tree.steps_within(limit);
+    for (int k = 0; k < kMostCorrections && steps > 0; ++k) {
+      CutTree::State state = tree.after(steps);
+      const double reached = strain(state.is_cut);
+      if (reached <= limit) return {std::move(state.is_cut), reached, std::move(state.ends)};
+      const double aim = full.strain + (tree.strain_after(steps) - full.strain) *
+                                           (limit - full.strain) / (reached - full.strain);
+      steps = std::min(steps - 1, tree.steps_within(aim));
+    }
+    return {full.is_cut, full.strain, tree.after(0).ends};
+  }
+
+  // `best`, or what a cut through these vertices leads to, if that is shorter.
+  AutomaticCut peeled_route(const std::vector<Index>& terminals, const AutomaticCut& best) const {
+    const AutomaticCut full = routed(terminals);
+    if (full.strain > std::max(limit_, best.strain)) return best;
+    AutomaticCut cut = peeled(full, terminals);
+    return cost(cut) < cost(best) ? cut : best;
+  }
+
+  std::vector<Index> cones_on(const AutomaticCut& cut, const std::vector<Index>& cones) const {
+    std::vector<char> is_met(to_size(mesh_.vertex_count()), 0);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (cut.is_cut[h]) is_met[mesh_.from_vertex(h)] = 1;
+    std::vector<Index> on = cut.ends;
+    for (const Index v : cones)
+      if (is_met[v]) on.push_back(v);
+    return on;
+  }
+
+  // The cut through all vertices that are not flat, if that is worth it, else `best`.
+  AutomaticCut developed(const AutomaticCut& best) const {
+    const double most = cost(best) + kDevelopableWorth;
+    Vec cheapest = Vec::Constant(mesh_.vertex_count(), most * unit_);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      for (const Index v : {mesh_.from_vertex(h), mesh_.to_vertex(h)})
+        cheapest[v] = std::min(cheapest[v], cost_[h]);
+    std::vector<Index> curved;
+    double least = 0;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (std::abs(defect_[v]) > kCurved && !is_whole_[v]) {
+        curved.push_back(v);
+        least += 0.5 * cheapest[v];
+      }
+    if (least > most * unit_) return best;
+    const AutomaticCut cut = routed(curved);
+    return cost(cut) <= most && cut.strain < best.strain ? cut : best;
+  }
+
+  const SurfaceMesh& mesh_;
+  const Vec& cost_;
+  const std::vector<char>& is_whole_;
+  const double limit_, unit_;
+  const StopCheck& stop_;
+  const Vec defect_;
+};
+
+// The rule is that of docs/atlas.md, "Where to cut". edge_cost: 3 #F; is_whole: #V, where
+// it is not led on purpose; max_stretch: above 1. Stopped.
+AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
+                           const std::vector<char>& is_whole, double max_stretch,
+                           const StopCheck& stop) {
+  return Cutter(mesh, edge_cost, is_whole, strain_of_stretch(max_stretch), stop).run();
+}
 
 // Of a piece, of the area of all: squares of areas, and what remains of them after many
 // factors, must be doubles; 1e-80 of the size is mapped.

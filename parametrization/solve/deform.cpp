@@ -9,16 +9,16 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
-#include "majorant/parametrization/solve/internal/free_scale.h"
-#include "majorant/parametrization/solve/internal/parametrize_by.h"
-#include "majorant/parametrization/solve/internal/pin_homotopy.h"
+#include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
+#include "majorant/parametrization/solve/pin_homotopy.h"
 
 namespace majorant {
 namespace {
 
 // Of the mesh's size: deviation from a plane.
 constexpr double kFlat = kTenDigits;
-// Towards the targets. Origin: chosen so that a right angle is turned by 9 degrees at a time.
+// Towards the targets. Chosen so that a right angle is turned by 9 degrees at a time.
 constexpr int kDeformSteps = 10;
 
 }  // namespace

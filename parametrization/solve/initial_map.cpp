@@ -8,19 +8,18 @@
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/initialization/multiresolution.h"
 #include "majorant/parametrization/initialization/tutte.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {
 namespace {
 
-// Faces from which on a start in many resolutions is the automatic one. Origin:
+// Faces from which on a start in many resolutions is the automatic one.
 // bench/multiresolution: at 2,500 it saves 2 to 4 fe of 20 on easy disks and costs some on hard
 // ones.
 constexpr Index kLargeSurface = 5000;
 // Of the energy, from a level to one that is not coarse, beyond which Tutte's map is taken after
-// all. Origin: 0.51 on penguin_10000, where other minima wait (19.10 instead of 19.07), 0.07 on the
-// next of the public disks.
+// all. Where other minima wait it was 0.51, on all other public disks at most 0.07.
 constexpr double kLargestDrop = 0.25;
 
 // Whether an automatic start is made in many resolutions. Points that are to stay where the initial

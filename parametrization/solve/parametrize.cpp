@@ -15,13 +15,13 @@
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/scaffold/internal/improve_mesh.h"
-#include "majorant/parametrization/solve/internal/degree_schedule.h"
-#include "majorant/parametrization/solve/internal/free_scale.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
-#include "majorant/parametrization/solve/internal/parametrize_by.h"
-#include "majorant/parametrization/solve/internal/pin_homotopy.h"
-#include "majorant/parametrization/solve/internal/valid_options.h"
+#include "majorant/parametrization/scaffold/improve_mesh.h"
+#include "majorant/parametrization/solve/degree_schedule.h"
+#include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/normalized_start.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
+#include "majorant/parametrization/solve/pin_homotopy.h"
+#include "majorant/parametrization/solve/valid_options.h"
 
 namespace majorant {
 namespace {

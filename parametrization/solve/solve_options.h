@@ -27,10 +27,10 @@ enum class FactorCost { IfKnown, Measured };
 
 struct SolveOptions {
   Curvature curvature = Curvature::Projected;
-  // Relative energy decrease per iteration. Origin: as StoppingRules::relative_decrease.
+  // Relative energy decrease per iteration. As StoppingRules::relative_decrease.
   double tolerance = 1e-6;
   Elevation elevation = Elevation::Incremental;
-  // The degree is raised below this decrease. Origin: bench/tune.py elevation_tolerance.
+  // The degree is raised below this decrease. Measured by bench/tune.py elevation_tolerance.
   double elevation_tolerance = 1e-4;
   int quadrature_points = 0;                   // lattice points per triangle; 0: our own rule
   int injectivity_depth = ProofDepth::kStart;  // of bisection; deeper when a run is held back

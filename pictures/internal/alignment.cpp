@@ -2,7 +2,7 @@
 
 #include "majorant/certify/moved_layout.h"
 #include "majorant/io/claims.h"
-#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
+#include "majorant/parametrization/maps/smallest_rectangle.h"
 
 namespace majorant {
 namespace {

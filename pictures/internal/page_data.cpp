@@ -16,7 +16,7 @@
 #include "majorant/io/json_depth.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
-#include "majorant/parametrization/maps/internal/energy_text.h"
+#include "majorant/parametrization/maps/energy_text.h"
 #include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/first_view.h"
 #include "majorant/pictures/internal/alignment.h"

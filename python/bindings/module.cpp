@@ -9,7 +9,7 @@
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/stopping.h"
-#include "majorant/parametrization/maps/internal/energy_text.h"
+#include "majorant/parametrization/maps/energy_text.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "map_file.h"

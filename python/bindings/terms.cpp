@@ -12,7 +12,7 @@
 #include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
 #include "majorant/parametrization/initialization/tutte.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/terms/linear_term.h"
 #include "mesh.h"

@@ -25,7 +25,7 @@ def run(root):
 # moved_layout.cpp, of files in map_proof.cpp. Bounds to report, of a map where it was solved, are
 # measured; Triangles::Flipped undoes single faces.
 PROOF = re.compile(r'\bexact_positivity\(|\blower_bounds\(|ProofDepth::kFinal')
-MAY_BOUND = {'parametrization/maps/measure.cpp', 'parametrization/scaffold/internal/improve_mesh.cpp',
+MAY_BOUND = {'parametrization/maps/measure.cpp', 'parametrization/scaffold/improve_mesh.cpp',
              'apps/compare/compare_command.cpp'}
 
 

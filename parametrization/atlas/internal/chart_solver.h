@@ -9,11 +9,14 @@
 // faces as starts, each first without a scaffold, which most charts do not need and which costs
 // several times as much, then with one (Tutte's last). At the end Tutte's map as it is. Overlaps
 // are looked for after the solve: of a free boundary only the boundary tells.
+//
+// The file's texture coordinates of a chart as a start of its map, as good as they can be made.
 #pragma once
 
 #include <memory>
 #include <optional>
 
+#include "majorant/framework/run_record.h"
 #include "majorant/parametrization/atlas/unwrap.h"
 
 namespace majorant {
@@ -46,6 +49,17 @@ class ChartSolver {
   Chart chart_;
   bool is_done_ = false;
 };
+
+struct PreparedTexture {
+  Vec uv;  // u, v per vertex; every triangle positively oriented, area that of the surface
+  ChartStart start;  // Texture or Untangled
+};
+
+// mesh: a chart that its texture coordinates do not cut. Mirrored islands are mirrored back, those
+// with triangles turned over are untangled. None where the mesh has no coordinates, they have no
+// area, or untangling fails.
+std::optional<PreparedTexture> texture_start(const std::shared_ptr<const SurfaceMesh>& mesh,
+                                             const RunRecord& record);
 
 }  // namespace majorant
 

@@ -8,8 +8,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/mesh/mesh_messages.h"
-#include "majorant/parametrization/fields/internal/conformal_metric.h"
-#include "majorant/parametrization/fields/internal/edge_laplacian.h"
+#include "majorant/parametrization/fields/conformal_metric.h"
+#include "majorant/parametrization/fields/edge_laplacian.h"
 
 namespace majorant {
 namespace {

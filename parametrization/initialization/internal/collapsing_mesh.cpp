@@ -1,9 +1,192 @@
 #include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace majorant {
+namespace {
+
+using Vertex3 = Eigen::Vector3d;
+
+// Neighbours that a vertex may collapse onto: so many of the nearest; chosen, not
+// tuned.
+constexpr int kNearest = 3;
+// Of the cost: squared length of the edge that goes, times the area around, against the volume
+// between the surfaces; chosen, not tuned; it decides
+// where the surface is flat.
+constexpr double kLengthShare = 1e-3;
+// Cosine between the normals of a triangle before and after: some 78 degrees.
+constexpr double kLeastTurn = 0.2;
+// Neighbours of a vertex after a collapse; chosen; more make slow stars.
+constexpr int kMostNeighbours = 16;
+// Of the vertices that could leave, part that may in one round; chosen, not tuned.
+constexpr double kPartOfRound = 0.6;
+
+struct Candidate {
+  double cost = std::numeric_limits<double>::infinity();
+  Index vertex = -1, half_edge = -1;  // which the vertex starts or ends
+};
+
+class Decimation {
+ public:
+  Decimation(CollapsingMesh& mesh, const Points3& positions, const DecimationGoal& goal,
+             const StopCheck& stop)
+      : mesh_(mesh), positions_(positions), goal_(goal), stop_(stop) {
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+      if (mesh.is_present(v) && (goal.held.empty() || !goal.held[v])) free_.push_back(v);
+    last_change_.assign(to_size(mesh.vertex_count()), -1);
+  }
+
+  void run() {
+    while (mesh_.faces_left() > goal_.faces && round() > 0) ++round_;
+  }
+
+ private:
+  // Vertices that left.
+  int round() {
+    std::vector<Candidate> candidates;
+    candidates.reserve(free_.size());
+    for (const Index v : free_) {
+      stop_.poll_at(candidates.size());
+      const Candidate c = best_of(v);
+      if (c.half_edge >= 0) candidates.push_back(c);
+    }
+    const auto cheaper = [](const Candidate& a, const Candidate& b) {
+      return a.cost < b.cost || (a.cost == b.cost && a.vertex < b.vertex);
+    };
+    const auto middle =
+        candidates.begin() + static_cast<std::ptrdiff_t>(
+                                 std::ceil(kPartOfRound * static_cast<double>(candidates.size())));
+    std::nth_element(candidates.begin(), middle, candidates.end(), cheaper);
+    std::sort(candidates.begin(), middle, cheaper);
+    int left = 0;
+    for (auto c = candidates.begin(); c != middle && mesh_.faces_left() > goal_.faces; ++c)
+      left += try_collapse(*c) ? 1 : 0;
+    std::erase_if(free_, [&](Index v) { return !mesh_.is_present(v); });
+    return left;
+  }
+
+  bool try_collapse(const Candidate& c) {
+    if (last_change_[c.vertex] == round_) return false;
+    const auto end = mesh_.from(c.half_edge) == c.vertex ? CollapsingMesh::End::Start
+                                                         : CollapsingMesh::End::Target;
+    if (!mesh_.may_collapse(c.half_edge, end, kMostNeighbours)) return false;
+    mesh_.ring(c.vertex, ring_);
+    for (const Index w : ring_) last_change_[w] = round_;
+    mesh_.collapse(c.half_edge, end);
+    return true;
+  }
+
+  Candidate best_of(Index v) {
+    gather(v);
+    Candidate best;
+    const auto consider = [&](std::size_t k, Index h) {
+      const double cost = cost_onto(k);
+      if (cost < best.cost) best = {cost, v, h};
+    };
+    if (!closed_) {  // along the boundary only
+      consider(0, spokes_.front());
+      consider(edge_.size() - 1, previous(spokes_.back()));
+      return best;
+    }
+    std::array<std::size_t, kNearest> nearest;
+    const std::size_t count = nearest_to(nearest);
+    for (std::size_t k = 0; k < count; ++k) consider(nearest[k], spokes_[nearest[k]]);
+    return best;
+  }
+
+  // The star of v: vectors to its neighbours, normals (twice the areas) of its faces.
+  void gather(Index v) {
+    spokes_.clear();
+    edge_.clear();
+    const Vertex3 centre = positions_.row(v);
+    mesh_.for_each_leaving(v, [&](Index h) {
+      spokes_.push_back(h);
+      edge_.push_back(Vertex3(positions_.row(mesh_.to(h))) - centre);
+    });
+    closed_ = !mesh_.on_boundary(v);
+    if (!closed_)
+      edge_.push_back(Vertex3(positions_.row(mesh_.from(previous(spokes_.back())))) - centre);
+    normal_.clear();
+    double area = 0;
+    for (std::size_t k = 0; k < spokes_.size(); ++k) {
+      normal_.push_back(edge_[k].cross(edge_[(k + 1) % edge_.size()]));
+      area += normal_.back().norm();
+    }
+    area_ = area / 2;
+  }
+
+  std::size_t nearest_to(std::array<std::size_t, kNearest>& nearest) const {
+    std::array<double, kNearest> length;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < edge_.size(); ++k) {
+      if (mesh_.on_boundary(mesh_.to(spokes_[k]))) continue;
+      const double l = edge_[k].squaredNorm();
+      std::size_t place = count;
+      while (place > 0 && l < length[place - 1]) --place;
+      if (place >= kNearest) continue;
+      if (count < kNearest) ++count;
+      for (std::size_t j = count - 1; j > place; --j) {
+        length[j] = length[j - 1];
+        nearest[j] = nearest[j - 1];
+      }
+      length[place] = l;
+      nearest[place] = k;
+    }
+    return count;
+  }
+
+  // Of moving the vertex onto its k-th neighbour: the volume between the planes of its faces and
+  // there, squared over their areas, and what is left of its boundary; times the square of how far
+  // the worst new triangle is from equilateral.
+  double cost_onto(std::size_t k) const {
+    const Vertex3& u = edge_[k];
+    double volume = 0, worst = 1;
+    for (std::size_t f = 0; f < normal_.size(); ++f) {
+      const std::size_t g = (f + 1) % edge_.size();
+      const Vertex3& n = normal_[f];
+      const double squared = n.squaredNorm();
+      if (squared > 0) volume += n.dot(u) * n.dot(u) / std::sqrt(squared) / 2;
+      if (f == k || g == k) continue;
+      const Vertex3 a = edge_[f] - u, b = edge_[g] - u;
+      const Vertex3 m = a.cross(b);
+      const double area = m.squaredNorm(), turn = m.dot(n);
+      if (!(turn > 0) || turn * turn < kLeastTurn * kLeastTurn * area * squared)
+        return std::numeric_limits<double>::infinity();
+      // Sum of squared edges over 4 sqrt(3) areas, squared: 1 of equilateral triangles.
+      const double edges = a.squaredNorm() + b.squaredNorm() + (b - a).squaredNorm();
+      worst = std::max(worst, edges * edges / (12 * area));
+    }
+    if (!closed_) volume += boundary_moved();
+    return (volume + kLengthShare * u.squaredNorm() * area_) * worst;
+  }
+
+  // Squared distance of a boundary vertex from the line between its neighbours there, times the
+  // squared length of that.
+  double boundary_moved() const {
+    const Vertex3 &a = edge_.front(), &b = edge_.back();
+    return a.cross(b).squaredNorm() /
+           std::max((b - a).squaredNorm(), std::numeric_limits<double>::min()) *
+           (a.norm() + b.norm()) * (a.norm() + b.norm());
+  }
+
+  CollapsingMesh& mesh_;
+  const Points3& positions_;
+  const DecimationGoal& goal_;
+  const StopCheck& stop_;
+  std::vector<Index> free_, ring_, spokes_;
+  std::vector<int> last_change_;  // by vertex: the round in which its star changed
+  int round_ = 0;
+  std::vector<Vertex3> edge_, normal_;
+  double area_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace
 
 CollapsingMesh::CollapsingMesh(const Cells& faces, std::vector<Index> opposite, Index vertex_count)
     : from_(opposite.size()),
@@ -114,6 +297,11 @@ CollapsingMesh::Restored CollapsingMesh::restore() {
   is_present_[gone.vertex] = 1;
   rename_corners(gone.vertex, gone.vertex);
   return {gone.vertex, gone.onto};
+}
+
+void decimate(CollapsingMesh& mesh, const Points3& positions, const DecimationGoal& goal,
+              const StopCheck& stop) {
+  Decimation(mesh, positions, goal, stop).run();
 }
 
 }  // namespace majorant

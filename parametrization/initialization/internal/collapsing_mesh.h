@@ -8,11 +8,25 @@
 //
 // A collapse moves a vertex onto a neighbour: no positions change, vertices and faces keep their
 // numbers, and what is gone keeps its entries, so that undoing is exact. Half-edges are those of
-// surface_mesh.h. Not for closed surfaces with fewer than five vertices: nothing may collapse there.
+// surface_mesh.h. Not for closed surfaces with fewer than five vertices: nothing may collapse
+// there.
+//
+// Which vertices of a surface leave, in which order, until few faces are left.
+//
+//   CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
+//   decimate(left, mesh->positions(), {400, mesh->boundary_flags()});   // the boundary stays
+//
+// In rounds: every vertex is given its best neighbour to collapse onto, by how far the surface
+// moves and how flat the new triangles are, and of the better half of them, in the order of that
+// cost, all leave that have no neighbour which left in the same round. So a round looks at every
+// vertex once, needs no queue, and depends on no order but that of the vertices. Not for
+// rendering: features are not looked for.
 #pragma once
 
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
+#include "majorant/framework/types.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
@@ -84,6 +98,15 @@ class CollapsingMesh {
   Index faces_left_;
   std::vector<Index> ring_, other_ring_;  // of may_collapse()
 };
+
+struct DecimationGoal {
+  Index faces;             // as few; more where nothing can leave any more
+  std::vector<char> held;  // by vertex: 1 stays; empty: none does
+};
+
+// positions: #V by 3, any units. Throws Stopped.
+void decimate(CollapsingMesh& mesh, const Points3& positions, const DecimationGoal& goal,
+              const StopCheck& stop = {});
 
 }  // namespace majorant
 

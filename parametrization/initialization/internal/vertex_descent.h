@@ -8,6 +8,13 @@
 // Every accepted place of a vertex has the triangles around it counterclockwise beyond rounding
 // and lowers the energy, so that a map without inverted triangles never gets any. The triangles are
 // those that a CollapsingMesh has left, measured against themselves in space.
+//
+// Where a vertex that comes back to a map is put: always a place that leaves its triangles
+// positive.
+//
+//     const auto back = mesh.restore();
+//     descent.measure_star(back.vertex);
+//     if (put_back(mesh, positions, descent, back)) descent.improve(back.vertex, 4);
 #pragma once
 
 #include <vector>
@@ -65,6 +72,14 @@ class VertexDescent {
   int count_ = 0;
   double star_weight_ = 0;
 };
+
+// From the neighbours in the map: the mean of them by mean value coordinates of the star in space
+// [Flo03], of a boundary vertex the similarity that fits the unfolded star best; where that leaves
+// a triangle of the star without room, a point so near to the vertex that it had collapsed onto
+// that all have some: the triangles that were there before are positive, and the new ones are when
+// it lies between them. False where doubles have no such point.
+bool put_back(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
+              const CollapsingMesh::Restored& back);
 
 }  // namespace majorant
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "majorant/certify/boundary_loops.h"
-#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
+#include "majorant/parametrization/maps/smallest_rectangle.h"
 
 namespace majorant {
 namespace {
@@ -36,7 +36,7 @@ double enclosed_area(const BoundaryLoops& boundary) {
 // returns within which reach it is. A piece is as close to its chord as its control points are.
 double append_points(const std::vector<Vector2>& curve, double reach, int depth,
                      std::vector<Vector2>& points) {
-  constexpr int kDepth = 12;  // Origin: 4096 pieces; each cut takes the distance to a quarter
+  constexpr int kDepth = 12;  // 4096 pieces; each cut takes the distance to a quarter
   const Vector2 chord = curve.back() - curve.front();
   const double squared = chord.squaredNorm();
   double farthest = 0;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/parametrization/maps/internal/smallest_rectangle.h"
+#include "majorant/parametrization/maps/smallest_rectangle.h"
 #include "majorant/parametrization/packing/internal/outer_polygon.h"
 
 // libnest2d is C++11, and compares angles by operators that C++20 finds ambiguous.
@@ -23,17 +23,17 @@ inline bool operator!=(const Radians& a, const Radians& b) {
 namespace majorant {
 namespace {
 
-// Of the polygons that are nested. Origin: no-fit polygons cost the product of their corners.
+// Of the polygons that are nested. No-fit polygons cost the product of their corners.
 constexpr std::size_t kCorners = 24;
-// Integers along the square. Origin: Clipper takes products in 64 bits for coordinates below 2^30,
+// Integers along the square. Clipper takes products in 64 bits for coordinates below 2^30,
 // and items start outside of the square.
 constexpr double kIntegers = 0x1p26;
-// Added to the gap, in those integers. Origin: every corner is rounded once as it is scaled, once
+// Added to the gap, in those integers. Every corner is rounded once as it is scaled, once
 // as it is offset, and so is the other polygon's.
 constexpr int kRounding = 4;
 
 // libnest2d asks whether to stop before every item and every square that it opens for one; what
-// does not fit into an empty one makes it open them for ever. Origin: several times what n items
+// does not fit into an empty one makes it open them for ever. Several times what n items
 // take.
 constexpr std::size_t kQuestionsPerItem = 16;
 

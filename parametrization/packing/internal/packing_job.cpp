@@ -9,7 +9,7 @@ namespace majorant {
 namespace {
 
 // Curves are followed by polygons this close, as a part of the square root of the charts' area.
-// Origin: a twentieth of 4 pixels in 1024.
+// A twentieth of 4 pixels in 1024.
 constexpr double kReach = 2e-4;
 
 }  // namespace

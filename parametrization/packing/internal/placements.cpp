@@ -6,7 +6,7 @@
 namespace majorant {
 namespace {
 
-// Of the side: sums of sizes may be rounded so much. Origin: some thousand roundings.
+// Of the side: sums of sizes may be rounded so much. Some thousand roundings.
 constexpr double kSlack = 1e-12;
 
 // A square that does not do whatever the packer: of less area, or smaller than a chart.
@@ -23,7 +23,7 @@ double too_small(const PackingJob& job) {
 
 std::optional<Placements> smallest_square(const PackingJob& job, const StripPacker& strip,
                                           const SquareSearch& search) {
-  constexpr double kLargest = 1e3;  // Origin: at a fill of 1e-6 it is the gaps that fill the square
+  constexpr double kLargest = 1e3;  // At a fill of 1e-6 it is the gaps that fill the square
   std::optional<Placements> best;
   const auto fits = [&](double side) {
     job.stop.poll();

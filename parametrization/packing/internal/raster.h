@@ -8,14 +8,34 @@
 // placed is tested with all cells that its outline, grown by the gap, may meet: so the distance
 // holds for the outlines, not only for their cells. Cost: #charts * cells of their boxes, and once
 // #cells of the grid for each size of charts, 64 cells at a time.
+//
+// The cells of a grid that an outline may meet, or come closer to than a given distance.
+//
+//   const ChartOutline chart = chart_outline(map, layout_unit({map}), 1e-3);
+//   const CellRuns cells = cells_of(chart, 2, {0, 0}, 0.01, 0.04);   // half turned, on a grid of
+//                                                                     // 0.01, as far as 0.04
 #pragma once
 
+#include <vector>
+
+#include "majorant/parametrization/packing/internal/chart_outline.h"
 #include "majorant/parametrization/packing/internal/placements.h"
 
 namespace majorant {
 
 // cells: of the strip's width, the others being as large.
 std::optional<Strip> raster_strip(const PackingJob& job, int cells, double width);
+
+struct CellRun {
+  int row, begin, end;  // cells [begin, end) of a row; numbers may be negative
+};
+using CellRuns = std::vector<CellRun>;  // by row, then by column
+
+// Cell (i, j) is [i, i + 1] x [j, j + 1] times `cell`. The chart is turned by `quarters` and its
+// box put at `low`. Every cell of which a point is within `distance` of the chart is there, its
+// outline's reach and rounding included.
+CellRuns cells_of(const ChartOutline& chart, int quarters, const Vector2& low, double cell,
+                  double distance);
 
 }  // namespace majorant
 

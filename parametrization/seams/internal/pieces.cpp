@@ -1,10 +1,124 @@
 #include "majorant/parametrization/seams/internal/pieces.h"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
 
-#include "majorant/mesh/cut_chains.h"
+#include "majorant/mesh/cut_graph.h"
+#include "majorant/mesh/cut_shortening.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
+namespace {
+
+// The parts of a cut that can be taken back one by one, and which of them a plane can do without.
+//
+//   std::vector<char> opened = planar_cut(*mesh, edge_lengths(*mesh));
+//   const std::vector<char> no_terminal(mesh->vertex_count(), 0);
+//   for (const CutChain& chain : cut_chains(*mesh, opened, no_terminal))
+//     set_cut(*mesh, chain, 0, opened);   // closed again
+//
+// Gluing a surface along a chain joins two boundary loops, or splits one in two. The first makes a
+// handle when the loops belong to one piece, the second never does.
+
+// A maximal path of cut edges between nodes: terminals, vertices of the boundary, and vertices
+// where one cut edge ends or three or more meet; or a closed path without any.
+struct CutChain {
+  std::vector<Index> half_edges;  // one after the other
+};
+
+// is_cut: 3 #F flags, both sides of an edge or none; is_terminal: #V. In the order of their
+// smallest half-edges.
+std::vector<CutChain> cut_chains(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
+                                 const std::vector<char>& is_terminal) {
+  std::vector<std::vector<Index>> leaving(to_size(mesh.vertex_count()));
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_cut[h]) leaving[mesh.from_vertex(h)].push_back(h);
+  const std::vector<char> is_boundary = mesh.boundary_flags();
+  const auto is_node = [&](Index v) {
+    return is_terminal[v] || is_boundary[v] || leaving[v].size() != 2;
+  };
+  std::vector<char> seen(is_cut.size(), 0);
+  std::vector<CutChain> chains;
+  const auto follow = [&](Index h) {
+    CutChain chain;
+    for (;;) {
+      chain.half_edges.push_back(h);
+      seen[h] = seen[mesh.opposite(h)] = 1;
+      const Index v = mesh.to_vertex(h);
+      if (is_node(v)) break;
+      h = leaving[v][leaving[v][0] == mesh.opposite(h) ? 1 : 0];
+      if (seen[h]) break;
+    }
+    chains.push_back(std::move(chain));
+  };
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_cut[h] && !seen[h] && is_node(mesh.from_vertex(h))) follow(h);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_cut[h] && !seen[h]) follow(h);
+  return chains;
+}
+
+void set_cut(const SurfaceMesh& mesh, const CutChain& chain, char value,
+             std::vector<char>& is_cut) {
+  for (const Index h : chain.half_edges) is_cut[h] = is_cut[mesh.opposite(h)] = value;
+}
+
+// For every half-edge on the boundary of the cut surface (cut, or without an opposite) the number
+// of its loop there, -1 for the others. Loops are counted in the order of their smallest
+// half-edges.
+std::vector<Index> boundary_loops_of_cut(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
+  const auto is_side = [&](Index h) { return is_cut[h] || mesh.opposite(h) < 0; };
+  std::vector<Index> loop(is_cut.size(), -1);
+  Index count = 0;
+  for (Index start = 0; start < mesh.half_edge_count(); ++start) {
+    if (!is_side(start) || loop[start] >= 0) continue;
+    for (Index h = start; loop[h] < 0;) {
+      loop[h] = count;
+      for (h = next(h); !is_side(h);) h = next(mesh.opposite(h));
+    }
+    ++count;
+  }
+  return loop;
+}
+
+// Flags for the edges of a connected surface, such that the pieces are disks with holes: what is
+// cut, nothing for surfaces that are such already. A closed surface is cut along two edges at
+// least, a handle along one loop. Takes cut_graph and glues its most expensive chains again.
+std::vector<char> planar_cut(const SurfaceMesh& mesh, const Vec& edge_cost, const StopCheck& stop) {
+  const Topology& t = mesh.topology();
+  std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
+  if (t.boundary_loops > 0 && t.euler_characteristic() == 2 - t.boundary_loops) return is_cut;
+  is_cut = cut_graph(mesh, {}, edge_cost, stop);
+  if (t.boundary_loops == 0 && t.euler_characteristic() == 2) return is_cut;
+  const std::vector<char> no_terminal(to_size(mesh.vertex_count()), 0);
+  // Chains grow together where one between them is glued: the list is made anew each time.
+  for (bool any = true; any;) {
+    any = false;
+    std::vector<std::pair<double, CutChain>> chains;  // minus the cost: the most expensive first
+    for (CutChain& chain : cut_chains(mesh, is_cut, no_terminal)) {
+      double cost = 0;
+      for (const Index h : chain.half_edges) cost += edge_cost[h];
+      chains.emplace_back(-cost, std::move(chain));
+    }
+    std::stable_sort(chains.begin(), chains.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    const std::vector<Index> loops = boundary_loops_of_cut(mesh, is_cut);
+    for (const auto& [cost, chain] : chains) {
+      stop.poll();
+      const Index h = chain.half_edges.front();
+      if (loops[h] != loops[mesh.opposite(h)]) continue;
+      set_cut(mesh, chain, 0, is_cut);
+      any = true;
+      break;
+    }
+  }
+  prune_cut(mesh, no_terminal, is_cut);
+  return is_cut;
+}
+
+}  // namespace
 
 std::vector<std::vector<Index>> component_faces(const std::vector<Index>& opposites) {
   const std::vector<Index> component = face_components(opposites);

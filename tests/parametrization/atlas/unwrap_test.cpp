@@ -13,7 +13,7 @@
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/mesh/repair.h"
-#include "majorant/parametrization/atlas/internal/texture_start.h"
+#include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
 #include "random.h"

@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "expected_error.h"
-#include "majorant/parametrization/fields/internal/conformal_metric.h"
+#include "majorant/parametrization/fields/conformal_metric.h"
 #include "majorant/parametrization/fields/internal/intrinsic_triangulation.h"
 #include "mesh/obj_file.h"
 #include "parametrization/fields/closed_surfaces.h"

@@ -1,12 +1,12 @@
 // Conformal metrics have the wanted angle sums; what is known in closed form comes out.
-#include "majorant/parametrization/fields/internal/conformal_metric.h"
+#include "majorant/parametrization/fields/conformal_metric.h"
 
 #include <Eigen/SparseCore>
 #include <limits>
 
 #include "expected_error.h"
+#include "majorant/parametrization/fields/edge_laplacian.h"
 #include "majorant/parametrization/fields/internal/conformal_energy.h"
-#include "majorant/parametrization/fields/internal/edge_laplacian.h"
 #include "mesh/obj_file.h"
 #include "parametrization/fields/closed_surfaces.h"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "majorant/parametrization/initialization/internal/decimation.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 

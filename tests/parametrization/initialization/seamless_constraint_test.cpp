@@ -13,7 +13,7 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "parametrization/initialization/seamless_cases.h"
 #include "parametrization/maps/test_maps.h"
 #include "support.h"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "expected_error.h"
-#include "majorant/parametrization/initialization/internal/filled_holes.h"
+#include "majorant/parametrization/initialization/filled_holes.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 

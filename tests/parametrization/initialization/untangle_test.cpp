@@ -1,5 +1,5 @@
 // Untangling: maps with inverted triangles become injective where the constraints allow it.
-#include "majorant/parametrization/initialization/internal/untangle.h"
+#include "majorant/parametrization/initialization/untangle.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/parametrization/initialization/internal/reinsertion.h"
 #include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"

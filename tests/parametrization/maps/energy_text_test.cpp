@@ -1,4 +1,4 @@
-#include "majorant/parametrization/maps/internal/energy_text.h"
+#include "majorant/parametrization/maps/energy_text.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 
 #include "majorant/parametrization/packing/internal/nesting.h"
 #include "majorant/parametrization/packing/internal/outer_polygon.h"
-#include "majorant/parametrization/packing/internal/outline_cells.h"
 #include "majorant/parametrization/packing/internal/raster.h"
 #include "majorant/parametrization/packing/internal/skyline.h"
 #include "parametrization/packing/chart_cases.h"

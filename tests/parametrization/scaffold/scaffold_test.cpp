@@ -1,5 +1,5 @@
 // Scaffolds of any degree: how nodes are numbered, what elevation, growth, flips and relaxing keep.
-#include "majorant/parametrization/scaffold/internal/scaffold.h"
+#include "majorant/parametrization/scaffold/scaffold.h"
 
 #include <algorithm>
 #include <random>

@@ -3,7 +3,7 @@
 
 #include "expected_error.h"
 #include "majorant/certify/global_injectivity.h"
-#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
 #include "mesh/obj_file.h"
 #include "parametrization/solve/parametrize_expectations.h"
 

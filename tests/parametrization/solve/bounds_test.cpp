@@ -7,7 +7,7 @@
 #include "../examples/stretch_bound.h"
 #include "expected_error.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
 #include "majorant/terms/inequality.h"
 #include "mesh/obj_file.h"
 #include "parametrization/solve/parametrize_expectations.h"

@@ -1,5 +1,5 @@
 // A map whose scale nothing holds is refused by the library, whoever asks.
-#include "majorant/parametrization/solve/internal/free_scale.h"
+#include "majorant/parametrization/solve/free_scale.h"
 
 #include <gtest/gtest.h>
 

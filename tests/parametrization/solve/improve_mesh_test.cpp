@@ -1,5 +1,5 @@
 // Flips in flat parts of a surface: the energy falls, everything else stays.
-#include "majorant/parametrization/scaffold/internal/improve_mesh.h"
+#include "majorant/parametrization/scaffold/improve_mesh.h"
 
 #include <gtest/gtest.h>
 

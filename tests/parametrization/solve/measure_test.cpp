@@ -8,7 +8,7 @@
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/energies/named_energies.h"
 #include "majorant/parametrization/initialization/tutte.h"
-#include "majorant/parametrization/maps/internal/quadrature_ladder.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"

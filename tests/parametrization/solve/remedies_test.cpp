@@ -5,7 +5,7 @@
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/energies/named_energies.h"
-#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
 #include "parametrization/solve/parametrize_expectations.h"
 
 namespace majorant {

@@ -2,8 +2,8 @@
 #include "majorant/energies/named_energies.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/initialization/tutte.h"
-#include "majorant/parametrization/solve/internal/degree_solver.h"
-#include "majorant/parametrization/solve/internal/normalized_start.h"
+#include "majorant/parametrization/solve/degree_solver.h"
+#include "majorant/parametrization/solve/normalized_start.h"
 #include "parametrization/solve/parametrize_expectations.h"
 
 namespace majorant {

@@ -11,7 +11,7 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initialization/make_seamless.h"
-#include "majorant/parametrization/scaffold/internal/improve_mesh.h"
+#include "majorant/parametrization/scaffold/improve_mesh.h"
 #include "majorant/parametrization/solve/deform.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/test_meshes.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "majorant/energies/named_energies.h"
-#include "majorant/parametrization/solve/internal/parametrize_by.h"
+#include "majorant/parametrization/solve/parametrize_by.h"
 #include "parametrization/solve/parametrize_expectations.h"
 
 namespace majorant {

@@ -1,0 +1,254 @@
+#include "majorant/parametrization/fields/conformal_metric.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/backtracking.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/parametrization/fields/edge_laplacian.h"
+#include "majorant/parametrization/fields/internal/conformal_energy.h"
+
+namespace majorant {
+namespace {
+
+// Below this error of the angle sums (radians) only full steps that leave less than a part of it
+// are taken: a few steps of polishing down to rounding; a thousand roundings of 2 pi.
+constexpr double kPolishedAngle = 1e-12;
+// That part: Newton's steps leave far less until rounding is all there is.
+constexpr double kPolishedPart = 0.5;
+// Per minimization; at most 29 in both together were seen on the public meshes: three times
+// what was seen.
+constexpr int kMostSteps = 100;
+// Halvings of a step before it counts as none: 2^-60 of a step is below its rounding.
+constexpr int kMostTrials = 60;
+// First multiple of the mean diagonal that is added where the Hessian is singular, as it is around
+// broken triangles: it is so for several steps, which makes 1e-14 a mere detour.
+constexpr double kSingularShift = 1e-10;
+// A step is not shortened to less than this part by one secant: [NW06] Sec. 3.5, safeguards
+// of interpolation.
+constexpr double kShortest = 0.1;
+// Largest change of a log factor in one step: beyond, what the Hessian says is worth nothing.
+// Lengths change by e^10 then; chosen, not tuned.
+constexpr double kLargestChange = 10;
+// A minimization that ends with a larger error of the angle sums (radians) is no start for the
+// next; chosen, not tuned.
+constexpr double kLostAngle = 1e-3;
+// Edge vectors of a face that add up to less than this part of the longest close up:
+// between what angles good to 1e-12 leave and an edge that is wrong.
+constexpr double kClosingTolerance = 1e-6;
+
+void require_angle_sums(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns) {
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ErrorKind::Usage, fmt::format("{}{}", message_prefix(mesh), what));
+  };
+  if (quarter_turns.size() != to_size(mesh.vertex_count()))
+    refuse(fmt::format("{} quarter turns for {} vertices; give one number per vertex",
+                       quarter_turns.size(), mesh.vertex_count()));
+  const std::vector<char> is_boundary = mesh.boundary_flags();
+  long long missing = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (is_boundary[v]) continue;
+    if (quarter_turns[v] < 1)
+      refuse(fmt::format("vertex {}: {} quarter turns; an angle sum must be positive",
+                         user_vertex(mesh, v), quarter_turns[v]));
+    missing += 4 - quarter_turns[v];
+  }
+  const long long wanted = 4LL * mesh.topology().euler_characteristic();
+  if (mesh.boundary_loops().empty() && missing != wanted)
+    refuse(
+        fmt::format("the cones' (4 - quarter turns) add up to {}, which must be {}, 4 times the "
+                    "Euler characteristic (Gauss-Bonnet); add or remove cones",
+                    missing, wanted));
+}
+
+Vec wanted_angles(const std::vector<int>& quarter_turns) {
+  Vec angles(static_cast<Index>(quarter_turns.size()));
+  for (std::size_t v = 0; v < quarter_turns.size(); ++v)
+    angles[static_cast<Index>(v)] = 0.5 * std::numbers::pi * quarter_turns[v];
+  return angles;
+}
+
+enum class Edges { Fixed, Delaunay };
+
+// Damped Newton iteration. E is convex, so phi(t) = E(u + t p) has a monotone derivative, and the
+// step rule needs no values of E, which would lose the digits that matter near the minimum: a step
+// is accepted when phi'(t) <= 0 (E fell all the way along it) or when it halves the smallest
+// gradient so far. The latter happens finitely often above any tolerance, between them E decreases;
+// near the minimum it lets full steps pass whatever the sign of phi'(1). All this holds as well
+// when every u has its own Delaunay triangulation: E is then twice differentiable [GSC21].
+class ConformalNewton {
+ public:
+  ConformalNewton(const SurfaceMesh& mesh, Vec angles, const StopCheck& stop)
+      : energy_(mesh, std::move(angles)), row_of_(unknowns(energy_)), stop_(stop) {
+    start_at(Vec::Zero(mesh.vertex_count()));
+  }
+
+  // With the surface's own edges, and where that breaks triangles, again with Delaunay edges.
+  void run() {
+    minimize();
+    if (!triangulation().has_broken_triangles(u_)) return;
+    edges_ = Edges::Delaunay;
+    if (angle_error() > kLostAngle) u_.setZero();
+    flips_ = energy_.make_delaunay(u_);
+    start_at(u_);
+    minimize();
+  }
+  const IntrinsicTriangulation& triangulation() const { return energy_.triangulation(); }
+  const Vec& log_factor() const { return u_; }
+  double angle_error() const { return here_.gradient.cwiseAbs().maxCoeff(); }
+  Index steps() const { return steps_; }
+  Index flips() const { return flips_; }
+
+ private:
+  // Interior vertices. A constant changes no angle, so the first vertex of a closed surface is
+  // left out; Gauss-Bonnet sees to its angle sum.
+  static std::vector<Index> unknowns(const ConformalEnergy& energy) {
+    const std::vector<char>& is_interior = energy.is_interior();
+    const bool closed = std::find(is_interior.begin(), is_interior.end(), 0) == is_interior.end();
+    std::vector<Index> row_of(is_interior.size(), -1);
+    Index rows = 0;
+    for (std::size_t v = closed ? 1 : 0; v < is_interior.size(); ++v)
+      if (is_interior[v]) row_of[v] = rows++;
+    return row_of;
+  }
+
+  void start_at(const Vec& u) {
+    u_ = u;
+    here_ = energy_.derivatives(u_);
+    least_gradient_ = here_.gradient.norm();
+    analyze();
+  }
+
+  void analyze() {
+    laplacian_.emplace(triangulation().faces(), row_of_);
+    solver_ = make_direct_solver();
+    if (laplacian_->pattern().size > 0) solver_->analyze(laplacian_->pattern());
+  }
+
+  void minimize() {
+    if (laplacian_->pattern().size == 0) return;
+    for (int k = 0; k < kMostSteps && step(); ++k) {
+      stop_.poll();
+      ++steps_;
+    }
+  }
+
+  // Of the Newton step (#V); steepest descent when nothing can be factorized.
+  Vec direction() {
+    Vec r(laplacian_->pattern().size);
+    for (std::size_t v = 0; v < row_of_.size(); ++v)
+      if (row_of_[v] >= 0) r[row_of_[v]] = -here_.gradient[static_cast<Index>(v)];
+    Vec p = r;
+    const auto factorization = factorize_shifted(
+        *solver_, laplacian_->pattern(), laplacian_->values(here_.hessian_weights), kSingularShift);
+    if (factorization.status == FactorStatus::Ok) solver_->solve(r, p);
+    if (!p.allFinite() || p.dot(r) <= 0) p = r;
+    Vec out = Vec::Zero(u_.size());
+    for (std::size_t v = 0; v < row_of_.size(); ++v)
+      if (row_of_[v] >= 0) out[static_cast<Index>(v)] = p[row_of_[v]];
+    return out;
+  }
+
+  // Goes to u + t p if that is acceptable; else returns phi'(t).
+  std::optional<double> refusal(const Vec& p, double t) {
+    const Vec u = u_ + t * p;
+    ConformalEnergy energy = energy_;
+    const Index flips = edges_ == Edges::Delaunay ? energy.make_delaunay(u) : 0;
+    ConformalDerivatives there = energy.derivatives(u);
+    const double slope = there.gradient.dot(p), norm = there.gradient.norm();
+    const bool descends = slope <= 0 && angle_error() > kPolishedAngle;
+    if (!descends && norm > kPolishedPart * least_gradient_) return slope;
+    u_ = u;
+    here_ = std::move(there);
+    least_gradient_ = std::min(least_gradient_, norm);
+    if (flips > 0) {
+      flips_ += flips;
+      energy_ = std::move(energy);
+      analyze();
+    }
+    return std::nullopt;
+  }
+
+  bool step() {
+    if (angle_error() == 0) return false;
+    const Vec p = direction();
+    const double descent = -here_.gradient.dot(p);
+    const auto attempt = [&](double t) {
+      const std::optional<double> slope = refusal(p, t);
+      if (!slope) return kTake;
+      if (angle_error() <= kPolishedAngle) return kGiveUp;
+      // Towards the zero of phi' by the secant, from the safe side.
+      return std::clamp(kPartOfLimit * descent / (descent + *slope), kShortest, kPartOfLimit);
+    };
+    const double first = std::min(1.0, kLargestChange / p.cwiseAbs().maxCoeff());
+    return backtrack(first, {.most_trials = kMostTrials}, attempt).has_value();
+  }
+
+  ConformalEnergy energy_;
+  Edges edges_ = Edges::Fixed;
+  std::vector<Index> row_of_;  // #V: unknown, or -1
+  std::optional<EdgeLaplacian> laplacian_;
+  std::unique_ptr<LinearSolver> solver_;
+  const StopCheck& stop_;
+  Vec u_;
+  ConformalDerivatives here_;
+  double least_gradient_ = 0;
+  Index steps_ = 0, flips_ = 0;
+};
+
+// Shifts u so that the triangles that are not broken have the surface's area.
+void scale_to_area(const SurfaceMesh& mesh, const IntrinsicTriangulation& triangulation, Vec& u) {
+  const Vec log_lengths = triangulation.log_lengths(u);
+  std::vector<double> log_areas;
+  for (Index f = 0; f < triangulation.face_count(); ++f) {
+    const TriangleShape shape = IntrinsicTriangulation::shape(log_lengths, f);
+    if (!shape.broken) log_areas.push_back(shape.log_area);
+  }
+  if (log_areas.empty()) return;
+  const double largest = *std::max_element(log_areas.begin(), log_areas.end());
+  double sum = 0;
+  for (const double a : log_areas) sum += std::exp(a - largest);
+  u.array() += 0.5 * (std::log(mesh.area()) - largest - std::log(sum));
+}
+
+void count_broken(ConformalMetric& metric) {
+  const Points2& vectors = metric.edge_vectors;
+  for (Index h = 0; h < vectors.rows(); h += 3) {
+    if (cross(vectors.row(h), vectors.row(h + 1)) > 0) continue;
+    ++metric.broken_faces;
+    const double longest = vectors.middleRows(h, 3).rowwise().norm().maxCoeff();
+    if (vectors.middleRows(h, 3).colwise().sum().norm() > kClosingTolerance * longest)
+      ++metric.open_faces;
+  }
+}
+
+}  // namespace
+
+ConformalMetric conformal_metric(const SurfaceMesh& mesh, const std::vector<int>& quarter_turns,
+                                 const StopCheck& stop) {
+  require_angle_sums(mesh, quarter_turns);
+  ConformalNewton newton(mesh, wanted_angles(quarter_turns), stop);
+  newton.run();
+  ConformalMetric metric;
+  metric.log_factor = newton.log_factor();
+  metric.angle_error = newton.angle_error();
+  metric.newton_steps = newton.steps();
+  metric.flips = newton.flips();
+  scale_to_area(mesh, newton.triangulation(), metric.log_factor);
+  metric.edge_vectors = newton.triangulation().surface_vectors(metric.log_factor);
+  count_broken(metric);
+  return metric;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

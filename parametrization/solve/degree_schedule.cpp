@@ -1,0 +1,133 @@
+#include "majorant/parametrization/solve/degree_schedule.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace majorant {
+namespace {
+
+bool was_limited(Status s) { return s != Status::Converged && s != Status::Stalled; }
+
+}  // namespace
+
+DegreeSchedule::DegreeSchedule(const DegreeSolver::Setup& setup, MapDomain& domain, BezierMap map,
+                               int degree, RunRecord& record,
+                               std::function<void(const BezierMap&)> prepare)
+    : setup_(setup),
+      domain_(domain),
+      map_(std::move(map)),
+      degree_(degree),
+      record_(record),
+      prepare_(std::move(prepare)) {}
+
+std::optional<DegreeSchedule::State> DegreeSchedule::state() const {
+  return solver_ ? solver_->state() : state_.value_or(State());
+}
+
+void DegreeSchedule::enter() {
+  entering_ = true;
+  try {
+    minimize_gentle_energy();
+  } catch (const Stopped&) {  // so will be what follows
+  }
+  entering_ = record_.directive() != Directive::Continue;
+}
+
+// The symmetric Dirichlet energy is finite on every injective map; a stop ends it with the best map
+// so far.
+void DegreeSchedule::minimize_gentle_energy() {
+  DegreeSolver::Setup gentle = setup_;
+  gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
+  gentle.solve.curvature = Curvature::Projected;
+  const QuadratureLevels levels(
+      optimizer_ladder(1, setup_.solve.quadrature_points, setup_.rules.quadrature),
+      map_.space().element_count());
+  const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
+  gentle.asked_energy = [&](VecIn x) {
+    return energy_of_map(setup_.map, terms, levels.of_faces(), x) + setup_.added.energy(x);
+  };
+  DegreeSolver solver(gentle, domain_, map_.shared_space(), map_.control_points());
+  solver.soften_start(record_);
+  solver.approach(setup_.solve.elevation_tolerance, record_, Phase::Entry);
+  add_counts(counts_.injectivity_tests, solver.proven());
+  map_ = map_.with(map_.shared_space(), solver.x());
+}
+
+SolveResult DegreeSchedule::raise_degree(double energy) {
+  SolveResult solved;
+  solved.energy = energy;
+  try {
+    for (;;) {
+      if (const Directive why = record_.directive(); why != Directive::Continue)
+        return stopped(std::move(solved), why);
+      const bool last = map_.degree() == degree_;
+      if (last || setup_.solve.elevation == Elevation::Incremental) {
+        solved = optimize(last);
+        if (was_limited(solved.status)) return solved;
+      }
+      if (last) return solved;
+      elevate();
+    }
+  } catch (const Stopped& stop) {  // between two solves
+    solver_ = nullptr;
+    return stopped(std::move(solved), stop.why());
+  }
+}
+
+SolveResult DegreeSchedule::optimize(bool last) {
+  if (prepare_) prepare_(map_);
+  DegreeSolver solver(setup_, domain_, map_.shared_space(), map_.control_points());
+  solver_ = &solver;
+  if (state_) solver.resume(*std::exchange(state_, std::nullopt));
+  solver.soften_start(record_);
+  SolveResult solved =
+      last ? solver.finish(record_) : solver.approach(setup_.solve.elevation_tolerance, record_);
+  solver_ = nullptr;
+  map_ = map_.with(map_.shared_space(), solver.x());
+  add_counts(counts_.injectivity_tests, solver.proven());
+  counts_.remedies = solver.remedies();
+  counts_.variables = solver.variables();
+  counts_.constraint_residual = solver.constraint_residual();
+  if (was_limited(solved.status)) state_ = solver.state();
+  return solved;
+}
+
+// Ranks may round the nodes of a shared edge differently: they are the owner's.
+void DegreeSchedule::elevate() {
+  map_ = map_.elevated();
+  if (setup_.map.part) {
+    Vec x = map_.control_points();
+    setup_.map.part->unknowns(map_.space())->copy_from_owners(x);
+    map_ = map_.with(map_.shared_space(), std::move(x));
+  }
+  domain_.elevate(map_.shared_space());
+}
+
+void DegreeSchedule::elevate_to_last() {
+  while (map_.degree() < degree_) elevate();
+}
+
+void judge(const std::string& unproven, Status& status, std::string& message) {
+  if (!unproven.empty()) {
+    status = Status::Failed;
+    message = fmt::format("the result fails its own proof: {} (the solver ended with: {})",
+                          unproven, message);
+  } else if (status == Status::Failed) {
+    status = Status::Stalled;
+  }
+}
+
+double farthest_handle(const MapSpecification& spec, const BezierMap& map) {
+  double farthest = 0;
+  for (const FixedPoint& h : spec.handles)
+    farthest =
+        std::max(farthest, (map.control_points().segment<2>(2 * h.node) - h.position).norm());
+  return farthest;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,689 @@
+#include "majorant/parametrization/solve/degree_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "majorant/elements/jacobian_net.h"
+#include "majorant/energies/densities/symmetric_dirichlet.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/internal/projection.h"
+#include "majorant/framework/internal/stopwatch.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/solve/solver_rules.h"
+
+namespace majorant {
+namespace {
+
+// As the options make it for this problem; called by the constructor of the stepper alone.
+SolverFactory solver_of(const SolveOptions& options, const Problem& problem, Ordering ordering) {
+  if (!options.linear_solver) return {};
+  return
+      [&options, &problem, ordering] { return options.linear_solver(problem.pattern(), ordering); };
+}
+
+}  // namespace
+
+DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
+                           std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
+    : setup_(setup),
+      domain_(domain),
+      space_(std::move(space)),
+      start_(x),
+      levels_(
+          optimizer_ladder(space_->degree(), setup.solve.quadrature_points, setup.rules.quadrature),
+          space_->element_count()),
+      terms_(energy_terms(setup.map, space_, levels_.rules())),
+      depth_(setup.solve.injectivity_depth),
+      injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure,
+                                                            depth_, setup.stop)),
+      element_weight_(Vec::Ones(space_->element_count())),
+      x_(domain.unknowns(x)),
+      added_(setup.added),
+      built_([&] {
+        require_curvature(terms_, setup.solve.curvature);
+        added_.require_curvature(setup.solve.curvature);
+        setup.stop.poll();
+        DomainProblem built = domain.build(input(), x_);
+        setup.stop.poll();  // what follows is the analysis of its pattern
+        return built;
+      }()),
+      stepper_(built_.problem,
+               newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering(),
+                              solver_of(setup.solve, built_.problem, domain.ordering()))) {
+  if (added_.constrained()) meet_added_constraints();
+}
+
+DomainInput DegreeSolver::input() const {
+  return {setup_.map, space_, start_, terms_, injectivity_, depth_, added_, setup_.stop};
+}
+
+namespace {
+
+// Of a unit edge's stiffness, that a unit displacement costs: displacements that no edge feels stay
+// small. Far below what edges cost, far above rounding.
+constexpr double kAnchor = 1e-6;
+// How near a start comes. It needs no more digits, and takes more steps, since nothing
+// preconditions it.
+constexpr ProjectionRules kRough{.enough = 1e-16, .most_steps = 2000};
+
+// d -> (L + kAnchor) d, L the graph Laplacian of the edges between neighbouring control points;
+// unknowns beyond the map's have unit weight.
+class Stiffness {
+ public:
+  explicit Stiffness(const BezierTriangleSpace& space)
+      : triangles_(control_triangles(space)), map_size_(2 * space.node_count()) {}
+
+  Vec operator*(const Vec& d) const {
+    Vec out = d;
+    out.head(map_size_) *= kAnchor;
+    for (Index t = 0; t < triangles_.rows(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const Index a = triangles_(t, k), b = triangles_(t, next(k));
+        const Vector2 edge = d.segment<2>(2 * a) - d.segment<2>(2 * b);
+        out.segment<2>(2 * a) += edge;
+        out.segment<2>(2 * b) -= edge;
+      }
+    return out;
+  }
+
+ private:
+  Cells triangles_;
+  Index map_size_;
+};
+
+// x moved to where it satisfies the constraints, as smoothly as they allow: a translation costs
+// nothing, and what one point must move its neighbours share. x: full unknowns, the nodes of
+// `space` first. Nothing is known of injectivity afterwards.
+Vec meet_constraints(const Problem& problem, const BezierTriangleSpace& space, VecIn x) {
+  return problem.expand(projection(ProblemParts::elimination(problem), x, Stiffness(space),
+                                   Vec::Ones(problem.size()), kRough));
+}
+
+}  // namespace
+
+// What was added may hold nowhere yet.
+void DegreeSolver::meet_added_constraints() {
+  x_ = meet_constraints(built_.problem, *space_, x_);
+  const Verdict faces = injectivity_->check(x());
+  if (!faces.feasible)
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("degree {}: the start, moved to where it satisfies the added "
+                            "constraints, is not injective: face {} ({} in all) is not positively "
+                            "oriented; bring a start that satisfies them",
+                            space_->degree(), faces.blocking.front(), faces.blocking.size()));
+  if (!AngleSums(space_, AngleSums::Vertices::Interior, setup_.map.seams).check(x()).feasible)
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("degree {}: the start, moved to where it satisfies the added "
+                            "constraints, covers a place more than once; bring a start that "
+                            "satisfies them",
+                            space_->degree()));
+}
+
+double DegreeSolver::constraint_residual() const {
+  double residual = 0;
+  built_.problem.reduce(x_, &residual);
+  return residual;
+}
+
+std::vector<long> DegreeSolver::proven() const {
+  std::vector<long> counts(to_size(std::clamp(depth_, 0, LocalInjectivity::kMaxDepth)) + 1);
+  add_counts(counts, stepper_.evaluator().counters().proven);
+  add_counts(counts, proven_inside_);
+  return counts;
+}
+
+void DegreeSolver::rebuild() {
+  built_ = domain_.build(input(), x_);
+  renew_states();
+  Stopwatch analysis;
+  stepper_.reset(built_.problem);
+  domain_.charge(analysis.restart());
+}
+
+void DegreeSolver::apply_state() {
+  renew_states();
+  stepper_.reset(built_.problem);
+}
+
+void DegreeSolver::renew_states() {
+  built_.problem = built_.problem.with(
+      energy_states(setup_.map, built_.energies, levels_.of_faces(), element_weight_));
+  follow();
+}
+
+// Whether the domain has states that follow x; the stepper does not know them yet.
+bool DegreeSolver::follow() {
+  TermChanges changes = domain_.before_step(built_, x_);
+  if (changes.empty()) return false;
+  built_.problem = built_.problem.with(std::move(changes));
+  return true;
+}
+
+void DegreeSolver::return_to(const Place& place) {
+  x_ = place.x;
+  if (!place.surroundings) return;
+  domain_.restore(place.surroundings);
+  rebuild();
+}
+
+// Of the map alone, on the rules of now, all elements with their full weight, and what was added.
+double DegreeSolver::own_energy(VecIn x) const {
+  const Vec map = x.head(2 * space_->node_count());
+  return energy_of_map(setup_.map, terms_, levels_.of_faces(), map) + added_.energy(map);
+}
+
+// What the problem's energy at x_ has that nobody asked for.
+double DegreeSolver::foreign_energy() const {
+  double sum = domain_.foreign_energy(built_.problem, x_);
+  for (const TermId id : built_.barriers) sum += term_energy(built_.problem, id, x_);
+  return sum;
+}
+
+// own: the step's record, of the map alone.
+Directive DegreeSolver::note(const IterationRecord& own, StepResult::Outcome outcome, Phase phase,
+                             RunRecord& record) const {
+  TraceEntry row;
+  row.degree = space_->degree();
+  row.record = own;
+  row.phase = phase;
+  row.outcome = outcome;
+  row.energy = own.energy;
+  if (phase != Phase::Newton)
+    row.energy = setup_.asked_energy ? setup_.asked_energy(x()) : own_energy(x_);
+  Directive directive = record.note(std::move(row));
+  if (setup_.watch) {
+    const Directive watched = setup_.watch(record.trace().back(), {space_, x(), {}});
+    if (directive == Directive::Continue) directive = watched;
+  }
+  return directive;
+}
+
+// Steps on the problem of a domain. result.energy and the iterations are the map's own.
+class DegreeSolver::MapDescent : public Descent {
+ public:
+  MapDescent(DegreeSolver& solver, Phase phase, RunRecord& record)
+      : solver_(solver), phase_(phase), record_(record) {}
+
+  Answer after_step(const StepResult& step) override;
+  void set_fallback() override {
+    fallback_ = solver_.place();
+    fallback_energy_ = result.energy;
+  }
+  void return_to_fallback() override {
+    solver_.return_to(fallback_);
+    result.energy = fallback_energy_;
+  }
+
+ protected:
+  // result.y and energy are those of the solver's problem and unknowns.
+  void follow_problem() {
+    result.y = solver_.built_.problem.reduce(solver_.x_);
+    energy = solver_.stepper_.evaluator().value(result.y);
+  }
+
+  DegreeSolver& solver_;
+
+ private:
+  Phase phase_;
+  RunRecord& record_;
+  Place fallback_;
+  double fallback_energy_ = 0;
+};
+
+Descent::Answer DegreeSolver::MapDescent::after_step(const StepResult& step) {
+  const bool moved = step.outcome == StepResult::Outcome::Moved;
+  IterationRecord own = step.record;
+  if (moved) {
+    solver_.x_ = solver_.built_.problem.expand(result.y);
+    own.energy = energy - solver_.foreign_energy();
+    own.relative_decrease = relative_to(result.energy, result.energy - own.energy);
+    result.energy = own.energy;
+    result.iterations.back() = own;
+  }
+  own.energy = result.energy;
+  Answer answer;
+  if (solver_.variables() > 0) answer.directive = solver_.note(own, step.outcome, phase_, record_);
+  DomainChange change = solver_.domain_.after_step(solver_.x_, step, solver_.input());
+  if (change == DomainChange::Structure || (!moved && change == DomainChange::Values))
+    answer.since = StoppingTest::Since::ProblemChanged;
+  if (change == DomainChange::Structure) {
+    solver_.rebuild();
+  } else if (solver_.follow()) {
+    solver_.stepper_.reset(solver_.built_.problem);
+    change = DomainChange::Values;
+  }
+  if (change != DomainChange::None) follow_problem();
+  return answer;
+}
+
+// Every step on the energy as the last one's faces have weighted it anew; ends where none is stiff.
+class DegreeSolver::SoftDescent final : public MapDescent {
+ public:
+  SoftDescent(DegreeSolver& solver, RunRecord& record)
+      : MapDescent(solver, Phase::SoftStart, record) {}
+
+  // Whether the start is to be softened.
+  bool weigh() {
+    std::optional<Vec> weight = solver_.soft_weights();
+    if (!weight) return false;
+    solver_.element_weight_ = *std::move(weight);
+    solver_.apply_state();
+    follow_problem();
+    result.energy = energy - solver_.foreign_energy();
+    return true;
+  }
+  Answer after_step(const StepResult& step) override {
+    Answer answer = MapDescent::after_step(step);
+    if (!weigh()) answer.directive = Directive::Interrupt;  // of this descent alone
+    return answer;
+  }
+};
+
+// Newton steps until the rules say so, from x_ to x_.
+SolveResult DegreeSolver::descend(StoppingRules rules, Phase phase, RunRecord& record) {
+  rules.max_iterations = std::min(rules.max_iterations, record.iterations_left());
+  MapDescent descent(*this, phase, record);
+  SolveResult& result = descent.result;
+  try {
+    if (follow()) stepper_.reset(built_.problem);
+    result.y = built_.problem.reduce(x_);
+    x_ = built_.problem.expand(result.y);
+    if (!check_start(stepper_.evaluator(), result)) return std::move(result);
+    descent.energy = result.energy;
+    result.energy -= foreign_energy();
+    began_at_ = result.energy;
+    stepper_.descend(descent, rules);
+  } catch (const Stopped& stop) {
+    result = stopped(std::move(result), stop.why());
+  }
+  result.y = built_.problem.reduce(x_);
+  return std::move(result);
+}
+
+void DegreeSolver::soften_start(RunRecord& record) {
+  if (softened_) return;
+  try {
+    soften(record);
+    softened_ = record.directive() == Directive::Continue;
+  } catch (const Stopped&) {  // so will be what follows
+  }
+}
+
+void DegreeSolver::soften(RunRecord& record) {
+  x_ = built_.problem.expand(built_.problem.reduce(x_));
+  if (record.directive() != Directive::Continue) return;
+  SoftDescent descent(*this, record);
+  if (!descent.weigh()) return;
+  stepper_.descend(descent, brief_rules(record.iterations_left(), kAnyDecrease));
+  element_weight_.setOnes();
+  apply_state();
+}
+
+// Weights of the faces of a start of enormous energy, whose mean density is soft_start or more (a
+// Tutte map with nearly collapsed triangles); none for others. sqrt is concave, so weights
+// 1 / sqrt(density) give a linear majorizer of sqrt: each step on the reweighted energy decreases
+// sum A sqrt(density).
+std::optional<Vec> DegreeSolver::soft_weights() const {
+  const Vec energy = energy_by_face(setup_.map, terms_, levels_.of_faces(), x());
+  const Vec& measure = setup_.map.rest.measure;
+  const double all = partition().sum(energy.sum());
+  if (!(all >= setup_.rules.soft_start * partition().sum(measure.sum())) ||
+      !partition().all(energy.allFinite()))
+    return {};
+  return energy.cwiseQuotient(measure).cwiseSqrt().cwiseInverse();
+}
+
+SolveResult DegreeSolver::approach(double tolerance, RunRecord& record, Phase phase) {
+  StoppingRules rules = unlimited(tolerance);
+  rules.stall_decrement = std::numeric_limits<double>::infinity();
+  return descend(rules, phase, record);
+}
+
+// Ended by this decrease of one iteration, be it on a plateau, whatever the next one promises, by
+// no number of iterations but the run's.
+StoppingRules DegreeSolver::unlimited(double relative_decrease) const {
+  StoppingRules rules = setup_.rules.stopping;
+  rules.relative_decrease = relative_decrease;
+  rules.last_factor = rules.plateau_factor = std::numeric_limits<double>::infinity();
+  rules.max_iterations = std::numeric_limits<int>::max();
+  return rules;
+}
+
+StoppingRules DegreeSolver::final_rules() const {
+  StoppingRules rules = unlimited(setup_.solve.tolerance);
+  rules.last_factor = setup_.rules.stopping.last_factor;
+  rules.plateau_factor = setup_.rules.stopping.plateau_factor;
+  return domain_.final_rules(rules);
+}
+
+IterationRecord DegreeSolver::try_step() {
+  if (follow()) stepper_.reset(built_.problem);
+  Vec y = built_.problem.reduce(x_);
+  double energy = stepper_.evaluator().value(y);
+  return stepper_.step(y, energy).record;
+}
+
+std::optional<DegreeSolver::State> DegreeSolver::state() const {
+  if (detours_ > 0) return std::nullopt;
+  return State{softened_,          tries_.stalls, tries_.refinements, barrier_followed_, depth_,
+               levels_.of_faces(), uses_};
+}
+
+void DegreeSolver::resume(State state) {
+  levels_.set(std::move(state.levels));
+  softened_ = state.softened;
+  tries_ = {state.stalls, state.refinements};
+  barrier_followed_ = state.barrier_followed;
+  uses_ = state.remedies;
+  if (state.depth > depth_) set_depth(state.depth);
+  apply_state();
+}
+
+// Refines the elements whose integrals are worst until the rest is within the bound.
+bool DegreeSolver::refine_inaccurate() {
+  if (setup_.solve.quadrature_points > 0) return false;
+  const bool refined = levels_.refine_inaccurate(setup_.map, terms_, x(),
+                                                 setup_.rules.quadrature.error, setup_.stop);
+  if (refined) apply_state();
+  return refined;
+}
+
+// ---- Remedies: what is done about a run that is held at the limit of the feasible set. They are
+// tried in the order of kRemedies; after one that changes something the run goes on. ----
+
+namespace {
+
+class Detour {
+ public:
+  explicit Detour(int& count) : count_(count) { ++count_; }
+  ~Detour() { --count_; }
+  Detour(const Detour&) = delete;
+  Detour& operator=(const Detour&) = delete;
+
+ private:
+  int& count_;
+};
+
+// The symmetric Dirichlet density of isometries.
+double least_density() { return symmetric_dirichlet_density().value({1.0, 0.0, 0.0, 0.0}); }
+
+void add_use(RemedyUses& uses, Remedy remedy, double gained) {
+  RemedyUse& use = uses[static_cast<std::size_t>(remedy)];
+  ++use.runs;
+  use.gained += gained;
+}
+
+}  // namespace
+
+SolveResult DegreeSolver::finish(RunRecord& record) {
+  const auto solve = [&] {
+    return added_.bounded() ? solve_within_bounds(record) : exhaust(kRemedies, tries_, record);
+  };
+  SolveResult result = solve();
+  if (result.status == Status::Stalled && domain_.hold()) result = solve();
+  record.forget_mark();  // the last remedy may have had no iteration
+  return result;
+}
+
+// Runs again as long as a stall can be left or the quadrature be refined.
+SolveResult DegreeSolver::exhaust(std::span<const Remedy> remedies, Tries& tries,
+                                  RunRecord& record) {
+  SolveResult result = descend(final_rules(), Phase::Newton, record);
+  try {
+    for (;;) {
+      if (result.status == Status::Stalled && tries.stalls++ < rules().stall_rounds) {
+        if (!relieve(remedies, result, record)) return result;
+      } else if (result.status == Status::Converged &&
+                 tries.refinements++ < setup_.rules.accuracy_rounds && refine_inaccurate()) {
+        result = descend(final_rules(), Phase::Newton, record);
+      } else {
+        return result;
+      }
+    }
+  } catch (const Stopped& stop) {
+    return stopped(std::move(result), stop.why());
+  }
+}
+
+// The first remedy that changes something, and the run after it. Whether there was one.
+bool DegreeSolver::relieve(std::span<const Remedy> remedies, SolveResult& result,
+                           RunRecord& record) {
+  for (const Remedy remedy : remedies) {
+    const double before = result.energy;
+    const Effect effect = apply(remedy, result, record);
+    if (was_stopped(result.status) || effect == Effect::Ended) return false;
+    if (effect == Effect::None) continue;
+    const double gained = before - result.energy;
+    result = descend(final_rules(), Phase::Newton, record);
+    add_use(uses_, remedy, gained + began_at_ - result.energy);
+    return true;
+  }
+  return false;
+}
+
+DegreeSolver::Effect DegreeSolver::apply(Remedy remedy, SolveResult& result, RunRecord& record) {
+  const Detour detour(detours_);
+  switch (remedy) {
+    case Remedy::Deepen:
+      return deepen(record);
+    case Remedy::Refine:
+      return refine(result.blocking, record);
+    case Remedy::Exclude:
+      return exclude(result, record);
+    case Remedy::FollowBarrier:
+      return follow_barrier(result, record);
+  }
+  return Effect::None;
+}
+
+// The certificate may be too coarse rather than the map too close to degenerate: bisect deeper.
+DegreeSolver::Effect DegreeSolver::deepen(RunRecord& record) {
+  if (depth_ >= rules().deepest_bisection) return Effect::None;
+  setup_.stop.poll();
+  set_depth(std::min(depth_ + rules().bisections_deeper, rules().deepest_bisection));
+  record.mark(Remedy::Deepen);
+  return Effect::GoOn;
+}
+
+void DegreeSolver::set_depth(int depth) {
+  depth_ = depth;
+  injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure,
+                                                          depth_, setup_.stop);
+  rebuild();
+}
+
+DegreeSolver::Effect DegreeSolver::refine(const std::vector<Index>& blocking, RunRecord& record) {
+  std::vector<Index> faces;  // of the map; the domain looks after its own
+  for (const Index e : blocking)
+    if (e < space_->element_count()) faces.push_back(e);
+  if (!partition().any(levels_.refine(faces))) return Effect::None;
+  apply_state();
+  record.mark(Remedy::Refine);
+  return Effect::GoOn;
+}
+
+// [MC20] Sec. 4.3: the blocking triangles lose their say for a few steps, not their positivity.
+DegreeSolver::Effect DegreeSolver::exclude(SolveResult& result, RunRecord& record) {
+  const SolveResult stalled = result;
+  for (const Index e : stalled.blocking)
+    if (e < element_weight_.size()) element_weight_[e] = rules().excluded_weight;
+  if (partition().all((element_weight_.array() == 1).all())) return Effect::None;
+  record.mark(Remedy::Exclude);
+  const Place best = place();
+  apply_state();
+  StoppingRules brief = unlimited(rules().excluded_tolerance);
+  brief.max_iterations = rules().excluded_iterations;
+  descend(brief, Phase::Excluded, record);
+  element_weight_.setOnes();
+  apply_state();
+  result = descend(unlimited(rules().excluded_tolerance), Phase::Newton, record);
+  if (result.energy < stalled.energy) return Effect::GoOn;
+  result = back_to(best, stalled, result.status);
+  add_use(uses_, Remedy::Exclude, 0);
+  return Effect::None;
+}
+
+// A way out that led nowhere, or was stopped before it led anywhere.
+SolveResult DegreeSolver::back_to(const Place& best, SolveResult stalled, Status way_out) {
+  return_to(best);
+  if (!was_stopped(way_out)) return stalled;
+  return stopped(std::move(stalled),
+                 way_out == Status::TimeLimit ? Directive::TimeLimit : Directive::Interrupt);
+}
+
+// Interior points: the energy plus mu times one whose barrier is strong, for falling mu, leads
+// around corners that a weak barrier, or none, ran into. The map's is symmetric Dirichlet, unless
+// that is in its energy; the surroundings bring their own.
+DegreeSolver::Effect DegreeSolver::follow_barrier(SolveResult& result, RunRecord& record) {
+  if (std::exchange(barrier_followed_, true)) return Effect::None;
+  Effect effect = Effect::None;
+  for (int round = 0; round < rules().barrier_rounds && result.status == Status::Stalled; ++round) {
+    const SolveResult stalled = result;
+    const Place best = place();
+    if (!step_aside(std::abs(stalled.energy) / least_density(), record)) break;
+    effect = Effect::Ended;
+    Tries tries;
+    result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),
+                     tries, record);
+    // On the same rules, which may have become finer on the way.
+    const double before = own_energy(best.x), gained = before - own_energy(x_);
+    add_use(uses_, Remedy::FollowBarrier, std::max(gained, 0.0));
+    if (!(gained > 0)) result = back_to(best, stalled, result.status);
+    if (!(gained > rules().worth_another_round * before)) break;
+  }
+  return effect;
+}
+
+// Along the barrier, from strong to weak; whether there is one to follow. unit: weight of the
+// symmetric Dirichlet energy that makes it as large as the energy.
+bool DegreeSolver::step_aside(double unit, RunRecord& record) {
+  const bool strong = barrier_of(setup_.map.energy) == Barrier::Strong;
+  bool followed = false;
+  majorant::follow_barrier(rules().barrier_weights, [&](double mu) {
+    if (!domain_.strengthen(mu) && strong) return PathEnd::Ended;
+    if (!std::exchange(followed, true)) record.mark(Remedy::FollowBarrier);
+    return approach_with(strong ? 0 : mu * unit, record) ? PathEnd::None : PathEnd::Ended;
+  });
+  if (!followed) return false;
+  domain_.strengthen(0);
+  rebuild();
+  return true;
+}
+
+// Minimizes with that much of the symmetric Dirichlet energy; whether to go on.
+bool DegreeSolver::approach_with(double weight, RunRecord& record) {
+  Setup with = setup_;
+  with.added = added_;
+  if (weight > 0) with.map.energy.push_back({symmetric_dirichlet(), weight});
+  with.solve.curvature = Curvature::Projected;
+  with.asked_energy = [this](VecIn x) {
+    return setup_.asked_energy ? setup_.asked_energy(x) : own_energy(x);
+  };
+  with.solve.injectivity_depth =
+      depth_;  // what only deep certificates prove is feasible there, too
+  try {
+    DegreeSolver inner(with, domain_, space_, x());
+    const SolveResult result = inner.approach(rules().barrier_tolerance, record, Phase::Barrier);
+    x_ = inner.x_;
+    add_counts(proven_inside_, inner.proven());
+    return result.status == Status::Converged || result.status == Status::Stalled;
+  } catch (const Stopped&) {  // before it began
+    return false;
+  }
+}
+
+// ---- Bounds with a barrier: first as if there were none, then inside, then along the barrier to
+// the constrained minimum. Where the free minimum meets them, it is the constrained one. ----
+
+SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
+  SolveResult result = approach(setup_.solve.elevation_tolerance, record);
+  if (was_stopped(result.status)) return result;
+  if (added_.met(x_)) {
+    result = exhaust(kRemedies, tries_, record);
+    if (was_stopped(result.status) || added_.met(x_)) return result;
+  }
+  try {
+    if (!enter_bounds(result, record)) return result;
+    if (!follow_barriers(result, record)) return result;
+  } catch (const Stopped& stop) {
+    return stopped(std::move(result), stop.why());
+  }
+  tries_ = {};
+  return exhaust(kRemedies, tries_, record);
+}
+
+// Whether x_ is inside.
+bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
+  const BoundRules& rules = setup_.rules.bounds;
+  double weight = 0;
+  const auto point = [this] { return added_.of_map(x()); };
+  const auto go_on = [&](double factor) {
+    setup_.stop.poll();
+    if (weight == 0)
+      weight = rules.first_share * std::max(std::abs(result.energy), rules.least_energy) /
+               std::max(added_.barrier_size(x()), rules.least_barrier);
+    added_.set_barrier_weight(factor * weight);
+    rebuild();
+    result = descend(unlimited(rules.entry.tolerance), Phase::Barrier, record);
+    return !was_stopped(result.status);
+  };
+  const Entry entry = majorant::enter_bounds(added_.bounds(), rules.entry, point, go_on);
+  if (entry == Entry::Stopped) return false;
+  if (entry == Entry::Inside) {
+    rebuild();
+    return true;
+  }
+  result.status = Status::Infeasible;
+  result.message =
+      fmt::format("no map was found that meets the bound '{}'", added_.violated(x())->name());
+  return false;
+}
+
+// Interior points: the weight falls until what it may still cost is within the tolerance. Along the
+// path the energy exceeds the constrained minimum by a multiple of the weight, so the last decrease
+// tells what is left.
+bool DegreeSolver::follow_barriers(SolveResult& result, RunRecord& record) {
+  BarrierWeights weights = setup_.rules.bounds.weights;
+  weights.first = added_.barrier_weight();
+  double before = 0, left = 0;
+  int phases = 0;
+  const PathEnd end = majorant::follow_barrier(weights, [&](double weight) {
+    setup_.stop.poll();
+    result = descend_with(weight, record);
+    if (was_stopped(result.status)) return PathEnd::Ended;
+    left = (before - result.energy) * weights.fall / (1 - weights.fall);
+    before = result.energy;
+    const bool near = left <= setup_.solve.tolerance * std::abs(result.energy);
+    return ++phases > 2 && near ? PathEnd::Arrived : PathEnd::None;
+  });
+  if (end != PathEnd::None) return end == PathEnd::Arrived;
+  result.status = Status::Stalled;
+  result.message = fmt::format(
+      "inside the bounds, but after {} weights of their barriers the energy "
+      "still falls by {:.1e}",
+      weights.most_phases, left);
+  return false;
+}
+
+SolveResult DegreeSolver::descend_with(double barrier_weight, RunRecord& record) {
+  added_.set_barrier_weight(barrier_weight);
+  TermChanges changes;
+  for (const TermId id : built_.barriers) {
+    changes.emplace_back(id, built_.problem.state(id));
+    changes.back().second.weight = barrier_weight;
+  }
+  built_.problem = built_.problem.with(std::move(changes));
+  stepper_.reset(built_.problem);
+  return descend(unlimited(setup_.solve.tolerance), Phase::Barrier, record);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,167 @@
+// The optimization at one degree: Newton on a fixed space, on whatever domain, with quadrature that
+// is refined where it must be and the remedies for stalls at the limit of the feasible set.
+//
+//     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
+//     solver.soften_start(record);
+//     SolveResult solved = solver.finish(record);
+//     map = map.with(map.shared_space(), solver.x());
+//
+// Internal to parametrize(). Coordinates are normalised (see NormalizedStart). Whatever is stopped,
+// x() is the best point reached, and the domain's surroundings belong to it. Where the map is in
+// parts (MapSpecification::part) setup.stop never stops, and the record agrees with the others'.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "majorant/framework/newton.h"
+#include "majorant/framework/run_record.h"
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/solve/internal/map_domain.h"
+#include "majorant/parametrization/solve/internal/quadrature_levels.h"
+#include "majorant/parametrization/solve/solve_options.h"
+#include "majorant/parametrization/solve/solver_rules.h"
+
+namespace majorant {
+
+class DegreeSolver {
+ public:
+  struct Setup {
+    MapSpecification map;  // normalised
+    SolveOptions solve;
+    StopCheck stop;
+    SolverRules rules;
+    UserTerms added = {};  // of this degree
+    // Of a map, 2 numbers per node, for the trace: where another energy is minimized than the one
+    // asked for. Empty: that of `map`.
+    std::function<double(VecIn)> asked_energy;
+    MapObserver watch = {};  // in_model_units is empty there; may be empty
+  };
+
+  // With x() what another solver of the same degree needs to go on from there; what Newton's method
+  // has learned of late, it learns again.
+  struct State {
+    bool softened = false;            // soften_start() is through
+    int stalls = 0, refinements = 0;  // remedies tried, times the quadrature was refined
+    bool barrier_followed = false;
+    int depth = 0;               // of certificates
+    std::vector<RuleId> levels;  // of quadrature, by face; empty: the lowest
+    RemedyUses remedies{};
+  };
+
+  // x: start, 2 numbers per node of `space`, normalised, locally injective. setup and domain
+  // outlive the solver. Throws InvalidArgument when an energy does not support the curvature,
+  // Error(Infeasible) when x, moved to where it satisfies added constraints, is not injective;
+  // Stopped.
+  DegreeSolver(const Setup& setup, MapDomain& domain,
+               std::shared_ptr<const BezierTriangleSpace> space, const Vec& x);
+
+  // For a start of enormous energy (a Tutte map with nearly collapsed triangles): steps on
+  // sum A sqrt(density) by reweighting, until the mean density is moderate. Otherwise the stiff
+  // triangles' rounding errors drive everything else, and which minimum is reached is chance.
+  void soften_start(RunRecord& record);
+  // Until one iteration decreases the energy by less than `tolerance`; no remedy is tried. For
+  // degrees on the way.
+  SolveResult approach(double tolerance, RunRecord& record, Phase phase = Phase::Newton);
+  // To the documented stopping rules, with all remedies.
+  SolveResult finish(RunRecord& record);
+  // None on the way around a stall: that leads on from x(), or back to where it began. May be asked
+  // by setup.watch.
+  std::optional<State> state() const;
+  // Before any step. Throws InvalidArgument for levels that the setup's quadrature does not have.
+  void resume(State state);
+  // What a step from here costs; it is not taken, and in no trace.
+  IterationRecord try_step();
+
+  Vec x() const { return x_.head(2 * space_->node_count()); }
+  GlobalIndex variables() const { return partition().global_size(); }
+  double constraint_residual() const;
+  const RemedyUses& remedies() const { return uses_; }
+  // Faces proven injective, by depth of bisection, in all checks so far.
+  std::vector<long> proven() const;
+
+ private:
+  // Where a run can come back to.
+  struct Place {
+    Vec x;
+    std::optional<Scaffold> surroundings;
+  };
+  class MapDescent;
+  class SoftDescent;
+  // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
+  enum class Effect { None, GoOn, Ended };
+
+  const Partition& partition() const { return built_.problem.partition(); }
+  DomainInput input() const;
+  void meet_added_constraints();
+  void rebuild();
+  void apply_state();
+  void renew_states();
+  bool follow();
+  Place place() const { return {x_, domain_.surroundings()}; }
+  void return_to(const Place& place);
+  double own_energy(VecIn x) const;
+  double foreign_energy() const;
+  Directive note(const IterationRecord& own, StepResult::Outcome outcome, Phase phase,
+                 RunRecord& record) const;
+
+  SolveResult descend(StoppingRules rules, Phase phase, RunRecord& record);
+  void soften(RunRecord& record);
+  std::optional<Vec> soft_weights() const;
+  bool refine_inaccurate();
+  StoppingRules unlimited(double relative_decrease) const;
+  StoppingRules final_rules() const;
+
+  // Bounds with a barrier.
+  SolveResult solve_within_bounds(RunRecord& record);
+  bool enter_bounds(SolveResult& result, RunRecord& record);
+  bool follow_barriers(SolveResult& result, RunRecord& record);
+  SolveResult descend_with(double barrier_weight, RunRecord& record);
+
+  // Remedies.
+  const RemedyRules& rules() const { return setup_.rules.remedies; }
+  // How often something was tried at this degree.
+  struct Tries {
+    int stalls = 0, refinements = 0;
+  };
+  SolveResult exhaust(std::span<const Remedy> remedies, Tries& tries, RunRecord& record);
+  bool relieve(std::span<const Remedy> remedies, SolveResult& result, RunRecord& record);
+  Effect apply(Remedy remedy, SolveResult& result, RunRecord& record);
+  void set_depth(int depth);
+  Effect deepen(RunRecord& record);
+  Effect refine(const std::vector<Index>& blocking, RunRecord& record);
+  Effect exclude(SolveResult& result, RunRecord& record);
+  Effect follow_barrier(SolveResult& result, RunRecord& record);
+  bool step_aside(double unit, RunRecord& record);
+  bool approach_with(double weight, RunRecord& record);
+  SolveResult back_to(const Place& best, SolveResult stalled, Status way_out);
+
+  const Setup& setup_;
+  MapDomain& domain_;
+  std::shared_ptr<const BezierTriangleSpace> space_;
+  const Vec start_;
+  QuadratureLevels levels_;
+  DensityTerms terms_;
+  int depth_;
+  std::shared_ptr<const LocalInjectivity> injectivity_;
+  std::vector<long> proven_inside_;  // by the solves along a barrier
+  Vec element_weight_;               // 1, or else for a while: softened, excluded
+  Vec x_;                            // unknowns of the domain, the map's first
+  UserTerms added_;
+  DomainProblem built_;
+  NewtonStepper stepper_;
+  double began_at_ = 0;  // own energy at the start of the last descent
+  bool softened_ = false;
+  Tries tries_;
+  int detours_ = 0;                // remedies that are taking steps
+  bool barrier_followed_ = false;  // once a degree
+  RemedyUses uses_{};
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

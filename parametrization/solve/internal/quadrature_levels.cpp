@@ -1,0 +1,96 @@
+#include "majorant/parametrization/solve/internal/quadrature_levels.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+// Of the largest error, in halvings: how well a threshold is found; the bits of a float; a
+// few faces more or less do not count.
+constexpr int kBisections = 24;
+
+// The faces with the largest errors, until those of the rest add up to `allowed`.
+std::vector<Index> worst_faces(const Vec& error, double allowed) {
+  std::vector<Index> order(static_cast<std::size_t>(error.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return error[a] > error[b]; });
+  double left = error.sum();
+  std::vector<Index> worst;
+  for (const Index f : order) {
+    if (left <= allowed) break;
+    left -= error[f];
+    worst.push_back(f);
+  }
+  return worst;
+}
+
+// The same of the faces of all ranks, without sorting them: those above a threshold, the largest
+// that leaves no more than `allowed`, found by bisection.
+std::vector<Index> worst_faces(const Vec& error, double allowed, const Ranks& ranks) {
+  const auto left_below = [&](double threshold) {
+    return ranks.sum((error.array() <= threshold).select(error.array(), 0).sum());
+  };
+  double high = ranks.max(error.size() > 0 ? error.maxCoeff() : 0), low = 0;
+  std::vector<Index> worst;
+  if (left_below(high) <= allowed) return worst;
+  for (int k = 0; k < kBisections; ++k) {
+    const double middle = (low + high) / 2;
+    (left_below(middle) <= allowed ? low : high) = middle;
+  }
+  for (Index f = 0; f < error.size(); ++f)
+    if (error[f] > low) worst.push_back(f);
+  return worst;
+}
+
+}  // namespace
+
+std::vector<Quadrature> QuadratureLevels::rules() const {
+  std::vector<Quadrature> rules = ladder_.guarded;
+  rules.insert(rules.end(), ladder_.plain.begin(), ladder_.plain.end());
+  return rules;
+}
+
+void QuadratureLevels::set(std::vector<RuleId> levels) {
+  if (levels.empty()) levels.assign(level_.size(), 0);
+  if (levels.size() != level_.size() ||
+      !std::all_of(levels.begin(), levels.end(),
+                   [&](RuleId level) { return level >= 0 && level <= ladder_.top(); }))
+    throw InvalidArgument("QuadratureLevels::set: the levels are not those of these faces");
+  level_ = std::move(levels);
+}
+
+bool QuadratureLevels::refine(const std::vector<Index>& faces) {
+  bool refined = false;
+  for (const Index f : faces) {
+    RuleId& level = level_[f];
+    if (level >= ladder_.top()) continue;
+    ++level;
+    refined = true;
+  }
+  return refined;
+}
+
+bool QuadratureLevels::refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms,
+                                         VecIn x, double allowed, const StopCheck& stop) {
+  if (ladder_.top() == 0) return false;
+  const auto plain = [&](int above) {
+    std::vector<RuleId> rules = level_;
+    for (RuleId& rule : rules) rule = std::min(rule + above, ladder_.top()) + ladder_.top() + 1;
+    return energy_by_face(spec, terms, rules, x, stop);
+  };
+  const Vec now = plain(0);
+  const Vec error = (plain(1) - now).cwiseAbs();
+  if (!spec.part) return refine(worst_faces(error, allowed * now.cwiseAbs().sum()));
+  const Ranks& ranks = spec.part->ranks();
+  const double energy = ranks.sum(now.cwiseAbs().sum());
+  return ranks.any(refine(worst_faces(error, allowed * energy, ranks)));
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,40 @@
+// Which rule of a quadrature ladder each face uses: most stay on level 0 for good; a face that
+// blocks a run, or whose integral its rule gets wrong, is refined.
+#pragma once
+
+#include <vector>
+
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/maps/quadrature_ladder.h"
+
+namespace majorant {
+
+class QuadratureLevels {
+ public:
+  QuadratureLevels(QuadratureLadder ladder, Index face_count)
+      : ladder_(std::move(ladder)), level_(to_size(face_count), 0) {}
+
+  // All rules of the ladder, guarded ones first, as terms number them.
+  std::vector<Quadrature> rules() const;
+  const std::vector<RuleId>& of_faces() const { return level_; }
+
+  // As of_faces() had them once; none: the lowest. Throws InvalidArgument for another number of
+  // faces and levels that the ladder does not have.
+  void set(std::vector<RuleId> levels);
+  // One level finer, where there is one; whether any face here has changed.
+  bool refine(const std::vector<Index>& faces);
+  // Refines the faces whose integrals are worst, until the error of the rest is below `allowed` of
+  // the energy, both of the whole map; whether any face of it has changed. terms: on rules().
+  // Throws Stopped, the levels unchanged.
+  bool refine_inaccurate(const MapSpecification& spec, const DensityTerms& terms, VecIn x,
+                         double allowed, const StopCheck& stop);
+
+ private:
+  QuadratureLadder ladder_;
+  std::vector<RuleId> level_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

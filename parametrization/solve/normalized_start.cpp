@@ -1,0 +1,193 @@
+#include "majorant/parametrization/solve/normalized_start.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "majorant/constraints/axis_alignment.h"
+#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/internal/elimination.h"
+#include "majorant/framework/internal/rounding.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/refusal.h"
+#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/pins.h"
+
+namespace majorant {
+namespace {
+
+double scale_of(const SurfaceMesh& mesh) {
+  const Eigen::RowVector3d extent =
+      mesh.positions().colwise().maxCoeff() - mesh.positions().colwise().minCoeff();
+  return normalizing_scale(extent.maxCoeff(), mesh.area());
+}
+
+void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
+  if (weights.size() == 0) return;
+  if (weights.size() != mesh.face_count() ||
+      !std::all_of(weights.begin(), weights.end(), is_usable_weight))
+    throw InvalidArgument(
+        fmt::format("{}face weights must be one number in {:g}..{:g} for each face",
+                    message_prefix(mesh), 1 / kLargestFactor, kLargestFactor));
+}
+
+bool on_boundary(const SurfaceMesh& mesh, Index vertex) {
+  return std::any_of(
+      mesh.boundary_loops().begin(), mesh.boundary_loops().end(),
+      [&](const auto& loop) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); });
+}
+
+// Of the normalized map: as it is solved, whatever the size of the mesh. asked: what the map would
+// have started from says what helps.
+void require_injective(const BezierMap& map, const RestShapes& rest, const MapOptions& asked) {
+  const auto refuse = [&](const std::string& what) {
+    throw Refusal(
+        ErrorKind::Infeasible, map.mesh().file(),
+        fmt::format("{}the initial map is not injective: {}; ", message_prefix(map.mesh()), what),
+        asked.initial ? Hint::OtherStartOrUnwrap : Hint::Unwrap);
+  };
+  const Verdict faces =
+      LocalInjectivity(map.shared_space(), 2 * rest.measure).check(map.control_points());
+  if (!faces.feasible)
+    refuse(fmt::format("face {} ({} in all) is not positively oriented",
+                       user_face(map.mesh(), faces.blocking.front()), faces.blocking.size()));
+  const Verdict vertices =
+      AngleSums(map.shared_space(), AngleSums::Vertices::Interior, map.shared_seams())
+          .check(map.control_points());
+  if (!vertices.feasible)
+    refuse(fmt::format("it covers the neighbourhood of vertex {} more than once",
+                       user_vertex(map.mesh(), vertices.blocking.front())));
+}
+
+// The axis that each edge is nearer to: u is constant along it, or v.
+std::vector<AlignedEdge> nearest_axes(const BezierMap& start, const std::vector<Index>& edges) {
+  const SurfaceMesh& mesh = start.mesh();
+  const auto edge = [&](Index h) -> Vector2 {
+    return start.control_points().segment<2>(2 * mesh.to_vertex(h)) -
+           start.control_points().segment<2>(2 * mesh.from_vertex(h));
+  };
+  double mean = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) mean += edge(h).norm();
+  mean /= mesh.half_edge_count();
+  std::vector<AlignedEdge> aligned;
+  for (const Index h : edges) {
+    if (h < 0 || h >= mesh.half_edge_count())
+      throw InvalidArgument(
+          fmt::format("{}aligned half-edge {} does not exist", message_prefix(mesh), h));
+    const Vector2 off = edge(h).cwiseAbs();
+    aligned.push_back({h, off.x() <= off.y() ? 0 : 1});
+    if (!(off.minCoeff() <= kSeamTolerance * mean))
+      throw Error(
+          ErrorKind::Infeasible,
+          fmt::format("{}edge ({}, {}) cannot stay parallel to an axis: the initial map "
+                      "has it {:.3g} edge lengths off (tolerance {:g}); give another start "
+                      "or do not align it",
+                      message_prefix(mesh), user_vertex(mesh, mesh.from_vertex(h)),
+                      user_vertex(mesh, mesh.to_vertex(h)), off.minCoeff() / mean, kSeamTolerance));
+  }
+  return aligned;
+}
+
+// The closest map that has these edges along their axes and keeps its seams.
+BezierMap aligned_map(const BezierMap& start, const std::vector<AlignedEdge>& aligned) {
+  ConstraintRows rows;
+  if (!start.seams().empty())
+    SeamlessConstraint(start.shared_space(), start.shared_seams()).append_rows(rows);
+  AxisAlignment(start.shared_space(), aligned).append_rows(rows);
+  const Elimination elimination(2 * start.space().node_count(), rows);
+  Vec x;
+  elimination.expand(elimination.project(start.control_points()), x);
+  return start.with(start.shared_space(), std::move(x));
+}
+
+double largest_distance(const Vec& a, const Vec& b) {
+  double largest = 0;
+  for (Index k = 0; k < a.size(); k += 2)
+    largest = std::max(largest, (a.segment<2>(k) - b.segment<2>(k)).norm());
+  return largest;
+}
+
+Vec translated(Vec x, const Vector2& by) {
+  for (Index k = 0; k < x.size(); k += 2) x.segment<2>(k) += by;
+  return x;
+}
+
+}  // namespace
+
+double normalizing_scale(double extent, double area) {
+  const double size = extent > 0 ? extent : std::sqrt(area);
+  return 1 / power_of_two(size, PowerOfTwo::Nearest);
+}
+
+void NormalFrame::move_origin(const Vector2& to, BoundaryCondition boundary) {
+  origin = to;
+  if (to.norm() * scale <= kLargestOffset || boundary == BoundaryCondition::Fixed) destination = to;
+}
+
+void NormalFrame::normalize(std::vector<FixedPoint>& points) const {
+  for (FixedPoint& p : points) p.position = (p.position - origin) * scale;
+}
+
+Vec NormalFrame::normalized(const Vec& uv) const { return translated(uv, -origin) * scale; }
+
+Vec NormalFrame::in_model_units(const Vec& x) const { return translated(x / scale, destination); }
+
+void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
+  require_face_weights(mesh, asked.face_weight);
+  for (const WeightedEnergy& e : asked.energy) {
+    require_face_weights(mesh, e.face_weight);
+    const DensityTraits& traits = e.make.traits();
+    if (traits.elements.value_or(mesh.face_count()) != mesh.face_count())
+      throw InvalidArgument(fmt::format("{}the energy '{}' has data for {} faces, the mesh has {}",
+                                        message_prefix(mesh), traits.name, *traits.elements,
+                                        mesh.face_count()));
+  }
+}
+
+NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked, Origin origin)
+    : frame_{scale_of(given.mesh())}, map_(given) {
+  require_face_data(given.mesh(), asked);
+  MapSpecification& spec = specification_;
+  static_cast<MapObjective&>(spec) = asked;
+  spec.aligned = nearest_axes(given, asked.aligned);
+  const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
+  moved_ = largest_distance(given.control_points(), start.control_points());
+  const SurfaceMesh& mesh = start.mesh();
+  const Vec& uv = start.control_points();
+  spec.rest = rest_shapes(mesh, frame_.scale);
+  spec.seams = start.shared_seams();
+  const bool tied = !start.seams().empty() || !asked.aligned.empty();
+  spec.pins = place_pins(mesh, asked.pins, uv, pin_tolerance(uv), [&](Index v) {
+    return tied || (asked.boundary == BoundaryCondition::Fixed && on_boundary(mesh, v));
+  });
+  spec.handles = place_handles(mesh, asked.handles, spec.pins, uv, frame_.scale);
+  require_scale(asked, start);
+  // Where nothing holds the map, its first held vertex moves to the origin.
+  if (const auto gauge = gauge_vertices(spec, start.space());
+      origin == Origin::Free && !gauge.empty() && spec.pins.empty() && spec.handles.empty())
+    frame_.move_origin(uv.segment<2>(2 * gauge.front()), spec.boundary);
+  for (auto* points : {&spec.pins, &spec.handles}) frame_.normalize(*points);
+  map_ = start.with(start.shared_space(), frame_.normalized(uv));
+  require_injective(map_, spec.rest, asked);
+}
+
+BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {
+  return normalized.with(normalized.shared_space(),
+                         frame_.in_model_units(normalized.control_points()));
+}
+
+BezierMesh NormalizedStart::in_model_units(BezierMesh normalized) const {
+  for (Index k = 0; k < normalized.points.cols(); ++k)
+    normalized.points.col(k) =
+        (normalized.points.col(k) / frame_.scale).array() + frame_.destination[k % 2];
+  return normalized;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,74 @@
+// The start of an optimization in coordinates that suit it: the surface scaled by a power of two to
+// size about 1, exactly undone at the end, so that scaling the input changes nothing but rounding.
+//
+//   NormalizedStart start(map, options.map);
+//   BezierMap optimized = start.map();   // minimized under start.specification()
+//   BezierMap result = start.in_model_units(optimized);
+#pragma once
+
+#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/solve/map_options.h"
+
+namespace majorant {
+
+// Throws InvalidArgument unless face weights and data of energies are for the faces of the mesh.
+void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked);
+
+// Extents of the surface beyond which the position of a free map is given up for its digits.
+// Three of the sixteen digits are lost there.
+inline constexpr double kLargestOffset = 1000;
+
+// Where the origin is: where coordinates have most digits, or where the start has it, because
+// somebody else knows the coordinates.
+enum class Origin { Free, Kept };
+
+// The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
+// extent: the largest along an axis; area: where that is 0, the triangles that stand for such faces
+// have a size.
+double normalizing_scale(double extent, double area);
+
+// The coordinates that a map is optimized in: (uv - origin) scale.
+struct NormalFrame {
+  double scale = 1;
+  // Where a free map's held vertex is, else 0, and where it is put back to: the same place unless
+  // that is so far from 0 that coordinates would lose digits. Model units.
+  Vector2 origin = Vector2::Zero(), destination = Vector2::Zero();
+
+  // With a fixed boundary a map comes back to where it was, however far.
+  void move_origin(const Vector2& to, BoundaryCondition boundary);
+  void normalize(std::vector<FixedPoint>& points) const;
+  Vec normalized(const Vec& uv) const;
+  Vec in_model_units(const Vec& x) const;
+};
+
+class NormalizedStart {
+ public:
+  // asked.aligned: edges are projected onto their axis, seams kept, before anything else.
+  // Throws Error(Infeasible) when the start is not locally injective, does not meet the pins or has
+  // an aligned edge off its axis by more than kSeamTolerance,
+  // Error(Unsupported) when a vertex is held twice or a handle's target too far away to compute
+  // with (kLargestFactor), Error(Usage) for vertices that do not exist, weights or data of
+  // faces that do not fit, and an energy that would shrink the map to a point (free_scale.h).
+  NormalizedStart(const BezierMap& start, const MapOptions& asked, Origin origin = Origin::Free);
+
+  double scale() const { return frame_.scale; }
+  const BezierMap& map() const { return map_; }  // (uv - origin) * scale
+  // How far aligning edges moved the start, at most; model units.
+  double moved() const { return moved_; }
+  const MapSpecification& specification() const { return specification_; }
+  BezierMap in_model_units(const BezierMap& normalized) const;
+  BezierMesh in_model_units(BezierMesh normalized) const;
+
+ private:
+  NormalFrame frame_;
+  double moved_ = 0;
+  BezierMap map_;
+  MapSpecification specification_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
