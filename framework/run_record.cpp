@@ -109,14 +109,6 @@ Directive observed(RunObserver* observer, const IterationRecord& record, const V
   return observer->after_step(row, y);
 }
 
-Directive observed(RunObserver* observer, const IterationRecord& record, const Vec& y) {
-  if (!observer) return Directive::Continue;
-  TraceEntry row;
-  row.record = record;
-  row.energy = record.energy;
-  return observer->after_step(row, y);
-}
-
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

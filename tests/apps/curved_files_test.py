@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Files of curved maps for other programs: Lagrange cells in .vtu, .msh, and .ply without curves."""
+import math
 import os
 import resource
 import subprocess
@@ -78,6 +79,26 @@ class CurvedFiles(CommandTest):
             self.run_ok('check', self.path('a.vtu'))
         self.write('near.vtu', nearly_inverted(h, 1.01 * bound))
         self.refused(INVALID, 'check', near, says='is claimed')
+
+    def test_distortions_that_the_digits_do_not_tell(self):
+        """Of a tube's end, whose cells are 1e-12 of the layout: interpolated values round them away."""
+        sides, rings = 4, 28
+        points = [(math.cos(a), math.sin(a), ring) for ring in range(rings + 1) for a in
+                  [2 * math.pi * (corner + ring % 2 / 2) / sides for corner in range(sides)]] + [(0, 0, rings + 0.3)]
+        faces = []
+        for ring in range(rings):
+            for corner in range(sides):
+                a, b = (ring * sides + (corner + k) % sides for k in (0, 1))
+                c, d = a + sides, b + sides
+                faces += [(a, b, c), (b, d, c)] if ring % 2 == 0 else [(a, d, c), (a, b, d)]
+        last = sides * rings
+        faces += [(last + k, last + (k + 1) % sides, last + sides) for k in range(sides)]
+        tube = self.write('tube.obj', obj_text(points, faces))
+        self.run_ok('parametrize', '--quiet', tube, '-o', self.path('a.vtu'), '--energy', 'mips', '--boundary',
+                    'fixed', '--degree', '2', '--normalize')
+        self.run_ok('check', self.path('a.vtu'))
+        self.run_ok('convert', self.path('a.vtu'), '-o', self.path('l.vtu'), '--vtu', 'lagrange')
+        self.run_ok('check', self.path('l.vtu'))
 
     def test_images_of_cut_surfaces(self):
         """Charts, and a closed surface whose sides of cuts lie elsewhere."""
