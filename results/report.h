@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "majorant/framework/partition.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/surface_mesh.h"
