@@ -150,9 +150,9 @@ void DensityTerm::local(VecIn x, const ElementBatch& batch, BlendedCurvature cur
   const Rule& tables = rule(batch.rule);
   const ContractionView table = tables.view();
   const Gathered g = gather(x, batch, tables, table, workspace);
-  const bool compared = out.hessian && for_comparisons(curvature.model);
-  const auto local =
-      compared && kernels_.local_of_comparisons ? kernels_.local_of_comparisons : kernels_.local;
+  const auto local = for_comparisons(curvature.model) && kernels_.local_of_comparisons
+                         ? kernels_.local_of_comparisons
+                         : kernels_.local;
   local(density(state).get(), table, g.batch, curvature, g.scratch, out.value, out.gradient,
         out.hessian);
 }

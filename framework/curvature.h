@@ -3,7 +3,7 @@
 //   Vec g, h;
 //   Evaluator evaluator(problem);
 //   evaluator.linearize(y0, Curvature::Projected, g, h);
-//   evaluator.linearize(y0, BlendedCurvature::projected(0.1), g, h);   // a tenth of the projection_weight
+//   evaluator.linearize(y0, BlendedCurvature::projected(0.1), g, h);   // t = 1/10
 //
 // No includes, nothing but aggregates and inlined functions: kernels compiled for special
 // instruction sets see this file.

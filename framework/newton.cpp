@@ -105,6 +105,7 @@ void NewtonStepper::reset(const Problem& problem) {
 
 void NewtonStepper::polish() {
   projection_weight_ = 0;
+  hold_ = whole_steps_ = 0;
   kept_->drop();
 }
 
@@ -155,9 +156,14 @@ bool NewtonStepper::blends() const {
 
 // Gradient, factors and direction at y.
 bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
-  if (blends())
-    for (; projection_weight_ < 1; raise_weight(projection_weight_))
-      if (solve_blend(y, record)) return true;
+  if (blends()) {
+    if (whole_steps_ == 0) {
+      for (; projection_weight_ < 1; raise_weight(projection_weight_))
+        if (solve_blend(y, record)) return true;
+    } else {
+      --whole_steps_;
+    }
+  }
   return solve_whole(y, record);
 }
 
@@ -245,6 +251,11 @@ void NewtonStepper::learn_weight(const Step& step) {
                       r.relative_decrease < kMisleading * relative_decrement_;
   if (misled) {
     raise_weight(r.projection_weight);
+  } else if (step.outcome == Outcome::Moved && r.step < rules.short_step) {
+    projection_weight_ = 1;
+    whole_steps_ = rules.whole_steps;
+  } else if (hold_ > 0) {
+    --hold_;
   } else if (blends()) {
     projection_weight_ =
         r.projection_weight * rules.fall < rules.least ? 0 : r.projection_weight * rules.fall;
@@ -253,6 +264,7 @@ void NewtonStepper::learn_weight(const Step& step) {
 
 void NewtonStepper::raise_weight(double failed) {
   projection_weight_ = *std::upper_bound(std::begin(kRaised), std::end(kRaised) - 1, failed);
+  hold_ = options_.blend.hold;
 }
 
 SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {

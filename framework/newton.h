@@ -28,6 +28,12 @@ struct BlendRules {
   double fall = 0.2;
   // Below, t is 0: the exact Hessian. Tuned by bench/tune.py blend.least.
   double least = 0.06;
+  // Steps during which t stays where a failure has raised it. Tuned by bench/tune.py blend.hold.
+  int hold = 2;
+  // A shorter step is followed by `whole_steps` steps with t = 1. Tuned by bench/tune.py
+  // blend.short_step, blend.whole_steps.
+  double short_step = 0.26;
+  int whole_steps = 2;
 };
 
 // Steps on a kept factor: instead of a factorization of its own a step may take the last one's
@@ -111,6 +117,8 @@ class NewtonStepper final : public Stepper {
   double last_gradient_norm_ = 0, last_tolerance_ = 0;  // of the step before; 0: there is none
   double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step
   double projection_weight_ = 1;                                         // t of the next blend
+  int hold_ = 0;                                                         // steps that it stays
+  int whole_steps_ = 0;                                                  // to come before it
   class LaggedFactor;
   std::unique_ptr<LaggedFactor> kept_;
 };

@@ -2,7 +2,7 @@
 // as those who have files need it; of one that a program made from arrays without a name, with
 // numbers from 0.
 //
-//   const std::string text = message_prefix(*mesh) + "vertex " + std::to_string(user_vertex(*mesh, 7));
+//   const std::string text = message_prefix(*mesh) + std::to_string(user_vertex(*mesh, 7));
 #pragma once
 
 #include <string>

@@ -7,8 +7,8 @@
 // any element with a ContractionTable and any density with
 //     rows, dims                                         J is rows by dims
 //     defines(Curvature)                                 constexpr: models worth compiling
-//     value(z), model<Curvature>(z, projection_weight, PointModel&)  z: rows * dims coordinates of J; projection_weight:
-//                                                         BlendedCurvature::projection_weight
+//     value(z), model<Curvature>(z, t, PointModel&)       z: rows * dims coordinates of J;
+//                                                         t: BlendedCurvature::projection_weight
 //     slope(z, PointModel&)                              without curvature; where it is a saving
 //     to_coordinates, gradient_to_jacobian, curvature_to_jacobian
 // as energies/spectral.h and energies/density.h have them.

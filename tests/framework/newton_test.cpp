@@ -129,17 +129,22 @@ TEST(Newton, RecordsCountFactorizations) {
 }
 
 // From the start on, t falls with every step, rises with every failed factorization and misleading
-// step through 0.1 and 0.5 to 1.
+// step through 0.1 and 0.5 to 1, and stays for `hold` steps then.
 TEST(Newton, BlendsFollowTheFactorizations) {
   int failed = 0, exact = 0;
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
     const test::ChainProblem chain(60, seed);
     NewtonOptions o = options(Curvature::Projected);
     o.blend.below = kInfinity;
+    o.blend.short_step = 0;
     NewtonStepper stepper(chain.problem, o);
     Vec y = chain.start;
     double energy = stepper.evaluator().value(y), t = 1;
-    const auto raise = [&] { t = t < 0.1 ? 0.1 : t < 0.5 ? 0.5 : 1; };
+    int hold = 0;
+    const auto raise = [&] {
+      t = t < 0.1 ? 0.1 : t < 0.5 ? 0.5 : 1;
+      hold = o.blend.hold;
+    };
     for (StepResult step = stepper.step(y, energy); step.outcome == StepResult::Outcome::Moved;
          step = stepper.step(y, energy)) {
       const IterationRecord& r = step.record;
@@ -151,6 +156,8 @@ TEST(Newton, BlendsFollowTheFactorizations) {
       const double promised = relative_to(step.energy_before, r.newton_decrement);
       if (t < 1 && promised > LineSearch::kResolution && r.relative_decrease < 0.1 * promised)
         raise();
+      else if (hold > 0)
+        --hold;
       else
         t = t * o.blend.fall < o.blend.least ? 0 : t * o.blend.fall;
     }
@@ -159,7 +166,7 @@ TEST(Newton, BlendsFollowTheFactorizations) {
   EXPECT_GT(exact, 3);
 }
 
-TEST(Newton, NoBlendFarFromAMinimum) {
+TEST(Newton, NoBlendFarFromAMinimumNorAfterShortSteps) {
   const test::ChainProblem chain(60);
   const double start = Evaluator(chain.problem).value(chain.start);
   NewtonOptions o = options(Curvature::Projected);
@@ -177,6 +184,11 @@ TEST(Newton, NoBlendFarFromAMinimum) {
     }
     EXPECT_EQ(blends > 0, below > 0);
   }
+  o.blend.below = kInfinity;
+  o.blend.short_step = kInfinity;  // every step is short
+  for (const IterationRecord& r :
+       NewtonMinimizer(o).minimize(chain.problem, chain.start, {}).iterations)
+    EXPECT_EQ(r.projection_weight, 1);
 }
 
 // The whole Hessian is negative: a shift of one mean diagonal is not enough.

@@ -2,7 +2,7 @@
 // the rings of a narrow tube shrink by a constant factor each, and after thirty of them nothing is
 // left that doubles can tell apart.
 //
-//   std::vector<char> held(to_size(mesh->vertex_count()));   // 1: on the boundary, in convex position
+//   std::vector<char> held(to_size(mesh->vertex_count()));   // 1: in convex position
 //   Vec x = Vec::Zero(2 * mesh->vertex_count());        // u, v; those of held vertices are given
 //   x = weighted_tutte(mesh->faces(), held, x, kLeanings.front(), "no such map");
 //

@@ -1,6 +1,6 @@
 // libnest2d: polygons slid along each other, by no-fit polygons.
 //
-//   const PackingJob job = packing_job({map, map}, {AllowedRotations::Any, AllowedRotations::Any}, 0.01);
+//   const auto job = packing_job({map}, {AllowedRotations::Any}, 0.01);
 //   const std::optional<Strip> nested = nested_strip(job, 2.5);    // 2.5 units wide
 //
 // Better than the raster for some layouts of few charts, and quadratic in their number. Polygons

@@ -1,6 +1,6 @@
 // Where charts are put in a square, whoever finds it; and how the smallest square is looked for.
 //
-//   const PackingJob job = packing_job({map, map}, {AllowedRotations::Any, AllowedRotations::Any}, 0.01);
+//   const auto job = packing_job({map}, {AllowedRotations::Any}, 0.01);
 //   const auto strip = [&](double width) { return skyline_strip(job, width); };
 //   const auto best = smallest_square(job, strip, {.guess = 2, .factor = 1.1, .tries = 4});
 #pragma once

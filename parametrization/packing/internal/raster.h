@@ -1,7 +1,7 @@
 // Outlines on a grid: every chart at the lowest place where its cells and those around it, as far
 // as the gap reaches, are free; bays and holes of others included. Quarter turns are tried.
 //
-//   const PackingJob job = packing_job({map, map}, {AllowedRotations::Any, AllowedRotations::Any}, 0.01);
+//   const auto job = packing_job({map}, {AllowedRotations::Any}, 0.01);
 //   const std::optional<Strip> strip = raster_strip(job, 2048, 2.5);    // 2.5 units wide
 //
 // Large charts first. A cell belongs to a chart if the outline may meet it; the chart that is
