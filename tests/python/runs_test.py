@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs: callbacks, limits, Ctrl-C, threads, memory."""
 import gc
+import multiprocessing
 import os
 import resource
 import signal
@@ -22,6 +23,17 @@ V, F = helpers.grid(12)
 
 class Mine(Exception):
     pass
+
+
+def solved(_):
+    return majorant.parametrize(*helpers.grid(40), degree=2, max_iterations=3, threads=2).uv.tobytes()
+
+
+def test_forked_children_after_use():
+    """The parent's threads are not in them; the bits are the same."""
+    here = solved(None)
+    with multiprocessing.get_context('fork').Pool(2) as pool:
+        assert pool.map_async(solved, range(4)).get(timeout=60) == [here] * 4
 
 
 def test_callback_sees_every_step():
