@@ -48,9 +48,8 @@ std::string version_line() {
 
 void CommonOptions::add_to(CLI::App& verb) {
   verb.set_version_flag("--version", version_line());
-  verb.add_option(
-          "--threads", threads,
-          "threads (default: all cores that the process may use); results do not depend on it")
+  verb.add_option("--threads", threads,
+                  "threads (default: all cores that the process may use; majorant-mpi: 1)")
       ->check(whole_number(1, 1024));
   auto* q = verb.add_flag("--quiet", quiet, "no progress");
   verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);

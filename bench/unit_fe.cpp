@@ -1,41 +1,15 @@
 #include "unit_fe.h"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "majorant/framework/cholmod/internal/cholmod_matrix.h"
-
-extern "C" void openblas_set_num_threads(int);
-extern "C" int openblas_get_num_threads(void);
+#include "majorant/framework/cholmod/internal/one_blas_thread.h"
 
 namespace majorant {
 namespace {
-
-class SingleThreaded {
- public:
-  SingleThreaded() : blas_(openblas_get_num_threads()) {
-    set_openmp(1);
-    openblas_set_num_threads(1);
-  }
-  ~SingleThreaded() {
-    set_openmp(blas_);
-    openblas_set_num_threads(blas_);
-  }
-  SingleThreaded(const SingleThreaded&) = delete;
-  SingleThreaded& operator=(const SingleThreaded&) = delete;
-
- private:
-  // CHOLMOD's loops, where it was built with OpenMP.
-  static void set_openmp(int threads) {
-    if (void* set = ::dlsym(RTLD_DEFAULT, "omp_set_num_threads"))
-      reinterpret_cast<void (*)(int)>(set)(threads);
-  }
-  int blas_;
-};
 
 // The graph whose nodes are the pattern's blocks.
 void block_graph(const SparsePattern& p, std::vector<Index>& starts, std::vector<Index>& rows) {
@@ -110,7 +84,7 @@ class Reference {
         lower_triangle(pattern.size, pattern.column_starts, pattern.rows, values.data());
     double beta[2] = {0, 0};
     {
-      const SingleThreaded alone;
+      const OneBlasThread alone;
       cholmod_factorize_p(&matrix, beta, nullptr, 0, factor_, &common_);
     }
     if (common_.status != CHOLMOD_OK) throw std::runtime_error("unit fe: no factorization");
@@ -120,7 +94,7 @@ class Reference {
     b.x = const_cast<double*>(rhs.data());
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
-    const SingleThreaded alone;
+    const OneBlasThread alone;
     if (!cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_,
                         &common_))
       throw std::runtime_error("unit fe: no solution");

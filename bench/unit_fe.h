@@ -5,7 +5,7 @@
 //   print(seconds / unit.seconds);   // in fe
 //
 // The settings are those of revision 5be666c: CHOLMOD's defaults but for quick_return_if_not_posdef
-// and final_ll; the graph of nodes ordered, with no OpenMP level active and one OpenBLAS thread.
+// and final_ll; the graph of nodes ordered, with one thread of OpenMP and of OpenBLAS.
 #pragma once
 
 #include <array>

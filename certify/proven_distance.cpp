@@ -20,7 +20,7 @@ using curve_piece::Piece;
 constexpr double kTight = 0.999;
 // Pieces of a pair of curves. Curves that keep a distance take some dozens; pairs that take
 // more than this run along each other within the rounding of their coordinates.
-constexpr int kMostPieces = 1 << 14;
+constexpr int kMostCurvePieces = 1 << 14;
 // Halvings of a pair of curves. Both 53 times, of which nothing but rounding is left;
 // curves that cross are halved at the crossing for ever.
 constexpr int kMostHalvings = 106;
@@ -86,7 +86,7 @@ class LeastDistance {
     const double upper = std::min({(a.from - b.from).norm(), (a.from - b.to).norm(),
                                    (a.to - b.from).norm(), (a.to - b.to).norm()});
     const bool straight = p.degree == 1 && q.degree == 1;
-    if (straight || lower >= kTight * upper || ++pieces_ > kMostPieces ||
+    if (straight || lower >= kTight * upper || ++pieces_ > kMostCurvePieces ||
         halvings == kMostHalvings) {
       least_ = std::max(0.0, lower);
       return;

@@ -83,8 +83,8 @@ class Pool {
   void run(Loop& loop) {
     {
       const std::lock_guard lock(mutex_);
-      ++busy_;
       loops_.push_back(&loop);
+      ++busy_;
       start(loop.threads() - 1);
     }
     for (int k = 1; k < loop.threads(); ++k) wake_.notify_one();

@@ -10,7 +10,7 @@
 // task must write what no other one reads, so that results do not depend on the number of threads.
 // Loops inside of a task run on the thread of the task. Threads that solve at the same time share
 // the pool: where as many are at work as a loop may have, nobody joins it. In a forked child the
-// pool begins anew. Not for a handful of short tasks: waking a thread takes some 10 microseconds.
+// pool begins anew. Not for a handful of short tasks: waking a thread is a call of the system.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ bool is_parallel_task();
 // work(i) for all i from 0 to count - 1, `piece` successive ones a task.
 template <class Work>
 void parallel_for(Index count, Index piece, const Work& work) {
-  parallel_tasks((count + piece - 1) / piece, [&](Index task, int) {
+  parallel_tasks(count > 0 ? (count - 1) / piece + 1 : 0, [&](Index task, int) {
     const Index last = task < (count - 1) / piece ? (task + 1) * piece : count;
     for (Index i = task * piece; i < last; ++i) work(i);
   });

@@ -1,8 +1,7 @@
 // What a run leaves behind, and what spans it: the record of a step (IterationRecord, StepResult),
 // the trace (a row for each step that was tried, taken or not), what is being done (Activity), who
-// watches it (RunObserver), and
-// RunRecord, the one owner of the trace over degrees and rebuilt problems, of the time limit and of
-// interruption.
+// watches it (RunObserver), and RunRecord, the one owner of the trace over degrees and rebuilt
+// problems, of the time limit and of interruption.
 //
 //   class Printer final : public RunObserver {
 //     void begin(Activity activity) override { std::cerr << activity_name(activity) << "\n"; }

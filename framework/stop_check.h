@@ -9,8 +9,8 @@
 //   }
 //
 // Who catches Stopped keeps the state it had before: solvers return the last accepted point with
-// the status that belongs to it, readers and starts let it pass. Exceptions must not leave loops
-// that OpenMP shares out: what polls in one has to catch Stopped there and throw it again behind.
+// the status that belongs to it, readers and starts let it pass. Tasks of a parallel loop may throw
+// it, too (parallel.h).
 #pragma once
 
 #include <cstddef>

@@ -3,10 +3,10 @@
 //   const ThreadCount two(2);          // until the end of this block, for what this thread calls
 //   double e = Evaluator(problem).value(y0);
 //
-// Evaluators, checkers and all solvers run their loops on the pool of threads of the process;
-// two threads that solve at the same time do not see each other's number. Results
-// are the same for any number, to the last bit. parametrize(), deform() and make_seamless() take
-// the number with their options.
+// Evaluators, checkers and all solvers run their loops on the pool of threads of the process; two
+// threads that solve at the same time do not see each other's number. Results are the same for any
+// number, to the last bit. parametrize(), deform() and make_seamless() take the number with their
+// options.
 #pragma once
 
 namespace majorant {

@@ -1,17 +1,16 @@
 #include "majorant/framework/cholmod_solver.h"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "majorant/framework/cholmod/internal/cholmod_matrix.h"
+#include "majorant/framework/cholmod/internal/one_blas_thread.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/block_graph.h"
@@ -24,55 +23,6 @@ namespace {
 // (CHOLMOD's nrelax and zrelax). Twice CHOLMOD's defaults 4, 16, 48: factorizations of nefertiti
 // and hand with 10K faces took 4 to 12 % less; larger zrelax gained nothing, nor did fewer columns.
 constexpr std::array<std::size_t, 3> kMergedColumns{8, 32, 96};
-
-// CHOLMOD and its BLAS compute with one thread while one of these lives. OpenMP's number, which
-// CHOLMOD and some BLAS use, belongs to the calling thread. OpenBLAS's belongs to the process: the
-// first of these sets it to one, the last puts it back.
-class OneBlasThread {
- public:
-  OneBlasThread() {
-    if (const auto get = function<int (*)()>("omp_get_max_threads")) openmp_threads_ = get();
-    set_openmp(1);
-    const std::lock_guard lock(mutex());
-    if (alive()++ > 0) return;
-    const auto get = function<int (*)()>("openblas_get_num_threads");
-    if (get) before() = get();
-    set(1);
-  }
-  ~OneBlasThread() {
-    set_openmp(openmp_threads_);
-    const std::lock_guard lock(mutex());
-    if (--alive() == 0) set(before());
-  }
-  OneBlasThread(const OneBlasThread&) = delete;
-  OneBlasThread& operator=(const OneBlasThread&) = delete;
-
- private:
-  template <class Function>
-  static Function function(const char* name) {
-    return reinterpret_cast<Function>(::dlsym(RTLD_DEFAULT, name));
-  }
-  static void set(int threads) {
-    if (const auto call = function<void (*)(int)>("openblas_set_num_threads")) call(threads);
-  }
-  static void set_openmp(int threads) {
-    if (const auto call = function<void (*)(int)>("omp_set_num_threads")) call(threads);
-  }
-  static std::mutex& mutex() {
-    static std::mutex m;
-    return m;
-  }
-  static int& alive() {
-    static int count = 0;
-    return count;
-  }
-  static int& before() {
-    static int threads = 1;
-    return threads;
-  }
-
-  int openmp_threads_ = 1;
-};
 
 class CholmodSolver final : public LinearSolver {
  public:

@@ -313,7 +313,7 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
   return atlas;
 }
 
-std::optional<LayoutMotion> into_unit_square(Atlas& atlas, const StopCheck& stop) {
+std::optional<LayoutMotion> into_unit_square(Atlas& atlas) {
   const std::vector<BezierMap> maps = maps_of(atlas);
   Vector2 low = Vector2::Constant(INFINITY), high = -low;
   for (const BezierMap& map : maps) {
@@ -330,7 +330,7 @@ std::optional<LayoutMotion> into_unit_square(Atlas& atlas, const StopCheck& stop
     for (const Chart& chart : atlas.charts) promise.fixed.push_back(!chart.pins.empty());
   }
   std::optional<MovedLayout> moved =
-      moved_layout(maps, unit_square_motions({1, 0}, low, side), promise, stop);
+      moved_layout(maps, unit_square_motions({1, 0}, low, side), promise);
   if (!moved) return std::nullopt;
   for (std::size_t k = 0; k < maps.size(); ++k) atlas.charts[k].map = std::move(moved->maps[k]);
   return moved->motion;

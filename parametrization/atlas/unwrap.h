@@ -92,7 +92,7 @@ std::vector<BezierMap> maps_of(const Atlas& atlas);
 // lets charts touch or come closer than the packing promises, the next power of two is the size
 // instead. None, and the atlas as it was, where that does not help. Measures stay those in model
 // units.
-std::optional<LayoutMotion> into_unit_square(Atlas& atlas, const StopCheck& stop = {});
+std::optional<LayoutMotion> into_unit_square(Atlas& atlas);
 
 }  // namespace majorant
 

@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+#include "majorant/framework/error.h"
+
 namespace majorant {
 namespace {
 
@@ -185,6 +187,7 @@ TEST(ThreadCount, LastsAsLongAsItsBlock) {
     std::thread([&] { EXPECT_EQ(ThreadCount::current(), before); }).join();
   }
   EXPECT_EQ(ThreadCount::current(), before);
+  EXPECT_THROW(ThreadCount(-1), InvalidArgument);
 }
 
 }  // namespace

@@ -1,0 +1,65 @@
+// CHOLMOD on one thread:
+//
+//   const OneBlasThread alone;   // until the end of this block
+#pragma once
+
+#include <dlfcn.h>
+
+#include <mutex>
+
+namespace majorant {
+
+// CHOLMOD and its BLAS compute with one thread while one of these lives. OpenMP's number, which
+// CHOLMOD and some BLAS use, belongs to the calling thread. OpenBLAS's belongs to the process: the
+// first of these sets it to one, the last puts it back. Both are looked up where they are, if they
+// are: a BLAS need not have either.
+class OneBlasThread {
+ public:
+  OneBlasThread() {
+    if (const auto get = function<int (*)()>("omp_get_max_threads")) openmp_threads_ = get();
+    set_openmp(1);
+    const std::lock_guard lock(mutex());
+    if (alive()++ > 0) return;
+    const auto get = function<int (*)()>("openblas_get_num_threads");
+    if (get) before() = get();
+    set(1);
+  }
+  ~OneBlasThread() {
+    set_openmp(openmp_threads_);
+    const std::lock_guard lock(mutex());
+    if (--alive() == 0) set(before());
+  }
+  OneBlasThread(const OneBlasThread&) = delete;
+  OneBlasThread& operator=(const OneBlasThread&) = delete;
+
+ private:
+  template <class Function>
+  static Function function(const char* name) {
+    return reinterpret_cast<Function>(::dlsym(RTLD_DEFAULT, name));
+  }
+  static void set(int threads) {
+    if (const auto call = function<void (*)(int)>("openblas_set_num_threads")) call(threads);
+  }
+  static void set_openmp(int threads) {
+    if (const auto call = function<void (*)(int)>("omp_set_num_threads")) call(threads);
+  }
+  static std::mutex& mutex() {
+    static std::mutex m;
+    return m;
+  }
+  static int& alive() {
+    static int count = 0;
+    return count;
+  }
+  static int& before() {
+    static int threads = 1;
+    return threads;
+  }
+
+  int openmp_threads_ = 1;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
