@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/parts.h"
 #include "majorant/framework/linear_solver.h"
@@ -47,12 +48,14 @@ std::string version_line() {
 }
 
 void CommonOptions::add_to(CLI::App& verb) {
-  verb.set_version_flag("--version", version_line());
+  begin_group(verb, OptionGroup::General);
+  verb.get_help_ptr()->group(verb.option_defaults()->get_group());
+  verb.set_version_flag("-V,--version", version_line(), "print the version");
   verb.add_option("--threads", threads,
                   "threads (default: all cores that the process may use; majorant-mpi: 1)")
       ->check(whole_number(1, 1024));
-  auto* q = verb.add_flag("--quiet", quiet, "no progress");
-  verb.add_flag("--verbose", verbose, "a line per iteration")->excludes(q);
+  auto* q = verb.add_flag("-q,--quiet", quiet, "no progress");
+  verb.add_flag("-v,--verbose", verbose, "a line per iteration")->excludes(q);
   verb.add_option("--report", report, "write a JSON report to FILE, - for stdout")
       ->type_name("FILE");
   verb.add_flag("--force", force, "an output may replace a file that is read");
@@ -61,6 +64,7 @@ void CommonOptions::add_to(CLI::App& verb) {
 }
 
 void CommonOptions::add_petsc_to(CLI::App& verb) {
+  begin_group(verb, OptionGroup::Solver);
   verb.add_option("--petsc-options", petsc_options,
                   "words for PETSc, where a run uses it: \"-ksp_monitor -info\"; it obeys no "
                   "options file and no variable")

@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <memory>
 
+#include "apps/arguments/help_text.h"
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
@@ -142,6 +143,7 @@ int convert(ConvertRequest request) {
       if (!request.common.quiet) say_left_out(path, left_out_of(path, map, request.formats));
     });
   if (!request.common.report.empty()) write_report(request, map, written);
+  if (!request.common.quiet) written.say_sizes();
   return written.conclude(kSuccess);
 }
 
@@ -150,13 +152,16 @@ int convert(ConvertRequest request) {
 void add_convert(CLI::App& app, Action* run) {
   auto request = std::make_shared<ConvertRequest>();
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("result", request->input,
                   "result: .vtu, .msh, or .obj or .ply with texture coordinates")
       ->required();
   verb.add_option("output", request->positional_output, "output file, same as -o");
   verb.add_option("-o,--output", request->outputs, output_help(map_extensions()))
+      ->type_name("FILE")
       ->allow_extra_args(false);
   request->formats.add_to(verb);
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("--distortion", request->distortion,
                   "write a table of stretch, area and angle distortion per face to FILE.csv")
       ->type_name("FILE");

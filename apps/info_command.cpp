@@ -1,10 +1,13 @@
 // majorant info IN: what a mesh is, what is wrong with it, and which verb maps it.
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <new>
 #include <optional>
 
+#include "apps/arguments/help_text.h"
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/parts.h"
@@ -16,6 +19,8 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/defects.h"
 #include "majorant/mesh/repair.h"
+#include "majorant/mesh/texture_borders.h"
+#include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
@@ -41,16 +46,90 @@ struct Description {
   }
 };
 
+// "12 triangles, 4 quads, 1 polygon of 5": corners of a polygon -> polygons.
+std::string in_words(const std::map<std::size_t, Index>& polygons) {
+  std::string text;
+  for (const auto& [corners, count] : polygons) {
+    const char* const plural = count == 1 ? "" : "s";
+    text += text.empty() ? "" : ", ";
+    text += corners == 3   ? fmt::format("{} triangle{}", count, plural)
+            : corners == 4 ? fmt::format("{} quad{}", count, plural)
+                           : fmt::format("{} polygon{} of {}", count, plural, corners);
+  }
+  return text;
+}
+
+void describe_polygons(const PolygonMesh& mesh, Description& out) {
+  std::map<std::size_t, Index> polygons;
+  for (const auto& polygon : mesh.polygons) ++polygons[polygon.size()];
+  out.add("polygons: {} ({})\n", mesh.polygons.size(), in_words(polygons));
+  for (const auto& [corners, count] : polygons)
+    out.report["polygons"][std::to_string(corners)] = count;
+}
+
+// Of what faces use, in model units.
+void describe_size(const SurfaceMesh& mesh, Description& out) {
+  const Vector3 low = mesh.origin() + Vector3(mesh.positions().colwise().minCoeff());
+  const Vector3 high = mesh.origin() + Vector3(mesh.positions().colwise().maxCoeff());
+  std::vector<double> lengths;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (h > mesh.opposite(h)) lengths.push_back(mesh.edge_length(h));
+  std::sort(lengths.begin(), lengths.end());
+  const double median = lengths[lengths.size() / 2];
+  out.add("bounding box: ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})\n", low.x(), low.y(),
+          low.z(), high.x(), high.y(), high.z());
+  out.add("edge lengths: {:.6g} to {:.6g}, median {:.6g}\n", lengths.front(), lengths.back(),
+          median);
+  out.report["bounding_box"] = {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
+  out.report["edge_length"] = {
+      {"min", lengths.front()}, {"median", median}, {"max", lengths.back()}};
+}
+
+// Faces with texture coordinates that are joined across edges whose sides have the same ones.
+Index count_islands(const SurfaceMesh& mesh) {
+  const std::vector<char> is_border = texture_borders(mesh);
+  UnionFind islands(mesh.face_count());
+  Index count = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) count += is_textured(mesh, f) ? 1 : 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (mesh.opposite(h) > h && !is_border[h] && is_textured(mesh, h / 3))
+      count -= islands.join(h / 3, mesh.opposite(h) / 3) ? 1 : 0;
+  return count;
+}
+
+void describe_texture_coordinates(const PolygonMesh& polygons, const SurfaceMesh& mesh,
+                                  Description& out) {
+  out.add("texture coordinates: {}", polygons.texcoords.size());
+  if (mesh.corner_texcoords().rows() > 0) {
+    Vector2 low = Vector2::Constant(INFINITY), high = -low;
+    for (Index f = 0; f < mesh.face_count(); ++f) {
+      if (!is_textured(mesh, f)) continue;
+      for (Index k = 0; k < 3; ++k) {
+        const Vector2 uv = mesh.corner_texcoords().row(f).segment<2>(2 * k);
+        low = low.cwiseMin(uv);
+        high = high.cwiseMax(uv);
+      }
+    }
+    const Index islands = count_islands(mesh);
+    out.add(", from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}), {}", low.x(), low.y(), high.x(), high.y(),
+            count_text(islands, "island"));
+    out.report["texture_range"] = {{low.x(), low.y()}, {high.x(), high.y()}};
+    out.report["texture_islands"] = islands;
+  }
+  out.add("\n");
+}
+
 // Numbers are those of the surface that repairs leave.
 void describe_surface(const PolygonMesh& polygons, const SurfaceMesh& mesh, Description& out) {
   const Topology& t = mesh.topology();
-  out.add("file: {}\nvertices: {}\npolygons: {}\ntexture coordinates: {}\n",
-          one_line(polygons.file), polygons.positions.size(), polygons.polygons.size(),
-          polygons.texcoords.size());
+  out.add("file: {}\nvertices: {}\n", one_line(polygons.file), polygons.positions.size());
+  describe_polygons(polygons, out);
+  describe_texture_coordinates(polygons, mesh, out);
   out.add(
       "triangles: {}\ncomponents: {}\nboundary loops: {}\nEuler characteristic: {}\n"
       "area: {:.10g}\n",
       t.faces, t.components, t.boundary_loops, t.euler_characteristic(), mesh.area());
+  describe_size(mesh, out);
   out.report["input"] = input_section(polygons, mesh);
   out.report["warnings"] = polygons.warnings;
   for (const std::string& warning : polygons.warnings) out.add("warning: {}\n", one_line(warning));
@@ -240,8 +319,10 @@ int info(const InfoRequest& request) {
 void add_info(CLI::App& app, Action* run) {
   auto request = std::make_shared<InfoRequest>();
   CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("input", request->input, "mesh: .obj .off .ply .stl .vtu .msh, also .gz")
       ->required();
+  begin_group(verb, OptionGroup::Charts);
   verb.add_flag("--plan", request->plan, "what unwrap would do: charts and cuts");
   request->common.add_to(verb);
   verb.footer("Example: majorant info bunny.obj --plan");

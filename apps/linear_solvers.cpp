@@ -8,6 +8,7 @@
 #include <fstream>
 #include <utility>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/plugins/plugin.h"
 #include "apps/streams.h"
@@ -29,6 +30,7 @@ std::string gigabytes(std::size_t bytes) {
 }  // namespace
 
 void add_linear_solver_to(CLI::App& verb, std::string& name) {
+  begin_group(verb, OptionGroup::Solver);
   verb.add_option(
           "--linear-solver", name,
           "auto: direct, or cg-hypre where a factor does not fit into memory and that takes "

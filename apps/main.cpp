@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "apps/arguments/command_line.h"
+#include "apps/arguments/help_text.h"
 #include "apps/command.h"
 #include "apps/parts.h"
 #include "apps/process.h"
@@ -21,18 +22,29 @@ namespace majorant::app {
 
 namespace {
 
+const std::string kExamples =
+    "Examples:\n"
+    "  majorant scan.obj flat.obj                                  texture coordinates\n"
+    "  majorant parametrize disk.obj -o disk.vtu -o disk.html --degree 3\n"
+    "  majorant check disk.vtu --surface disk.obj                  proves the result again\n";
+
 int run(int argc, char** argv) {
   CLI::App app{
       "majorant: low-distortion, injective, piecewise polynomial maps of surfaces onto the "
       "plane",
       "majorant"};
-  app.set_version_flag("--version", version_line());
+  app.formatter(std::make_shared<HelpFormatter>());
+  begin_group(app, OptionGroup::General);
+  app.set_help_flag("-h,--help", "print this help");
+  app.get_help_ptr()->group(app.option_defaults()->get_group());
+  app.set_version_flag("-V,--version", version_line(), "print the version");
   app.add_flag_callback(
       "--licenses", [] { throw CLI::CallForVersion(licences(), 0); },
-      "Display the licences of what this program is made of and exit");
+      "print the licences of what this program is made of");
   app.require_subcommand(1);
   app.footer(
-      "Example: majorant parametrize bunny.obj -o bunny.vtu -o bunny.svg --degree 3\n"
+      kExamples +
+      "\n"
       "Exit codes: 0 valid, 1 usage or an output that cannot be written, 2 unreadable input,\n"
       "            3 unsupported input or too little memory, 4 stopped by a limit or a signal,\n"
       "            5 invalid result, 6 internal error.");
@@ -45,6 +57,10 @@ int run(int argc, char** argv) {
   add_compare(app, &action);
   add_convert(app, &action);
   add_info(app, &action);
+  if (argc == 1) {
+    print_text(overview(app, kExamples + "`majorant VERB --help` says more.\n"));
+    return kSuccess;
+  }
   std::vector<std::string> words = meant_words(app, {argv + 1, argv + argc});
   std::reverse(words.begin(), words.end());  // as the parser takes them
   try {

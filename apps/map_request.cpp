@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
@@ -61,12 +62,13 @@ void require_scale(const MapRequest& request, const MapJob& job) {
 }  // namespace
 
 void MapRequest::add_to(CLI::App& verb, const char* default_degree) {
+  begin_group(verb, OptionGroup::Map);
   verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu .msh, also .gz")->required();
-  verb.add_option("--degree", degree,
-                  fmt::format("polynomial degree, 1..{} ({})", BezierTriangleSpace::kMaxDegree,
-                              default_degree))
+  verb.add_option("--degree", degree, fmt::format("polynomial degree ({})", default_degree))
       ->check(whole_number(1, BezierTriangleSpace::kMaxDegree));
-  verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum");
+  verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum")
+      ->type_name("SUM");
+  begin_group(verb, OptionGroup::Constraints);
   verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");
   verb.add_option("--handles", handles, "soft point constraints, JSON")->type_name("FILE");
   verb.add_option("--soft", soft, fmt::format("weight of soft handles ({})", soft))
@@ -76,11 +78,13 @@ void MapRequest::add_to(CLI::App& verb, const char* default_degree) {
       ->type_name("FILE");
   verb.add_flag("--boundary-angles", boundary_angles,
                 "hold sector sums <= 360 degrees at boundary vertices");
+  begin_group(verb, OptionGroup::Solver);
   verb.add_option("--quadrature", quadrature, "lattice points per triangle (default: own rule)")
       ->check(whole_number(1, 10000));
 }
 
 void MapRequest::add_start_to(CLI::App& verb) {
+  begin_group(verb, OptionGroup::Map);
   verb.add_option("--boundary", boundary, "free, or fixed where the initial map has it")
       ->check(one_of({"free", "fixed"}));
   verb.add_option("--init", init,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "apps/energy_option.h"
 #include "apps/or_interrupted.h"
@@ -21,9 +22,22 @@ void MapVerb::add_to(CLI::App& verb) {
   common.add_petsc_to(verb);
 }
 
+namespace {
+
+std::vector<Activity> stages_of(const MapVerb& request) {
+  std::vector<Activity> stages{Activity::Reading, Activity::Starting};
+  if (request.solve.bijective) stages.push_back(Activity::Scaffold);
+  for (const Activity a :
+       {Activity::Solving, Activity::Measuring, Activity::Proving, Activity::Writing})
+    stages.push_back(a);
+  return stages;
+}
+
+}  // namespace
+
 MapRun::MapRun(MapTask task, MapVerb& request, const std::vector<std::string>& other_inputs)
     : request_(request),
-      progress_(request.common),
+      progress_(request.common, stages_of(request)),
       record_(request.solve.make_record(progress_)),
       job_(task, record_) {
   request.outputs.require_usable(request.map);

@@ -4,12 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <new>
 #include <optional>
+#include <system_error>
 #include <utility>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/remedies.h"
@@ -108,6 +112,16 @@ void require_extension(const std::string& path, const std::vector<std::string>& 
                                               path, e, fmt::join(allowed, " ")));
 }
 
+// "512 bytes", "12.3 kB".
+std::string bytes_text(std::uintmax_t bytes) {
+  constexpr std::array<const char*, 4> kUnits{"kB", "MB", "GB", "TB"};
+  if (bytes < 1000) return fmt::format("{} bytes", bytes);
+  double size = static_cast<double>(bytes) / 1000;
+  std::size_t unit = 0;
+  for (; size >= 999.5 && unit + 1 < kUnits.size(); ++unit) size /= 1000;
+  return fmt::format("{:.3g} {}", size, kUnits[unit]);
+}
+
 struct NamedFile {
   std::string path;
   std::optional<FileIdentity> identity;
@@ -183,6 +197,17 @@ bool WrittenFiles::has(const std::string& path) const {
                      [&](const Entry& e) { return e.path == path && e.code == kSuccess; });
 }
 
+void WrittenFiles::say_sizes() const {
+  std::vector<std::string> files;
+  for (const Entry& e : entries_) {
+    std::error_code unknown;
+    const std::uintmax_t bytes = std::filesystem::file_size(e.path, unknown);
+    if (e.code == kSuccess && e.path != kStandardOutput && !unknown)
+      files.push_back(fmt::format("{} ({})", e.path, bytes_text(bytes)));
+  }
+  if (!files.empty()) say("wrote {}\n", fmt::join(files, ", "));
+}
+
 Json WrittenFiles::to_json() const {
   Json list = Json::array();
   for (const Entry& e : entries_)
@@ -218,6 +243,7 @@ bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
 }
 
 void FormatOptions::add_to(CLI::App& verb) {
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("--refine", tessellation.refine,
                   "pieces per edge in OBJ and PLY output, at least (default 1: cells stay one "
                   "triangle where that is valid)")
@@ -236,6 +262,7 @@ void FormatOptions::add_to(CLI::App& verb) {
           },
           "gmsh output: image, the mesh in the plane, or surface, with u and v as views of it")
       ->check(one_of({"image", kSurface}));
+  begin_group(verb, OptionGroup::Pictures);
   verb.add_option_function<std::string>(
           "--grid", [this](const std::string& spacing) { svg.grid = parse_spacing(spacing); },
           "SVG: draw lines of constant u and v this far apart in uv (alone: a 32nd of the layout)")
@@ -272,6 +299,7 @@ void FormatOptions::require_effect(const std::vector<std::string>& files) const 
 }
 
 void FormatOptions::add_pictures_to(CLI::App& verb) {
+  begin_group(verb, OptionGroup::Pictures);
   verb.add_option_function<std::string>(
           "--color-range",
           [this](const std::string& range) {

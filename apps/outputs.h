@@ -46,7 +46,9 @@ class WrittenFiles {
  public:
   // Calls write() and remembers what it throws.
   void write(const std::string& path, const std::function<void()>& write);
-  bool has(const std::string& path) const;  // written, and as it should be
+  bool has(const std::string& path) const;
+  // "wrote a.vtu (12.3 kB), a.svg (4.5 MB)" on stderr; nothing where nothing was written.
+  void say_sizes() const;  // written, and as it should be
   // [{"file", "written", "message"}], in order.
   Json to_json() const;
   // Where a file is missing, says on stderr which and why, and which were written. code: of all

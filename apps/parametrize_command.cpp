@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <memory>
 
+#include "apps/arguments/help_text.h"
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
 #include "apps/seam_request.h"
@@ -54,6 +55,7 @@ void add_parametrize(CLI::App& app, Action* run) {
       "parametrize", "map a surface mesh onto the plane, injectively and with low distortion");
   request->add_to(verb);
   request->map.add_start_to(verb);
+  begin_group(verb, OptionGroup::Charts);
   verb.add_flag("--seamless", request->map.seamless,
                 "hold the seams of the input's texture coordinates, up to rotations by 90 degrees");
   request->seams.add_to(verb);

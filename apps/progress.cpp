@@ -3,6 +3,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -10,6 +11,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "apps/streams.h"
 
@@ -41,7 +43,7 @@ std::size_t terminal_width() {
 // The line at the bottom of a terminal.
 class LiveLine {
  public:
-  LiveLine() {
+  explicit LiveLine(std::vector<Activity> stages) : stages_(std::move(stages)) {
     try {
       thread_ = std::jthread([this](const std::stop_token& ended) { tick(ended); });
     } catch (const std::system_error&) {  // no room for a thread: shown when something happens
@@ -75,11 +77,21 @@ class LiveLine {
   }
   void show() const {
     if (!activity_) return;
-    const std::string text =
-        fmt::format("{} {:.1f} s  {}", activity_name(*activity_), seconds_since(since_), step_);
+    const std::string text = fmt::format("{}{} {:.1f} s  {}", bar(), activity_name(*activity_),
+                                         seconds_since(since_), step_);
     show_live(std::string_view(text).substr(0, terminal_width() - 1));
   }
 
+  // "[##..] 2 of 4 "; empty where the activity is none of the stages.
+  std::string bar() const {
+    const auto found = std::find(stages_.begin(), stages_.end(), *activity_);
+    if (found == stages_.end()) return {};
+    const auto done = static_cast<std::size_t>(found - stages_.begin()) + 1;
+    return fmt::format("[{}{}] {} of {} ", std::string(done, '#'),
+                       std::string(stages_.size() - done, '.'), done, stages_.size());
+  }
+
+  const std::vector<Activity> stages_;
   std::mutex mutex_;  // of all below
   std::condition_variable_any changed_;
   std::optional<Activity> activity_;
@@ -118,9 +130,9 @@ class Log {
 
 class Progress::Display {
  public:
-  explicit Display(bool is_verbose) : is_verbose_(is_verbose) {
+  Display(bool is_verbose, std::vector<Activity> stages) : is_verbose_(is_verbose) {
     if (!is_verbose && isatty(STDERR_FILENO))
-      live_.emplace();
+      live_.emplace(std::move(stages));
     else
       log_.emplace();
   }
@@ -149,8 +161,8 @@ class Progress::Display {
   std::optional<Log> log_;  // where live_ is not
 };
 
-Progress::Progress(const CommonOptions& options) {
-  if (!options.quiet) display_ = std::make_unique<Display>(options.verbose);
+Progress::Progress(const CommonOptions& options, std::vector<Activity> stages) {
+  if (!options.quiet) display_ = std::make_unique<Display>(options.verbose, std::move(stages));
 }
 
 Progress::~Progress() = default;

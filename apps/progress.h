@@ -1,13 +1,14 @@
 // What a run is doing, on stderr: one live line on a terminal, plain lines otherwise.
 //
-//   Progress progress(common);
+//   Progress progress(common, {Activity::Reading, Activity::Proving});   // what is to come
 //   RunRecord record(60, 1000, interruption_flag(), &progress);
 //   record.begin(Activity::Reading);
 //   ...
 //   progress.finish();   // before the line that sums up
 //
-// A terminal shows what is being done, for how long, and the last step; twice a second it is shown
-// anew, by a thread of its own, so that it never stands still. Elsewhere every activity leaves a
+// A terminal shows which of the stages it is, for how long, and the last step: "[##..] 2 of 4
+// solving 1.2 s  degree 1  iteration 7 ..."; twice a second it is shown anew, by a thread of its
+// own, so that it never stands still. Elsewhere every activity leaves a
 // line with its seconds, and steps leave one for the first of a degree and every tenth, or for each
 // when verbose. Quiet runs say nothing.
 //
@@ -17,6 +18,7 @@
 
 #include <chrono>
 #include <memory>
+#include <vector>
 
 #include "apps/command.h"
 #include "majorant/framework/run_record.h"
@@ -29,7 +31,8 @@ inline double seconds_since(std::chrono::steady_clock::time_point start) {
 
 class Progress final : public RunObserver {
  public:
-  explicit Progress(const CommonOptions& options);
+  // stages: the activities that are to come, in their order.
+  Progress(const CommonOptions& options, std::vector<Activity> stages);
   ~Progress() override;  // takes the live line away
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "apps/arguments/help_text.h"
 #include "apps/page_content.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
@@ -67,27 +68,41 @@ void write_reports(const FinishedRun& run, Json report, double write_seconds,
   for (const std::string& path : paths) written.write(path, [&] { write_json(path, report); });
 }
 
-void summarize(const FinishedRun& run) {
+// "(0, 0) to (5.35, 3.95)": the box around the control points.
+std::string range_text(const BezierMap& map) {
+  const auto points = map.control_points().reshaped(2, map.control_points().size() / 2);
+  const Vector2 low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+  return fmt::format("({:.4g}, {:.4g}) to ({:.4g}, {:.4g})", low.x(), low.y(), high.x(), high.y());
+}
+
+void summarize(const FinishedRun& run, const WrittenFiles& written) {
   const ParametrizationResult& r = run.job.result;
   if (!run.job.has_result())
     return say("majorant: {}: no valid result: {}{}; no map is written\n", run.map.input,
                status_name(r.status), r.message.empty() ? "" : fmt::format(" ({})", r.message));
   if (run.common.quiet) return;
   if (run.job.cuts) say_untextured(run.map.input, *run.job.cuts);
+  written.say_sizes();
   const std::string seams = seam_summary(measures_section(*r.map, r.measures, run.map.energy));
-  say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {}, {:.2f} s\n",
+  say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {}, layout {}, {:.2f} "
+      "s\n",
       run.map.input, status_name(r.status), steps_taken(run.job.record.trace()), run.map.energy,
       r.measures.value, r.initial_value,
       run.map.weights.empty() ? "" : ", both without the face weights", run.map.degree, seams,
-      overlap_words(run.job.boundary, image_of(*r.map)), seconds_since(run.start));
+      overlap_words(run.job.boundary, image_of(*r.map)), range_text(*r.map),
+      seconds_since(run.start));
 }
 
 }  // namespace
 
 void OutputRequest::add_to(CLI::App& verb) {
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("output", positional, "output file, same as -o");
-  verb.add_option("-o,--output", files, output_help(extensions))->allow_extra_args(false);
+  verb.add_option("-o,--output", files, output_help(extensions))
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   formats.add_to(verb);
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("--distortion", distortion,
                   "write a table of stretch, area and angle distortion per face to FILE.csv")
       ->type_name("FILE");
@@ -134,7 +149,7 @@ int write_result(const FinishedRun& run) {
   if (run.job.has_result()) write_maps(run, report, written);
   write_reports(run, std::move(report), seconds_since(run.start) - before, written);
   run.progress.finish();
-  summarize(run);
+  summarize(run, written);
   return written.conclude(exit_code(run.job.result.status));
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/streams.h"
@@ -46,10 +47,12 @@ std::string wrong_word(const std::string& seams) {
 }  // namespace
 
 void SeamRequest::add_to(CLI::App& verb) {
+  begin_group(verb, OptionGroup::Charts);
   verb.add_option("--seams", seams,
                   "where to cut: auto; uv, the islands of the file's texture coordinates; "
                   "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
                   "FILE {\"edges\": [[0, 1], ...]}")
+      ->type_name("SEAMS")
       ->check(CLI::Validator(wrong_word, ""));
   verb.add_option("--max-stretch", max_stretch,
                   fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "

@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
@@ -44,6 +45,7 @@ void add_seamless(CLI::App& app, Action* run) {
   SeamlessRequest& r = *request;
   r.map.seamless = true;
   r.add_to(verb);
+  begin_group(verb, OptionGroup::Charts);
   verb.add_option("--cones", r.cones, "the cones, JSON (default: those of a smooth cross field)")
       ->type_name("FILE");
   verb.add_option("--start", r.start, "what the map is made from (automatic)")

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/page_content.h"
@@ -16,6 +17,7 @@
 namespace majorant::app {
 
 void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
+  begin_group(verb, OptionGroup::Map);
   verb.add_flag("--bijective", bijective, "keep the image free of overlaps");
   verb.add_flag("--no-flips", no_flips, "with --bijective: leave the scaffold's edges, to compare");
   verb.add_option("--write-scaffold", scaffold_file,
@@ -23,6 +25,7 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
       ->type_name("FILE");
   verb.add_flag("--improve-mesh", improve_mesh,
                 "flip edges inside flat parts of the surface where that lowers the energy");
+  begin_group(verb, OptionGroup::Pictures);
   verb.add_option("--snapshots", snapshots,
                   "the map after every so many iterations goes into the page, .html")
       ->type_name("K")
@@ -31,16 +34,18 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
 }
 
 void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
+  begin_group(verb, OptionGroup::Solver);
   std::vector<std::string> curvatures;
   for (const Curvature c : kCurvatures) curvatures.emplace_back(curvature_name(c));
   verb.add_option("--curvature", curvature, "second-order model (projected)")
       ->check(one_of(curvatures));
-  verb.add_option("--elevation", elevation, "how the degree is reached")
+  verb.add_option("--elevation", elevation, "how the degree is reached (incremental)")
       ->check(one_of({"incremental", "direct"}));
   verb.add_option("--tolerance", tolerance,
                   fmt::format("part of the energy that may be left, estimated ({})", tolerance))
       ->check(positive_number());
-  verb.add_option("--max-iterations", max_iterations, fmt::format("({})", max_iterations))
+  verb.add_option("--max-iterations", max_iterations,
+                  fmt::format("of all degrees together ({})", max_iterations))
       ->check(whole_number(0));
   verb.add_option("--time-limit", time_limit,
                   "seconds; the best valid map is written, if there is one")

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
@@ -50,6 +51,7 @@ struct UnwrapRequest {
 
 void UnwrapRequest::add_to(CLI::App& verb) {
   seams.add_to(verb);
+  begin_group(verb, OptionGroup::Charts);
   verb.add_option("--padding", padding,
                   fmt::format("pixels between charts, at least ({})", padding))
       ->check(non_negative_number());
@@ -204,6 +206,7 @@ void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {
   if (run.common.quiet || atlas.status() == Status::Failed) return;
   for (const Repair& r : run.job.surface.repairs) say("{}: {}\n", run.map.input, describe(r));
   say_untextured(run.map.input, atlas.cuts);
+  written.say_sizes();
   const std::string fill = atlas.packing ? fmt::format(", fill {:.2f}", atlas.packing->fill) : "";
   say("{}: {}, {} chart{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
       "degree {}, {}, {:.2f} s\n",
@@ -231,7 +234,8 @@ int write_atlas(const FinishedUnwrap& run) {
 
 int unwrap_file(UnwrapVerb request) {
   const auto start = std::chrono::steady_clock::now();
-  Progress progress(request.common);
+  Progress progress(request.common, {Activity::Reading, Activity::Cutting, Activity::Solving,
+                                     Activity::Packing, Activity::Proving, Activity::Writing});
   RunRecord record = request.solve.make_record(progress);
   require_usable(request);
   const ThreadCount threads(usable_threads(request.common.threads));

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "apps/arguments/command_line.h"
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
@@ -105,6 +106,7 @@ void require_points(const HeaderReader& told, const std::vector<Pin>& asked) {
 }
 
 void CheckpointRequest::add_to(CLI::App& verb) {
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("--checkpoint", file,
                   "keeps where the run is in this file, .ckpt, for --resume on any number of ranks")
       ->type_name("FILE");
@@ -364,7 +366,9 @@ class SharedJob {
       : request_(request),
         ranks_(processes.ranks()),
         is_first_(ranks_->rank() == 0),
-        progress_(quiet_elsewhere(request.common, is_first_)),
+        progress_(quiet_elsewhere(request.common, is_first_),
+                  {Activity::Reading, Activity::Starting, Activity::Solving, Activity::Measuring,
+                   Activity::Proving, Activity::Writing}),
         record_(request.solve.make_record(progress_)),
         job_(MapTask::Parametrize, record_),
         ladder_(std::make_shared<LadderRecord>()) {
@@ -558,11 +562,14 @@ void add_to(CLI::App& app, Request& request) {
   request.common.add_petsc_to(verb);
   request.map.add_to(verb, "3");
   request.map.add_start_to(verb);
+  begin_group(verb, OptionGroup::Charts);
   verb.add_flag("--seamless", request.map.seamless, "for one process");
   request.solve.add_to(verb, request.map.curvature);
   request.checkpoint.add_to(verb);
   verb.add_option("-o,--output", request.outputs, "output: .pvtu, beside it a .vtu for every rank")
+      ->type_name("FILE")
       ->required();
+  begin_group(verb, OptionGroup::Solver);
   std::vector<std::string> solvers{"auto", "direct"};
   solvers.insert(solvers.end(), kRungNames.begin(), kRungNames.end());
   verb.add_option("--linear-solver", request.linear_solver,
@@ -580,7 +587,11 @@ using Ending = std::pair<int, std::string>;  // code and text
 std::optional<Ending> parse(std::vector<std::string> words, Request& request) {
   CLI::App app{"majorant-mpi: maps of surfaces onto the plane, on several processes",
                "majorant-mpi"};
-  app.set_version_flag("--version", version_line());
+  app.formatter(std::make_shared<HelpFormatter>());
+  begin_group(app, OptionGroup::General);
+  app.set_help_flag("-h,--help", "print this help");
+  app.get_help_ptr()->group(app.option_defaults()->get_group());
+  app.set_version_flag("-V,--version", version_line(), "print the version");
   app.require_subcommand(1);
   add_to(app, request);
   std::reverse(words.begin(), words.end());

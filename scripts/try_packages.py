@@ -80,7 +80,9 @@ def check_contents(name, path):
     wanted = ['./usr/share/doc/%s/copyright' % name]
     if name == 'majorant':
         wanted += ['./usr/bin/majorant', './usr/share/man/man1/majorant.1.gz',
-                   './usr/share/bash-completion/completions/majorant']
+                   './usr/share/bash-completion/completions/majorant',
+                   './usr/share/zsh/vendor-completions/_majorant',
+                   './usr/share/fish/vendor_completions.d/majorant.fish']
     for file in wanted:
         assert re.search(r' %s$' % re.escape(file), listing, re.M), '%s: no %s' % (path, file)
     assert 'md5sums' in control, '%s: no md5sums' % path

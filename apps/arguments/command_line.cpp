@@ -93,7 +93,7 @@ std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::strin
   const auto first = std::find_if_not(words.begin(), words.end(), is_option);
   const std::vector<std::string> verbs = verbs_of(app);
   if (first == words.end()) {
-    for (const char* question : {"--help", "-h", "--version", "--licenses"})
+    for (const char* question : {"--help", "-h", "--version", "-V", "--licenses"})
       if (contains(words, question)) return words;
     throw Error(ErrorKind::Usage, fmt::format("name a verb: one of {} (see majorant --help)",
                                               fmt::join(verbs, ", ")));

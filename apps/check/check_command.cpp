@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
@@ -88,15 +89,24 @@ MapPage page_of(const Request& request, const MapFile& file, const MapCheck& che
   return page;
 }
 
-int conclude(const Request& request, const MapFile& file, const MapCheck& check) {
+// One line: "FILE: valid, degree 3: ...", "FILE: invalid: ..." or "FILE: undecided: ...".
+std::string verdict_of(const Request& request, const MapFile& file, const MapCheck& check) {
   const std::vector<std::string>& list = check.findings.list();
-  if (!list.empty()) {
-    const bool is_torn = check.proof.continuous.answer == ProofStatus::Violated;
-    say("majorant: {}: {}: {}{}\n", request.result, check.status(), fmt::join(list, "; "),
-        is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
-  } else if (!request.common.quiet) {
-    say("{}: valid, degree {}: {}; {}{}\n", request.result, file.degree, in_words(check),
-        describe(check.energy), seam_summary(check.report["result"]));
+  if (list.empty())
+    return fmt::format("{}: valid, degree {}: {}; {}{}", request.result, file.degree,
+                       in_words(check), describe(check.energy),
+                       seam_summary(check.report["result"]));
+  const bool is_torn = check.proof.continuous.answer == ProofStatus::Violated;
+  return fmt::format("{}: {}: {}{}", request.result, check.status(), fmt::join(list, "; "),
+                     is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
+}
+
+// The verdict is data: on stdout, where the report is not.
+int conclude(const Request& request, const MapFile& file, const MapCheck& check) {
+  const bool is_valid = check.findings.list().empty();
+  if (!is_valid || !request.common.quiet) {
+    const std::string line = one_line(verdict_of(request, file, check)) + "\n";
+    request.common.report == kStandardOutput ? say_text(line) : print_text(line);
   }
   WrittenFiles written;
   const std::string& report = request.common.report;
@@ -105,14 +115,14 @@ int conclude(const Request& request, const MapFile& file, const MapCheck& check)
   if (const std::string& path = request.distortion; !path.empty())
     written.write(path, [&] { write_distortion(path, file, measure_distortion(file).faces); });
   if (!report.empty()) written.write(report, [&] { write_json(report, check.report); });
-  return written.conclude(list.empty() ? kSuccess : kInvalid);
+  return written.conclude(is_valid ? kSuccess : kInvalid);
 }
 
 int check(const Request& request) {
   require_writable(request.common, {{request.outputs, {".html"}}, {{request.distortion}, {".csv"}}},
                    {request.result, request.surface});
   const ThreadCount threads(usable_threads(request.common.threads));
-  Progress progress(request.common);
+  Progress progress(request.common, {Activity::Reading, Activity::Proving, Activity::Measuring});
   const RunRecord record(request.time_limit, 0, interruption_flag(), &progress);
   const StopCheck& stop = record.stop();
   set_output_stop(stop);
@@ -137,7 +147,7 @@ int check(const Request& request) {
                         .seamless = request.seamless,
                         .reported = !request.common.report.empty() || !request.outputs.empty()},
                        record);
-  if (check.findings.list().empty()) progress.finish();
+  progress.finish();
   return conclude(request, file, check);
 }
 
@@ -146,6 +156,7 @@ int check(const Request& request) {
 void add_check(CLI::App& app, Action* run) {
   auto request = std::make_shared<Request>();
   CLI::App& verb = *app.add_subcommand("check", "measure a finished map and test its claims");
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("result", request->result,
                   "result: .vtu, .msh, or .obj or .ply with texture coordinates")
       ->required();
@@ -153,7 +164,9 @@ void add_check(CLI::App& app, Action* run) {
       ->type_name("FILE");
   verb.add_option("-o,--output", request->outputs,
                   "the map and what is wrong with it as a page: .html, repeatable")
+      ->type_name("FILE")
       ->allow_extra_args(false);
+  begin_group(verb, OptionGroup::Map);
   verb.add_option("--cuts", request->cuts,
                   "inner edges whose sides differ: none: violations; free: counted; auto "
                   "(default): violations but where the file says that it is cut, and counted "
@@ -164,9 +177,11 @@ void add_check(CLI::App& app, Action* run) {
   verb.add_option("--time-limit", request->time_limit,
                   "seconds; what is not decided by then is said to be undecided")
       ->check(non_negative_number(std::numeric_limits<double>::infinity()));
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("--distortion", request->distortion,
                   "write a table of stretch, area and angle distortion per face to FILE.csv")
       ->type_name("FILE");
+  begin_group(verb, OptionGroup::Map);
   verb.add_flag("--certify", request->certify, "prove global injectivity as well");
   request->common.add_to(verb);
   verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
@@ -496,15 +497,21 @@ void add_compare(CLI::App& app, Action* run) {
   r.map.add_to(verb, "3");
   r.map.init = "tutte";  // far enough from the minimum to compare the ways there
   r.map.add_start_to(verb);
+  begin_group(verb, OptionGroup::Solver);
   verb.add_option("--methods", r.methods, "names, comma separated (all that fit the energy)")
+      ->type_name("NAMES")
       ->delimiter(',');
   verb.add_option("--linear-solvers", r.linear_solvers,
                   "also a table of what solves Newton's systems, on the first one: all, or names, "
                   "comma separated (" +
                       fmt::format("{}", fmt::join(linear_solver_names(), ", ")) + ")")
+      ->type_name("NAMES")
       ->delimiter(',');
+  begin_group(verb, OptionGroup::Files);
   verb.add_option("-o,--output", r.outputs, "output: .csv .html .json, repeatable")
+      ->type_name("FILE")
       ->allow_extra_args(false);
+  begin_group(verb, OptionGroup::Solver);
   verb.add_option("--tolerance", r.tolerance,
                   fmt::format("relative decrease that ends Newton ({})", r.tolerance))
       ->check(positive_number());

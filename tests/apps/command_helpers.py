@@ -40,8 +40,9 @@ class Outcome:
         self.code, self.out, self.err = process.returncode, process.stdout, process.stderr
 
     def said(self):
-        """Lines of stderr, but for those of what it was doing, and how long."""
-        return [line for line in self.err.splitlines() if not re.fullmatch(r'\w+ +\d+\.\d\d s', line)]
+        """Lines of stderr, but for those of what it was doing, and how long; then the verdict of `check`."""
+        lines = [line for line in self.err.splitlines() if not re.fullmatch(r'\w+ +\d+\.\d\d s', line)]
+        return lines + [line for line in self.out.splitlines() if re.search(': (valid, |invalid: |undecided: )', line)]
 
 
 def majorant(*args, cwd=None):
@@ -86,6 +87,15 @@ class CommandTest(unittest.TestCase):
         self.assertTrue(outcome.err.endswith('\n'))
         for part in [says] if isinstance(says, str) else says:
             self.assertIn(part, outcome.err)
+        return outcome
+
+    def found(self, *args, says=()):
+        """What `check` says of a map that is not valid: exit code 5, one line on stdout that says `says`."""
+        outcome = majorant('check', *args)
+        self.assertEqual(outcome.code, INVALID, '%s\n%s%s' % (args, outcome.out, outcome.err))
+        self.assertEqual(outcome.out.count('\n'), 1, outcome.out)
+        for part in [says] if isinstance(says, str) else says:
+            self.assertIn(part, outcome.out)
         return outcome
 
     def judge(self, result, mesh, *options, code=0):

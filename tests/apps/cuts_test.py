@@ -85,9 +85,9 @@ class OneTear(CommandTest):
                     is_torn = setting == 'none' or (setting == 'auto' and auto == INVALID)
                     done = self.run_ok('check', path, '--cuts', setting, *more,
                                        code=INVALID if is_torn else OK)
-                    self.assertEqual('not continuous' in done.err, is_torn, done.err)
-                    self.assertEqual(': not told from tears' in done.err,
-                                     setting == 'auto' and not is_torn, done.err)
+                    self.assertEqual('not continuous' in done.out, is_torn, done.out)
+                    self.assertEqual(': not told from tears' in done.out,
+                                     setting == 'auto' and not is_torn, done.out)
             self.assertEqual(self.run_ok('check', path, *more, code=auto).said()[-1],
                              self.run_ok('check', path, *more, '--cuts', 'auto', code=auto).said()[-1])
 
@@ -146,7 +146,7 @@ class OneTear(CommandTest):
         length = math.dist(points[copy], points[neighbour])
         path = self.write('torn.msh', msh_text(points + [points[copy]], uv, faces))
         self.assertIn(', 1 cut edge, length %.4g, 1 chart: not told from tears' % length,
-                      self.run_ok('check', path).err)
+                      self.run_ok('check', path).out)
         report = self.path('report.json')
         for setting, told in (('auto', False), ('free', True)):
             self.run_ok('check', path, '--cuts', setting, '--report', report)
@@ -180,12 +180,12 @@ class Claimed(CommandTest):
         self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
         for by in (1e-6, None):
             torn = tear_vtu(self.path('a.vtu'), self.path('torn.vtu'), by)
-            self.refused(INVALID, 'check', torn, says=['not continuous', 'the sides of 1 inner edge',
+            self.found(torn, says=['not continuous', 'the sides of 1 inner edge',
                                                        'where it is not said to be cut'])
             self.run_ok('check', torn, '--cuts', 'free', '--surface', mesh)
             # What is claimed may differ.
             vtu = Vtu(torn)
-            more = self.run_ok('check', torn, code=INVALID).err.split('edge (')[1].split(')')[0]
+            more = self.run_ok('check', torn, code=INVALID).out.split('edge (')[1].split(')')[0]
             vtu.claims['cuts'].append(list(map(int, more.split(', ')))[::-1])
             self.run_ok('check', vtu.write(torn))
 
@@ -200,7 +200,7 @@ class Claimed(CommandTest):
         self.run_ok('check', good, '--surface', mesh)
         folded = Vtu(good)
         folded.arrays['uv'] = [-x if k % 2 == 0 else x for k, x in enumerate(folded.arrays['uv'])]
-        self.refused(INVALID, 'check', folded.write(self.path('bad.vtu')), says='positive: ')
+        self.found(folded.write(self.path('bad.vtu')), says='positive: ')
         over = Vtu(good)  # the last cell, on points of its own, on top of another one
         first, last = [over.rows('uv')[p] for p in cells[0]], cells[-1]
         middle = [sum(p[k] for p in first) / 3 for k in range(2)]
@@ -216,10 +216,10 @@ class Claimed(CommandTest):
         for name in ('distortion', 'min_det', 'sigma_1', 'sigma_2', 'area_distortion',
                      'angle_distortion', 'stretch_l2', 'stretch_linf'):
             over.arrays.pop(name, None)
-        self.refused(INVALID, 'check', over.write(self.path('over.vtu')), '--certify',
+        self.found(over.write(self.path('over.vtu')), '--certify',
                      says='not globally injective')
         less = self.write('less.obj', obj_text(points, faces[:-1]))
-        self.refused(INVALID, 'check', good, '--surface', less, says='surface: ')
+        self.found(good, '--surface', less, says='surface: ')
 
     def test_an_edge_that_several_sheets_have(self):
         """Each of them may differ as often as it is listed."""
@@ -229,7 +229,7 @@ class Claimed(CommandTest):
         self.assertEqual(vtu.claims['cuts'], [])
         self.run_ok('check', self.path('a.vtu'), '--surface', mesh)
         torn = tear_vtu(self.path('a.vtu'), self.path('torn.vtu'), 1e-6)
-        text = self.run_ok('check', torn, code=INVALID).err.split('edge (')[1].split(')')[0]
+        text = self.run_ok('check', torn, code=INVALID).out.split('edge (')[1].split(')')[0]
         edge = list(map(int, text.split(', ')))
         chart = vtu.arrays['chart']
         sheets = [[c for c in range(len(chart)) if chart[c] == number] for number in (0, 1)]
@@ -238,7 +238,7 @@ class Claimed(CommandTest):
             both = Vtu(tear_vtu(self.path('a.vtu') if sheet is sheets[0] else self.path('both.vtu'),
                                 self.path('both.vtu'), 1e-6, sheet))
         both.claims['cuts'] = [edge]
-        self.refused(INVALID, 'check', both.write(self.path('both.vtu')), says='the sides of 1 inner')
+        self.found(both.write(self.path('both.vtu')), says='the sides of 1 inner')
         both.claims['cuts'] = [edge, edge[::-1]]
         self.run_ok('check', both.write(self.path('both.vtu')))
 
@@ -247,12 +247,12 @@ class Claimed(CommandTest):
         mesh = self.write('sphere.obj', obj_text(*sphere(4)))
         vtu = self.atlas(mesh)
         del vtu.claims['cuts']
-        self.assertIn(': not told from tears', self.run_ok('check', vtu.write(self.path('old.vtu'))).err)
+        self.assertIn(': not told from tears', self.run_ok('check', vtu.write(self.path('old.vtu'))).out)
         disk = self.write('in.obj', obj_text(*grid(3)))
         self.run_ok('parametrize', '--quiet', disk, '-o', self.path('p.vtu'), '--degree', '1')
         vtu = Vtu(tear_vtu(self.path('p.vtu'), self.path('torn.vtu'), None))
         del vtu.claims['cuts']
-        self.refused(INVALID, 'check', vtu.write(self.path('torn.vtu')), says='not continuous')
+        self.found(vtu.write(self.path('torn.vtu')), says='not continuous')
 
     def test_claims_that_are_no_edges(self):
         self.atlas(self.write('in.obj', obj_text(*grid(1))))
@@ -270,7 +270,7 @@ class Claimed(CommandTest):
         self.assertEqual(len(vtu.claims['cuts']), marked)
         self.run_ok('check', self.path('s.vtu'), '--surface', mesh)
         vtu.claims['cuts'] = vtu.claims['cuts'][1:]
-        self.refused(INVALID, 'check', vtu.write(self.path('t.vtu')), says='not said to be cut')
+        self.found(vtu.write(self.path('t.vtu')), says='not said to be cut')
 
 
 class FreshAtlases(CommandTest):

@@ -58,7 +58,7 @@ class Info(CommandTest):
         for verb, words in (('unwrap', '(1)'), ('compare', '(3)'), ('parametrize', by_outputs), ('seamless', by_outputs),
                             ('deform', by_outputs)):
             text = re.sub(r'\s+', ' ', self.run_ok(verb, '--help').out)
-            self.assertIn('polynomial degree, 1..8 ' + words, text, verb)
+            self.assertIn('polynomial degree ' + words, text, verb)
         for verb, out, degree in (('unwrap', 'a.vtu', 1), ('parametrize', 'a.vtu', 3), ('parametrize', 'a.obj', 1)):
             self.run_ok(verb, self.write('grid.obj', obj_text(*grid(3))), self.path(out), '--force', '--quiet',
                         '--report', self.path('r.json'))

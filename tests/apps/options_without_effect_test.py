@@ -57,11 +57,11 @@ SOLVED_BY_PETSC = {'parametrize', 'seamless', 'deform'}
 
 
 def verbs():
-    return re.findall(r'^  (\w+) ', majorant('--help').out.split('Subcommands:')[1], re.MULTILINE)
+    return re.findall(r'^  (\w+) ', majorant('--help').out.split('Verbs:')[1].split('\n\n')[0], re.MULTILINE)
 
 
 def options_of(verb):
-    return sorted(set(re.findall(r'^  (?:-\w,)?(--[a-z-]+)', majorant(verb, '--help').out, re.MULTILINE)))
+    return sorted(set(re.findall(r'^  (?:-\w, )?(--[a-z-]+)', majorant(verb, '--help').out, re.MULTILINE)))
 
 
 class OptionsWithoutEffect(CommandTest):

@@ -42,8 +42,8 @@ class Streams(CommandTest):
         self.run_ok('parametrize', '--quiet', generated('cap'), self.path('a.vtu'), '--degree', '2')
         for args in (['check', self.path('a.vtu')],
                      ['convert', self.path('a.vtu'), '-o', self.path('b.obj')]):
-            self.assertEqual(self.run_ok(*args).out, '')
-            self.assertEqual(self.run_ok(*args, '--quiet').err, '')
+            done = self.run_ok(*args, '--quiet')
+            self.assertEqual((done.out, done.err), ('', ''))
 
     def test_existing_files_are_replaced(self):
         self.write('out.vtu', 'old')

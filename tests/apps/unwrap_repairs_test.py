@@ -188,7 +188,7 @@ class Proofs(UnwrapTest):
                 path = self.write('spoiled.obj', '\n'.join(changed) + '\n')
                 outcome = majorant('check', path, '--surface', mesh)
                 self.assertEqual(outcome.code, INVALID, outcome.err)
-                self.assertIn('surface: ', outcome.err)
+                self.assertIn('surface: ', outcome.out)
         in_another_order = lines[:first] + lines[first + 1:] + lines[first:first + 1]
         path = self.write('order.obj', '\n'.join(in_another_order) + '\n')
         self.run_ok('check', path, '--surface', mesh)  # the same faces

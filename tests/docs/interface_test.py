@@ -70,7 +70,7 @@ class Flags(unittest.TestCase):
         self.assertGreaterEqual(len(documented), 35)
         for verb in VERBS:
             text = majorant(verb, '--help').out
-            flags = set(re.findall(r'^ +(?:-\w,)?(--[a-z][a-z-]*)', text, re.M))
+            flags = set(re.findall(r'^  (?:-\w, )?(--[a-z][a-z-]*)', text, re.M))
             self.assertGreaterEqual(len(flags), 7)
             for flag in flags:
                 self.assertIn(verb, documented.get(flag, ()), 'docs/interface.md lacks ' + flag)
@@ -91,7 +91,7 @@ class Flags(unittest.TestCase):
                     refused.append([name] + {' FILE': ['a.vtu'], ' K': ['1'], '': []}[value])
         self.assertEqual(set(listed.values()), {'the same', 'its own', 'refused'})
         text = alone('parametrize', '--help')
-        flags = set(re.findall(r'^ +(?:-\w,)?(--[a-z][a-z-]*)', text.out, re.M))
+        flags = set(re.findall(r'^  (?:-\w, )?(--[a-z][a-z-]*)', text.out, re.M))
         self.assertEqual(flags, set(listed))
         documented = self.documented()
         for flag, kind in listed.items():
@@ -104,7 +104,7 @@ class Flags(unittest.TestCase):
             self.assertIn('majorant parametrize', done.err)
 
     def test_every_verb(self):
-        text = majorant('--help').out.split('Subcommands:\n')[1].split('\n\n')[0]
+        text = majorant('--help').out.split('Verbs:\n')[1].split('\n\n')[0]
         self.assertEqual(re.findall(r'^  (\w+)', text, re.M), VERBS)
         self.assertEqual([row[0].strip('`').split()[0] for row in rows(section('Verbs'))], VERBS)
 
@@ -138,6 +138,7 @@ def keys(value, path=''):
         for inner in value:
             yield from keys(inner, path + '[]')
     elif path:
+        path = re.sub(r'^polygons\.\d+$', 'polygons.CORNERS', path)
         path = re.sub(r'^(linear_solver)\.[\w-]+\.', r'\1.RUNG.', path)
         path = re.sub(r'^(result\.distortion)\.\w+\.(?=\w+$)', r'\1.QUANTITY.', path)
         yield re.sub(r'^(proofs|methods\[\]\.within)\.(\w+(?:\.\d+)?)',

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The manual page and the completion have every verb and every flag that the program has."""
+"""The manual page and the completions have every verb and every flag that the program has."""
 import gzip
 import os
 import re
 import shutil
 import subprocess
+import tempfile
 import unittest
 
 BINARY = os.environ['MAJORANT_BINARY']
@@ -18,12 +19,12 @@ def ask(*words):
 
 
 def flags(text):
-    return set(re.findall(r'^  (?:-\w,)?(--[a-z-]+)', text, re.M)) | set(re.findall(r'^  (-\w),', text, re.M))
+    return set(re.findall(r'^  (?:-\w, )?(--[a-z-]+)', text, re.M)) | set(re.findall(r'^  (-\w),', text, re.M))
 
 
 def verbs():
-    listed = ask('--help').partition('Subcommands:\n')[2].partition('\n\n')[0]
-    return [line.split()[0] for line in listed.splitlines()]
+    listed = ask('--help').partition('Verbs:\n')[2].partition('\n\n')[0]
+    return re.findall(r'^  (\w+) ', listed, re.M)
 
 
 class ManualPage(unittest.TestCase):
@@ -82,6 +83,41 @@ class Completion(unittest.TestCase):
 
     def test_files_are_left_to_bash(self):
         self.assertEqual(self.complete('majorant parametrize in'), [])
+
+
+class OtherShells(unittest.TestCase):
+    @unittest.skipUnless(shutil.which('fish'), 'no fish')
+    def test_fish(self):
+        empty = tempfile.mkdtemp()  # where no names of files are offered
+        self.addCleanup(os.rmdir, empty)
+
+        def complete(line):
+            out = subprocess.run(['fish', '--no-config', '-c', 'source $argv[1]; complete -C $argv[2]',
+                                  os.path.join(FOLDER, 'majorant.fish'), line], check=True, text=True,
+                                 stdout=subprocess.PIPE, cwd=empty).stdout
+            return [word.split('\t')[0] for word in out.splitlines()]
+        self.assertEqual(complete('majorant param'), ['parametrize'])
+        self.assertLessEqual(set(verbs()), set(complete('majorant ')))
+        self.assertEqual(complete('majorant parametrize in.obj --boundary f'), ['fixed', 'free'])
+        for verb in verbs():
+            self.assertEqual({flag for flag in complete('majorant %s --' % verb)},
+                             {flag for flag in flags(ask(verb, '--help')) if flag.startswith('--')}, verb)
+
+    @unittest.skipUnless(shutil.which('zsh'), 'no zsh')
+    def test_zsh(self):
+        path = os.path.join(FOLDER, '_majorant')
+        subprocess.run(['zsh', '-f', '-n', path], check=True)
+        # What _arguments and _describe are told, by functions that print it.
+        script = ('_arguments() { print -rl -- "$@" }; _describe() { print -rl -- "${(@P)2}" }; _files() { : }; '
+                  'words=(majorant ${=2}); CURRENT=$#words; source $1')
+        def told(line):
+            return subprocess.run(['zsh', '-f', '-c', script, '-', path, line], check=True, text=True,
+                                  stdout=subprocess.PIPE).stdout.splitlines()
+        self.assertEqual([word.split(':')[0] for word in told('p')], verbs())
+        for verb in verbs():
+            names = [re.match(r'\*(-[\w-]+)\[', word) for word in told(verb + ' x')]
+            self.assertEqual({name[1] for name in names if name}, flags(ask(verb, '--help')), verb)
+        self.assertIn(':free fixed:(free fixed)', '\n'.join(told('parametrize x')))
 
 
 if __name__ == '__main__':

@@ -1,0 +1,161 @@
+#include "apps/arguments/help_text.h"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+namespace majorant::app {
+namespace {
+
+constexpr std::array<const char*, 7> kGroups = {
+    "Input and output", "Map", "Constraints", "Charts", "Solver", "Pictures", "General"};
+constexpr std::size_t kColumn = 28;                  // where what an option does begins
+constexpr std::size_t kNarrowest = 50, kUsual = 80;  // columns of a terminal
+constexpr std::size_t kWidest = 110;                 // that is still read with ease
+
+// Of the terminal on stdout; what COLUMNS says, where there is none.
+std::size_t help_width() {
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+    return std::clamp(std::size_t{size.ws_col}, kNarrowest, kWidest);
+  const char* columns = std::getenv("COLUMNS");
+  const long asked = columns ? std::strtol(columns, nullptr, 10) : 0;
+  return asked > 0 ? std::max(static_cast<std::size_t>(asked), kNarrowest) : kUsual;
+}
+
+// The words of `text`, lines of at most `width`, the second and all others indented.
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t width) {
+  std::string lines;
+  std::size_t used = indent;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    if (used > indent && used + 1 + word.size() > width) {
+      lines += "\n" + std::string(indent, ' ');
+      used = indent;
+    } else if (used > indent) {
+      lines += ' ';
+      ++used;
+    }
+    lines += word;
+    used += word.size();
+  }
+  return lines;
+}
+
+// A line of two columns; where the first is too wide, what it means goes below.
+std::string entry(const std::string& what, const std::string& meaning, std::size_t width) {
+  std::string line = "  " + what;
+  if (meaning.empty()) return line + "\n";
+  if (line.size() + 2 > kColumn)
+    line += "\n" + std::string(kColumn, ' ');
+  else
+    line.resize(kColumn, ' ');
+  return line + wrapped(meaning, kColumn, width) + "\n";
+}
+
+// CLI11's name of a type: "INT:from 1 to 8", "TEXT:{free,fixed}", "FILE".
+struct ValueType {
+  explicit ValueType(const std::string& said)
+      : name(said.substr(0, said.find(':'))),
+        check(name.size() < said.size() ? said.substr(name.size() + 1) : "") {}
+  std::string name, check;
+};
+
+std::string value_name(const ValueType& type) {
+  if (type.check.starts_with('{')) {
+    std::string choices = type.check.substr(1, type.check.find('}') - 1);
+    std::replace(choices.begin(), choices.end(), ',', '|');
+    return choices;
+  }
+  if (type.name == "INT" || type.name == "UINT") return "N";
+  return type.name == "FLOAT" ? "X" : type.name;
+}
+
+// "-o, --output FILE", "--view [X,Y,Z]".
+std::string usage(const CLI::Option& option) {
+  std::string names;
+  for (const std::string& name : option.get_snames()) names += "-" + name + ", ";
+  for (const std::string& name : option.get_lnames()) names += "--" + name + ", ";
+  names.resize(names.size() - 2);
+  const std::string value = value_name(ValueType(option.get_type_name()));
+  if (value.empty()) return names;  // a flag
+  return names + (option.get_expected_min() == 0 ? " [" + value + "]" : " " + value);
+}
+
+std::string meaning(const CLI::Option& option) {
+  const std::string check = ValueType(option.get_type_name()).check;
+  const bool is_range = check.starts_with("from ") && check.find(" to ") != std::string::npos;
+  return is_range ? fmt::format("{} ({})", option.get_description(), check.substr(5))
+                  : option.get_description();
+}
+
+std::string positionals(const CLI::App& app, std::size_t width) {
+  std::string lines;
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_positional() && !option->nonpositional())
+      lines += entry(option->get_name(true), option->get_description(), width);
+  return lines;
+}
+
+std::string options_of(const CLI::App& app, const std::string& group, std::size_t width) {
+  std::string lines;
+  for (const CLI::Option* option : app.get_options())
+    if (option->nonpositional() && option->get_group() == group)
+      lines += entry(usage(*option), meaning(*option), width);
+  return lines;
+}
+
+std::string usage_line(const CLI::App& app, const std::string& name) {
+  std::string line = "Usage: " + name;
+  const bool has_verbs = !app.get_subcommands([](const CLI::App*) { return true; }).empty();
+  if (has_verbs) return line + " VERB [OPTIONS] ...\n       " + name + " input output\n";
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_positional() || option->nonpositional()) continue;
+    const std::string word = option->get_name(true);
+    line += option->get_required() ? " " + word : " [" + word + "]";
+  }
+  return line + " [OPTIONS]\n";
+}
+
+std::string verb_lines(const CLI::App& app) {
+  const auto verbs = app.get_subcommands([](const CLI::App*) { return true; });
+  std::string lines = verbs.empty() ? "" : "Verbs:\n";
+  for (const CLI::App* verb : verbs)
+    lines += entry(verb->get_name(), verb->get_description(), help_width());
+  return lines;
+}
+
+}  // namespace
+
+void begin_group(CLI::App& verb, OptionGroup group) {
+  verb.option_defaults()->group(kGroups[static_cast<std::size_t>(group)]);
+}
+
+std::string overview(const CLI::App& app, const std::string& rest) {
+  return wrapped(app.get_description(), 0, help_width()) + "\n\n" + verb_lines(app) + "\n" + rest;
+}
+
+std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
+                                     CLI::AppFormatMode) const {
+  const std::size_t width = help_width();
+  std::string text = wrapped(app->get_description(), 0, width) + "\n\n" + usage_line(*app, name);
+  if (const std::string verbs = verb_lines(*app); !verbs.empty()) text += "\n" + verbs;
+  for (const char* group : kGroups) {
+    std::string lines = options_of(*app, group, width);
+    if (group == kGroups.front()) lines = positionals(*app, width) + lines;
+    if (!lines.empty()) text += fmt::format("\n{}:\n{}", group, lines);
+  }
+  return text + "\n" + app->get_footer() + "\n";
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
