@@ -173,7 +173,7 @@ def plan(options, folder):
 
 # ------------------------------------------------------------------ one run
 def last_line(done):
-    return (done.stderr.strip() or done.stdout.strip() or 'exit %s' % done.code).splitlines()[-1]
+    return (done.stdout.strip() or done.stderr.strip() or 'exit %s' % done.code).splitlines()[-1]
 
 
 class Case:
