@@ -39,7 +39,7 @@ class Run {
         record_(record),
         keeping_(keeping),
         start_(part_, uv, options.map),
-        setup_{start_.specification(), options.solve, {}, {}, {}, {}, {}} {
+        setup_{start_.specification(), options.solve, {}, {}, {}, {}} {
     record_.agree(part_->ranks());
     if (keeping_.every > 0)
       setup_.watch = [this](const TraceEntry& row, const MapView& at) {

@@ -44,11 +44,11 @@ Vector2 gauge_position(const MeshPart& part, const Vec& uv) {
 
 StartOfPart::StartOfPart(std::shared_ptr<const MeshPart> part, const Vec& uv,
                          const MapOptions& asked)
-    : frame_{normalizing_scale(extent_of(*part), part->ranks().sum(part->mesh->area()))} {
+    : frame_{normalizing_scale(extent_of(*part), part->ranks().sum(part->mesh->area()))},
+      specification_(asked) {
   const SurfaceMesh& mesh = *part->mesh;
   require_face_data(mesh, asked);
   MapSpecification& spec = specification_;
-  static_cast<MapObjective&>(spec) = asked;
   spec.part = part;
   spec.rest = rest_shapes(mesh, frame_.scale);
   std::vector<char> on_boundary(to_size(mesh.vertex_count()), 0);  // of the whole surface

@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "distributed/mesh_part.h"
+#include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/solve/map_options.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 
 namespace majorant {

@@ -90,7 +90,7 @@ double unit_scale(const Points3& positions) {
 
 class Multiresolution {
  public:
-  Multiresolution(const SurfaceMesh& surface, const MapObjective& asked, RunRecord& run,
+  Multiresolution(const SurfaceMesh& surface, const MapOptions& asked, RunRecord& run,
                   const MultiresolutionRules& rules, MultiresolutionRecord& record)
       : surface_(surface),
         asked_(asked),
@@ -327,8 +327,7 @@ class Multiresolution {
   std::pair<Problem, Vec> problem_on(const Level& level, const std::vector<char>& moves) const {
     const auto space = std::make_shared<const BezierTriangleSpace>(
         level.faces, static_cast<Index>(level.vertex.size()), 1);
-    MapSpecification spec;
-    static_cast<MapObjective&>(spec) = asked_;
+    MapSpecification spec(asked_);
     spec.rest = flat_triangles(level.positions, level.faces);
     if (asked_.face_weight.size() > 0) {
       spec.face_weight.resize(static_cast<Index>(level.face.size()));
@@ -350,7 +349,7 @@ class Multiresolution {
   }
 
   const SurfaceMesh& surface_;
-  const MapObjective& asked_;
+  const MapOptions& asked_;
   RunRecord& run_;
   const StopCheck& stop_;
   const MultiresolutionRules& rules_;
@@ -368,13 +367,13 @@ class Multiresolution {
 
 }  // namespace
 
-bool suits_multiresolution(const SurfaceMesh& mesh, const MapObjective& asked) {
+bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
   return barrier_of(asked.energy) != Barrier::None && !knows_elements(asked.energy) &&
          mesh.rest_triangles().empty() && asked.boundary_angles == BoundaryAngles::Free &&
          (asked.boundary == BoundaryCondition::Free || mesh.boundary_loops().size() == 1);
 }
 
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        RunRecord& run, const MultiresolutionRules& rules,
                                        MultiresolutionRecord* record) {
   MultiresolutionRecord unused;
@@ -382,7 +381,7 @@ std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjecti
   return Multiresolution(mesh, asked, run, rules, record ? *record : unused).solve();
 }
 
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        const StopCheck& stop, const MultiresolutionRules& rules,
                                        MultiresolutionRecord* record) {
   RunRecord run(stop);

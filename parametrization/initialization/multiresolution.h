@@ -20,14 +20,14 @@
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/maps/map_objective.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 
 // Whether the energy and the boundary that are asked for are ones that multiresolution_map() knows:
 // energies with a barrier that do not know single faces (knows_elements()), since coarse surfaces
 // have others; sector sums at boundary vertices may not be held.
-bool suits_multiresolution(const SurfaceMesh& mesh, const MapObjective& asked);
+bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked);
 
 // How multiresolution_map() works. Nobody but measurements changes this.
 struct MultiresolutionRules {
@@ -102,11 +102,11 @@ struct MultiresolutionRecord {
 // is too small or unsuited, or doubles have no room. Needs a disk, possibly with holes; throws
 // Error as tutte_map(); Stopped, by run.start_stop(). Notes the steps of all vertices together in
 // `run`, those of the coarsest mesh as the highest level; its limit of iterations is not for them.
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        RunRecord& run, const MultiresolutionRules& rules = {},
                                        MultiresolutionRecord* record = nullptr);
 // The same, unseen.
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        const StopCheck& stop = {},
                                        const MultiresolutionRules& rules = {},
                                        MultiresolutionRecord* record = nullptr);

@@ -46,7 +46,7 @@ void DegreeSchedule::minimize_gentle_energy() {
       map_.space().element_count());
   const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
   gentle.asked_energy = [&](VecIn x) {
-    return energy_of_map(setup_.map, terms, levels.of_faces(), x) + setup_.added.energy(x);
+    return energy_of_map(setup_.map, terms, levels.of_faces(), x);
   };
   DegreeSolver solver(gentle, domain_, map_.shared_space(), map_.control_points());
   solver.soften_start(record_);

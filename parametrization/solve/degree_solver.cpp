@@ -11,6 +11,8 @@
 #include "majorant/energies/densities/symmetric_dirichlet.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/projection.h"
 #include "majorant/framework/internal/stopwatch.h"
@@ -27,10 +29,34 @@ SolverFactory solver_of(const SolveOptions& options, const Problem& problem, Ord
       [&options, &problem, ordering] { return options.linear_solver(problem.pattern(), ordering); };
 }
 
+HeldBounds bounds_of(const std::shared_ptr<const MapExtension>& added) {
+  HeldBounds::Bounds bounds;
+  if (added)
+    for (const auto& checker : added->checkers())
+      if (auto bound = std::dynamic_pointer_cast<const BarrierChecker>(checker))
+        bounds.push_back(std::move(bound));
+  return HeldBounds(std::move(bounds));
+}
+
+void require_curvature(const MapExtension& added, const HeldBounds& bounds, Curvature asked) {
+  const auto require = [asked](const EnergyTerm& term) {
+    if (!term.supports(asked))
+      throw InvalidArgument(
+          fmt::format("term '{}' has no curvature model '{}'", term.name(), curvature_name(asked)));
+  };
+  for (const auto& one : added.terms()) require(*one.term);
+  for (const auto& bound : bounds.bounds()) require(*bound->barrier());
+}
+
 }  // namespace
 
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                            std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
+    : DegreeSolver(setup, domain, std::move(space), x, {bounds_of(setup.map.added)}) {}
+
+DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
+                           std::shared_ptr<const BezierTriangleSpace> space, const Vec& x,
+                           Bounds bounds)
     : setup_(setup),
       domain_(domain),
       space_(std::move(space)),
@@ -44,23 +70,42 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                                                             depth_, setup.stop)),
       element_weight_(Vec::Ones(space_->element_count())),
       x_(domain.unknowns(x)),
-      added_(setup.added),
+      bounds_(std::move(bounds)),
       built_([&] {
         require_curvature(terms_, setup.solve.curvature);
-        added_.require_curvature(setup.solve.curvature);
+        if (setup.map.added)
+          require_curvature(*setup.map.added, bounds_.held, setup.solve.curvature);
         setup.stop.poll();
-        DomainProblem built = domain.build(input(), x_);
+        MapProblem built = build();
         setup.stop.poll();  // what follows is the analysis of its pattern
         return built;
       }()),
       stepper_(built_.problem,
                newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering(),
                               solver_of(setup.solve, built_.problem, domain.ordering()))) {
-  if (added_.constrained()) meet_added_constraints();
+  if (setup.map.added && !setup.map.added->constraints().empty()) meet_added_constraints();
 }
 
-DomainInput DegreeSolver::input() const {
-  return {setup_.map, space_, start_, terms_, injectivity_, depth_, added_, setup_.stop};
+// Bounds are what is held in their place, and their barriers terms.
+MapProblem DegreeSolver::build() {
+  const auto in = [this](const MapSpecification& map) {
+    return domain_.build(map, space_, start_, terms_, injectivity_, x_);
+  };
+  if (!is_bounded()) return in(setup_.map);
+  std::vector<std::shared_ptr<const FeasibilityChecker>> checkers;
+  for (const auto& checker : setup_.map.added->checkers())
+    if (!std::dynamic_pointer_cast<const BarrierChecker>(checker)) checkers.push_back(checker);
+  for (const auto& bound : bounds_.held.held()) checkers.push_back(bound);
+  MapExtension added = setup_.map.added->with(std::move(checkers));
+  for (const auto& barrier : bounds_.held.barriers()) added.add(barrier, bounds_.barrier_weight);
+  MapSpecification map = setup_.map;
+  map.added = std::make_shared<const MapExtension>(std::move(added));
+  return in(map);
+}
+
+// The last terms that were added.
+std::span<const TermId> DegreeSolver::barriers() const {
+  return std::span(built_.added).last(bounds_.held.barriers().size());
 }
 
 namespace {
@@ -139,7 +184,7 @@ std::vector<long> DegreeSolver::proven() const {
 }
 
 void DegreeSolver::rebuild() {
-  built_ = domain_.build(input(), x_);
+  built_ = build();
   renew_states();
   Stopwatch analysis;
   stepper_.reset(built_.problem);
@@ -174,14 +219,13 @@ void DegreeSolver::return_to(const Place& place) {
 
 // Of the map alone, on the rules of now, all elements with their full weight, and what was added.
 double DegreeSolver::own_energy(VecIn x) const {
-  const Vec map = x.head(2 * space_->node_count());
-  return energy_of_map(setup_.map, terms_, levels_.of_faces(), map) + added_.energy(map);
+  return energy_of_map(setup_.map, terms_, levels_.of_faces(), x.head(2 * space_->node_count()));
 }
 
 // What the problem's energy at x_ has that nobody asked for.
 double DegreeSolver::foreign_energy() const {
   double sum = domain_.foreign_energy(built_.problem, x_);
-  for (const TermId id : built_.barriers) sum += term_energy(built_.problem, id, x_);
+  for (const TermId id : barriers()) sum += term_energy(built_.problem, id, x_);
   return sum;
 }
 
@@ -249,7 +293,7 @@ Descent::Answer DegreeSolver::MapDescent::after_step(const StepResult& step) {
   own.energy = result.energy;
   Answer answer;
   if (solver_.variables() > 0) answer.directive = solver_.note(own, step.outcome, phase_, record_);
-  DomainChange change = solver_.domain_.after_step(solver_.x_, step, solver_.input());
+  DomainChange change = solver_.domain_.after_step(solver_.x_, step, solver_.depth_);
   if (change == DomainChange::Structure || (!moved && change == DomainChange::Values))
     answer.since = StoppingTest::Since::ProblemChanged;
   if (change == DomainChange::Structure) {
@@ -423,7 +467,7 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
   const auto solve = [&] {
-    return added_.bounded() ? solve_within_bounds(record) : exhaust(kRemedies, tries_, record);
+    return is_bounded() ? solve_within_bounds(record) : exhaust(kRemedies, tries_, record);
   };
   SolveResult result = solve();
   if (result.status == Status::Stalled && domain_.hold()) result = solve();
@@ -579,7 +623,6 @@ bool DegreeSolver::step_aside(double unit, RunRecord& record) {
 // Minimizes with that much of the symmetric Dirichlet energy; whether to go on.
 bool DegreeSolver::approach_with(double weight, RunRecord& record) {
   Setup with = setup_;
-  with.added = added_;
   if (weight > 0) with.map.energy.push_back({symmetric_dirichlet(), weight});
   with.solve.curvature = Curvature::Projected;
   with.asked_energy = [this](VecIn x) {
@@ -588,7 +631,7 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
   with.solve.injectivity_depth =
       depth_;  // what only deep certificates prove is feasible there, too
   try {
-    DegreeSolver inner(with, domain_, space_, x());
+    DegreeSolver inner(with, domain_, space_, x(), bounds_);
     const SolveResult result = inner.approach(rules().barrier_tolerance, record, Phase::Barrier);
     x_ = inner.x_;
     add_counts(proven_inside_, inner.proven());
@@ -604,9 +647,10 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
 SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   SolveResult result = approach(setup_.solve.elevation_tolerance, record);
   if (was_stopped(result.status)) return result;
-  if (added_.met(x_)) {
+  const auto met = [this] { return !bounds_.held.violated(x()); };
+  if (met()) {
     result = exhaust(kRemedies, tries_, record);
-    if (was_stopped(result.status) || added_.met(x_)) return result;
+    if (was_stopped(result.status) || met()) return result;
   }
   try {
     if (!enter_bounds(result, record)) return result;
@@ -618,22 +662,32 @@ SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   return exhaust(kRemedies, tries_, record);
 }
 
+double DegreeSolver::barrier_size() const {
+  const Vec map = x();
+  double sum = 0;
+  for (const auto& barrier : bounds_.held.barriers())
+    sum += element_values(*barrier, {}, ColoredBatches(barrier->element_dofs(), {}), map)
+               .cwiseAbs()
+               .sum();
+  return sum;
+}
+
 // Whether x_ is inside.
 bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
   const BoundRules& rules = setup_.rules.bounds;
   double weight = 0;
-  const auto point = [this] { return added_.of_map(x()); };
+  const auto point = [this] { return x(); };
   const auto go_on = [&](double factor) {
     setup_.stop.poll();
     if (weight == 0)
       weight = rules.first_share * std::max(std::abs(result.energy), rules.least_energy) /
-               std::max(added_.barrier_size(x()), rules.least_barrier);
-    added_.set_barrier_weight(factor * weight);
+               std::max(barrier_size(), rules.least_barrier);
+    bounds_.barrier_weight = factor * weight;
     rebuild();
     result = descend(unlimited(rules.entry.tolerance), Phase::Barrier, record);
     return !was_stopped(result.status);
   };
-  const Entry entry = majorant::enter_bounds(added_.bounds(), rules.entry, point, go_on);
+  const Entry entry = majorant::enter_bounds(bounds_.held, rules.entry, point, go_on);
   if (entry == Entry::Stopped) return false;
   if (entry == Entry::Inside) {
     rebuild();
@@ -641,7 +695,7 @@ bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
   }
   result.status = Status::Infeasible;
   result.message =
-      fmt::format("no map was found that meets the bound '{}'", added_.violated(x())->name());
+      fmt::format("no map was found that meets the bound '{}'", bounds_.held.violated(x())->name());
   return false;
 }
 
@@ -650,7 +704,7 @@ bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
 // tells what is left.
 bool DegreeSolver::follow_barriers(SolveResult& result, RunRecord& record) {
   BarrierWeights weights = setup_.rules.bounds.weights;
-  weights.first = added_.barrier_weight();
+  weights.first = bounds_.barrier_weight;
   double before = 0, left = 0;
   int phases = 0;
   const PathEnd end = majorant::follow_barrier(weights, [&](double weight) {
@@ -672,9 +726,9 @@ bool DegreeSolver::follow_barriers(SolveResult& result, RunRecord& record) {
 }
 
 SolveResult DegreeSolver::descend_with(double barrier_weight, RunRecord& record) {
-  added_.set_barrier_weight(barrier_weight);
+  bounds_.barrier_weight = barrier_weight;
   TermChanges changes;
-  for (const TermId id : built_.barriers) {
+  for (const TermId id : barriers()) {
     changes.emplace_back(id, built_.problem.state(id));
     changes.back().second.weight = barrier_weight;
   }

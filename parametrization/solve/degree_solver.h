@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "majorant/framework/internal/barrier_path.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -34,7 +35,6 @@ class DegreeSolver {
     SolveOptions solve;
     StopCheck stop;
     SolverRules rules;
-    UserTerms added = {};  // of this degree
     // Of a map, 2 numbers per node, for the trace: where another energy is minimized than the one
     // asked for. Empty: that of `map`.
     std::function<double(VecIn)> asked_energy;
@@ -84,6 +84,15 @@ class DegreeSolver {
   std::vector<long> proven() const;
 
  private:
+  // Bounds with a barrier, those of MapSpecification::added: left out, relaxed or held, as the
+  // solver goes along.
+  struct Bounds {
+    HeldBounds held;  // in place of them; they see the map's unknowns alone
+    double barrier_weight = 1;
+  };
+  DegreeSolver(const Setup& setup, MapDomain& domain,
+               std::shared_ptr<const BezierTriangleSpace> space, const Vec& x, Bounds bounds);
+
   // Where a run can come back to.
   struct Place {
     Vec x;
@@ -95,7 +104,8 @@ class DegreeSolver {
   enum class Effect { None, GoOn, Ended };
 
   const Partition& partition() const { return built_.problem.partition(); }
-  DomainInput input() const;
+  MapProblem build();
+  std::span<const TermId> barriers() const;
   void meet_added_constraints();
   void rebuild();
   void apply_state();
@@ -115,11 +125,13 @@ class DegreeSolver {
   StoppingRules unlimited(double relative_decrease) const;
   StoppingRules final_rules() const;
 
-  // Bounds with a barrier.
+  bool is_bounded() const { return !bounds_.held.bounds().empty(); }
   SolveResult solve_within_bounds(RunRecord& record);
   bool enter_bounds(SolveResult& result, RunRecord& record);
   bool follow_barriers(SolveResult& result, RunRecord& record);
   SolveResult descend_with(double barrier_weight, RunRecord& record);
+  // Sum of the absolute values of the elements of the held bounds' barriers.
+  double barrier_size() const;
 
   // Remedies.
   const RemedyRules& rules() const { return setup_.rules.remedies; }
@@ -150,8 +162,8 @@ class DegreeSolver {
   std::vector<long> proven_inside_;  // by the solves along a barrier
   Vec element_weight_;               // 1, or else for a while: softened, excluded
   Vec x_;                            // unknowns of the domain, the map's first
-  UserTerms added_;
-  DomainProblem built_;
+  Bounds bounds_;
+  MapProblem built_;
   NewtonStepper stepper_;
   double began_at_ = 0;  // own energy at the start of the last descent
   bool softened_ = false;

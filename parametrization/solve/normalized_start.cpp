@@ -136,7 +136,7 @@ Vec NormalFrame::normalized(const Vec& uv) const { return translated(uv, -origin
 
 Vec NormalFrame::in_model_units(const Vec& x) const { return translated(x / scale, destination); }
 
-void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
+void require_face_data(const SurfaceMesh& mesh, const MapOptions& asked) {
   require_face_weights(mesh, asked.face_weight);
   for (const WeightedEnergy& e : asked.energy) {
     require_face_weights(mesh, e.face_weight);
@@ -149,10 +149,9 @@ void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
 }
 
 NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked, Origin origin)
-    : frame_{scale_of(given.mesh())}, map_(given) {
+    : frame_{scale_of(given.mesh())}, map_(given), specification_(asked) {
   require_face_data(given.mesh(), asked);
   MapSpecification& spec = specification_;
-  static_cast<MapObjective&>(spec) = asked;
   spec.aligned = nearest_axes(given, asked.aligned);
   const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
   moved_ = largest_distance(given.control_points(), start.control_points());

@@ -8,13 +8,13 @@
 
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/solve/map_options.h"
 
 namespace majorant {
 
 // Throws InvalidArgument unless face weights and data of energies are for the faces of the mesh.
-void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked);
+void require_face_data(const SurfaceMesh& mesh, const MapOptions& asked);
 
 // Extents of the surface beyond which the position of a free map is given up for its digits.
 // Three of the sixteen digits are lost there.

@@ -73,7 +73,7 @@ class Run {
         std::make_shared<MapExtension>(map, start_.specification().rest, start_.scale());
     options_.extend(*extension);
     extension_ = std::move(extension);
-    setup_.added = UserTerms(extension_);
+    setup_.map.added = extension_;
   }
 
   // What an observer has said once, holds.
@@ -101,7 +101,8 @@ class Run {
   std::unique_ptr<MapDomain> make_domain() const {
     if (options_.map.injectivity == MapInjectivity::Local) return std::make_unique<PlainDomain>();
     try {
-      return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules);
+      return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules,
+                                                setup_.stop);
     } catch (const Error& e) {
       throw Refusal(
           e.kind(), map_.mesh().file(),

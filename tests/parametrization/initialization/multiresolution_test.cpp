@@ -18,10 +18,9 @@
 namespace majorant {
 namespace {
 
-double energy_of(const std::shared_ptr<const SurfaceMesh>& mesh, const MapObjective& asked,
+double energy_of(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& asked,
                  const Vec& uv) {
-  MapSpecification spec;
-  static_cast<MapObjective&>(spec) = asked;
+  MapSpecification spec(asked);
   spec.rest = flat_triangles(mesh->positions(), mesh->faces());
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
@@ -38,10 +37,9 @@ void expect_injective(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec&
 }
 
 // The minimum, by Newton's method from `start`.
-double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapObjective& asked,
+double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& asked,
                const Vec& start) {
-  MapSpecification spec;
-  static_cast<MapObjective&>(spec) = asked;
+  MapSpecification spec(asked);
   spec.rest = flat_triangles(mesh->positions(), mesh->faces());
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
@@ -114,7 +112,7 @@ TEST(Multiresolution, HasHoles) {
 
 TEST(Multiresolution, KeepsAFixedBoundaryWhereTutteHasIt) {
   const auto mesh = surface(grid(24, bumpy));
-  MapObjective asked;
+  MapOptions asked;
   asked.boundary = BoundaryCondition::Fixed;
   const auto uv = multiresolution_map(*mesh, asked, {}, small());
   ASSERT_TRUE(uv);
@@ -128,7 +126,7 @@ TEST(Multiresolution, KeepsAFixedBoundaryWhereTutteHasIt) {
 // A surface whose left half counts a thousandfold: the levels must know, or be far off.
 TEST(Multiresolution, KnowsFaceWeights) {
   const auto mesh = surface(grid(24, bumpy));
-  MapObjective asked;
+  MapOptions asked;
   asked.face_weight.resize(mesh->face_count());
   for (Index f = 0; f < mesh->face_count(); ++f)
     asked.face_weight[f] = mesh->positions()(mesh->faces()(f, 0), 0) < 0.5 ? 1000 : 1;
@@ -145,7 +143,7 @@ TEST(Multiresolution, TakesEveryEnergyWithABarrier) {
   const auto mesh = surface(grid(20, bumpy));
   for (const NamedEnergy& energy : named_energies()) {
     SCOPED_TRACE(energy.name);
-    MapObjective asked;
+    MapOptions asked;
     asked.energy = {{energy.make, 1.0}};
     const auto uv = multiresolution_map(*mesh, asked, {}, small());
     ASSERT_EQ(uv.has_value(), energy.make.traits().barrier != Barrier::None);
@@ -195,7 +193,7 @@ TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
 // What is relaxed first may touch neither the rest of the map nor a boundary that is held.
 TEST(Multiresolution, HoldsTheBoundaryOfWhatIsSqueezed) {
   const auto mesh = surface(grid(24, bumpy));
-  MapObjective asked;
+  MapOptions asked;
   asked.boundary = BoundaryCondition::Fixed;
   MultiresolutionRules rules = small();
   rules.squeezed_share = rules.squeezed = 0;  // all vertices
@@ -235,7 +233,7 @@ TEST(Multiresolution, NotesItsSteps) {
 TEST(Multiresolution, SaysWhatItDoesNotKnow) {
   EXPECT_FALSE(multiresolution_map(*surface(grid(3)), {}));  // too small
   const auto mesh = surface(grid(20));
-  MapObjective angles;
+  MapOptions angles;
   angles.boundary_angles = BoundaryAngles::AtMostFullTurn;
   EXPECT_FALSE(suits_multiresolution(*mesh, angles));
   EXPECT_FALSE(multiresolution_map(*mesh, angles, {}, small()));

@@ -23,7 +23,7 @@ class Resume {
     const NormalizedStart start(map_, asked);
     map_ = start.map();
     while (map_.degree() < degree) map_ = map_.elevated();
-    setup_ = {start.specification(), {}, {}, {}, {}, {}, {}};
+    setup_ = {start.specification(), {}, {}, {}, {}, {}};
     setup_.solve.tolerance = 1e-9;  // ends do not depend on paths any more
     setup_.watch = [this](const TraceEntry& row, const MapView& at) {
       const auto state = running_->state();
