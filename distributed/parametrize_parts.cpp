@@ -40,7 +40,7 @@ class Run {
         keeping_(keeping),
         start_(part_, uv, options.map),
         setup_{start_.specification(), options.solve, {}, {}, {}, {}} {
-    record_.agree(part_->ranks());
+    record_.agree([this](int own) { return ranks().of_first(own); });
     if (keeping_.every > 0)
       setup_.watch = [this](const TraceEntry& row, const MapView& at) {
         watch(row, at.space, at.x);

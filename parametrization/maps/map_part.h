@@ -14,6 +14,7 @@
 
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/partition.h"
+#include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
 
@@ -29,6 +30,9 @@ class MapPart {
   // else holds: the same vertex of the whole surface on every rank.
   virtual std::vector<Index> gauge_vertex() const = 0;
 };
+
+// What holds for the whole map, from what a rank knows of it.
+const Ranks& ranks_of(const MapSpecification& spec);
 
 }  // namespace majorant
 

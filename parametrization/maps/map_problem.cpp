@@ -11,6 +11,7 @@
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
+#include "majorant/parametrization/maps/map_part.h"
 
 namespace majorant {
 namespace {
@@ -203,7 +204,7 @@ std::vector<Index> boundary_of(const MapSpecification& spec, const BezierTriangl
 
 ProblemBuilder map_builder(const MapSpecification& spec, const BezierTriangleSpace& space) {
   if (!spec.part) return ProblemBuilder(2 * space.node_count());
-  return ProblemBuilder(spec.part->unknowns(space));
+  return shared_problem_builder(spec.part->unknowns(space));
 }
 
 std::vector<Index> vertex_components(const BezierTriangleSpace& space) {

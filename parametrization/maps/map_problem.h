@@ -19,9 +19,10 @@
 #include "majorant/mesh/seams.h"
 #include "majorant/parametrization/maps/map_extension.h"
 #include "majorant/parametrization/maps/map_options.h"
-#include "majorant/parametrization/maps/map_part.h"
 
 namespace majorant {
+
+class MapPart;
 
 // The normalised problem: what solvers make of MapOptions, whatever the degree. Positions in the
 // units of the rest shapes.
@@ -40,16 +41,14 @@ struct MapSpecification {
   std::vector<AlignedEdge> aligned;    // stay parallel to an axis
   std::vector<FixedPoint> pins;        // hard, vertices
   std::vector<FixedPoint> handles;     // soft, vertices
-  // Null: this process has the whole map. Else the lists above, the rest shapes and the weights are
-  // those of its part; seams, aligned edges and angles at the boundary cannot be asked for.
+  // Null: the whole map. Else all of the above is that of a part of it (map_part.h); seams, aligned
+  // edges and angles at the boundary cannot be asked for.
   std::shared_ptr<const MapPart> part;
   // What a caller adds, of the degree of the problem; null: nothing.
   std::shared_ptr<const MapExtension> added;
 };
 
-// What holds for the whole map, from what a rank knows of it. Sums are collective where there are
-// several.
-const Ranks& ranks_of(const MapSpecification& spec);
+// Of the whole map.
 double whole_area(const MapSpecification& spec);
 // Nodes on the boundary of the uncut surface, sorted.
 std::vector<Index> boundary_of(const MapSpecification& spec, const BezierTriangleSpace& space);

@@ -19,6 +19,7 @@
 
 #include "majorant/framework/internal/barrier_path.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/partition.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/solve/internal/map_domain.h"
@@ -103,7 +104,7 @@ class DegreeSolver {
   // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
   enum class Effect { None, GoOn, Ended };
 
-  const Partition& partition() const { return built_.problem.partition(); }
+  const Partition& partition() const { return partition_of(built_.problem); }
   MapProblem build();
   std::span<const TermId> barriers() const;
   void meet_added_constraints();

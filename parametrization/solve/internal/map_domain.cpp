@@ -9,28 +9,6 @@
 #include "majorant/framework/internal/stopwatch.h"
 
 namespace majorant {
-namespace {
-
-// A solver that is kept for the next one who needs one: patterns differ little, and it knows the
-// last one's ordering.
-class KeptSolver final : public LinearSolver {
- public:
-  explicit KeptSolver(std::shared_ptr<LinearSolver> solver) : solver_(std::move(solver)) {}
-  void analyze(const SparsePattern& pattern) override { solver_->analyze(pattern); }
-  FactorStatus factorize(const Vec& values, double shift) override {
-    return solver_->factorize(values, shift);
-  }
-  Solution solve(const Vec& r, Vec& p, double tolerance) override {
-    return solver_->solve(r, p, tolerance);
-  }
-  std::string description() const override { return solver_->description(); }
-
- private:
-  std::shared_ptr<LinearSolver> solver_;
-};
-
-}  // namespace
-
 ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
                                    const SolverRules& rules, const StopCheck& stop)
     : map_faces_(start.space().element_count()),
@@ -42,8 +20,9 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       rules_(rules.scaffold),
       relaxing_(newton_options(Curvature::Projected, rules, stop, ScaffoldedDomain::ordering())),
       share_(rules_.share) {
+  // One for all relaxations: patterns differ little, and it knows the last one's ordering.
   const std::shared_ptr<LinearSolver> solver = make_direct_solver(ScaffoldedDomain::ordering());
-  relaxing_.linear_solver = [solver] { return std::make_unique<KeptSolver>(solver); };
+  relaxing_.linear_solver = [solver] { return solver; };
 }
 
 MapProblem ScaffoldedDomain::build(const MapSpecification& map,
