@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "majorant/constraints/seamless_constraint.h"
-#include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/maps/map_part.h"
+#include "majorant/terms/quadratic_penalty.h"
 
 namespace majorant {
 namespace {

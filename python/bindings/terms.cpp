@@ -9,12 +9,12 @@
 
 #include "arrays.h"
 #include "kept.h"
-#include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
 #include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/terms/linear_term.h"
+#include "majorant/terms/quadratic_penalty.h"
 #include "mesh.h"
 #include "options.h"
 #include "run.h"
