@@ -169,24 +169,24 @@ TEST(Multiresolution, IsTheSameWithAnyNumberOfThreadsAndAtAnyScale) {
   EXPECT_EQ(*multiresolution_map(*surface(large), {}, {}, small()), 1024 * *first);
 }
 
-// The creature's limbs are squeezed: relaxed before the rest, they leave less to the levels, the
+// The creature's limbs are compressed: relaxed before the rest, they leave less to the levels, the
 // last one included. Thresholds beyond reach switch it off.
 TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
   const auto mesh = generated("creature");
   MultiresolutionRules rules = small();
-  rules.squeezed_share = 0;
+  rules.compressed_share = 0;
   MultiresolutionRecord relaxed, left;
   const Vec with = *multiresolution_map(*mesh, {}, {}, rules, &relaxed);
-  rules.squeezed_share = 2;
+  rules.compressed_share = 2;
   const Vec without = *multiresolution_map(*mesh, {}, {}, rules, &left);
   expect_injective(mesh, with);
   EXPECT_LT(energy_of(mesh, {}, with), energy_of(mesh, {}, without));
   ASSERT_EQ(relaxed.levels.size(), left.levels.size());
   for (std::size_t k = 1; k < left.levels.size(); ++k) {
-    EXPECT_GT(relaxed.levels[k].squeezed_steps, 0) << k;
-    EXPECT_GT(relaxed.levels[k].squeezed, 0) << k;
-    EXPECT_LT(relaxed.levels[k].squeezed, relaxed.levels[k].faces / 2) << k;
-    EXPECT_EQ(left.levels[k].squeezed, 0) << k;
+    EXPECT_GT(relaxed.levels[k].compressed_steps, 0) << k;
+    EXPECT_GT(relaxed.levels[k].compressed, 0) << k;
+    EXPECT_LT(relaxed.levels[k].compressed, relaxed.levels[k].faces / 2) << k;
+    EXPECT_EQ(left.levels[k].compressed, 0) << k;
   }
 }
 
@@ -196,10 +196,10 @@ TEST(Multiresolution, HoldsTheBoundaryOfWhatIsSqueezed) {
   MapOptions asked;
   asked.boundary = BoundaryCondition::Fixed;
   MultiresolutionRules rules = small();
-  rules.squeezed_share = rules.squeezed = 0;  // all vertices
+  rules.compressed_share = rules.compressed = 0;  // all vertices
   MultiresolutionRecord record;
   const Vec uv = *multiresolution_map(*mesh, asked, {}, rules, &record);
-  EXPECT_EQ(record.levels.back().squeezed, mesh->vertex_count());
+  EXPECT_EQ(record.levels.back().compressed, mesh->vertex_count());
   expect_injective(mesh, uv);
   const Vec tutte = tutte_map(*mesh);
   for (const Index v : mesh->boundary_loops().front())
