@@ -210,10 +210,10 @@ bool DegreeSolver::follow() {
   return true;
 }
 
-void DegreeSolver::return_to(const Place& place) {
-  x_ = place.x;
-  if (!place.surroundings) return;
-  domain_.restore(place.surroundings);
+void DegreeSolver::return_to(const Checkpoint& checkpoint) {
+  x_ = checkpoint.x;
+  if (!checkpoint.surroundings) return;
+  domain_.restore(checkpoint.surroundings);
   rebuild();
 }
 
@@ -256,7 +256,7 @@ class DegreeSolver::MapDescent : public Descent {
 
   Answer after_step(const StepResult& step) override;
   void set_fallback() override {
-    fallback_ = solver_.place();
+    fallback_ = solver_.checkpoint();
     fallback_energy_ = result.energy;
   }
   void return_to_fallback() override {
@@ -276,7 +276,7 @@ class DegreeSolver::MapDescent : public Descent {
  private:
   Phase phase_;
   RunRecord& record_;
-  Place fallback_;
+  Checkpoint fallback_;
   double fallback_energy_ = 0;
 };
 
@@ -307,12 +307,12 @@ Descent::Answer DegreeSolver::MapDescent::after_step(const StepResult& step) {
 }
 
 // Every step on the energy as the last one's faces have weighted it anew; ends where none is stiff.
-class DegreeSolver::SoftDescent final : public MapDescent {
+class DegreeSolver::SoftStart final : public MapDescent {
  public:
-  SoftDescent(DegreeSolver& solver, RunRecord& record)
+  SoftStart(DegreeSolver& solver, RunRecord& record)
       : MapDescent(solver, Phase::SoftStart, record) {}
 
-  // Whether the start is to be softened.
+  // Whether the start is to be a soft one.
   bool weigh() {
     std::optional<Vec> weight = solver_.soft_weights();
     if (!weight) return false;
@@ -350,19 +350,19 @@ SolveResult DegreeSolver::descend(StoppingRules rules, Phase phase, RunRecord& r
   return std::move(result);
 }
 
-void DegreeSolver::soften_start(RunRecord& record) {
-  if (softened_) return;
+void DegreeSolver::soft_start(RunRecord& record) {
+  if (soft_started_) return;
   try {
-    soften(record);
-    softened_ = record.directive() == Directive::Continue;
+    take_soft_steps(record);
+    soft_started_ = record.directive() == Directive::Continue;
   } catch (const Stopped&) {  // so will be what follows
   }
 }
 
-void DegreeSolver::soften(RunRecord& record) {
+void DegreeSolver::take_soft_steps(RunRecord& record) {
   x_ = built_.problem.expand(built_.problem.reduce(x_));
   if (record.directive() != Directive::Continue) return;
-  SoftDescent descent(*this, record);
+  SoftStart descent(*this, record);
   if (!descent.weigh()) return;
   stepper_.descend(descent, brief_rules(record.iterations_left(), kAnyDecrease));
   element_weight_.setOnes();
@@ -414,15 +414,20 @@ IterationRecord DegreeSolver::try_step() {
 }
 
 std::optional<DegreeSolver::State> DegreeSolver::state() const {
-  if (detours_ > 0) return std::nullopt;
-  return State{softened_,          tries_.stalls, tries_.refinements, barrier_followed_, depth_,
-               levels_.of_faces(), uses_};
+  if (running_remedies_ > 0) return std::nullopt;
+  return State{soft_started_,
+               remedy_counts_.stalls,
+               remedy_counts_.refinements,
+               barrier_followed_,
+               depth_,
+               levels_.of_faces(),
+               uses_};
 }
 
 void DegreeSolver::resume(State state) {
   levels_.set(std::move(state.levels));
-  softened_ = state.softened;
-  tries_ = {state.stalls, state.refinements};
+  soft_started_ = state.soft_started;
+  remedy_counts_ = {state.stalls, state.refinements};
   barrier_followed_ = state.barrier_followed;
   uses_ = state.remedies;
   if (state.depth > depth_) set_depth(state.depth);
@@ -443,12 +448,12 @@ bool DegreeSolver::refine_inaccurate() {
 
 namespace {
 
-class Detour {
+class RunningRemedy {
  public:
-  explicit Detour(int& count) : count_(count) { ++count_; }
-  ~Detour() { --count_; }
-  Detour(const Detour&) = delete;
-  Detour& operator=(const Detour&) = delete;
+  explicit RunningRemedy(int& count) : count_(count) { ++count_; }
+  ~RunningRemedy() { --count_; }
+  RunningRemedy(const RunningRemedy&) = delete;
+  RunningRemedy& operator=(const RunningRemedy&) = delete;
 
  private:
   int& count_;
@@ -467,7 +472,7 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
   const auto solve = [&] {
-    return is_bounded() ? solve_within_bounds(record) : exhaust(kRemedies, tries_, record);
+    return is_bounded() ? solve_within_bounds(record) : exhaust(kRemedies, remedy_counts_, record);
   };
   SolveResult result = solve();
   if (result.status == Status::Stalled && domain_.hold()) result = solve();
@@ -476,15 +481,15 @@ SolveResult DegreeSolver::finish(RunRecord& record) {
 }
 
 // Runs again as long as a stall can be left or the quadrature be refined.
-SolveResult DegreeSolver::exhaust(std::span<const Remedy> remedies, Tries& tries,
+SolveResult DegreeSolver::exhaust(std::span<const Remedy> remedies, RemedyCounts& counts,
                                   RunRecord& record) {
   SolveResult result = descend(final_rules(), Phase::Newton, record);
   try {
     for (;;) {
-      if (result.status == Status::Stalled && tries.stalls++ < rules().stall_rounds) {
+      if (result.status == Status::Stalled && counts.stalls++ < rules().stall_rounds) {
         if (!relieve(remedies, result, record)) return result;
       } else if (result.status == Status::Converged &&
-                 tries.refinements++ < setup_.rules.accuracy_rounds && refine_inaccurate()) {
+                 counts.refinements++ < setup_.rules.accuracy_rounds && refine_inaccurate()) {
         result = descend(final_rules(), Phase::Newton, record);
       } else {
         return result;
@@ -500,9 +505,9 @@ bool DegreeSolver::relieve(std::span<const Remedy> remedies, SolveResult& result
                            RunRecord& record) {
   for (const Remedy remedy : remedies) {
     const double before = result.energy;
-    const Effect effect = apply(remedy, result, record);
-    if (was_stopped(result.status) || effect == Effect::Ended) return false;
-    if (effect == Effect::None) continue;
+    const RemedyOutcome outcome = apply(remedy, result, record);
+    if (was_stopped(result.status) || outcome == RemedyOutcome::Ended) return false;
+    if (outcome == RemedyOutcome::None) continue;
     const double gained = before - result.energy;
     result = descend(final_rules(), Phase::Newton, record);
     add_use(uses_, remedy, gained + began_at_ - result.energy);
@@ -511,8 +516,9 @@ bool DegreeSolver::relieve(std::span<const Remedy> remedies, SolveResult& result
   return false;
 }
 
-DegreeSolver::Effect DegreeSolver::apply(Remedy remedy, SolveResult& result, RunRecord& record) {
-  const Detour detour(detours_);
+DegreeSolver::RemedyOutcome DegreeSolver::apply(Remedy remedy, SolveResult& result,
+                                                RunRecord& record) {
+  const RunningRemedy running(running_remedies_);
   switch (remedy) {
     case Remedy::Deepen:
       return deepen(record);
@@ -523,16 +529,16 @@ DegreeSolver::Effect DegreeSolver::apply(Remedy remedy, SolveResult& result, Run
     case Remedy::FollowBarrier:
       return follow_barrier(result, record);
   }
-  return Effect::None;
+  return RemedyOutcome::None;
 }
 
 // The certificate may be too coarse rather than the map too close to degenerate: bisect deeper.
-DegreeSolver::Effect DegreeSolver::deepen(RunRecord& record) {
-  if (depth_ >= rules().deepest_bisection) return Effect::None;
+DegreeSolver::RemedyOutcome DegreeSolver::deepen(RunRecord& record) {
+  if (depth_ >= rules().deepest_bisection) return RemedyOutcome::None;
   setup_.stop.poll();
   set_depth(std::min(depth_ + rules().bisections_deeper, rules().deepest_bisection));
   record.mark(Remedy::Deepen);
-  return Effect::GoOn;
+  return RemedyOutcome::GoOn;
 }
 
 void DegreeSolver::set_depth(int depth) {
@@ -542,24 +548,25 @@ void DegreeSolver::set_depth(int depth) {
   rebuild();
 }
 
-DegreeSolver::Effect DegreeSolver::refine(const std::vector<Index>& blocking, RunRecord& record) {
+DegreeSolver::RemedyOutcome DegreeSolver::refine(const std::vector<Index>& blocking,
+                                                 RunRecord& record) {
   std::vector<Index> faces;  // of the map; the domain looks after its own
   for (const Index e : blocking)
     if (e < space_->element_count()) faces.push_back(e);
-  if (!partition().any(levels_.refine(faces))) return Effect::None;
+  if (!partition().any(levels_.refine(faces))) return RemedyOutcome::None;
   apply_state();
   record.mark(Remedy::Refine);
-  return Effect::GoOn;
+  return RemedyOutcome::GoOn;
 }
 
 // [MC20] Sec. 4.3: the blocking triangles lose their say for a few steps, not their positivity.
-DegreeSolver::Effect DegreeSolver::exclude(SolveResult& result, RunRecord& record) {
+DegreeSolver::RemedyOutcome DegreeSolver::exclude(SolveResult& result, RunRecord& record) {
   const SolveResult stalled = result;
   for (const Index e : stalled.blocking)
     if (e < element_weight_.size()) element_weight_[e] = rules().excluded_weight;
-  if (partition().all((element_weight_.array() == 1).all())) return Effect::None;
+  if (partition().all((element_weight_.array() == 1).all())) return RemedyOutcome::None;
   record.mark(Remedy::Exclude);
-  const Place best = place();
+  const Checkpoint best = checkpoint();
   apply_state();
   StoppingRules brief = unlimited(rules().excluded_tolerance);
   brief.max_iterations = rules().excluded_iterations;
@@ -567,14 +574,14 @@ DegreeSolver::Effect DegreeSolver::exclude(SolveResult& result, RunRecord& recor
   element_weight_.setOnes();
   apply_state();
   result = descend(unlimited(rules().excluded_tolerance), Phase::Newton, record);
-  if (result.energy < stalled.energy) return Effect::GoOn;
+  if (result.energy < stalled.energy) return RemedyOutcome::GoOn;
   result = back_to(best, stalled, result.status);
   add_use(uses_, Remedy::Exclude, 0);
-  return Effect::None;
+  return RemedyOutcome::None;
 }
 
 // A way out that led nowhere, or was stopped before it led anywhere.
-SolveResult DegreeSolver::back_to(const Place& best, SolveResult stalled, Status way_out) {
+SolveResult DegreeSolver::back_to(const Checkpoint& best, SolveResult stalled, Status way_out) {
   return_to(best);
   if (!was_stopped(way_out)) return stalled;
   return stopped(std::move(stalled),
@@ -584,24 +591,24 @@ SolveResult DegreeSolver::back_to(const Place& best, SolveResult stalled, Status
 // Interior points: the energy plus mu times one whose barrier is strong, for falling mu, leads
 // around corners that a weak barrier, or none, ran into. The map's is symmetric Dirichlet, unless
 // that is in its energy; the surroundings bring their own.
-DegreeSolver::Effect DegreeSolver::follow_barrier(SolveResult& result, RunRecord& record) {
-  if (std::exchange(barrier_followed_, true)) return Effect::None;
-  Effect effect = Effect::None;
+DegreeSolver::RemedyOutcome DegreeSolver::follow_barrier(SolveResult& result, RunRecord& record) {
+  if (std::exchange(barrier_followed_, true)) return RemedyOutcome::None;
+  RemedyOutcome outcome = RemedyOutcome::None;
   for (int round = 0; round < rules().barrier_rounds && result.status == Status::Stalled; ++round) {
     const SolveResult stalled = result;
-    const Place best = place();
+    const Checkpoint best = checkpoint();
     if (!step_aside(std::abs(stalled.energy) / least_density(), record)) break;
-    effect = Effect::Ended;
-    Tries tries;
+    outcome = RemedyOutcome::Ended;
+    RemedyCounts counts;
     result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),
-                     tries, record);
+                     counts, record);
     // On the same rules, which may have become finer on the way.
     const double before = own_energy(best.x), gained = before - own_energy(x_);
     add_use(uses_, Remedy::FollowBarrier, std::max(gained, 0.0));
     if (!(gained > 0)) result = back_to(best, stalled, result.status);
     if (!(gained > rules().worth_another_round * before)) break;
   }
-  return effect;
+  return outcome;
 }
 
 // Along the barrier, from strong to weak; whether there is one to follow. unit: weight of the
@@ -649,7 +656,7 @@ SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   if (was_stopped(result.status)) return result;
   const auto met = [this] { return !bounds_.held.violated(x()); };
   if (met()) {
-    result = exhaust(kRemedies, tries_, record);
+    result = exhaust(kRemedies, remedy_counts_, record);
     if (was_stopped(result.status) || met()) return result;
   }
   try {
@@ -658,8 +665,8 @@ SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   } catch (const Stopped& stop) {
     return stopped(std::move(result), stop.why());
   }
-  tries_ = {};
-  return exhaust(kRemedies, tries_, record);
+  remedy_counts_ = {};
+  return exhaust(kRemedies, remedy_counts_, record);
 }
 
 double DegreeSolver::barrier_size() const {

@@ -2,7 +2,7 @@
 // is refined where it must be and the remedies for stalls at the limit of the feasible set.
 //
 //     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
-//     solver.soften_start(record);
+//     solver.soft_start(record);
 //     SolveResult solved = solver.finish(record);
 //     map = map.with(map.shared_space(), solver.x());
 //
@@ -45,7 +45,7 @@ class DegreeSolver {
   // With x() what another solver of the same degree needs to go on from there; what Newton's method
   // has learned of late, it learns again.
   struct State {
-    bool softened = false;            // soften_start() is through
+    bool soft_started = false;        // soft_start() is through
     int stalls = 0, refinements = 0;  // remedies tried, times the quadrature was refined
     bool barrier_followed = false;
     int depth = 0;               // of certificates
@@ -63,7 +63,7 @@ class DegreeSolver {
   // For a start of enormous energy (a Tutte map with nearly collapsed triangles): steps on
   // sum A sqrt(density) by reweighting, until the mean density is moderate. Otherwise the stiff
   // triangles' rounding errors drive everything else, and which minimum is reached is chance.
-  void soften_start(RunRecord& record);
+  void soft_start(RunRecord& record);
   // Until one iteration decreases the energy by less than `tolerance`; no remedy is tried. For
   // degrees on the way.
   SolveResult approach(double tolerance, RunRecord& record, Phase phase = Phase::Newton);
@@ -95,14 +95,14 @@ class DegreeSolver {
                std::shared_ptr<const BezierTriangleSpace> space, const Vec& x, Bounds bounds);
 
   // Where a run can come back to.
-  struct Place {
+  struct Checkpoint {
     Vec x;
     std::optional<Scaffold> surroundings;
   };
   class MapDescent;
-  class SoftDescent;
+  class SoftStart;
   // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
-  enum class Effect { None, GoOn, Ended };
+  enum class RemedyOutcome { None, GoOn, Ended };
 
   const Partition& partition() const { return partition_of(built_.problem); }
   MapProblem build();
@@ -112,15 +112,15 @@ class DegreeSolver {
   void apply_state();
   void renew_states();
   bool follow();
-  Place place() const { return {x_, domain_.surroundings()}; }
-  void return_to(const Place& place);
+  Checkpoint checkpoint() const { return {x_, domain_.surroundings()}; }
+  void return_to(const Checkpoint& checkpoint);
   double own_energy(VecIn x) const;
   double foreign_energy() const;
   Directive note(const IterationRecord& own, StepResult::Outcome outcome, Phase phase,
                  RunRecord& record) const;
 
   SolveResult descend(StoppingRules rules, Phase phase, RunRecord& record);
-  void soften(RunRecord& record);
+  void take_soft_steps(RunRecord& record);
   std::optional<Vec> soft_weights() const;
   bool refine_inaccurate();
   StoppingRules unlimited(double relative_decrease) const;
@@ -137,20 +137,20 @@ class DegreeSolver {
   // Remedies.
   const RemedyRules& rules() const { return setup_.rules.remedies; }
   // How often something was tried at this degree.
-  struct Tries {
+  struct RemedyCounts {
     int stalls = 0, refinements = 0;
   };
-  SolveResult exhaust(std::span<const Remedy> remedies, Tries& tries, RunRecord& record);
+  SolveResult exhaust(std::span<const Remedy> remedies, RemedyCounts& counts, RunRecord& record);
   bool relieve(std::span<const Remedy> remedies, SolveResult& result, RunRecord& record);
-  Effect apply(Remedy remedy, SolveResult& result, RunRecord& record);
+  RemedyOutcome apply(Remedy remedy, SolveResult& result, RunRecord& record);
   void set_depth(int depth);
-  Effect deepen(RunRecord& record);
-  Effect refine(const std::vector<Index>& blocking, RunRecord& record);
-  Effect exclude(SolveResult& result, RunRecord& record);
-  Effect follow_barrier(SolveResult& result, RunRecord& record);
+  RemedyOutcome deepen(RunRecord& record);
+  RemedyOutcome refine(const std::vector<Index>& blocking, RunRecord& record);
+  RemedyOutcome exclude(SolveResult& result, RunRecord& record);
+  RemedyOutcome follow_barrier(SolveResult& result, RunRecord& record);
   bool step_aside(double unit, RunRecord& record);
   bool approach_with(double weight, RunRecord& record);
-  SolveResult back_to(const Place& best, SolveResult stalled, Status way_out);
+  SolveResult back_to(const Checkpoint& best, SolveResult stalled, Status way_out);
 
   const Setup& setup_;
   MapDomain& domain_;
@@ -161,15 +161,15 @@ class DegreeSolver {
   int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
   std::vector<long> proven_inside_;  // by the solves along a barrier
-  Vec element_weight_;               // 1, or else for a while: softened, excluded
+  Vec element_weight_;               // 1, or else for a while: soft start, excluded
   Vec x_;                            // unknowns of the domain, the map's first
   Bounds bounds_;
   MapProblem built_;
   NewtonStepper stepper_;
   double began_at_ = 0;  // own energy at the start of the last descent
-  bool softened_ = false;
-  Tries tries_;
-  int detours_ = 0;                // remedies that are taking steps
+  bool soft_started_ = false;
+  RemedyCounts remedy_counts_;
+  int running_remedies_ = 0;       // remedies that are taking steps
   bool barrier_followed_ = false;  // once a degree
   RemedyUses uses_{};
 };

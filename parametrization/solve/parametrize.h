@@ -11,6 +11,7 @@
 // degree raised step by step. [MC20], method.md.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,7 +60,7 @@ struct ParametrizationResult {
   double start_moved = 0;          // by aligning edges, largest distance, model units
   std::vector<Pin> handles;        // with their targets
   double handle_distance = 0;      // largest distance of a soft handle from its target, model units
-  Index variables = 0;
+  std::int64_t variables = 0;      // of the last degree
   MapMeasures measures;
   std::vector<AddedTerm> terms;
   std::vector<AddedCheck> checks;

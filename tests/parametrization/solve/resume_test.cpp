@@ -43,7 +43,7 @@ class Resume {
     running_ = &solver;
     if (from) solver.resume(from->state);
     RunRecord record;
-    solver.soften_start(record);
+    solver.soft_start(record);
     const SolveResult result = solver.finish(record);
     last_ = solver.state();
     return result;
