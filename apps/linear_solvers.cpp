@@ -81,7 +81,7 @@ void LinearSolvers::foresee(const SurfaceMesh& mesh, const ParametrizationOption
 }
 
 // The direct solver, once it has analysed the pattern and allocated nothing, or another one.
-std::unique_ptr<LinearSolver> LinearSolvers::make(const SparsePattern& pattern, Ordering ordering) {
+std::shared_ptr<LinearSolver> LinearSolvers::make(const SparsePattern& pattern, Ordering ordering) {
   if (name_ != "auto" && name_ != "direct") {
     used_cholmod_ |= name_ == "cholmod" && pattern.size > 0;
     return plugin_();

@@ -51,7 +51,7 @@ class LinearSolvers {
 
  private:
   SolverFactory load_petsc(Rung first);
-  std::unique_ptr<LinearSolver> make(const SparsePattern& pattern, Ordering ordering);
+  std::shared_ptr<LinearSolver> make(const SparsePattern& pattern, Ordering ordering);
   bool gives_way(const SolverMemory& memory, int foreseen_degree);
 
   std::string name_;

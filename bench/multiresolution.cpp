@@ -91,13 +91,13 @@ void report(const std::string& path, const MultiresolutionRules& rules, bool sta
   for (std::size_t k = 1; k < record.levels.size(); ++k) {
     sum.insert_seconds += record.levels[k].insert_seconds;
     sum.sweep_seconds += record.levels[k].sweep_seconds;
-    sum.squeezed_seconds += record.levels[k].squeezed_seconds;
+    sum.compressed_seconds += record.levels[k].compressed_seconds;
     sum.solve_seconds += record.levels[k].solve_seconds;
   }
   fmt::print("| {} | {} | {:.1f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |",
              name, mesh->face_count(), 1e3 * unit, record.decimation_seconds / unit,
              record.levels.front().solve_seconds / unit, sum.insert_seconds / unit,
-             sum.sweep_seconds / unit, sum.squeezed_seconds / unit, sum.solve_seconds / unit,
+             sum.sweep_seconds / unit, sum.compressed_seconds / unit, sum.solve_seconds / unit,
              total / unit);
   if (!start_only) {
     const Run here = solve(mesh, *start), there = solve(mesh, tutte_map(*mesh));
@@ -115,20 +115,21 @@ int main(int argc, char** argv) {
   const ThreadCount one(1);
   MultiresolutionRules rules;
   const std::map<std::string, double*> reals{
-      {"--ratio", &rules.ratio},       {"--hot", &rules.hot},
-      {"--squeezed", &rules.squeezed}, {"--squeezed-share", &rules.squeezed_share},
-      {"--decrease", &rules.decrease}, {"--coarse-decrease", &rules.coarse_decrease}};
+      {"--ratio", &rules.ratio},           {"--high-energy", &rules.high_energy},
+      {"--compressed", &rules.compressed}, {"--compressed-share", &rules.compressed_share},
+      {"--decrease", &rules.decrease},     {"--coarse-decrease", &rules.coarse_decrease}};
   const std::map<std::string, int*> integers{{"--coarsest", &rules.coarsest},
                                              {"--sweeps", &rules.sweeps},
                                              {"--insertion-steps", &rules.insertion_steps},
-                                             {"--hot-rounds", &rules.hot_rounds},
-                                             {"--squeezed-rings", &rules.squeezed_rings},
-                                             {"--squeezed-steps", &rules.squeezed_steps},
+                                             {"--high-energy-rounds", &rules.high_energy_rounds},
+                                             {"--compressed-rings", &rules.compressed_rings},
+                                             {"--compressed-steps", &rules.compressed_steps},
                                              {"--factor-steps", &rules.factor_steps},
                                              {"--most-steps", &rules.most_steps}};
   bool start_only = false;
   fmt::print(
-      "| mesh | faces | fe, ms | decimation | coarsest | insertion | sweeps | squeezed | levels | "
+      "| mesh | faces | fe, ms | decimation | coarsest | insertion | sweeps | compressed | levels "
+      "| "
       "start, "
       "fe | error | to 1e-2 / 1e-4 | energy | from Tutte | energy |\n");
   fmt::print("|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");

@@ -36,6 +36,7 @@ class LocalInjectivity final : public FeasibilityChecker {
   Verdict check(VecIn x) const override;
   StepBound max_step(VecIn x, VecIn d, double s) const override;
 
+  int max_depth() const { return max_depth_; }
   // Certified lower bound of det J of the map, by element (<= 0 where there is no proof).
   Vec lower_bounds(VecIn x) const;
 

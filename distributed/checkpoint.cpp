@@ -225,7 +225,7 @@ namespace {
 // Of a face, its first nodes: a triangle's.
 constexpr Index kCorners = 3;
 
-Json to_json(const PartState& state) {
+Json to_json(const RunState& state) {
   Json remedies = Json::array();
   for (const RemedyUse& use : state.solver.remedies)
     remedies.push_back({{"runs", use.runs}, {"gained", use.gained}});
@@ -233,7 +233,7 @@ Json to_json(const PartState& state) {
   if (std::isfinite(state.initial_value)) initial = state.initial_value;
   return {{"entering", state.entering},
           {"initial_value", initial},
-          {"softened", state.solver.softened},
+          {"softened", state.solver.soft_started},
           {"stalls", state.solver.stalls},
           {"refinements", state.solver.refinements},
           {"barrier_followed", state.solver.barrier_followed},
@@ -242,16 +242,16 @@ Json to_json(const PartState& state) {
 }
 
 // Of all but the points and the levels.
-PartState from_json(const HeaderReader& told) {
+RunState from_json(const HeaderReader& told) {
   constexpr int kMany = std::numeric_limits<int>::max();
   const auto count = [&](const HeaderReader& in, const char* key, int most) {
     return static_cast<int>(in.integer(key, 0, most));
   };
-  PartState state;
+  RunState state;
   state.entering = told.flag("entering");
   state.initial_value = told.at("initial_value").is_null() ? std::numeric_limits<double>::infinity()
                                                            : told.finite("initial_value");
-  state.solver.softened = told.flag("softened");
+  state.solver.soft_started = told.flag("softened");
   state.solver.stalls = count(told, "stalls", kMany);
   state.solver.refinements = count(told, "refinements", kMany);
   state.solver.barrier_followed = told.flag("barrier_followed");
@@ -283,7 +283,7 @@ CheckpointWriter::CheckpointWriter(std::string path, std::shared_ptr<const MeshP
       start_(whole_of_vertices(*part_, start, 2)),
       about_(std::move(about)) {}
 
-void CheckpointWriter::write(const PartState& state, double seconds_of_run) {
+void CheckpointWriter::write(const RunState& state, double seconds_of_run) {
   const AddedSeconds time(seconds_);
   const MeshPart& part = *part_;
   const Index width = others_of(state.space->degree());
@@ -338,11 +338,11 @@ void require_state(const std::string& path, const CheckpointFile& file, int quad
           path, fmt::format("it has faces at level {} of {} of the quadrature", level, top));
 }
 
-PartState state_of(const MeshPart& part, const CheckpointFile& file) {
+RunState state_of(const MeshPart& part, const CheckpointFile& file) {
   const Ranks& ranks = part.ranks();
   const Json header =
       Json::parse(broadcast(ranks, ranks.rank() == 0 ? file.header.dump() : std::string()));
-  PartState state = from_json(HeaderReader("checkpoint", header)["state"]);
+  RunState state = from_json(HeaderReader("checkpoint", header)["state"]);
   const int degree = header.at("degree");
   state.space = std::make_shared<const BezierTriangleSpace>(part.mesh->faces(),
                                                             part.mesh->vertex_count(), degree);

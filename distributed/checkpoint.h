@@ -84,7 +84,7 @@ class CheckpointWriter {
 
   // Collective. Where the file cannot be written the older one stays and the run goes on: rank 0
   // has failure().
-  void write(const PartState& state, double seconds_of_run);
+  void write(const RunState& state, double seconds_of_run);
 
   // Rank 0's.
   int written() const { return written_; }
@@ -109,7 +109,7 @@ std::string fingerprint(const SurfaceMesh& mesh);
 void require_state(const std::string& path, const CheckpointFile& file, int quadrature_points);
 
 // file: rank 0's, of this surface, which has passed require_state(). Collective.
-PartState state_of(const MeshPart& part, const CheckpointFile& file);
+RunState state_of(const MeshPart& part, const CheckpointFile& file);
 
 }  // namespace majorant
 

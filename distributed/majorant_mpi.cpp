@@ -200,7 +200,7 @@ Json resumed_section(const CheckpointRequest& request, const CheckpointFile& fil
 struct PartsRun {
   const MapJob& job;
   const MeshPart& part;
-  const PartResult& result;
+  const ParametrizationResult& result;
   const GlobalInjectivity& boundary;  // rank 0's
   std::string start, file;
   double divide_seconds = 0, initialize_seconds = 0, write_seconds = 0;
@@ -215,11 +215,10 @@ Json boundary_section(const GlobalInjectivity& proof) {
           {"contacts", proof.contacts.size()}};
 }
 
-Json result_section(const PartsRun& run, GlobalIndex control_points) {
-  const PartResult& r = run.result;
-  const PartMeasures& m = r.measures;
-  Json section =
-      measures_section({r.map->degree(), control_points}, m, m.least_det, run.job.energy);
+Json result_section(const PartsRun& run, GlobalIndex control_points, double least_det) {
+  const ParametrizationResult& r = run.result;
+  const MapMeasures& m = r.measures;
+  Json section = measures_section({r.map->degree(), control_points}, m, least_det, run.job.energy);
   section.update(overlap_section(run.boundary, ImageOf::Surface, m));
   section.update({{"boundary", boundary_section(run.boundary)},
                   {"start", run.start},
@@ -238,6 +237,9 @@ Json parts_report(const PartsRun& run) {
   double shared = 0;
   for (const auto& n : nodes->neighbours()) shared += static_cast<double>(n.owned.size() / 2);
   const Traffic sent = traffic();
+  const Vec& min_det = run.result.measures.min_det;
+  const double least_det = part.ranks().min(
+      min_det.size() > 0 ? min_det.minCoeff() : std::numeric_limits<double>::infinity());
   const auto all = gathered(part.ranks(), {static_cast<double>(part.mesh->face_count()),
                                            static_cast<double>(nodes->owned_size() / 2), shared,
                                            static_cast<double>(peak_memory_bytes()), sent.messages,
@@ -252,7 +254,7 @@ Json parts_report(const PartsRun& run) {
                      {"messages", static_cast<long>(r[4])},
                      {"message_bytes", static_cast<long>(r[5])},
                      {"reductions", static_cast<long>(r[6])}});
-  const PartResult& r = run.result;
+  const ParametrizationResult& r = run.result;
   return {{"schema_version", 1},
           {"version", MAJORANT_VERSION},
           {"command", task_name(run.job.task)},
@@ -264,7 +266,7 @@ Json parts_report(const PartsRun& run) {
             {"edges", part.whole.edges},
             {"faces", part.whole.faces}}},
           {"options", run.job.asked},
-          {"result", result_section(run, nodes->global_size() / 2)},
+          {"result", result_section(run, nodes->global_size() / 2, least_det)},
           {"iterations", iterations_section(run.job.record.trace())},
           {"injectivity_tests", {{"depth", r.injectivity_tests}}},
           {"remedies", remedies_section(r.remedies)},
@@ -385,7 +387,7 @@ class SharedJob {
     const Vec uv = make_start(solver);
     ParametrizationOptions options = local_options();
     options.solve.linear_solver = [solver](const SparsePattern&, Ordering) { return solver(); };
-    std::optional<PartState> from;
+    std::optional<RunState> from;
     if (resumes()) from = state_of(*part_, in_.checkpoint);
     make_writer(uv);
     job_.mesh.reset();  // rank 0 has held the whole surface until here
@@ -393,7 +395,8 @@ class SharedJob {
     if (resumes() && is_first_) resumed_ = resumed_section(request_.checkpoint, in_.checkpoint);
     in_.checkpoint = {};
     initialize_seconds_ = record_.seconds() - started;
-    const PartResult result = parametrize_parts(part_, uv, options, record_, keeping(), from);
+    const ParametrizationResult result =
+        parametrize_parts(part_, uv, options, record_, keeping(), from);
     from.reset();
     record_.begin(Activity::Proving);
     const GlobalInjectivity proof = prove_boundary(*part_, *result.map, in_.boundary);
@@ -460,7 +463,7 @@ class SharedJob {
 
   Keeping keeping() {
     if (!writer_) return {};
-    return {request_.checkpoint.every, [this](const PartState& state) {
+    return {request_.checkpoint.every, [this](const RunState& state) {
               const bool failed = !writer_->failure().empty();
               writer_->write(state, record_.seconds());
               if (!failed && !writer_->failure().empty())
@@ -503,7 +506,7 @@ class SharedJob {
     return is_own_solver(request_.linear_solver, *ranks_) ? OwnSolver::Used : OwnSolver::Unused;
   }
 
-  int conclude(const PartResult& result, const GlobalInjectivity& proof) {
+  int conclude(const ParametrizationResult& result, const GlobalInjectivity& proof) {
     job_.energy = request_.map.energy;
     job_.asked = request_.map.to_json();
     job_.asked.update(request_.solve.to_json());

@@ -34,6 +34,9 @@ class MeshPart final : public MapPart {
   std::shared_ptr<const Partition> unknowns(const BezierTriangleSpace& space) const override;
   std::vector<Index> boundary_nodes(const BezierTriangleSpace& space) const override;
   std::vector<Index> gauge_vertex() const override;
+  std::string obstacle(const BezierMap& map, const Vec& rest_det, int depth) const override;
+  MapMeasures measure(const BezierMap& map, const EnergySum& energy,
+                      std::string& unproven) const override;
   // Of one unknown per vertex. Collective.
   Partition vertices() const;
 

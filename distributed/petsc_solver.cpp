@@ -281,7 +281,7 @@ class ConjugateGradients {
   PetscReal largest_tolerance_ = 1;  // of the options: never less accurate than that
 };
 
-class Ladder final : public LinearSolver {
+class Ladder final : public SharedSolver {
  public:
   Ladder(const LadderOptions& options, std::shared_ptr<LadderRecord> record)
       : options_(options), record_(std::move(record)) {}

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/framework/ranks.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 

@@ -34,7 +34,7 @@ Vec mean_map(const MeshPart& part, const Vec& boundary, LinearSolver& solver) {
   const Partition partition = part.vertices().part(means.vertices());
   if (partition.global_size() == 0) return x;
   const EdgeLaplacian laplacian = means.laplacian();
-  solver.analyze_shared(laplacian.pattern(), partition);
+  analyze_shared(solver, laplacian.pattern(), partition);
   if (solver.factorize(means.values(laplacian), 0) != FactorStatus::Ok) refuse();
   for (const int c : {0, 1}) {
     Vec solution;

@@ -77,7 +77,7 @@ void together(const Ranks& ranks, const Work& work) {
 
 }  // namespace
 
-void write_parts(const std::string& path, const MeshPart& part, const PartResult& result,
+void write_parts(const std::string& path, const MeshPart& part, const ParametrizationResult& result,
                  const std::string& claims) {
   const Ranks& ranks = part.ranks();
   const bool is_first = ranks.rank() == 0, has_faces = part.mesh->face_count() > 0;

@@ -14,7 +14,7 @@ namespace majorant {
 // is no OUT.pvtu until the last piece has its name; pieces that an earlier one named, of more
 // ranks, are gone. Throws on all ranks where one fails: what it failed at there, FailedElsewhere on
 // the others (internal/rethrow_collectively.h).
-void write_parts(const std::string& path, const MeshPart& part, const PartResult& result,
+void write_parts(const std::string& path, const MeshPart& part, const ParametrizationResult& result,
                  const std::string& claims);
 
 }  // namespace majorant

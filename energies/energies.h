@@ -13,7 +13,6 @@
 //     make_energy.h               from a density to a term, or to an EnergyFactory
 //     energy_factory.h            EnergyFactory, EnergySum: what drivers take
 //     density_term.h              DensityTerm: the term of a density
-//     quadratic_penalty.h         soft constraints
 //
 // Not here, since it compiles the whole contraction: vectorized.h, for a formula that is waited
 // for.
@@ -25,7 +24,6 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/named_energies.h"
-#include "majorant/energies/quadratic_penalty.h"
 #include "majorant/energies/spectral.h"
 #include "majorant/energies/traits.h"
 

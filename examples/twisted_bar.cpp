@@ -11,8 +11,8 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/bezier_tetrahedron_space.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/newton.h"
+#include "majorant/terms/quadratic_penalty.h"
 #include "write_vtk.h"
 
 using namespace majorant;

@@ -10,6 +10,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/barrier_path.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 namespace {
@@ -39,7 +40,7 @@ class Phases {
         options_(options),
         observer_(observer),
         stepper_(problem, options.newton) {
-    if (!problem.partition().is_whole())
+    if (!partition_of(problem).is_whole())
       throw InvalidArgument(
           "BarrierMinimizer: the problem is that of several processes, it knows one");
     result_.y = std::move(y0);

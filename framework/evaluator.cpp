@@ -9,6 +9,7 @@
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 namespace {
@@ -89,21 +90,21 @@ Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& 
 
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop) {
   require_size("term_energy: x", x.size(), problem.full_size());
-  require_no_stop("term_energy: the stop check", stop, problem.partition());
+  require_no_stop("term_energy: the stop check", stop, partition_of(problem));
   double total = 0;
   add_energy(problem, id, x, stop, total);
-  return problem.partition().sum(total);
+  return partition_of(problem).sum(total);
 }
 
 double Evaluator::value(VecIn y, const StopCheck& stop) {
   require_size("Evaluator::value: y", y.size(), problem_.size());
-  require_no_stop("Evaluator: the stop check", stop, problem_.partition());
+  require_no_stop("Evaluator: the stop check", stop, partition_of(problem_));
   const AddedSeconds time(counters_.value_seconds);
   ++counters_.values;
   ProblemParts::elimination(problem_).expand(y, x_);
   double total = 0;
   for (const TermId id : problem_.terms()) add_energy(problem_, id, x_, stop, total);
-  return problem_.partition().sum(total);
+  return partition_of(problem_).sum(total);
 }
 
 double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec& hessian_values,
@@ -131,7 +132,7 @@ std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
   for (const auto& checker : problem_.checkers()) {
     Verdict verdict = checker->check(x);
     add_counts(counters_.proven, verdict.proven);
-    verdict.feasible = problem_.partition().all(verdict.feasible);
+    verdict.feasible = partition_of(problem_).all(verdict.feasible);
     if (!verdict.feasible) return Violation{checker.get(), std::move(verdict)};
   }
   return std::nullopt;
@@ -139,7 +140,7 @@ std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
 
 double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                            const StopCheck& stop) {
-  require_no_stop("Evaluator: the stop check", stop, problem_.partition());
+  require_no_stop("Evaluator: the stop check", stop, partition_of(problem_));
   ProblemParts::elimination(problem_).expand(y, x_);
   gradient.setZero(problem_.size());
   while (scratch_.size() < to_size(ThreadCount::current()))
@@ -150,8 +151,8 @@ double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, V
     assemble_term(k, curvature, gradient, hessian_values, stop, energies);
     for (const double e : energies) total += e;
   }
-  problem_.partition().add_to_owners(gradient);
-  return problem_.partition().sum(total);
+  partition_of(problem_).add_to_owners(gradient);
+  return partition_of(problem_).sum(total);
 }
 
 void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient,

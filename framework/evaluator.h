@@ -49,7 +49,7 @@ class Evaluator {
 
   struct Violation {
     const FeasibilityChecker* checker = nullptr;
-    Verdict verdict;  // nothing blocks here where it is another rank that is not feasible
+    Verdict verdict;
   };
   // The first of the problem's checkers that does not find x feasible (full unknowns), if any.
   std::optional<Violation> violation(VecIn x);

@@ -36,8 +36,6 @@
 //     linear_solver.h             sparse factorizations: the own one, others to plug in
 //     sparse_pattern.h            where a symmetric matrix has entries
 //     evaluator.h                 energy, gradient, Hessian of a problem at a point
-//     ranks.h                     processes that solve one problem together
-//     partition.h                 which part of the problem each of them has
 //
 // Not here, since they need libraries that are asked for by name: ceres_minimizer.h (the solvers of
 // Ceres, majorant::ceres) and cholmod_solver.h (CHOLMOD, majorant::cholmod).
@@ -60,9 +58,7 @@
 #include "majorant/framework/minimizer.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/packed_symmetric.h"
-#include "majorant/framework/partition.h"
 #include "majorant/framework/problem.h"
-#include "majorant/framework/ranks.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/sparse_pattern.h"
 #include "majorant/framework/stepper.h"

@@ -27,9 +27,7 @@ struct GradientFlowOptions {
   Curvature curvature = Curvature::Projected;  // of M
   StoppingRules stopping = first_order_rules();
   LineSearchOptions line_search = {};
-  std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
-    return make_direct_solver();
-  };
+  SolverFactory linear_solver = [] { return make_direct_solver(); };
   StopCheck stop = {};  // ends a step, as in NewtonOptions
 };
 

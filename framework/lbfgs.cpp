@@ -45,7 +45,7 @@ class LbfgsStepper final : public Stepper {
     if (std::exchange(started_, true))
       history_.visit(y, gradient_);
     else
-      history_.start(y, gradient_, partition());
+      history_.start(y, gradient_, partition_of(evaluator_.problem()));
     r.seconds.assemble += watch.restart();
     return true;
   }

@@ -33,9 +33,7 @@ struct LbfgsOptions {
   double cautious = 1e-10;
   StoppingRules stopping = first_order_rules();
   LineSearchOptions line_search = {};
-  std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
-    return make_direct_solver();
-  };
+  SolverFactory linear_solver = [] { return make_direct_solver(); };
   StopCheck stop = {};  // ends a step, as in NewtonOptions
 };
 

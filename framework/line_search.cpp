@@ -10,6 +10,7 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 namespace {
@@ -37,7 +38,7 @@ LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, c
                     ? kRoundingPart * kResolution * std::abs(energy)
                     : 0.0),
       x_(evaluator.problem().expand(y)) {
-  require_no_stop("LineSearch: the stop check", stop_, evaluator.problem().partition());
+  require_no_stop("LineSearch: the stop check", stop_, partition_of(evaluator.problem()));
   ProblemParts::elimination(evaluator.problem()).expand_direction(p, d_);
 }
 
@@ -66,7 +67,7 @@ StepBound LineSearch::certified(double s) const {
     if (b.step < bound.step) bound = std::move(b);
   }
   const double here = bound.step;
-  bound.step = evaluator_.problem().partition().min(here);
+  bound.step = partition_of(evaluator_.problem()).min(here);
   if (here > 2 * bound.step) bound.blocking.clear();  // StepBound::blocking, of all ranks
   return bound;
 }

@@ -16,26 +16,10 @@ constexpr int kMostShifts = 24;
 
 }  // namespace
 
-void LinearSolver::analyze_shared(const SparsePattern& pattern, const Partition& partition) {
-  if (!partition.is_whole())
-    throw InvalidArgument(
-        "LinearSolver::analyze_shared: this solver knows one process only, the matrix is that of "
-        "several");
-  analyze(pattern);
-}
-
 double mean_diagonal(const SparsePattern& pattern, const Vec& values) {
   double sum = 0;
   for (Index c = 0; c < pattern.size; ++c) sum += std::abs(values[pattern.column_starts[c]]);
   return sum / pattern.size;
-}
-
-double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Partition& partition) {
-  if (partition.is_whole()) return mean_diagonal(pattern, values);
-  Vec diagonal(pattern.size);
-  for (Index c = 0; c < pattern.size; ++c) diagonal[c] = values[pattern.diagonal_slot(c)];
-  partition.add_to_owners(diagonal);
-  return partition.sum(diagonal.lpNorm<1>()) / static_cast<double>(partition.global_size());
 }
 
 ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern& pattern,

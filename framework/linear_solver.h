@@ -12,7 +12,6 @@
 #include <string>
 #include <string_view>
 
-#include "majorant/framework/partition.h"
 #include "majorant/framework/sparse_pattern.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
@@ -38,12 +37,6 @@ class LinearSolver {
   virtual ~LinearSolver() = default;
   // Chooses an ordering and allocates. `pattern` must outlive the solver's use of it.
   virtual void analyze(const SparsePattern& pattern) = 0;
-  // The same of a matrix that is the sum of those of several processes, each on its own unknowns:
-  // `pattern` and values are this rank's, r holds 0 in copies, p is to hold the owners' values
-  // there. Everything is collective, and the outcomes are the same on every rank. Both arguments
-  // outlive the solver's use of them. Solvers of one process need not know of it: analyze(pattern)
-  // where one process has everything, else InvalidArgument.
-  virtual void analyze_shared(const SparsePattern& pattern, const Partition& partition);
   // What the matrices to come hardly see, one vector a column (the translations of a map, say), on
   // the unknowns of the next analysis: multigrid that is made of matrices alone converges sooner
   // for it. Others do not look.
@@ -60,8 +53,9 @@ class LinearSolver {
   virtual std::string description() const = 0;
 };
 
-// Makes one; minimizers call it once. May be empty where they have one of their own.
-using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
+// Makes one, or hands out one that is kept for minimizers that follow each other: it knows the last
+// one's ordering. Minimizers call it once. May be empty where they have one of their own.
+using SolverFactory = std::function<std::shared_ptr<LinearSolver>()>;
 
 // Automatic: what costs least over the factorizations of a Newton run, ten and more. Amd: cheaper
 // to find, for one or two.
@@ -71,7 +65,7 @@ enum class Ordering { Automatic, Amd, Metis };
 // which ordering suits the number of factorizations, so that it can choose by size (bytes() of a
 // solver that has analysed the pattern).
 using PatternSolverFactory =
-    std::function<std::unique_ptr<LinearSolver>(const SparsePattern& pattern, Ordering ordering)>;
+    std::function<std::shared_ptr<LinearSolver>(const SparsePattern& pattern, Ordering ordering)>;
 
 // Multifrontal Cholesky [DR83] of this library, on the orderings of AMD and METIS: in the widest
 // vector instructions of the machine, on the threads that the caller of analyze() has
@@ -87,10 +81,8 @@ std::string_view vector_instructions();
 // of the tests. Not for large matrices, where the supernodal factorization is several times faster.
 std::unique_ptr<LinearSolver> make_eigen_ldlt_solver();
 
-// Mean of |H_ii|; values parallel to pattern.rows. Of the sum of several ranks' matrices: with
-// their partition, collective.
+// Mean of |H_ii|; values parallel to pattern.rows.
 double mean_diagonal(const SparsePattern& pattern, const Vec& values);
-double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Partition& partition);
 
 // The first shift, of the mean diagonal, where a matrix is not positive definite: 100 unit
 // roundoffs, what the factorization of a singular matrix may be off; Newton's next matrix is

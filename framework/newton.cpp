@@ -15,6 +15,7 @@
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/internal/try_shifts.h"
 #include "majorant/framework/lbfgs.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 namespace {
@@ -86,7 +87,7 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
 void NewtonStepper::analyze() {
   const Problem& problem = evaluator_.problem();
   if (options_.near_null_space) solver_->hint_near_null_space(options_.near_null_space(problem));
-  solver_->analyze_shared(problem.pattern(), problem.partition());
+  analyze_shared(*solver_, problem.pattern(), partition_of(problem));
 }
 
 void NewtonStepper::require_curvature(const Problem& problem) const {
@@ -127,7 +128,7 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   learn_weight(step);
   // An iterative solver has no factor to keep: its solves are what costs.
   if (step.outcome == Outcome::Moved && r.solver_iterations == 0)
-    kept_->renew(from, gradient_, partition(), r, relative_decrement_);
+    kept_->renew(from, gradient_, partition_of(evaluator_.problem()), r, relative_decrement_);
 }
 
 // Whether the last factor gave a step; if not, y is as it was.
@@ -171,7 +172,7 @@ bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
 double NewtonStepper::tolerance() const {
   const ForcingRules& rules = options_.forcing;
   if (last_gradient_norm_ == 0) return rules.largest;
-  const double ratio = partition().norm(gradient_) / last_gradient_norm_;
+  const double ratio = partition_of(evaluator_.problem()).norm(gradient_) / last_gradient_norm_;
   const double safeguard = rules.part * last_tolerance_ * last_tolerance_;
   const double eta =
       std::max(rules.part * ratio * ratio, safeguard > rules.safeguarded ? safeguard : 0.0);
@@ -179,7 +180,8 @@ double NewtonStepper::tolerance() const {
 }
 
 double NewtonStepper::mean_diagonal() const {
-  return majorant::mean_diagonal(evaluator_.problem().pattern(), hessian_, partition());
+  return majorant::mean_diagonal(evaluator_.problem().pattern(), hessian_,
+                                 partition_of(evaluator_.problem()));
 }
 
 // Of hessian_ and gradient_, both as they are.
@@ -208,9 +210,10 @@ bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
   const BlendedCurvature blend = BlendedCurvature::projected(projection_weight_);
   evaluator_.linearize(y, blend, gradient_, hessian_, stop_);
   record.seconds.assemble += watch.restart();
-  const double size = partition().squared_norm(y);
+  const Partition& partition = partition_of(evaluator_.problem());
+  const double size = partition.squared_norm(y);
   record.shift = size > 0 ? (1 - projection_weight_) * kRotationShift *
-                                std::max(0.0, -partition().dot(y, gradient_)) / size
+                                std::max(0.0, -partition.dot(y, gradient_)) / size
                           : 0.0;
   if (projection_weight_ == 0 && relative_decrement_ <= kPolish)
     record.shift = std::max(record.shift, kPolishShift * mean_diagonal());
@@ -230,7 +233,7 @@ bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   record.curvature = whole.model;
   record.projection_weight = whole.projection_weight;
   record.seconds.assemble += watch.restart();
-  if (!partition().all_finite(gradient_)) return false;
+  if (!partition_of(evaluator_.problem()).all_finite(gradient_)) return false;
   const ShiftedFactorization f =
       try_shifts([&](double shift) { return solve_shifted(shift, record); }, mean_diagonal(),
                  kSmallestShift, stop_);

@@ -73,9 +73,7 @@ struct NewtonOptions {
   ForcingRules forcing = {};
   StoppingRules stopping = {};
   LineSearchOptions line_search = {};
-  std::function<std::unique_ptr<LinearSolver>()> linear_solver = [] {
-    return make_direct_solver();
-  };
+  SolverFactory linear_solver = [] { return make_direct_solver(); };
   // LinearSolver::hint_near_null_space() of a problem, told before its analysis; empty: nothing is.
   std::function<Eigen::MatrixXd(const Problem&)> near_null_space = {};
   StopCheck stop = {};  // ends a step between batches of elements, factorizations, trials
@@ -112,7 +110,7 @@ class NewtonStepper final : public Stepper {
   void raise_weight(double failed);
 
   NewtonOptions options_;
-  std::unique_ptr<LinearSolver> solver_;
+  std::shared_ptr<LinearSolver> solver_;
   Vec hessian_, rhs_, p_;
   double last_gradient_norm_ = 0, last_tolerance_ = 0;  // of the step before; 0: there is none
   double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step

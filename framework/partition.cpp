@@ -6,9 +6,23 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/problem_parts.h"
 
 namespace majorant {
 namespace {
+
+class OneProcess final : public Ranks {
+ public:
+  int rank() const override { return 0; }
+  int count() const override { return 1; }
+  void sum(std::span<double>) const override {}
+  void min(std::span<double>) const override {}
+  void broadcast(std::span<std::byte>) const override {}
+  void exchange(std::span<const Message> sent, std::span<const Message> received) const override {
+    if (!sent.empty() || !received.empty())
+      throw InvalidArgument("Ranks::exchange: there is one process, nobody to exchange with");
+  }
+};
 
 using Neighbour = Partition::Neighbour;
 
@@ -17,6 +31,25 @@ const std::vector<Index>& sent(const Neighbour& n, bool from_owners) {
 }
 
 }  // namespace
+
+double Ranks::sum(double value) const {
+  sum(std::span(&value, 1));
+  return value;
+}
+
+double Ranks::min(double value) const {
+  min(std::span(&value, 1));
+  return value;
+}
+
+double Ranks::max(double value) const { return -min(-value); }
+
+bool Ranks::all(bool value) const { return min(value ? 1.0 : 0.0) == 1; }
+
+std::shared_ptr<const Ranks> one_process() {
+  static const std::shared_ptr<const Ranks> ranks = std::make_shared<const OneProcess>();
+  return ranks;
+}
 
 Partition::Partition(Index size)
     : ranks_(one_process()), size_(size), owned_(size), global_size_(size) {
@@ -175,6 +208,30 @@ Partition Partition::part(const std::vector<Index>& kept) const {
   for (const Neighbour& n : neighbours_)
     neighbours.push_back({n.rank, renumbered(n.owned), renumbered(n.copies)});
   return {ranks_, count, std::move(neighbours)};
+}
+
+const Partition& partition_of(const Problem& problem) { return ProblemParts::partition(problem); }
+
+ProblemBuilder shared_problem_builder(std::shared_ptr<const Partition> partition) {
+  return ProblemParts::builder(std::move(partition));
+}
+
+void analyze_shared(LinearSolver& solver, const SparsePattern& pattern,
+                    const Partition& partition) {
+  if (auto* shared = dynamic_cast<SharedSolver*>(&solver))
+    return shared->analyze_shared(pattern, partition);
+  if (!partition.is_whole())
+    throw InvalidArgument(
+        "the linear solver knows one process only, the matrix is that of several");
+  solver.analyze(pattern);
+}
+
+double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Partition& partition) {
+  if (partition.is_whole()) return mean_diagonal(pattern, values);
+  Vec diagonal(pattern.size);
+  for (Index c = 0; c < pattern.size; ++c) diagonal[c] = values[pattern.diagonal_slot(c)];
+  partition.add_to_owners(diagonal);
+  return partition.sum(diagonal.lpNorm<1>()) / static_cast<double>(partition.global_size());
 }
 
 }  // namespace majorant

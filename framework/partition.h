@@ -1,8 +1,9 @@
-// Which unknowns are this process's, and where the copies of those are that several need.
+// Several processes that solve one problem together, each with a part of it: who they are (Ranks),
+// which unknowns are whose (Partition), and what loops, problems and linear solvers say of that.
 //
-// Every rank (ranks.h) has some unknowns of a problem, numbered from 0: all that its elements
-// touch. One that several ranks have is owned by one of them; the others have copies. So have ranks
-// with one unknown under several numbers.
+// Every rank has some unknowns of a problem, numbered from 0: all that its elements touch. One that
+// several ranks have is owned by one of them; the others have copies. So have ranks with one
+// unknown under several numbers.
 //
 //   const Partition partition(3);          // one process: owns all, copies nothing
 //   Vec g = Vec::Ones(3);
@@ -12,24 +13,68 @@
 //   partition.copy_from_owners(y);         // every copy is its owner's
 //
 // Of vectors over a problem's unknowns: points and directions hold the owners' values in copies,
-// gradients hold 0 there. All members that take vectors, and those below "Agreed on", are
-// collective where there are several ranks.
+// gradients hold 0 there. Where there are several ranks, all members of Ranks but rank() and
+// count(), and those of Partition that take vectors or agree on something, are collective: every
+// rank calls them, in the same order, or all wait forever. So decide from what has been agreed on,
+// never from what one rank alone knows.
 //
-// All that solvers know of several processes is here. Where a problem has a partition
-// (Problem::partition) every rank runs the same loop on its part: energies, verdicts and norms are
-// those of the whole, gradients are summed at owners, Hessian values are this rank's part of the
-// sum, an observer's directive is that of rank 0. A stop check would end one rank and leave the
-// others waiting: what takes one throws InvalidArgument, as solvers do that know one process only.
+// All that solvers know of several processes is here. Where a problem has a partition every rank
+// runs the same loop on its part: energies, verdicts and norms are those of the whole, gradients
+// are summed at owners, Hessian values are this rank's part of the sum, an observer's directive is
+// that of rank 0. A stop check would end one rank and leave the others waiting: what takes one
+// throws InvalidArgument, as solvers do that know one process only.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "majorant/framework/ranks.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/problem.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
+
+// Who brings processes implements the virtual members (distributed/ does, on MPI); terms, checkers
+// and elements never see this.
+class Ranks {
+ public:
+  virtual ~Ranks() = default;
+  virtual int rank() const = 0;  // 0 .. count() - 1
+  virtual int count() const = 0;
+
+  // In place, entry by entry, over all ranks; as many entries everywhere. The same bits on every
+  // rank and in every run with as many ranks: sums are made in the order of the ranks.
+  virtual void sum(std::span<double> values) const = 0;
+  virtual void min(std::span<double> values) const = 0;
+  // What rank 0 has. As many bytes everywhere.
+  virtual void broadcast(std::span<std::byte> bytes) const = 0;
+
+  // Numbers for one rank, or from it. Nobody is told sizes: both sides know them.
+  struct Message {
+    int rank;
+    std::span<double> values;
+  };
+  // At most one message a rank in either list, none to oneself; each that is sent is received.
+  virtual void exchange(std::span<const Message> sent, std::span<const Message> received) const = 0;
+
+  double sum(double value) const;
+  double min(double value) const;
+  double max(double value) const;
+  bool all(bool value) const;
+  bool any(bool value) const { return !all(!value); }
+  // What rank 0 has of a number or an enumerator.
+  template <class T>
+  T of_first(T value) const {
+    broadcast(std::as_writable_bytes(std::span(&value, 1)));
+    return value;
+  }
+};
+
+// This process is all there is: nothing is added up, nobody is asked, nothing is copied.
+std::shared_ptr<const Ranks> one_process();
 
 // A number among the unknowns of all ranks; local numbers stay Index.
 using GlobalIndex = std::int64_t;
@@ -100,6 +145,32 @@ class Partition {
   std::vector<GlobalIndex> global_;    // size(), or empty: as they are
   GlobalIndex first_ = 0, global_size_;
 };
+
+// How the reduced unknowns of a problem are shared; one process has all of them.
+const Partition& partition_of(const Problem& problem);
+
+// A problem that ranks have together: each builds one of its own terms, on the unknowns that these
+// touch. Energy, gradient and Hessian of the whole are the sums; points are vectors of this rank's
+// unknowns, and checkers, of the same kinds on every rank, hold what they hold on each. build() is
+// collective; it throws InvalidArgument for constraints that tie unknowns to each other, or hold an
+// unknown on one rank and not on another.
+ProblemBuilder shared_problem_builder(std::shared_ptr<const Partition> partition);
+
+// A solver of matrices that are sums of those of several processes, each on its own unknowns:
+// `pattern` and values are this rank's, r holds 0 in copies, p is to hold the owners' values there.
+// Everything is collective, and the outcomes are the same on every rank. Both arguments outlive the
+// solver's use of them.
+class SharedSolver : public LinearSolver {
+ public:
+  virtual void analyze_shared(const SparsePattern& pattern, const Partition& partition) = 0;
+};
+
+// Analyses for one process or several: throws InvalidArgument where there are several and the
+// solver knows one only.
+void analyze_shared(LinearSolver& solver, const SparsePattern& pattern, const Partition& partition);
+
+// Of the sum of several ranks' matrices, collective.
+double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Partition& partition);
 
 }  // namespace majorant
 

@@ -10,6 +10,7 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 namespace {
@@ -164,7 +165,13 @@ void Problem::require_term(std::string_view where, TermId id) const {
 
 const SparsePattern& Problem::pattern() const { return structure_->pattern; }
 
-const Partition& Problem::partition() const { return structure_->partition; }
+const Partition& ProblemParts::partition(const Problem& problem) {
+  return problem.structure_->partition;
+}
+
+ProblemBuilder ProblemParts::builder(std::shared_ptr<const Partition> partition) {
+  return ProblemBuilder(std::move(partition));
+}
 
 const std::vector<std::shared_ptr<const FeasibilityChecker>>& Problem::checkers() const {
   return structure_->checkers;

@@ -10,11 +10,6 @@
 //   Problem other = problem.with({{id, TermState{.weight = 2}}});  // everything else the same
 //
 // A Problem is immutable and cheap to copy. Solvers see the reduced unknowns y of x = Z y + c.
-//
-// Several processes (ranks.h) can have a problem together: each builds one of its own terms, on the
-// unknowns that these touch, and says how they are shared (partition.h). Energy, gradient and
-// Hessian of the whole are the sums; points are vectors of this rank's unknowns, and checkers hold
-// what they hold on each.
 #pragma once
 
 #include <memory>
@@ -26,13 +21,13 @@
 #include "majorant/framework/constraint.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/feasibility.h"
-#include "majorant/framework/partition.h"
 #include "majorant/framework/sparse_pattern.h"
 
 namespace majorant {
 
 class ColoredBatches;
 class Elimination;
+class Partition;
 
 // One term of a problem, as ProblemBuilder::add names it; the same in all problems of one
 // structure.
@@ -52,8 +47,6 @@ class Problem {
   const SparsePattern& pattern() const;  // of the Hessian in the reduced unknowns
   const std::vector<std::shared_ptr<const FeasibilityChecker>>& checkers() const;
   bool supports(Curvature curvature) const;
-  // How the reduced unknowns are shared between processes; one process has all of them.
-  const Partition& partition() const;
 
   // The same problem with other states of these terms, the rest kept: pattern, slots and (in a
   // solver) the symbolic factor stay valid. Throws InvalidArgument for a term that the problem does
@@ -110,17 +103,12 @@ class ProblemBuilder {
   // that are negative or not finite, states of another size, rules that a term does not have, and
   // constraints that leave a row open.
   explicit ProblemBuilder(Index full_size);
-  // Of the unknowns that this rank has, the same kinds of checkers on every rank. Constraints may
-  // only hold single unknowns, with all their copies.
-  explicit ProblemBuilder(std::shared_ptr<const Partition> partition);
   AddedTerm add(std::shared_ptr<const EnergyTerm> term, double weight);
   AddedTerm add(std::shared_ptr<const EnergyTerm> term, TermState state);
   ProblemBuilder& add(const Constraint& constraint);  // rows are copied
   ProblemBuilder& add(std::shared_ptr<const FeasibilityChecker> checker);
   // Eliminates the constraints and fixes the pattern. Throws Error(Unsupported) when the
-  // constraints contradict each other, InvalidArgument when one leaves the unknowns. Collective
-  // where there are several ranks; then InvalidArgument also for constraints that tie unknowns to
-  // each other, or hold an unknown on one rank and not on another.
+  // constraints contradict each other, InvalidArgument when one leaves the unknowns.
   Problem build() const;
   // The same problem, sooner where `before` begins with the same terms and these have the same
   // unknowns: their batches, slots and part of the pattern are taken over. For terms that change
@@ -128,6 +116,8 @@ class ProblemBuilder {
   Problem build(const Problem& before) const;
 
  private:
+  friend struct ProblemParts;
+  explicit ProblemBuilder(std::shared_ptr<const Partition> partition);
   Problem build_after(const Problem* before) const;
 
   Index full_size_;

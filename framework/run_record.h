@@ -36,7 +36,6 @@
 
 #include "majorant/framework/curvature.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/ranks.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 
@@ -240,9 +239,9 @@ class RunRecord {
   }
   // Ended by `stop` alone, without grace.
   explicit RunRecord(const StopCheck& stop) : stop_(stop), start_stop_(stop) {}
-  // Processes that solve one problem together stop together: from here on directive(), note() and
-  // iterations_left() answer what they do on rank 0, and all ranks ask them. ranks: outlives that.
-  void agree(const Ranks& ranks) { ranks_ = &ranks; }
+  // Loops that run in step end together: from here on directive(), note() and iterations_left()
+  // answer what `agreed` makes of their own answers, the same for all of them.
+  void agree(std::function<int(int own)> agreed) { agreed_ = std::move(agreed); }
   // Of one part of the run that is solved by itself, perhaps on another thread: the same limits
   // (iterations count from 0), a trace of its own; what it begins is not announced, its steps are
   // told the observer.
@@ -268,7 +267,7 @@ class RunRecord {
     const Directive asked =
         observer_ ? observer_->after_step(trace_.back(), {}) : Directive::Continue;
     const Directive limit = stop_();
-    return ranks_->of_first(limit == Directive::Continue ? asked : limit);
+    return agreed(limit == Directive::Continue ? asked : limit);
   }
   void begin(Activity activity) const {
     if (observer_ && !is_part_) observer_->begin(activity);
@@ -280,12 +279,12 @@ class RunRecord {
   // For everything once there is a map, and before. Both may outlive the record.
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
-  Directive directive() const { return ranks_->of_first(stop_()); }
+  Directive directive() const { return agreed(stop_()); }
   // On coarser meshes iterations do not count, in vain they do.
   int iterations_left() const {
     const auto used = std::count_if(trace_.begin(), trace_.end(),
                                     [](const TraceEntry& row) { return row.level == 0; });
-    return ranks_->of_first(max_iterations_ - static_cast<int>(used));
+    return agreed(max_iterations_ - static_cast<int>(used));
   }
   double seconds() const { return seconds_since(start_); }
   const std::vector<TraceEntry>& trace() const { return trace_; }
@@ -294,6 +293,10 @@ class RunRecord {
  private:
   using Clock = std::chrono::steady_clock;
 
+  template <class T>
+  T agreed(T own) const {
+    return agreed_ ? static_cast<T>(agreed_(static_cast<int>(own))) : own;
+  }
   static double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   }
@@ -314,7 +317,7 @@ class RunRecord {
   bool is_part_ = false;
   std::vector<TraceEntry> trace_;
   std::optional<Remedy> remedy_;
-  const Ranks* ranks_ = one_process().get();
+  std::function<int(int)> agreed_;  // empty: as they are
 };
 
 }  // namespace majorant

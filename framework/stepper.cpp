@@ -7,6 +7,7 @@
 #include "majorant/framework/internal/diagnosis.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 namespace {
@@ -48,7 +49,8 @@ Stepper::Stepper(const Problem& problem, const LineSearchOptions& line_search,
       line_search_(line_search),
       decrement_rule_(decrement_rule) {
   require_valid(line_search_);
-  if (partition().ranks().count() > 1 && partition().any(stop_.may_stop()))
+  if (const Partition& partition = partition_of(evaluator_.problem());
+      partition.ranks().count() > 1 && partition.any(stop_.may_stop()))
     throw InvalidArgument(
         "the stop check of a solver may stop one of several processes and leave the others "
         "waiting; let the observer of rank 0 say when to stop");
@@ -58,7 +60,7 @@ Stepper::Step Stepper::step(Vec& y, double& energy) {
   require_size("Stepper::step: y", y.size(), evaluator_.problem().size());
   Step step;
   step.record.energy = step.energy_before = energy;
-  if (partition().global_size() == 0) {
+  if (partition_of(evaluator_.problem()).global_size() == 0) {
     step.outcome = Outcome::AtMinimum;
     return step;
   }
@@ -75,9 +77,10 @@ Stepper::Step Stepper::step(Vec& y, double& energy) {
 void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   step.outcome = Outcome::Breakdown;
-  r.gradient_norm = partition().norm(gradient_);
-  r.newton_decrement = -partition().dot(gradient_, p);
-  if (!partition().all_finite(p) || !(r.newton_decrement >= 0)) return;
+  const Partition& partition = partition_of(evaluator_.problem());
+  r.gradient_norm = partition.norm(gradient_);
+  r.newton_decrement = -partition.dot(gradient_, p);
+  if (!partition.all_finite(p) || !(r.newton_decrement >= 0)) return;
   if (relative_to(energy, r.newton_decrement) <= decrement_rule_) {
     step.outcome = Outcome::AtMinimum;
     return;
@@ -153,7 +156,7 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
         result.iterations.push_back(step.record);
       }
       answer = descent.after_step(step);
-      answer.directive = partition().of_first(answer.directive);
+      answer.directive = partition_of(evaluator_.problem()).of_first(answer.directive);
     }
     if (step.outcome == Outcome::Breakdown && step.why_none.empty())
       step.why_none = why_no_direction(evaluator_, result.y, descent.energy, step.record.curvature);

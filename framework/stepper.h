@@ -73,8 +73,6 @@ class Stepper {
   const Evaluator& evaluator() const { return evaluator_; }
 
  protected:
-  const Partition& partition() const { return evaluator_.problem().partition(); }
-
   // decrement_rule: StoppingRules::decrement. stop: polled in every piece of a step.
   // Throws InvalidArgument for options that are no rules.
   Stepper(const Problem& problem, const LineSearchOptions& line_search, double decrement_rule,

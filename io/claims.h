@@ -15,7 +15,7 @@
 
 #include "majorant/framework/types.h"
 #include "majorant/mesh/seams.h"
-#include "majorant/parametrization/maps/map_objective.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 

@@ -8,7 +8,7 @@
 
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/solve/map_options.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 

@@ -1,5 +1,5 @@
-// Terms of lambdas, whole: energies that are not densities of a Jacobian, their derivatives by dual
-// numbers. For densities: energies/energies.h.
+// Terms, whole: energies that are not densities of a Jacobian; those of lambdas, their derivatives
+// by dual numbers, and linear constraints made soft. For densities: energies/energies.h.
 //
 //   const auto barrier = make_term<1>("x0 > 1", Cells::Zero(1, 1), [](Index, const auto& z) {
 //     using std::log;
@@ -10,6 +10,7 @@
 //     local_term.h                make_term(): any function of few unknowns an element
 //     least_squares.h             residuals, Gauss-Newton; robust losses
 //     linear_term.h               loads
+//     quadratic_penalty.h         soft constraints
 //     inequality.h                g(x) > 0 for an element, and its barrier
 //     bounds.h                    lower and upper bounds of unknowns
 #pragma once
@@ -19,6 +20,7 @@
 #include "majorant/terms/least_squares.h"
 #include "majorant/terms/linear_term.h"
 #include "majorant/terms/local_term.h"
+#include "majorant/terms/quadratic_penalty.h"
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause

@@ -120,7 +120,7 @@ class MemoryPeak {
   std::size_t before_;
 };
 
-std::unique_ptr<LinearSolver> make(const std::string& name) {
+std::shared_ptr<LinearSolver> make(const std::string& name) {
   if (name == "direct") return make_direct_solver();
   if (name == "eigen") return make_eigen_ldlt_solver();
   if (name == "cholmod") return load_plugin<CholmodPlugin>(kCholmodPlugin).make_solver();

@@ -69,8 +69,6 @@ std::vector<Method> ceres_methods() {
   };
 }
 
-using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
-
 // Where the exact Hessian takes over near the minimum; never, for methods named after a model.
 const double kExactTail = BlendRules().below;
 constexpr double kNoExactTail = 0;

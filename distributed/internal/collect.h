@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/framework/ranks.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "distributed/mesh_part.h"
-#include "majorant/parametrization/solve/map_options.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 

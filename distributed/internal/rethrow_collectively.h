@@ -8,7 +8,7 @@
 
 #include <exception>
 
-#include "majorant/framework/ranks.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 

@@ -12,6 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/diagnosis.h"
 #include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/partition.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {
@@ -180,7 +181,7 @@ Status status_of(ceres::TerminationType type, Run& run) {
 }  // namespace
 
 SolveResult CeresMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
-  if (!problem.partition().is_whole())
+  if (!partition_of(problem).is_whole())
     throw InvalidArgument(
         "CeresMinimizer: the problem is that of several processes, Ceres knows one; use "
         "NewtonMinimizer");

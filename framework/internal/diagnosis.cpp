@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant {
 namespace {
@@ -69,7 +70,7 @@ double stable_norm(const Partition& partition, VecIn v) {
 // Whether the energy falls along p, faster and faster, as far as can be seen and no checker
 // objects; then where to.
 std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy, const Vec& p) {
-  const Partition& partition = evaluator.problem().partition();
+  const Partition& partition = partition_of(evaluator.problem());
   const double length = std::max(1.0, stable_norm(partition, y)) / stable_norm(partition, p);
   double before = energy, fallen = 0;
   for (const double probe : kProbes) {
@@ -89,7 +90,7 @@ std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy
 bool is_flat(Evaluator& evaluator, VecIn y, Curvature curvature) {
   Vec gradient, hessian;
   evaluator.linearize(y, curvature, gradient, hessian);
-  return evaluator.problem().partition().all(hessian.isZero(0));
+  return partition_of(evaluator.problem()).all(hessian.isZero(0));
 }
 
 }  // namespace
@@ -120,7 +121,7 @@ std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy, Curva
   const Vec x = problem.expand(y);
   for (const TermId id : problem.terms()) {
     const std::string where = not_finite_derivative(problem, id, x);
-    if (problem.partition().any(!where.empty()))
+    if (partition_of(problem).any(!where.empty()))
       return "no finite direction: " + (where.empty() ? "another rank says why" : where);
   }
   if (std::string text = unbounded_along_gradient(evaluator, y, energy); !text.empty()) return text;
@@ -135,7 +136,7 @@ std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy, Curva
 std::string unbounded_along_gradient(Evaluator& evaluator, VecIn y, double energy) {
   Vec gradient;
   evaluator.gradient(y, gradient);
-  const Partition& partition = evaluator.problem().partition();
+  const Partition& partition = partition_of(evaluator.problem());
   if (partition.all(gradient.isZero(0)) || !partition.all_finite(gradient)) return {};
   const auto value = falls_forever(evaluator, y, energy, -gradient);
   return value ? unbounded_below(*value) + " along its negative gradient" : "";

@@ -40,8 +40,8 @@ void require_valid(const StoppingRules& rules) {
   require_at_least("StoppingRules: max_iterations", rules.max_iterations, 0);
 }
 
-std::unique_ptr<LinearSolver> make_solver(
-    std::string_view who, const std::function<std::unique_ptr<LinearSolver>()>& linear_solver) {
+std::shared_ptr<LinearSolver> make_solver(std::string_view who,
+                                          const SolverFactory& linear_solver) {
   require_given(fmt::format("{}: linear_solver", who), linear_solver);
   return given(fmt::format("what {}: linear_solver makes", who), linear_solver());
 }

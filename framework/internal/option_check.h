@@ -18,8 +18,7 @@ void require_valid(const LineSearchOptions& options);
 void require_valid(const StoppingRules& rules);
 
 // Of the options of `who`, where a function must be given and must give a solver.
-std::unique_ptr<LinearSolver> make_solver(
-    std::string_view who, const std::function<std::unique_ptr<LinearSolver>()>& linear_solver);
+std::shared_ptr<LinearSolver> make_solver(std::string_view who, const SolverFactory& linear_solver);
 
 }  // namespace majorant
 

@@ -8,6 +8,7 @@
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/internal/try_shifts.h"
+#include "majorant/framework/partition.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {
@@ -30,12 +31,12 @@ bool same_z(const Elimination& a, const Elimination& b) {
 }  // namespace
 
 Preconditioner::Preconditioner(const Problem& problem, Curvature curvature,
-                               std::unique_ptr<LinearSolver> solver)
+                               std::shared_ptr<LinearSolver> solver)
     : evaluator_(problem), curvature_(curvature), solver_(std::move(solver)) {
   require_given("the metric's linear solver", solver_);
   require_curvature("the metric", problem, curvature);
   const Problem& kept = evaluator_.problem();  // which outlives the solver's use of it
-  solver_->analyze_shared(kept.pattern(), kept.partition());
+  analyze_shared(*solver_, kept.pattern(), partition_of(kept));
 }
 
 bool Preconditioner::factorize(VecIn y, const StopCheck& stop) {
@@ -43,8 +44,8 @@ bool Preconditioner::factorize(VecIn y, const StopCheck& stop) {
   evaluator_.linearize(y, curvature_, gradient_, hessian_, stop);
   assemble_seconds_ = watch.restart();
   const Problem& problem = evaluator_.problem();
-  const double diagonal = problem.partition().global_size() > 0
-                              ? mean_diagonal(problem.pattern(), hessian_, problem.partition())
+  const double diagonal = partition_of(problem).global_size() > 0
+                              ? mean_diagonal(problem.pattern(), hessian_, partition_of(problem))
                               : 0;
   const ShiftedFactorization f =
       try_shifts([&](double shift) { return solver_->factorize(hessian_, shift); }, diagonal,
@@ -70,7 +71,7 @@ bool Preconditioner::factorize_once(VecIn y, IterationRecord& record, const Stop
 }
 
 std::string Preconditioner::why_none() const {
-  if (evaluator_.problem().partition().all(hessian_.isZero(0)))
+  if (partition_of(evaluator_.problem()).all(hessian_.isZero(0)))
     return "no direction: the metric has no curvature here, its Hessian is 0";
   return "no direction: no shift makes the metric's Hessian positive definite";
 }

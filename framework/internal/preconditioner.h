@@ -23,7 +23,7 @@ class Preconditioner {
  public:
   // Analyses the pattern of `problem`, which has to support `curvature`, else
   // InvalidArgument.
-  Preconditioner(const Problem& problem, Curvature curvature, std::unique_ptr<LinearSolver> solver);
+  Preconditioner(const Problem& problem, Curvature curvature, std::shared_ptr<LinearSolver> solver);
 
   // Assembles the Hessian at y, size() entries, and factorizes it, shifted as little as it takes
   // (factorize_shifted). false when that fails, then solve() must not be called. Stopped.
@@ -43,7 +43,7 @@ class Preconditioner {
  private:
   Evaluator evaluator_;
   Curvature curvature_;
-  std::unique_ptr<LinearSolver> solver_;
+  std::shared_ptr<LinearSolver> solver_;
   Vec gradient_, hessian_;
   double shift_ = 0;
   bool factorized_ = false;

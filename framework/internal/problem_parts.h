@@ -1,5 +1,5 @@
 // What evaluators and line searches need of a problem and nobody else: the elimination behind
-// x = Z y + c, and how each term is evaluated and assembled.
+// x = Z y + c, how each term is evaluated and assembled, how processes share it (partition.h).
 //
 //   const Elimination& z = ProblemParts::elimination(problem);
 //   const ColoredBatches& plan = ProblemParts::plan(problem, problem.terms().front());
@@ -16,6 +16,8 @@ struct ProblemParts {
   static const Elimination& elimination(const Problem& problem);
   static const ColoredBatches& plan(const Problem& problem, TermId id);
   static const ScatterMap& slots(const Problem& problem, TermId id);
+  static const Partition& partition(const Problem& problem);
+  static ProblemBuilder builder(std::shared_ptr<const Partition> partition);
 };
 
 // Throws InvalidArgument naming the term unless the state is one of it: weights finite and not

@@ -90,7 +90,7 @@ double unit_scale(const Points3& positions) {
 
 class Multiresolution {
  public:
-  Multiresolution(const SurfaceMesh& surface, const MapObjective& asked, RunRecord& run,
+  Multiresolution(const SurfaceMesh& surface, const MapOptions& asked, RunRecord& run,
                   const MultiresolutionRules& rules, MultiresolutionRecord& record)
       : surface_(surface),
         asked_(asked),
@@ -192,8 +192,8 @@ class Multiresolution {
     record.insert_seconds = watch.restart();
     for (int sweep = 0; sweep < rules_.sweeps; ++sweep) this->sweep();
     record.sweep_seconds = watch.restart();
-    if (record.hot >= rules_.squeezed_share * returning) relax_squeezed(record);
-    record.squeezed_seconds = watch.restart();
+    if (record.high_energy >= rules_.compressed_share * returning) relax_compressed(record);
+    record.compressed_seconds = watch.restart();
     bool solved = true;
     if (level_ > 0) {
       NewtonOptions options = newton_options();
@@ -237,10 +237,12 @@ class Multiresolution {
     descent_.measure_star(back.vertex);
     if (!put_back(mesh_, positions_, descent_, back)) return false;
     double energy = descent_.improve(back.vertex, rules_.insertion_steps);
-    if (!(energy > rules_.hot * level_energy_)) return true;
-    ++record.hot;
+    if (!(energy > rules_.high_energy * level_energy_)) return true;
+    ++record.high_energy;
     mesh_.ring(back.vertex, ring_);
-    for (int round = 0; round < rules_.hot_rounds && energy > rules_.hot * level_energy_; ++round) {
+    for (int round = 0;
+         round < rules_.high_energy_rounds && energy > rules_.high_energy * level_energy_;
+         ++round) {
       for (const Index w : ring_)
         if (!held_[w]) descent_.improve(w, 2);
       energy = descent_.improve(back.vertex, 2);
@@ -257,25 +259,25 @@ class Multiresolution {
 
   // Errors of a start that is hard to make sit in a small part of the surface: there a step
   // of Newton's method costs a small part of one on the whole.
-  void relax_squeezed(LevelRecord& record) {
-    const std::vector<char> squeezed = squeezed_parts(record);
-    if (record.squeezed == 0) return;
-    const Level level(mesh_, positions_, squeezed);
+  void relax_compressed(LevelRecord& record) {
+    const std::vector<char> compressed = compressed_parts(record);
+    if (record.compressed == 0) return;
+    const Level level(mesh_, positions_, compressed);
     NewtonOptions options = newton_options();
-    options.stopping = brief_rules(rules_.squeezed_steps, rules_.squeezed_decrease);
-    const auto [problem, start] = problem_on(level, squeezed);
+    options.stopping = brief_rules(rules_.compressed_steps, rules_.compressed_decrease);
+    const auto [problem, start] = problem_on(level, compressed);
     const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, {});
     stop_.poll();
-    record.squeezed_steps = static_cast<int>(solved.iterations.size());
+    record.compressed_steps = static_cast<int>(solved.iterations.size());
     if (solved.y.allFinite()) set(level, problem.expand(solved.y));
   }
 
   // By vertex: those where the energy is high, and their neighbours.
-  std::vector<char> squeezed_parts(LevelRecord& record) {
+  std::vector<char> compressed_parts(LevelRecord& record) {
     Vec mean = Vec::Zero(mesh_.vertex_count());
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
       if (mesh_.is_present(v)) mean[v] = descent_.mean_energy(v);
-    const double limit = rules_.squeezed * mean.sum() / mesh_.vertices_left();
+    const double limit = rules_.compressed * mean.sum() / mesh_.vertices_left();
     std::vector<Index> found;
     std::vector<char> is_in(to_size(mesh_.vertex_count()), 0);
     const auto take = [&](Index v) {
@@ -283,12 +285,12 @@ class Multiresolution {
     };
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
       if (mean[v] > limit) take(v);
-    for (int ring = 0; ring < rules_.squeezed_rings; ++ring)
+    for (int ring = 0; ring < rules_.compressed_rings; ++ring)
       for (std::size_t k = 0, end = found.size(); k < end; ++k) {
         mesh_.ring(found[k], ring_);
         for (const Index w : ring_) take(w);
       }
-    record.squeezed = static_cast<Index>(found.size());
+    record.compressed = static_cast<Index>(found.size());
     return is_in;
   }
 
@@ -327,8 +329,7 @@ class Multiresolution {
   std::pair<Problem, Vec> problem_on(const Level& level, const std::vector<char>& moves) const {
     const auto space = std::make_shared<const BezierTriangleSpace>(
         level.faces, static_cast<Index>(level.vertex.size()), 1);
-    MapSpecification spec;
-    static_cast<MapObjective&>(spec) = asked_;
+    MapSpecification spec(asked_);
     spec.rest = flat_triangles(level.positions, level.faces);
     if (asked_.face_weight.size() > 0) {
       spec.face_weight.resize(static_cast<Index>(level.face.size()));
@@ -350,7 +351,7 @@ class Multiresolution {
   }
 
   const SurfaceMesh& surface_;
-  const MapObjective& asked_;
+  const MapOptions& asked_;
   RunRecord& run_;
   const StopCheck& stop_;
   const MultiresolutionRules& rules_;
@@ -368,13 +369,13 @@ class Multiresolution {
 
 }  // namespace
 
-bool suits_multiresolution(const SurfaceMesh& mesh, const MapObjective& asked) {
+bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
   return barrier_of(asked.energy) != Barrier::None && !knows_elements(asked.energy) &&
          mesh.rest_triangles().empty() && asked.boundary_angles == BoundaryAngles::Free &&
          (asked.boundary == BoundaryCondition::Free || mesh.boundary_loops().size() == 1);
 }
 
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        RunRecord& run, const MultiresolutionRules& rules,
                                        MultiresolutionRecord* record) {
   MultiresolutionRecord unused;
@@ -382,7 +383,7 @@ std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjecti
   return Multiresolution(mesh, asked, run, rules, record ? *record : unused).solve();
 }
 
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        const StopCheck& stop, const MultiresolutionRules& rules,
                                        MultiresolutionRecord* record) {
   RunRecord run(stop);

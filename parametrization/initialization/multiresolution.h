@@ -6,7 +6,7 @@
 // Vertices are moved onto neighbours until a few hundred triangles are left; Tutte's map of those
 // is optimized; then the vertices come back in reverse order, each at the place that is best for
 // the triangles around it. At sizes that grow by a constant ratio the whole map is improved, vertex
-// by vertex and by steps of Newton's method, first where the map is squeezed, then on the whole
+// by vertex and by steps of Newton's method, first where the map is compressed, then on the whole
 // mesh of that size. The last size, the surface itself, is left to the caller: what it gets is
 // usually within 1e-3 of the minimum, often within 1e-4, whatever the number of triangles, and
 // costs about what three to six factorizations on the surface do. Not for small meshes, where a few
@@ -20,14 +20,14 @@
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/maps/map_objective.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 
 // Whether the energy and the boundary that are asked for are ones that multiresolution_map() knows:
 // energies with a barrier that do not know single faces (knows_elements()), since coarse surfaces
 // have others; sector sums at boundary vertices may not be held.
-bool suits_multiresolution(const SurfaceMesh& mesh, const MapObjective& asked);
+bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked);
 
 // How multiresolution_map() works. Nobody but measurements changes this.
 struct MultiresolutionRules {
@@ -42,27 +42,27 @@ struct MultiresolutionRules {
   int insertion_steps = 4;
   // Of the mean energy of a vertex' triangles to that of the last level: above, its neighbours give
   // way: bench/multiresolution: without, penguin_10000 starts 30 times as far off.
-  double hot = 2;
+  double high_energy = 2;
   // Times that they do: bench/multiresolution: 12 gain nothing.
-  int hot_rounds = 6;
+  int high_energy_rounds = 6;
   // Newton steps of all vertices, one after the other, when a level is complete:
   // bench/multiresolution: 6 cost 0.35 fe more at 10,000 faces and take a quarter off the error.
   int sweeps = 4;
-  // Of the vertices that came back, how many neighbours have to have given way for the squeezed
+  // Of the vertices that came back, how many neighbours have to have given way for the compressed
   // parts of a level to be relaxed before the whole: bench/multiresolution: 3 % do on disks
   // where that gains nothing, 9 to 12 % on limbs.
-  double squeezed_share = 0.05;
-  // Of the mean over all vertices of the mean energy around them: above, a vertex is squeezed.
+  double compressed_share = 0.05;
+  // Of the mean over all vertices of the mean energy around them: above, a vertex is compressed.
   // bench/multiresolution: a creature of 10,000 faces takes 16.3 fe with 1.5, 16.9 with 1.3, 18.4
   // with 2, 26.9 without.
-  double squeezed = 1.5;
-  // Rings of neighbours that move with the squeezed vertices: bench/multiresolution: 2 take
+  double compressed = 1.5;
+  // Rings of neighbours that move with the compressed vertices: bench/multiresolution: 2 take
   // 0.7 fe more.
-  int squeezed_rings = 1;
-  // Newton steps of the squeezed parts: bench/multiresolution: 15 leave twice the error.
-  int squeezed_steps = 30;
+  int compressed_rings = 1;
+  // Newton steps of the compressed parts: bench/multiresolution: 15 leave twice the error.
+  int compressed_steps = 30;
   // Relative decrease that ends them, of the energy of these parts: as `decrease`.
-  double squeezed_decrease = 1e-4;
+  double compressed_decrease = 1e-4;
   // Steps of all vertices together for a factorization: bench/multiresolution: 6 cost
   // 0.3 fe more at 10,000 faces.
   int factor_steps = 10;
@@ -84,13 +84,13 @@ struct MultiresolutionRules {
 // What a level cost: for measurements.
 struct LevelRecord {
   Index faces = 0;
-  Index hot = 0;           // vertices whose neighbours gave way
-  Index squeezed = 0;      // vertices that were relaxed together before the others
-  int squeezed_steps = 0;  // of these
-  int steps = 0;           // of all vertices together
-  double energy = 0;       // mean, after these
+  Index high_energy = 0;     // vertices whose neighbours gave way
+  Index compressed = 0;      // vertices that were relaxed together before the others
+  int compressed_steps = 0;  // of these
+  int steps = 0;             // of all vertices together
+  double energy = 0;         // mean, after these
   // CPU time of the process.
-  double insert_seconds = 0, sweep_seconds = 0, squeezed_seconds = 0, solve_seconds = 0;
+  double insert_seconds = 0, sweep_seconds = 0, compressed_seconds = 0, solve_seconds = 0;
 };
 struct MultiresolutionRecord {
   double decimation_seconds = 0;
@@ -102,11 +102,11 @@ struct MultiresolutionRecord {
 // is too small or unsuited, or doubles have no room. Needs a disk, possibly with holes; throws
 // Error as tutte_map(); Stopped, by run.start_stop(). Notes the steps of all vertices together in
 // `run`, those of the coarsest mesh as the highest level; its limit of iterations is not for them.
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        RunRecord& run, const MultiresolutionRules& rules = {},
                                        MultiresolutionRecord* record = nullptr);
 // The same, unseen.
-std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapObjective& asked,
+std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        const StopCheck& stop = {},
                                        const MultiresolutionRules& rules = {},
                                        MultiresolutionRecord* record = nullptr);

@@ -10,10 +10,13 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "majorant/elements/bezier_triangle_space.h"
 #include "majorant/framework/partition.h"
+#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/parametrization/maps/measure.h"
 
 namespace majorant {
 
@@ -28,7 +31,17 @@ class MapPart {
   // This rank's numbers, if any, of the vertex that holds the translations of a map that nothing
   // else holds: the same vertex of the whole surface on every rank.
   virtual std::vector<Index> gauge_vertex() const = 0;
+  // What is not injective of the whole map, proven to that depth of bisection; empty: nothing.
+  // rest_det: as LocalInjectivity takes it. Collective.
+  virtual std::string obstacle(const BezierMap& map, const Vec& rest_det, int depth) const = 0;
+  // Of the whole map; but face_value and min_det are of the faces here, distortion is of none.
+  // unproven: what is not proven of it; empty: nothing is amiss. Collective.
+  virtual MapMeasures measure(const BezierMap& map, const EnergySum& energy,
+                              std::string& unproven) const = 0;
 };
+
+// What holds for the whole map, from what a rank knows of it.
+const Ranks& ranks_of(const MapSpecification& spec);
 
 }  // namespace majorant
 

@@ -1,14 +1,17 @@
 #include "majorant/parametrization/maps/map_problem.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "majorant/constraints/seamless_constraint.h"
-#include "majorant/energies/quadratic_penalty.h"
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
+#include "majorant/parametrization/maps/map_part.h"
+#include "majorant/terms/quadratic_penalty.h"
 
 namespace majorant {
 namespace {
@@ -40,7 +43,152 @@ TermState state_of(const MapSpecification& spec, const WeightedEnergy& summand, 
   return state;
 }
 
+// Of the size of the surface, about 1: the translation that terms are asked about. Chosen;
+// any that is no rounding error of the coordinates.
+constexpr double kTranslation = 0.5;
+// Of the largest number that they are sums of: what is no change of a term's value, and no
+// coefficient of a translation. Far above rounding, far below what a term means.
+constexpr double kNoChange = 1e-9;
+
+// A checker of the map's unknowns in a problem with more. Its elements are its own: the remedies
+// of a run are for faces.
+class OnMap final : public FeasibilityChecker {
+ public:
+  OnMap(std::shared_ptr<const FeasibilityChecker> checker, Index unknowns)
+      : checker_(std::move(checker)), unknowns_(unknowns) {}
+  std::string_view name() const override { return checker_->name(); }
+  Verdict check(VecIn x) const override {
+    Verdict verdict = checker_->check(x.head(unknowns_));
+    verdict.blocking.clear();
+    verdict.proven.clear();
+    return verdict;
+  }
+  StepBound max_step(VecIn x, VecIn d, double s) const override {
+    return {checker_->max_step(x.head(unknowns_), d.head(unknowns_), s).step, {}};
+  }
+
+ private:
+  std::shared_ptr<const FeasibilityChecker> checker_;
+  Index unknowns_;
+};
+
+Vec values_of(const EnergyTerm& term, VecIn x) {
+  return element_values(term, {}, ColoredBatches(term.element_dofs(), {}), x);
+}
+
+bool same_values(const Vec& a, const Vec& b) {
+  double size = 0;
+  for (const double f : a)
+    if (std::isfinite(f)) size = std::max(size, std::abs(f));
+  for (Index e = 0; e < a.size(); ++e)
+    if (a[e] != b[e] && !(std::abs(a[e] - b[e]) <= kNoChange * size)) return false;
+  return true;
+}
+
+// The translations of the pieces that gauge vertices stand for, 2 each, and which of them rows
+// rule out: by Gaussian elimination of few columns.
+class Translations {
+ public:
+  Translations(const BezierTriangleSpace& space, const std::vector<Index>& gauge)
+      : gauge_(gauge), piece_of_(to_size(space.node_count()), -1), ruled_out_(2 * gauge.size(), 0) {
+    const std::vector<Index> component = vertex_components(space);
+    std::vector<Index> piece(to_size(space.vertex_count()), -1);
+    for (std::size_t g = 0; g < gauge.size(); ++g)
+      piece[component[gauge[g]]] = static_cast<Index>(g);
+    for (Index f = 0; f < space.element_count(); ++f)
+      for (const Index node : space.cells().row(f))
+        piece_of_[node] = piece[component[space.faces()(f, 0)]];
+  }
+
+  void constrain(const ConstraintRows& rows) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      Vec row = Vec::Zero(count());
+      double size = 0;
+      bool own = true;
+      for (auto e = rows.begin(r); e != rows.end(r); ++e) {
+        own = own && e->unknown >= 0;
+        if (!own || e->unknown / 2 >= static_cast<Index>(piece_of_.size())) continue;
+        size = std::max(size, std::abs(e->coefficient));
+        if (const Index piece = piece_of_[e->unknown / 2]; piece >= 0)
+          row[2 * piece + e->unknown % 2] += e->coefficient;
+      }
+      if (own) rule_out(std::move(row), kNoChange * size);
+    }
+  }
+
+  void constrain(const EnergyTerm& term, const Vec& x) {
+    const Vec values = values_of(term, x);
+    for (Index t = 0; t < count(); ++t) {
+      Vec moved = x;
+      for (std::size_t node = 0; node < piece_of_.size(); ++node)
+        if (piece_of_[node] == t / 2) moved[2 * static_cast<Index>(node) + t % 2] += kTranslation;
+      if (!same_values(values, values_of(term, moved))) rule_out(Vec::Unit(count(), t), kNoChange);
+    }
+  }
+
+  // Of those that are left: the unknowns that stop them, where x has them.
+  std::vector<FixedUnknown> stopped(VecIn x) const {
+    std::vector<FixedUnknown> unknowns;
+    for (Index t = 0; t < count(); ++t) {
+      const Index unknown = 2 * gauge_[t / 2] + t % 2;
+      if (!ruled_out_[t]) unknowns.push_back({unknown, x[unknown]});
+    }
+    return unknowns;
+  }
+
+ private:
+  Index count() const { return static_cast<Index>(ruled_out_.size()); }
+
+  void rule_out(Vec row, double tolerance) {
+    for (const auto& [pivot, basis] : rows_) row -= row[pivot] * basis;
+    Index pivot = 0;
+    if (!(row.cwiseAbs().maxCoeff(&pivot) > tolerance)) return;
+    ruled_out_[pivot] = 1;
+    row /= row[pivot];
+    rows_.emplace_back(pivot, std::move(row));
+  }
+
+  const std::vector<Index>& gauge_;
+  std::vector<Index> piece_of_;  // by node, -1: cannot move anyway
+  std::vector<char> ruled_out_;
+  std::vector<std::pair<Index, Vec>> rows_;  // 1 at their pivots
+};
+
+double energy_of(const MapExtension& added, VecIn x) {
+  double sum = 0;
+  for (const auto& [term, weight] : added.terms()) sum += weight * values_of(*term, x).sum();
+  return sum;
+}
+
+// What must be held so that the pieces of a map cannot be translated.
+FixedUnknowns gauge(const MapSpecification& spec, const BezierTriangleSpace& space, VecIn start) {
+  const std::vector<Index> vertices = gauge_vertices(spec, space);
+  Translations translations(space, vertices);
+  if (spec.added && !vertices.empty()) {
+    ConstraintRows rows;
+    for (const auto& constraint : spec.added->constraints()) constraint->append_rows(rows);
+    translations.constrain(rows);
+    for (const auto& added : spec.added->terms()) translations.constrain(*added.term, start);
+  }
+  return FixedUnknowns(translations.stopped(start));
+}
+
+void add_extension(ProblemBuilder& builder, const MapExtension& added, MapTerms& ids) {
+  const auto unknowns = static_cast<Index>(added.start().size());
+  for (const auto& [term, weight] : added.terms()) ids.added.push_back(builder.add(term, weight));
+  for (const auto& constraint : added.constraints()) builder.add(*constraint);
+  for (const auto& checker : added.checkers())
+    builder.add(std::make_shared<const OnMap>(checker, unknowns));
+}
+
 }  // namespace
+
+MapSpecification::MapSpecification(const MapOptions& asked)
+    : energy(asked.energy),
+      face_weight(asked.face_weight),
+      boundary(asked.boundary),
+      boundary_angles(asked.boundary_angles),
+      handle_weight(asked.handle_weight) {}
 
 const Ranks& ranks_of(const MapSpecification& spec) {
   return spec.part ? spec.part->ranks() : *one_process();
@@ -56,7 +204,7 @@ std::vector<Index> boundary_of(const MapSpecification& spec, const BezierTriangl
 
 ProblemBuilder map_builder(const MapSpecification& spec, const BezierTriangleSpace& space) {
   if (!spec.part) return ProblemBuilder(2 * space.node_count());
-  return ProblemBuilder(spec.part->unknowns(space));
+  return shared_problem_builder(spec.part->unknowns(space));
 }
 
 std::vector<Index> vertex_components(const BezierTriangleSpace& space) {
@@ -110,9 +258,9 @@ DensityTerms energy_terms(const MapSpecification& spec,
   return terms;
 }
 
-EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
-                  const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-                  const DensityTerms& terms) {
+MapTerms add_map(ProblemBuilder& builder, const MapSpecification& spec,
+                 const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                 const DensityTerms& terms, std::shared_ptr<const FeasibilityChecker> injectivity) {
   require_given("add_map: the space", space);
   require_enough("add_map: the start", start.size(), 2 * space->node_count());
   require_size("add_map: the list of terms", static_cast<Index>(terms.size()),
@@ -123,10 +271,9 @@ EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
         "add_map: seams, aligned edges and angles at the boundary need the whole map in one "
         "process");
   const double area = whole_area(spec);
-  EnergyIds energies;
-  for (std::size_t k = 0; k < terms.size(); ++k) {
-    energies.push_back(builder.add(terms[k], state_of(spec, spec.energy[k], area, {})));
-  }
+  MapTerms ids;
+  for (std::size_t k = 0; k < terms.size(); ++k)
+    ids.energies.push_back(builder.add(terms[k], state_of(spec, spec.energy[k], area, {})));
   if (spec.boundary_angles == BoundaryAngles::AtMostFullTurn)
     builder.add(
         std::make_shared<const AngleSums>(space, AngleSums::Vertices::Boundary, spec.seams));
@@ -138,7 +285,9 @@ EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
   if (!spec.handles.empty())
     builder.add(std::make_shared<const QuadraticPenalty>(FixedPoints(spec.handles)),
                 spec.handle_weight / area);
-  return energies;
+  if (injectivity) builder.add(std::move(injectivity));
+  if (spec.added) add_extension(builder, *spec.added, ids);
+  return ids;
 }
 
 MapProblem map_problem(const MapSpecification& spec,
@@ -147,13 +296,12 @@ MapProblem map_problem(const MapSpecification& spec,
                        std::shared_ptr<const FeasibilityChecker> injectivity) {
   require_given("map_problem: the space", space);
   ProblemBuilder builder = map_builder(spec, *space);
-  EnergyIds energies = add_map(builder, spec, space, start, terms);
-  if (injectivity) builder.add(std::move(injectivity));
-  builder.add(FixedPoints::at(gauge_vertices(spec, *space), start));
-  return {builder.build(), std::move(energies)};
+  MapTerms ids = add_map(builder, spec, space, start, terms, std::move(injectivity));
+  builder.add(gauge(spec, *space, start));
+  return {std::move(ids), builder.build()};
 }
 
-TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energies,
+TermChanges energy_states(const MapSpecification& spec, const std::vector<TermId>& energies,
                           const std::vector<RuleId>& rules, const Vec& element_weight) {
   const double area = whole_area(spec);
   TermChanges changes;
@@ -185,7 +333,8 @@ double energy_of_map(const MapSpecification& spec, const DensityTerms& terms,
   double energy = energy_by_face(spec, terms, rules, x).sum();
   for (const FixedPoint& handle : spec.handles)
     energy += spec.handle_weight * (x.segment<2>(2 * handle.node) - handle.position).squaredNorm();
-  return ranks_of(spec).sum(energy) / whole_area(spec);
+  energy = ranks_of(spec).sum(energy) / whole_area(spec);
+  return spec.added ? energy + energy_of(*spec.added, x) : energy;
 }
 
 }  // namespace majorant

@@ -12,30 +12,43 @@
 
 #include "majorant/constraints/axis_alignment.h"
 #include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/fixed_unknowns.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/seams.h"
-#include "majorant/parametrization/maps/map_objective.h"
-#include "majorant/parametrization/maps/map_part.h"
+#include "majorant/parametrization/maps/map_extension.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 
-// What is asked of a map, whatever its degree. Positions in the units of the rest shapes.
-struct MapSpecification : MapObjective {
+class MapPart;
+
+// The normalised problem: what solvers make of MapOptions, whatever the degree. Positions in the
+// units of the rest shapes.
+struct MapSpecification {
+  MapSpecification() = default;
+  // What MapOptions says without units.
+  explicit MapSpecification(const MapOptions& asked);
+
+  EnergySum energy = MapOptions().energy;
+  Vec face_weight;  // as MapOptions has them, as the next three
+  BoundaryCondition boundary = BoundaryCondition::Free;
+  BoundaryAngles boundary_angles = BoundaryAngles::Free;
+  double handle_weight = MapOptions().handle_weight;
   RestShapes rest;
   std::shared_ptr<const Seams> seams;  // hold exactly; null: none
   std::vector<AlignedEdge> aligned;    // stay parallel to an axis
   std::vector<FixedPoint> pins;        // hard, vertices
   std::vector<FixedPoint> handles;     // soft, vertices
-  // Null: this process has the whole map. Else the lists above, the rest shapes and the weights are
-  // those of its part; seams, aligned edges and angles at the boundary cannot be asked for.
+  // Null: the whole map. Else all of the above is that of a part of it (map_part.h); seams, aligned
+  // edges and angles at the boundary cannot be asked for.
   std::shared_ptr<const MapPart> part;
+  // What a caller adds, of the degree of the problem; null: nothing.
+  std::shared_ptr<const MapExtension> added;
 };
 
-// What holds for the whole map, from what a rank knows of it. Sums are collective where there are
-// several.
-const Ranks& ranks_of(const MapSpecification& spec);
+// Of the whole map.
 double whole_area(const MapSpecification& spec);
 // Nodes on the boundary of the uncut surface, sorted.
 std::vector<Index> boundary_of(const MapSpecification& spec, const BezierTriangleSpace& space);
@@ -57,23 +70,27 @@ std::vector<Index> vertex_components(const BezierTriangleSpace& space);
 // the (cut) surface, which are the null space of the energy (method.md N3): one a piece.
 std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTriangleSpace& space);
 
-// Ids of the terms of spec.energy in a problem, one a summand.
-using EnergyIds = std::vector<TermId>;
+// Ids of terms in the problem of a map: those of spec.energy, one a summand, and those that were
+// added, in their order.
+struct MapTerms {
+  std::vector<TermId> energies, added;
+};
 
 // Adds to `builder` what is asked of a map whose nodes are the builder's first unknowns: terms,
-// constraints and the check of boundary angles; neither injectivity nor gauge vertices. For
-// problems with more unknowns than a map's (a scaffold); others use map_problem().
-EnergyIds add_map(ProblemBuilder& builder, const MapSpecification& spec,
-                  const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
-                  const DensityTerms& terms);
+// constraints and checkers, injectivity (may be null) among them; not the gauge. For problems with
+// more unknowns than a map's (a scaffold); others use map_problem().
+MapTerms add_map(ProblemBuilder& builder, const MapSpecification& spec,
+                 const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                 const DensityTerms& terms, std::shared_ptr<const FeasibilityChecker> injectivity);
 
-struct MapProblem {
+struct MapProblem : MapTerms {
   Problem problem;
-  EnergyIds energies;
 };
 
 // start: 2 numbers per node, whose boundary (where it is fixed) and gauge vertices stay.
-// injectivity may be null. The energies have the weights of spec.
+// injectivity may be null. The energies have the weights of spec. Of a gauge vertex only those
+// coordinates are held whose translations nothing that was added withstands: a term does where a
+// translation changes it at the start; rows with auxiliary unknowns do not count.
 MapProblem map_problem(const MapSpecification& spec,
                        const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                        const DensityTerms& terms,
@@ -81,14 +98,14 @@ MapProblem map_problem(const MapSpecification& spec,
 
 // States of the energies with other quadrature rules (#F, empty = all 0) and element weights (#F,
 // on top of those of spec and of its summands, empty = all 1).
-TermChanges energy_states(const MapSpecification& spec, const EnergyIds& energies,
+TermChanges energy_states(const MapSpecification& spec, const std::vector<TermId>& energies,
                           const std::vector<RuleId>& rules, const Vec& element_weight);
 
-// #F integrals of the energy over each face here, face weights included, handles not. Throws
-// Stopped.
+// #F integrals of the energy over each face here, face weights included, neither handles nor what
+// was added. Throws Stopped.
 Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
                    const std::vector<RuleId>& rules, VecIn x, const StopCheck& stop = {});
-// Their sum over the whole map and that of the handles, over the area.
+// Their sum over the whole map and that of the handles, over the area, and what was added.
 double energy_of_map(const MapSpecification& spec, const DensityTerms& terms,
                      const std::vector<RuleId>& rules, VecIn x);
 

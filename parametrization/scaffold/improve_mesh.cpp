@@ -20,6 +20,7 @@
 #include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/element_values.h"
+#include "majorant/mesh/half_edge_flip.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 

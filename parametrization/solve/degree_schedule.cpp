@@ -1,9 +1,8 @@
 #include "majorant/parametrization/solve/degree_schedule.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <utility>
+
+#include "majorant/parametrization/maps/map_part.h"
 
 namespace majorant {
 namespace {
@@ -46,10 +45,10 @@ void DegreeSchedule::minimize_gentle_energy() {
       map_.space().element_count());
   const DensityTerms terms = energy_terms(setup_.map, map_.shared_space(), levels.rules());
   gentle.asked_energy = [&](VecIn x) {
-    return energy_of_map(setup_.map, terms, levels.of_faces(), x) + setup_.added.energy(x);
+    return energy_of_map(setup_.map, terms, levels.of_faces(), x);
   };
   DegreeSolver solver(gentle, domain_, map_.shared_space(), map_.control_points());
-  solver.soften_start(record_);
+  solver.soft_start(record_);
   solver.approach(setup_.solve.elevation_tolerance, record_, Phase::Entry);
   add_counts(counts_.injectivity_tests, solver.proven());
   map_ = map_.with(map_.shared_space(), solver.x());
@@ -81,7 +80,7 @@ SolveResult DegreeSchedule::optimize(bool last) {
   DegreeSolver solver(setup_, domain_, map_.shared_space(), map_.control_points());
   solver_ = &solver;
   if (state_) solver.resume(*std::exchange(state_, std::nullopt));
-  solver.soften_start(record_);
+  solver.soft_start(record_);
   SolveResult solved =
       last ? solver.finish(record_) : solver.approach(setup_.solve.elevation_tolerance, record_);
   solver_ = nullptr;
@@ -107,24 +106,6 @@ void DegreeSchedule::elevate() {
 
 void DegreeSchedule::elevate_to_last() {
   while (map_.degree() < degree_) elevate();
-}
-
-void judge(const std::string& unproven, Status& status, std::string& message) {
-  if (!unproven.empty()) {
-    status = Status::Failed;
-    message = fmt::format("the result fails its own proof: {} (the solver ended with: {})",
-                          unproven, message);
-  } else if (status == Status::Failed) {
-    status = Status::Stalled;
-  }
-}
-
-double farthest_handle(const MapSpecification& spec, const BezierMap& map) {
-  double farthest = 0;
-  for (const FixedPoint& h : spec.handles)
-    farthest =
-        std::max(farthest, (map.control_points().segment<2>(2 * h.node) - h.position).norm());
-  return farthest;
 }
 
 }  // namespace majorant

@@ -9,7 +9,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -70,13 +69,6 @@ class DegreeSchedule {
   const DegreeSolver* solver_ = nullptr;  // while it solves
   std::optional<State> state_;            // of an earlier run, or of the solver that a limit ended
 };
-
-// How a run ends whose result was measured, from how its solver ended. unproven: what is not proven
-// of it; empty: nothing is amiss, and a solver that failed has stalled.
-void judge(const std::string& unproven, Status& status, std::string& message);
-
-// Of this rank's soft handles from their targets, the largest; normalised.
-double farthest_handle(const MapSpecification& spec, const BezierMap& map);
 
 }  // namespace majorant
 

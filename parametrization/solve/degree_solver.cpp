@@ -11,6 +11,8 @@
 #include "majorant/energies/densities/symmetric_dirichlet.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
+#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/projection.h"
 #include "majorant/framework/internal/stopwatch.h"
@@ -27,10 +29,34 @@ SolverFactory solver_of(const SolveOptions& options, const Problem& problem, Ord
       [&options, &problem, ordering] { return options.linear_solver(problem.pattern(), ordering); };
 }
 
+HeldBounds bounds_of(const std::shared_ptr<const MapExtension>& added) {
+  HeldBounds::Bounds bounds;
+  if (added)
+    for (const auto& checker : added->checkers())
+      if (auto bound = std::dynamic_pointer_cast<const BarrierChecker>(checker))
+        bounds.push_back(std::move(bound));
+  return HeldBounds(std::move(bounds));
+}
+
+void require_curvature(const MapExtension& added, const HeldBounds& bounds, Curvature asked) {
+  const auto require = [asked](const EnergyTerm& term) {
+    if (!term.supports(asked))
+      throw InvalidArgument(
+          fmt::format("term '{}' has no curvature model '{}'", term.name(), curvature_name(asked)));
+  };
+  for (const auto& one : added.terms()) require(*one.term);
+  for (const auto& bound : bounds.bounds()) require(*bound->barrier());
+}
+
 }  // namespace
 
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                            std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
+    : DegreeSolver(setup, domain, std::move(space), x, {bounds_of(setup.map.added)}) {}
+
+DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
+                           std::shared_ptr<const BezierTriangleSpace> space, const Vec& x,
+                           Bounds bounds)
     : setup_(setup),
       domain_(domain),
       space_(std::move(space)),
@@ -44,23 +70,42 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                                                             depth_, setup.stop)),
       element_weight_(Vec::Ones(space_->element_count())),
       x_(domain.unknowns(x)),
-      added_(setup.added),
+      bounds_(std::move(bounds)),
       built_([&] {
         require_curvature(terms_, setup.solve.curvature);
-        added_.require_curvature(setup.solve.curvature);
+        if (setup.map.added)
+          require_curvature(*setup.map.added, bounds_.held, setup.solve.curvature);
         setup.stop.poll();
-        DomainProblem built = domain.build(input(), x_);
+        MapProblem built = build();
         setup.stop.poll();  // what follows is the analysis of its pattern
         return built;
       }()),
       stepper_(built_.problem,
                newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering(),
                               solver_of(setup.solve, built_.problem, domain.ordering()))) {
-  if (added_.constrained()) meet_added_constraints();
+  if (setup.map.added && !setup.map.added->constraints().empty()) meet_added_constraints();
 }
 
-DomainInput DegreeSolver::input() const {
-  return {setup_.map, space_, start_, terms_, injectivity_, depth_, added_, setup_.stop};
+// Bounds are what is held in their place, and their barriers terms.
+MapProblem DegreeSolver::build() {
+  const auto in = [this](const MapSpecification& map) {
+    return domain_.build(map, space_, start_, terms_, injectivity_, x_);
+  };
+  if (!is_bounded()) return in(setup_.map);
+  std::vector<std::shared_ptr<const FeasibilityChecker>> checkers;
+  for (const auto& checker : setup_.map.added->checkers())
+    if (!std::dynamic_pointer_cast<const BarrierChecker>(checker)) checkers.push_back(checker);
+  for (const auto& bound : bounds_.held.held()) checkers.push_back(bound);
+  MapExtension added = setup_.map.added->with(std::move(checkers));
+  for (const auto& barrier : bounds_.held.barriers()) added.add(barrier, bounds_.barrier_weight);
+  MapSpecification map = setup_.map;
+  map.added = std::make_shared<const MapExtension>(std::move(added));
+  return in(map);
+}
+
+// The last terms that were added.
+std::span<const TermId> DegreeSolver::barriers() const {
+  return std::span(built_.added).last(bounds_.held.barriers().size());
 }
 
 namespace {
@@ -139,7 +184,7 @@ std::vector<long> DegreeSolver::proven() const {
 }
 
 void DegreeSolver::rebuild() {
-  built_ = domain_.build(input(), x_);
+  built_ = build();
   renew_states();
   Stopwatch analysis;
   stepper_.reset(built_.problem);
@@ -165,23 +210,22 @@ bool DegreeSolver::follow() {
   return true;
 }
 
-void DegreeSolver::return_to(const Place& place) {
-  x_ = place.x;
-  if (!place.surroundings) return;
-  domain_.restore(place.surroundings);
+void DegreeSolver::return_to(const Checkpoint& checkpoint) {
+  x_ = checkpoint.x;
+  if (!checkpoint.surroundings) return;
+  domain_.restore(checkpoint.surroundings);
   rebuild();
 }
 
 // Of the map alone, on the rules of now, all elements with their full weight, and what was added.
 double DegreeSolver::own_energy(VecIn x) const {
-  const Vec map = x.head(2 * space_->node_count());
-  return energy_of_map(setup_.map, terms_, levels_.of_faces(), map) + added_.energy(map);
+  return energy_of_map(setup_.map, terms_, levels_.of_faces(), x.head(2 * space_->node_count()));
 }
 
 // What the problem's energy at x_ has that nobody asked for.
 double DegreeSolver::foreign_energy() const {
   double sum = domain_.foreign_energy(built_.problem, x_);
-  for (const TermId id : built_.barriers) sum += term_energy(built_.problem, id, x_);
+  for (const TermId id : barriers()) sum += term_energy(built_.problem, id, x_);
   return sum;
 }
 
@@ -212,7 +256,7 @@ class DegreeSolver::MapDescent : public Descent {
 
   Answer after_step(const StepResult& step) override;
   void set_fallback() override {
-    fallback_ = solver_.place();
+    fallback_ = solver_.checkpoint();
     fallback_energy_ = result.energy;
   }
   void return_to_fallback() override {
@@ -232,7 +276,7 @@ class DegreeSolver::MapDescent : public Descent {
  private:
   Phase phase_;
   RunRecord& record_;
-  Place fallback_;
+  Checkpoint fallback_;
   double fallback_energy_ = 0;
 };
 
@@ -249,7 +293,7 @@ Descent::Answer DegreeSolver::MapDescent::after_step(const StepResult& step) {
   own.energy = result.energy;
   Answer answer;
   if (solver_.variables() > 0) answer.directive = solver_.note(own, step.outcome, phase_, record_);
-  DomainChange change = solver_.domain_.after_step(solver_.x_, step, solver_.input());
+  DomainChange change = solver_.domain_.after_step(solver_.x_, step, solver_.depth_);
   if (change == DomainChange::Structure || (!moved && change == DomainChange::Values))
     answer.since = StoppingTest::Since::ProblemChanged;
   if (change == DomainChange::Structure) {
@@ -263,12 +307,12 @@ Descent::Answer DegreeSolver::MapDescent::after_step(const StepResult& step) {
 }
 
 // Every step on the energy as the last one's faces have weighted it anew; ends where none is stiff.
-class DegreeSolver::SoftDescent final : public MapDescent {
+class DegreeSolver::SoftStart final : public MapDescent {
  public:
-  SoftDescent(DegreeSolver& solver, RunRecord& record)
+  SoftStart(DegreeSolver& solver, RunRecord& record)
       : MapDescent(solver, Phase::SoftStart, record) {}
 
-  // Whether the start is to be softened.
+  // Whether the start is to be a soft one.
   bool weigh() {
     std::optional<Vec> weight = solver_.soft_weights();
     if (!weight) return false;
@@ -306,19 +350,19 @@ SolveResult DegreeSolver::descend(StoppingRules rules, Phase phase, RunRecord& r
   return std::move(result);
 }
 
-void DegreeSolver::soften_start(RunRecord& record) {
-  if (softened_) return;
+void DegreeSolver::soft_start(RunRecord& record) {
+  if (soft_started_) return;
   try {
-    soften(record);
-    softened_ = record.directive() == Directive::Continue;
+    take_soft_steps(record);
+    soft_started_ = record.directive() == Directive::Continue;
   } catch (const Stopped&) {  // so will be what follows
   }
 }
 
-void DegreeSolver::soften(RunRecord& record) {
+void DegreeSolver::take_soft_steps(RunRecord& record) {
   x_ = built_.problem.expand(built_.problem.reduce(x_));
   if (record.directive() != Directive::Continue) return;
-  SoftDescent descent(*this, record);
+  SoftStart descent(*this, record);
   if (!descent.weigh()) return;
   stepper_.descend(descent, brief_rules(record.iterations_left(), kAnyDecrease));
   element_weight_.setOnes();
@@ -370,15 +414,20 @@ IterationRecord DegreeSolver::try_step() {
 }
 
 std::optional<DegreeSolver::State> DegreeSolver::state() const {
-  if (detours_ > 0) return std::nullopt;
-  return State{softened_,          tries_.stalls, tries_.refinements, barrier_followed_, depth_,
-               levels_.of_faces(), uses_};
+  if (running_remedies_ > 0) return std::nullopt;
+  return State{soft_started_,
+               remedy_counts_.stalls,
+               remedy_counts_.refinements,
+               barrier_followed_,
+               depth_,
+               levels_.of_faces(),
+               uses_};
 }
 
 void DegreeSolver::resume(State state) {
   levels_.set(std::move(state.levels));
-  softened_ = state.softened;
-  tries_ = {state.stalls, state.refinements};
+  soft_started_ = state.soft_started;
+  remedy_counts_ = {state.stalls, state.refinements};
   barrier_followed_ = state.barrier_followed;
   uses_ = state.remedies;
   if (state.depth > depth_) set_depth(state.depth);
@@ -399,12 +448,12 @@ bool DegreeSolver::refine_inaccurate() {
 
 namespace {
 
-class Detour {
+class RunningRemedy {
  public:
-  explicit Detour(int& count) : count_(count) { ++count_; }
-  ~Detour() { --count_; }
-  Detour(const Detour&) = delete;
-  Detour& operator=(const Detour&) = delete;
+  explicit RunningRemedy(int& count) : count_(count) { ++count_; }
+  ~RunningRemedy() { --count_; }
+  RunningRemedy(const RunningRemedy&) = delete;
+  RunningRemedy& operator=(const RunningRemedy&) = delete;
 
  private:
   int& count_;
@@ -423,7 +472,7 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
   const auto solve = [&] {
-    return added_.bounded() ? solve_within_bounds(record) : exhaust(kRemedies, tries_, record);
+    return is_bounded() ? solve_within_bounds(record) : exhaust(kRemedies, remedy_counts_, record);
   };
   SolveResult result = solve();
   if (result.status == Status::Stalled && domain_.hold()) result = solve();
@@ -432,15 +481,15 @@ SolveResult DegreeSolver::finish(RunRecord& record) {
 }
 
 // Runs again as long as a stall can be left or the quadrature be refined.
-SolveResult DegreeSolver::exhaust(std::span<const Remedy> remedies, Tries& tries,
+SolveResult DegreeSolver::exhaust(std::span<const Remedy> remedies, RemedyCounts& counts,
                                   RunRecord& record) {
   SolveResult result = descend(final_rules(), Phase::Newton, record);
   try {
     for (;;) {
-      if (result.status == Status::Stalled && tries.stalls++ < rules().stall_rounds) {
+      if (result.status == Status::Stalled && counts.stalls++ < rules().stall_rounds) {
         if (!relieve(remedies, result, record)) return result;
       } else if (result.status == Status::Converged &&
-                 tries.refinements++ < setup_.rules.accuracy_rounds && refine_inaccurate()) {
+                 counts.refinements++ < setup_.rules.accuracy_rounds && refine_inaccurate()) {
         result = descend(final_rules(), Phase::Newton, record);
       } else {
         return result;
@@ -456,9 +505,9 @@ bool DegreeSolver::relieve(std::span<const Remedy> remedies, SolveResult& result
                            RunRecord& record) {
   for (const Remedy remedy : remedies) {
     const double before = result.energy;
-    const Effect effect = apply(remedy, result, record);
-    if (was_stopped(result.status) || effect == Effect::Ended) return false;
-    if (effect == Effect::None) continue;
+    const RemedyOutcome outcome = apply(remedy, result, record);
+    if (was_stopped(result.status) || outcome == RemedyOutcome::Ended) return false;
+    if (outcome == RemedyOutcome::None) continue;
     const double gained = before - result.energy;
     result = descend(final_rules(), Phase::Newton, record);
     add_use(uses_, remedy, gained + began_at_ - result.energy);
@@ -467,8 +516,9 @@ bool DegreeSolver::relieve(std::span<const Remedy> remedies, SolveResult& result
   return false;
 }
 
-DegreeSolver::Effect DegreeSolver::apply(Remedy remedy, SolveResult& result, RunRecord& record) {
-  const Detour detour(detours_);
+DegreeSolver::RemedyOutcome DegreeSolver::apply(Remedy remedy, SolveResult& result,
+                                                RunRecord& record) {
+  const RunningRemedy running(running_remedies_);
   switch (remedy) {
     case Remedy::Deepen:
       return deepen(record);
@@ -479,16 +529,16 @@ DegreeSolver::Effect DegreeSolver::apply(Remedy remedy, SolveResult& result, Run
     case Remedy::FollowBarrier:
       return follow_barrier(result, record);
   }
-  return Effect::None;
+  return RemedyOutcome::None;
 }
 
 // The certificate may be too coarse rather than the map too close to degenerate: bisect deeper.
-DegreeSolver::Effect DegreeSolver::deepen(RunRecord& record) {
-  if (depth_ >= rules().deepest_bisection) return Effect::None;
+DegreeSolver::RemedyOutcome DegreeSolver::deepen(RunRecord& record) {
+  if (depth_ >= rules().deepest_bisection) return RemedyOutcome::None;
   setup_.stop.poll();
   set_depth(std::min(depth_ + rules().bisections_deeper, rules().deepest_bisection));
   record.mark(Remedy::Deepen);
-  return Effect::GoOn;
+  return RemedyOutcome::GoOn;
 }
 
 void DegreeSolver::set_depth(int depth) {
@@ -498,24 +548,25 @@ void DegreeSolver::set_depth(int depth) {
   rebuild();
 }
 
-DegreeSolver::Effect DegreeSolver::refine(const std::vector<Index>& blocking, RunRecord& record) {
+DegreeSolver::RemedyOutcome DegreeSolver::refine(const std::vector<Index>& blocking,
+                                                 RunRecord& record) {
   std::vector<Index> faces;  // of the map; the domain looks after its own
   for (const Index e : blocking)
     if (e < space_->element_count()) faces.push_back(e);
-  if (!partition().any(levels_.refine(faces))) return Effect::None;
+  if (!partition().any(levels_.refine(faces))) return RemedyOutcome::None;
   apply_state();
   record.mark(Remedy::Refine);
-  return Effect::GoOn;
+  return RemedyOutcome::GoOn;
 }
 
 // [MC20] Sec. 4.3: the blocking triangles lose their say for a few steps, not their positivity.
-DegreeSolver::Effect DegreeSolver::exclude(SolveResult& result, RunRecord& record) {
+DegreeSolver::RemedyOutcome DegreeSolver::exclude(SolveResult& result, RunRecord& record) {
   const SolveResult stalled = result;
   for (const Index e : stalled.blocking)
     if (e < element_weight_.size()) element_weight_[e] = rules().excluded_weight;
-  if (partition().all((element_weight_.array() == 1).all())) return Effect::None;
+  if (partition().all((element_weight_.array() == 1).all())) return RemedyOutcome::None;
   record.mark(Remedy::Exclude);
-  const Place best = place();
+  const Checkpoint best = checkpoint();
   apply_state();
   StoppingRules brief = unlimited(rules().excluded_tolerance);
   brief.max_iterations = rules().excluded_iterations;
@@ -523,14 +574,14 @@ DegreeSolver::Effect DegreeSolver::exclude(SolveResult& result, RunRecord& recor
   element_weight_.setOnes();
   apply_state();
   result = descend(unlimited(rules().excluded_tolerance), Phase::Newton, record);
-  if (result.energy < stalled.energy) return Effect::GoOn;
+  if (result.energy < stalled.energy) return RemedyOutcome::GoOn;
   result = back_to(best, stalled, result.status);
   add_use(uses_, Remedy::Exclude, 0);
-  return Effect::None;
+  return RemedyOutcome::None;
 }
 
 // A way out that led nowhere, or was stopped before it led anywhere.
-SolveResult DegreeSolver::back_to(const Place& best, SolveResult stalled, Status way_out) {
+SolveResult DegreeSolver::back_to(const Checkpoint& best, SolveResult stalled, Status way_out) {
   return_to(best);
   if (!was_stopped(way_out)) return stalled;
   return stopped(std::move(stalled),
@@ -540,24 +591,24 @@ SolveResult DegreeSolver::back_to(const Place& best, SolveResult stalled, Status
 // Interior points: the energy plus mu times one whose barrier is strong, for falling mu, leads
 // around corners that a weak barrier, or none, ran into. The map's is symmetric Dirichlet, unless
 // that is in its energy; the surroundings bring their own.
-DegreeSolver::Effect DegreeSolver::follow_barrier(SolveResult& result, RunRecord& record) {
-  if (std::exchange(barrier_followed_, true)) return Effect::None;
-  Effect effect = Effect::None;
+DegreeSolver::RemedyOutcome DegreeSolver::follow_barrier(SolveResult& result, RunRecord& record) {
+  if (std::exchange(barrier_followed_, true)) return RemedyOutcome::None;
+  RemedyOutcome outcome = RemedyOutcome::None;
   for (int round = 0; round < rules().barrier_rounds && result.status == Status::Stalled; ++round) {
     const SolveResult stalled = result;
-    const Place best = place();
+    const Checkpoint best = checkpoint();
     if (!step_aside(std::abs(stalled.energy) / least_density(), record)) break;
-    effect = Effect::Ended;
-    Tries tries;
+    outcome = RemedyOutcome::Ended;
+    RemedyCounts counts;
     result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),
-                     tries, record);
+                     counts, record);
     // On the same rules, which may have become finer on the way.
     const double before = own_energy(best.x), gained = before - own_energy(x_);
     add_use(uses_, Remedy::FollowBarrier, std::max(gained, 0.0));
     if (!(gained > 0)) result = back_to(best, stalled, result.status);
     if (!(gained > rules().worth_another_round * before)) break;
   }
-  return effect;
+  return outcome;
 }
 
 // Along the barrier, from strong to weak; whether there is one to follow. unit: weight of the
@@ -579,7 +630,6 @@ bool DegreeSolver::step_aside(double unit, RunRecord& record) {
 // Minimizes with that much of the symmetric Dirichlet energy; whether to go on.
 bool DegreeSolver::approach_with(double weight, RunRecord& record) {
   Setup with = setup_;
-  with.added = added_;
   if (weight > 0) with.map.energy.push_back({symmetric_dirichlet(), weight});
   with.solve.curvature = Curvature::Projected;
   with.asked_energy = [this](VecIn x) {
@@ -588,7 +638,7 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
   with.solve.injectivity_depth =
       depth_;  // what only deep certificates prove is feasible there, too
   try {
-    DegreeSolver inner(with, domain_, space_, x());
+    DegreeSolver inner(with, domain_, space_, x(), bounds_);
     const SolveResult result = inner.approach(rules().barrier_tolerance, record, Phase::Barrier);
     x_ = inner.x_;
     add_counts(proven_inside_, inner.proven());
@@ -604,9 +654,10 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
 SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   SolveResult result = approach(setup_.solve.elevation_tolerance, record);
   if (was_stopped(result.status)) return result;
-  if (added_.met(x_)) {
-    result = exhaust(kRemedies, tries_, record);
-    if (was_stopped(result.status) || added_.met(x_)) return result;
+  const auto met = [this] { return !bounds_.held.violated(x()); };
+  if (met()) {
+    result = exhaust(kRemedies, remedy_counts_, record);
+    if (was_stopped(result.status) || met()) return result;
   }
   try {
     if (!enter_bounds(result, record)) return result;
@@ -614,26 +665,36 @@ SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   } catch (const Stopped& stop) {
     return stopped(std::move(result), stop.why());
   }
-  tries_ = {};
-  return exhaust(kRemedies, tries_, record);
+  remedy_counts_ = {};
+  return exhaust(kRemedies, remedy_counts_, record);
+}
+
+double DegreeSolver::barrier_size() const {
+  const Vec map = x();
+  double sum = 0;
+  for (const auto& barrier : bounds_.held.barriers())
+    sum += element_values(*barrier, {}, ColoredBatches(barrier->element_dofs(), {}), map)
+               .cwiseAbs()
+               .sum();
+  return sum;
 }
 
 // Whether x_ is inside.
 bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
   const BoundRules& rules = setup_.rules.bounds;
   double weight = 0;
-  const auto point = [this] { return added_.of_map(x()); };
+  const auto point = [this] { return x(); };
   const auto go_on = [&](double factor) {
     setup_.stop.poll();
     if (weight == 0)
       weight = rules.first_share * std::max(std::abs(result.energy), rules.least_energy) /
-               std::max(added_.barrier_size(x()), rules.least_barrier);
-    added_.set_barrier_weight(factor * weight);
+               std::max(barrier_size(), rules.least_barrier);
+    bounds_.barrier_weight = factor * weight;
     rebuild();
     result = descend(unlimited(rules.entry.tolerance), Phase::Barrier, record);
     return !was_stopped(result.status);
   };
-  const Entry entry = majorant::enter_bounds(added_.bounds(), rules.entry, point, go_on);
+  const Entry entry = majorant::enter_bounds(bounds_.held, rules.entry, point, go_on);
   if (entry == Entry::Stopped) return false;
   if (entry == Entry::Inside) {
     rebuild();
@@ -641,7 +702,7 @@ bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
   }
   result.status = Status::Infeasible;
   result.message =
-      fmt::format("no map was found that meets the bound '{}'", added_.violated(x())->name());
+      fmt::format("no map was found that meets the bound '{}'", bounds_.held.violated(x())->name());
   return false;
 }
 
@@ -650,7 +711,7 @@ bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
 // tells what is left.
 bool DegreeSolver::follow_barriers(SolveResult& result, RunRecord& record) {
   BarrierWeights weights = setup_.rules.bounds.weights;
-  weights.first = added_.barrier_weight();
+  weights.first = bounds_.barrier_weight;
   double before = 0, left = 0;
   int phases = 0;
   const PathEnd end = majorant::follow_barrier(weights, [&](double weight) {
@@ -672,9 +733,9 @@ bool DegreeSolver::follow_barriers(SolveResult& result, RunRecord& record) {
 }
 
 SolveResult DegreeSolver::descend_with(double barrier_weight, RunRecord& record) {
-  added_.set_barrier_weight(barrier_weight);
+  bounds_.barrier_weight = barrier_weight;
   TermChanges changes;
-  for (const TermId id : built_.barriers) {
+  for (const TermId id : barriers()) {
     changes.emplace_back(id, built_.problem.state(id));
     changes.back().second.weight = barrier_weight;
   }

@@ -2,7 +2,7 @@
 // is refined where it must be and the remedies for stalls at the limit of the feasible set.
 //
 //     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
-//     solver.soften_start(record);
+//     solver.soft_start(record);
 //     SolveResult solved = solver.finish(record);
 //     map = map.with(map.shared_space(), solver.x());
 //
@@ -17,7 +17,9 @@
 #include <span>
 #include <vector>
 
+#include "majorant/framework/internal/barrier_path.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/partition.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/solve/internal/map_domain.h"
@@ -34,7 +36,6 @@ class DegreeSolver {
     SolveOptions solve;
     StopCheck stop;
     SolverRules rules;
-    UserTerms added = {};  // of this degree
     // Of a map, 2 numbers per node, for the trace: where another energy is minimized than the one
     // asked for. Empty: that of `map`.
     std::function<double(VecIn)> asked_energy;
@@ -44,7 +45,7 @@ class DegreeSolver {
   // With x() what another solver of the same degree needs to go on from there; what Newton's method
   // has learned of late, it learns again.
   struct State {
-    bool softened = false;            // soften_start() is through
+    bool soft_started = false;        // soft_start() is through
     int stalls = 0, refinements = 0;  // remedies tried, times the quadrature was refined
     bool barrier_followed = false;
     int depth = 0;               // of certificates
@@ -62,7 +63,7 @@ class DegreeSolver {
   // For a start of enormous energy (a Tutte map with nearly collapsed triangles): steps on
   // sum A sqrt(density) by reweighting, until the mean density is moderate. Otherwise the stiff
   // triangles' rounding errors drive everything else, and which minimum is reached is chance.
-  void soften_start(RunRecord& record);
+  void soft_start(RunRecord& record);
   // Until one iteration decreases the energy by less than `tolerance`; no remedy is tried. For
   // degrees on the way.
   SolveResult approach(double tolerance, RunRecord& record, Phase phase = Phase::Newton);
@@ -84,60 +85,72 @@ class DegreeSolver {
   std::vector<long> proven() const;
 
  private:
+  // Bounds with a barrier, those of MapSpecification::added: left out, relaxed or held, as the
+  // solver goes along.
+  struct Bounds {
+    HeldBounds held;  // in place of them; they see the map's unknowns alone
+    double barrier_weight = 1;
+  };
+  DegreeSolver(const Setup& setup, MapDomain& domain,
+               std::shared_ptr<const BezierTriangleSpace> space, const Vec& x, Bounds bounds);
+
   // Where a run can come back to.
-  struct Place {
+  struct Checkpoint {
     Vec x;
     std::optional<Scaffold> surroundings;
   };
   class MapDescent;
-  class SoftDescent;
+  class SoftStart;
   // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
-  enum class Effect { None, GoOn, Ended };
+  enum class RemedyOutcome { None, GoOn, Ended };
 
-  const Partition& partition() const { return built_.problem.partition(); }
-  DomainInput input() const;
+  const Partition& partition() const { return partition_of(built_.problem); }
+  MapProblem build();
+  std::span<const TermId> barriers() const;
   void meet_added_constraints();
   void rebuild();
   void apply_state();
   void renew_states();
   bool follow();
-  Place place() const { return {x_, domain_.surroundings()}; }
-  void return_to(const Place& place);
+  Checkpoint checkpoint() const { return {x_, domain_.surroundings()}; }
+  void return_to(const Checkpoint& checkpoint);
   double own_energy(VecIn x) const;
   double foreign_energy() const;
   Directive note(const IterationRecord& own, StepResult::Outcome outcome, Phase phase,
                  RunRecord& record) const;
 
   SolveResult descend(StoppingRules rules, Phase phase, RunRecord& record);
-  void soften(RunRecord& record);
+  void take_soft_steps(RunRecord& record);
   std::optional<Vec> soft_weights() const;
   bool refine_inaccurate();
   StoppingRules unlimited(double relative_decrease) const;
   StoppingRules final_rules() const;
 
-  // Bounds with a barrier.
+  bool is_bounded() const { return !bounds_.held.bounds().empty(); }
   SolveResult solve_within_bounds(RunRecord& record);
   bool enter_bounds(SolveResult& result, RunRecord& record);
   bool follow_barriers(SolveResult& result, RunRecord& record);
   SolveResult descend_with(double barrier_weight, RunRecord& record);
+  // Sum of the absolute values of the elements of the held bounds' barriers.
+  double barrier_size() const;
 
   // Remedies.
   const RemedyRules& rules() const { return setup_.rules.remedies; }
   // How often something was tried at this degree.
-  struct Tries {
+  struct RemedyCounts {
     int stalls = 0, refinements = 0;
   };
-  SolveResult exhaust(std::span<const Remedy> remedies, Tries& tries, RunRecord& record);
+  SolveResult exhaust(std::span<const Remedy> remedies, RemedyCounts& counts, RunRecord& record);
   bool relieve(std::span<const Remedy> remedies, SolveResult& result, RunRecord& record);
-  Effect apply(Remedy remedy, SolveResult& result, RunRecord& record);
+  RemedyOutcome apply(Remedy remedy, SolveResult& result, RunRecord& record);
   void set_depth(int depth);
-  Effect deepen(RunRecord& record);
-  Effect refine(const std::vector<Index>& blocking, RunRecord& record);
-  Effect exclude(SolveResult& result, RunRecord& record);
-  Effect follow_barrier(SolveResult& result, RunRecord& record);
+  RemedyOutcome deepen(RunRecord& record);
+  RemedyOutcome refine(const std::vector<Index>& blocking, RunRecord& record);
+  RemedyOutcome exclude(SolveResult& result, RunRecord& record);
+  RemedyOutcome follow_barrier(SolveResult& result, RunRecord& record);
   bool step_aside(double unit, RunRecord& record);
   bool approach_with(double weight, RunRecord& record);
-  SolveResult back_to(const Place& best, SolveResult stalled, Status way_out);
+  SolveResult back_to(const Checkpoint& best, SolveResult stalled, Status way_out);
 
   const Setup& setup_;
   MapDomain& domain_;
@@ -148,15 +161,15 @@ class DegreeSolver {
   int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
   std::vector<long> proven_inside_;  // by the solves along a barrier
-  Vec element_weight_;               // 1, or else for a while: softened, excluded
+  Vec element_weight_;               // 1, or else for a while: soft start, excluded
   Vec x_;                            // unknowns of the domain, the map's first
-  UserTerms added_;
-  DomainProblem built_;
+  Bounds bounds_;
+  MapProblem built_;
   NewtonStepper stepper_;
   double began_at_ = 0;  // own energy at the start of the last descent
-  bool softened_ = false;
-  Tries tries_;
-  int detours_ = 0;                // remedies that are taking steps
+  bool soft_started_ = false;
+  RemedyCounts remedy_counts_;
+  int running_remedies_ = 0;       // remedies that are taking steps
   bool barrier_followed_ = false;  // once a degree
   RemedyUses uses_{};
 };

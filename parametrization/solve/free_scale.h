@@ -9,7 +9,7 @@
 #pragma once
 
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/solve/map_options.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "majorant/constraints/axis_alignment.h"
 #include "majorant/constraints/seamless_constraint.h"
@@ -13,6 +16,7 @@
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/maps/map_part.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/solve/free_scale.h"
 #include "majorant/parametrization/solve/pins.h"
@@ -20,10 +24,22 @@
 namespace majorant {
 namespace {
 
-double scale_of(const SurfaceMesh& mesh) {
-  const Eigen::RowVector3d extent =
-      mesh.positions().colwise().maxCoeff() - mesh.positions().colwise().minCoeff();
-  return normalizing_scale(extent.maxCoeff(), mesh.area());
+// The optimizer works on a surface of size about 1: a power of two, so that scaling is exact. Size:
+// the largest extent along an axis; where that is 0, the triangles that stand for such faces have
+// an area.
+double scale_of(const SurfaceMesh& mesh, const Ranks& ranks) {
+  std::array<double, 6> least;
+  least.fill(std::numeric_limits<double>::infinity());
+  for (const auto& p : mesh.positions().rowwise())
+    for (std::size_t k = 0; k < 3; ++k) {
+      least[k] = std::min(least[k], p[static_cast<Index>(k)]);
+      least[3 + k] = std::min(least[3 + k], -p[static_cast<Index>(k)]);
+    }
+  ranks.min(least);
+  double extent = 0;
+  for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, -least[3 + k] - least[k]);
+  const double size = extent > 0 ? extent : std::sqrt(ranks.sum(mesh.area()));
+  return 1 / power_of_two(size, PowerOfTwo::Nearest);
 }
 
 void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
@@ -33,12 +49,6 @@ void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
     throw InvalidArgument(
         fmt::format("{}face weights must be one number in {:g}..{:g} for each face",
                     message_prefix(mesh), 1 / kLargestFactor, kLargestFactor));
-}
-
-bool on_boundary(const SurfaceMesh& mesh, Index vertex) {
-  return std::any_of(
-      mesh.boundary_loops().begin(), mesh.boundary_loops().end(),
-      [&](const auto& loop) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); });
 }
 
 // Of the normalized map: as it is solved, whatever the size of the mesh. asked: what the map would
@@ -111,17 +121,24 @@ double largest_distance(const Vec& a, const Vec& b) {
   return largest;
 }
 
+// Of the vertex that holds a free map: of several ranks its owner alone says so.
+Vector2 gauge_position(const MapSpecification& spec, const BezierTriangleSpace& space,
+                       const std::vector<Index>& gauge, const Vec& uv) {
+  if (!spec.part) return uv.segment<2>(2 * gauge.front());
+  std::array<double, 2> sum{};
+  const auto unknowns = spec.part->unknowns(space);
+  for (const Index v : gauge)
+    if (unknowns->owns(2 * v)) sum = {uv[2 * v], uv[2 * v + 1]};
+  spec.part->ranks().sum(sum);
+  return {sum[0], sum[1]};
+}
+
 Vec translated(Vec x, const Vector2& by) {
   for (Index k = 0; k < x.size(); k += 2) x.segment<2>(k) += by;
   return x;
 }
 
 }  // namespace
-
-double normalizing_scale(double extent, double area) {
-  const double size = extent > 0 ? extent : std::sqrt(area);
-  return 1 / power_of_two(size, PowerOfTwo::Nearest);
-}
 
 void NormalFrame::move_origin(const Vector2& to, BoundaryCondition boundary) {
   origin = to;
@@ -136,7 +153,7 @@ Vec NormalFrame::normalized(const Vec& uv) const { return translated(uv, -origin
 
 Vec NormalFrame::in_model_units(const Vec& x) const { return translated(x / scale, destination); }
 
-void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
+void require_face_data(const SurfaceMesh& mesh, const MapOptions& asked) {
   require_face_weights(mesh, asked.face_weight);
   for (const WeightedEnergy& e : asked.energy) {
     require_face_weights(mesh, e.face_weight);
@@ -148,11 +165,14 @@ void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked) {
   }
 }
 
-NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked, Origin origin)
-    : frame_{scale_of(given.mesh())}, map_(given) {
-  require_face_data(given.mesh(), asked);
+NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked, Origin origin,
+                                 std::shared_ptr<const MapPart> part)
+    : map_(given), specification_(asked) {
   MapSpecification& spec = specification_;
-  static_cast<MapObjective&>(spec) = asked;
+  spec.part = std::move(part);
+  const Ranks& ranks = ranks_of(spec);
+  frame_.scale = scale_of(given.mesh(), ranks);
+  require_face_data(given.mesh(), asked);
   spec.aligned = nearest_axes(given, asked.aligned);
   const BezierMap start = spec.aligned.empty() ? given : aligned_map(given, spec.aligned);
   moved_ = largest_distance(given.control_points(), start.control_points());
@@ -161,18 +181,22 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   spec.rest = rest_shapes(mesh, frame_.scale);
   spec.seams = start.shared_seams();
   const bool tied = !start.seams().empty() || !asked.aligned.empty();
-  spec.pins = place_pins(mesh, asked.pins, uv, pin_tolerance(uv), [&](Index v) {
-    return tied || (asked.boundary == BoundaryCondition::Fixed && on_boundary(mesh, v));
+  std::vector<Index> fixed;  // sorted
+  if (asked.boundary == BoundaryCondition::Fixed) fixed = boundary_of(spec, start.space());
+  const double largest = ranks.max(uv.size() > 0 ? uv.cwiseAbs().maxCoeff() : 0);
+  spec.pins = place_pins(mesh, asked.pins, uv, pin_tolerance(largest), [&](Index v) {
+    return tied || std::binary_search(fixed.begin(), fixed.end(), v);
   });
   spec.handles = place_handles(mesh, asked.handles, spec.pins, uv, frame_.scale);
-  require_scale(asked, start);
+  if (!spec.part) require_scale(asked, start);
   // Where nothing holds the map, its first held vertex moves to the origin.
-  if (const auto gauge = gauge_vertices(spec, start.space());
-      origin == Origin::Free && !gauge.empty() && spec.pins.empty() && spec.handles.empty())
-    frame_.move_origin(uv.segment<2>(2 * gauge.front()), spec.boundary);
+  const auto gauge = gauge_vertices(spec, start.space());
+  const bool held = ranks.any(!spec.pins.empty() || !spec.handles.empty());
+  if (ranks.any(!gauge.empty()) && !held && origin == Origin::Free)
+    frame_.move_origin(gauge_position(spec, start.space(), gauge, uv), spec.boundary);
   for (auto* points : {&spec.pins, &spec.handles}) frame_.normalize(*points);
   map_ = start.with(start.shared_space(), frame_.normalized(uv));
-  require_injective(map_, spec.rest, asked);
+  if (!spec.part) require_injective(map_, spec.rest, asked);
 }
 
 BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {

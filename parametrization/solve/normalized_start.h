@@ -8,13 +8,13 @@
 
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/solve/map_options.h"
 
 namespace majorant {
 
 // Throws InvalidArgument unless face weights and data of energies are for the faces of the mesh.
-void require_face_data(const SurfaceMesh& mesh, const MapObjective& asked);
+void require_face_data(const SurfaceMesh& mesh, const MapOptions& asked);
 
 // Extents of the surface beyond which the position of a free map is given up for its digits.
 // Three of the sixteen digits are lost there.
@@ -24,14 +24,9 @@ inline constexpr double kLargestOffset = 1000;
 // somebody else knows the coordinates.
 enum class Origin { Free, Kept };
 
-// The optimizer works on a surface of size about 1: a power of two, so that scaling is exact.
-// extent: the largest along an axis; area: where that is 0, the triangles that stand for such faces
-// have a size.
-double normalizing_scale(double extent, double area);
-
 // The coordinates that a map is optimized in: (uv - origin) scale.
 struct NormalFrame {
-  double scale = 1;
+  double scale = 1;  // a power of two
   // Where a free map's held vertex is, else 0, and where it is put back to: the same place unless
   // that is so far from 0 that coordinates would lose digits. Model units.
   Vector2 origin = Vector2::Zero(), destination = Vector2::Zero();
@@ -51,7 +46,11 @@ class NormalizedStart {
   // Error(Unsupported) when a vertex is held twice or a handle's target too far away to compute
   // with (kLargestFactor), Error(Usage) for vertices that do not exist, weights or data of
   // faces that do not fit, and an energy that would shrink the map to a point (free_scale.h).
-  NormalizedStart(const BezierMap& start, const MapOptions& asked, Origin origin = Origin::Free);
+  // part: whose start, points, weights and data these are, pins on all ranks that have the vertex,
+  // handles on its owner; null: the whole map. Collective where there are several ranks; throws on
+  // one or on several, whatever the scale, and does not ask whether the start is injective.
+  NormalizedStart(const BezierMap& start, const MapOptions& asked, Origin origin = Origin::Free,
+                  std::shared_ptr<const MapPart> part = nullptr);
 
   double scale() const { return frame_.scale; }
   const BezierMap& map() const { return map_; }  // (uv - origin) * scale

@@ -12,6 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
+#include "majorant/framework/partition.h"
 #include "majorant/framework/thread_count.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
@@ -30,42 +31,102 @@ void require_valid(const ParametrizationOptions& o) {
   require_valid(o.map, o.solve, static_cast<bool>(o.extend));
 }
 
-// What is around the degree schedule of a whole map: additions, a scaffold, proofs, measures.
+// What is around the degree schedule of a map, or of the part of one that a rank has: additions, a
+// scaffold, proofs, measures.
 class Run {
  public:
-  Run(const SolverRules& rules, const BezierMap& start, const ParametrizationOptions& options,
-      RunRecord& record)
+  Run(const SolverRules& rules, std::shared_ptr<const MapPart> part, const BezierMap& start,
+      const ParametrizationOptions& options, RunRecord& record, const Keeping& keeping)
       : options_(options),
         record_(record),
-        start_(start, options.map, options.extend ? Origin::Kept : Origin::Free),
+        keeping_(keeping),
+        start_(start, options.map, options.extend ? Origin::Kept : Origin::Free, part),
         map_(start_.map()),
-        setup_{start_.specification(), options.solve, record.stop(), rules, {}, {}} {
-    if (options.solve.watch || options.extend)
-      setup_.watch = [this](const TraceEntry& row, const MapView& at) { return observe(row, at); };
+        setup_{start_.specification(),
+               options.solve,
+               part ? StopCheck() : record.stop(),
+               rules,
+               {},
+               {}} {
+    if (part) record_.agree([part](int own) { return part->ranks().of_first(own); });
+    if (options.solve.watch || options.extend || keeping.every > 0)
+      setup_.watch = [this](const TraceEntry& row, const MapView& at) {
+        keep_at(row, at);
+        return observe(row, at);
+      };
   }
 
-  ParametrizationResult solve() {
+  ParametrizationResult solve(const std::optional<RunState>& from) {
+    if (setup_.map.part && !from) require_injective(ErrorKind::Infeasible, "the initial map", 0);
     const double started = record_.seconds();
     result_.start_moved = start_.moved();
-    Vec unused;
-    result_.initial_value = mean_density(map_, setup_.map.rest, options_.map.energy, unused);
+    result_.initial_value = from ? from->initial_value : mean_at_start();
+    if (from) map_ = map_.with(from->space, from->x);
+    const bool enters = from ? from->entering : !std::isfinite(result_.initial_value);
+    if (from && !enters)
+      require_injective(ErrorKind::Unreadable, "the map of the checkpoint", from->solver.depth);
     show_start();
     if (options_.map.injectivity == MapInjectivity::Global) record_.begin(Activity::Scaffold);
     extend(map_);
     domain_ = make_domain();
     record_.begin(Activity::Solving);
-    DegreeSchedule schedule(setup_, *domain_, map_, options_.map.degree, record_,
-                            [this](const BezierMap& map) { extend(map); });
-    if (!std::isfinite(result_.initial_value)) schedule.enter();
-    const SolveResult solved = schedule.raise_degree(result_.initial_value);
+    schedule_.emplace(setup_, *domain_, map_, options_.map.degree, record_,
+                      [this](const BezierMap& map) { extend(map); });
+    if (from && !enters) schedule_->resume(from->solver);
+    if (enters) schedule_->enter();
+    const SolveResult solved = schedule_->raise_degree(result_.initial_value);
     result_.optimize_seconds = record_.seconds() - started;
-    schedule.elevate_to_last();
-    map_ = schedule.map();
-    account(schedule.counts());
+    if (solved.status == Status::MaxIterations || was_stopped(solved.status)) keep_last();
+    schedule_->elevate_to_last();
+    map_ = schedule_->map();
+    account(schedule_->counts());
     return conclude(solved);
   }
 
  private:
+  const Ranks& ranks() const { return ranks_of(setup_.map); }
+
+  double mean_at_start() const {
+    Vec unused;
+    const Vec& measure = setup_.map.rest.measure;
+    const auto mean = [&] {
+      return mean_density(map_, setup_.map.rest, options_.map.energy, unused);
+    };
+    if (!setup_.map.part) return mean();
+    const double area = measure.sum();
+    return ranks().sum(area > 0 ? area * mean() : 0) / ranks().sum(area);
+  }
+
+  // Of a part. depth: of bisection, at least.
+  void require_injective(ErrorKind kind, const char* what, int depth) const {
+    const std::string obstacle = setup_.map.part->obstacle(
+        map_, 2 * setup_.map.rest.measure, std::max(depth, options_.solve.injectivity_depth));
+    if (!obstacle.empty())
+      throw Error(kind, fmt::format("{} is not injective: {}", what, obstacle));
+  }
+
+  // After every row of the trace; all ranks have the same rows.
+  void keep_at(const TraceEntry& row, const MapView& at) {
+    ++iterations_;
+    if (keeping_.every == 0 || ++since_kept_ < keeping_.every) return;
+    if (schedule_->entering()) {
+      if (row.phase == Phase::Entry || row.phase == Phase::SoftStart) keep(at.space, at.x, {});
+    } else if (const auto state = schedule_->state()) {
+      keep(at.space, at.x, *state);
+    }
+  }
+  void keep(const std::shared_ptr<const BezierTriangleSpace>& space, VecIn x,
+            DegreeSolver::State solver) {
+    since_kept_ = 0;
+    keeping_.keep(
+        {space, x, schedule_->entering(), std::move(solver), result_.initial_value, iterations_});
+  }
+  // A limit has ended the run here.
+  void keep_last() {
+    const BezierMap& map = schedule_->map();
+    if (keeping_.every > 0) keep(map.shared_space(), map.control_points(), *schedule_->state());
+  }
+
   // Asks for the additions of this degree.
   void extend(const BezierMap& map) {
     if (!options_.extend || (extension_ && extension_->degree() == map.degree())) return;
@@ -73,7 +134,7 @@ class Run {
         std::make_shared<MapExtension>(map, start_.specification().rest, start_.scale());
     options_.extend(*extension);
     extension_ = std::move(extension);
-    setup_.added = UserTerms(extension_);
+    setup_.map.added = extension_;
   }
 
   // What an observer has said once, holds.
@@ -95,13 +156,14 @@ class Run {
     TraceEntry row;
     row.record.iteration = static_cast<int>(record_.trace().size());
     row.record.energy = row.energy = result_.initial_value;
-    setup_.watch(row, {map_.shared_space(), map_.control_points(), {}});
+    observe(row, {map_.shared_space(), map_.control_points(), {}});
   }
 
   std::unique_ptr<MapDomain> make_domain() const {
     if (options_.map.injectivity == MapInjectivity::Local) return std::make_unique<PlainDomain>();
     try {
-      return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules);
+      return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules,
+                                                setup_.stop);
     } catch (const Error& e) {
       throw Refusal(
           e.kind(), map_.mesh().file(),
@@ -111,11 +173,24 @@ class Run {
   }
 
   void account(const DegreeSchedule::Counts& counts) {
-    result_.injectivity_tests = counts.injectivity_tests;
+    result_.injectivity_tests = of_all_ranks(counts.injectivity_tests);
     result_.remedies = counts.remedies;
-    result_.variables = static_cast<Index>(counts.variables);
-    result_.constraint_residual = counts.constraint_residual / start_.scale();
-    result_.handle_distance = farthest_handle(setup_.map, map_) / start_.scale();
+    result_.variables = counts.variables;
+    result_.constraint_residual = ranks().max(counts.constraint_residual) / start_.scale();
+    double distance = 0;
+    for (const FixedPoint& h : setup_.map.handles)
+      distance =
+          std::max(distance, (map_.control_points().segment<2>(2 * h.node) - h.position).norm());
+    result_.handle_distance = ranks().max(distance) / start_.scale();
+  }
+
+  // Ranks may have bisected to different depths.
+  std::vector<long> of_all_ranks(const std::vector<long>& counts) const {
+    const double deepest = ranks().max(static_cast<double>(counts.size()));
+    std::vector<double> sums(counts.begin(), counts.end());
+    sums.resize(static_cast<std::size_t>(deepest), 0.0);
+    ranks().sum(sums);
+    return {sums.begin(), sums.end()};
   }
 
   ParametrizationResult conclude(const SolveResult& solved) {
@@ -169,7 +244,11 @@ class Run {
   void take_measures() {
     record_.begin(Activity::Measuring);
     const double started = record_.seconds();
-    result_.measures = measure_map(*result_.map, options_.map.energy, record_.stop());
+    const EnergySum& energy = options_.map.energy;
+    if (setup_.map.part)
+      result_.measures = setup_.map.part->measure(*result_.map, energy, unproven_part_);
+    else
+      result_.measures = measure_map(*result_.map, energy, record_.stop());
     result_.measure_seconds += record_.seconds() - started;
   }
 
@@ -185,13 +264,21 @@ class Run {
     take_measures();
   }
 
+  // unproven: of the result; empty: nothing is amiss, and a solver that failed has stalled.
   void judge(const std::string& unproven) {
-    majorant::judge(unproven, result_.status, result_.message);
+    if (!unproven.empty()) {
+      result_.status = Status::Failed;
+      result_.message =
+          fmt::format("the result fails its own proof: {} (the solver ended with: {})", unproven,
+                      result_.message);
+    } else if (result_.status == Status::Failed) {
+      result_.status = Status::Stalled;
+    }
   }
 
   // Empty: nothing is amiss.
   std::string unproven() const {
-    if (result_.measures.locally_injective) return {};
+    if (setup_.map.part || result_.measures.locally_injective) return unproven_part_;
     const SurfaceMesh& mesh = result_.map->mesh();
     Index face = 0;
     const double least = result_.measures.min_det.minCoeff(&face);
@@ -217,39 +304,58 @@ class Run {
 
   const ParametrizationOptions& options_;
   RunRecord& record_;
+  const Keeping& keeping_;
   NormalizedStart start_;
   BezierMap map_;  // normalised: the start, then the result
   DegreeSolver::Setup setup_;
   std::shared_ptr<const MapExtension> extension_;  // of the degree of map_, or of one below
   Directive observed_ = Directive::Continue;
   std::unique_ptr<MapDomain> domain_;
+  std::optional<DegreeSchedule> schedule_;
   ParametrizationResult result_;
+  std::string unproven_part_;  // MapPart::measure()
+  int iterations_ = 0, since_kept_ = 0;
 };
+
+void require_degree_one(const BezierMap& start) {
+  if (start.degree() != 1)
+    throw InvalidArgument(
+        fmt::format("a start must have degree 1, this one has {}", start.degree()));
+  require_finite("the start", start.control_points());
+}
 
 }  // namespace
 
 ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
                                      const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
-  if (start.degree() != 1)
-    throw InvalidArgument(
-        fmt::format("a start must have degree 1, this one has {}", start.degree()));
-  require_finite("the start", start.control_points());
+  require_degree_one(start);
   const ThreadCount threads(options.solve.threads);
   ParametrizationOptions resolved = options;
   resolved.map = with_targets(start, options.map);
   // Edges that stay parallel to an axis leave a start no way to turn.
   ParametrizationResult result;
   if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty()) {
-    result = Run(rules, start, options, record).solve();
+    result = Run(rules, nullptr, start, options, record, {}).solve({});
   } else {
     require_scale(resolved.map, start);
     const PinSolver solver = pin_solver(record, rules);
     const BezierMap led = pin_homotopy(start, resolved.map, options.solve, solver, record);
-    result = Run(rules, led, resolved, record).solve();
+    result = Run(rules, nullptr, led, resolved, record, {}).solve({});
   }
   result.handles = resolved.map.handles;
   return result;
+}
+
+ParametrizationResult parametrize_part(std::shared_ptr<const MapPart> part, const BezierMap& start,
+                                       const ParametrizationOptions& options, RunRecord& record,
+                                       const Keeping& keeping,
+                                       const std::optional<RunState>& from) {
+  require_given("parametrize_part: the part", part);
+  require_valid(options);
+  require_degree_one(start);
+  const ThreadCount threads(options.solve.threads);
+  return Run(SolverRules{}, std::move(part), start, options, record, keeping).solve(from);
 }
 
 // Scaffolds do not yield on the way: the next step would begin with what is squeezed between parts

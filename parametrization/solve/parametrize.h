@@ -11,18 +11,20 @@
 // degree raised step by step. [MC20], method.md.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/map_extension.h"
+#include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/parametrization/solve/map_extension.h"
-#include "majorant/parametrization/solve/map_options.h"
 #include "majorant/parametrization/solve/solve_options.h"
 
 namespace majorant {
@@ -58,7 +60,7 @@ struct ParametrizationResult {
   double start_moved = 0;          // by aligning edges, largest distance, model units
   std::vector<Pin> handles;        // with their targets
   double handle_distance = 0;      // largest distance of a soft handle from its target, model units
-  Index variables = 0;
+  std::int64_t variables = 0;      // of the last degree
   MapMeasures measures;
   std::vector<AddedTerm> terms;
   std::vector<AddedCheck> checks;
@@ -73,6 +75,8 @@ struct ParametrizationResult {
   // Of one factorization and one solve at the degree asked for, median (SolveOptions::factor_cost).
   std::optional<double> factor_solve_seconds;
 };
+
+std::string_view start_name(StartMethod method);  // "auto", "tutte", "multiresolution", "input"
 
 // The start that is asked for, u, v per vertex: the given one or one that is made (StartMethod;
 // maps without overlaps, aligned edges and sector sums that are held start from Tutte's). taken

@@ -10,7 +10,7 @@
 
 #include "majorant/constraints/fixed_points.h"
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/solve/map_options.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 

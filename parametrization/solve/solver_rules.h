@@ -110,7 +110,7 @@ struct SolverRules {
   QuadratureRules quadrature;
   // Times the quadrature of a finished run is refined. Measured by bench/tune.py accuracy_rounds.
   int accuracy_rounds = 3;
-  // Mean density of a start beyond which it is softened. Measured by bench/tune.py soft_start.
+  // Mean density of a start beyond which it is a soft one. Measured by bench/tune.py soft_start.
   double soft_start = 1e5;
   RemedyRules remedies;
   BoundRules bounds;

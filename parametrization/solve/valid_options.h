@@ -1,7 +1,7 @@
 // What can be asked for at all, whatever the surface: the same of one process and of several.
 #pragma once
 
-#include "majorant/parametrization/solve/map_options.h"
+#include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/solve/solve_options.h"
 
 namespace majorant {

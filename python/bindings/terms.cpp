@@ -9,12 +9,12 @@
 
 #include "arrays.h"
 #include "kept.h"
-#include "majorant/energies/quadratic_penalty.h"
-#include "majorant/framework/internal/symmetric_eigen.h"
+#include "majorant/framework/packed_symmetric.h"
 #include "majorant/parametrization/initialization/tutte.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/terms/linear_term.h"
+#include "majorant/terms/quadratic_penalty.h"
 #include "mesh.h"
 #include "options.h"
 #include "run.h"
@@ -120,25 +120,19 @@ class PythonTerm final : public EnergyTerm {
       for (int i = 0; i < n; ++i)
         out.gradient[static_cast<std::size_t>(i) * LocalSystem::stride + p] = gradient.at(p, i);
       if (!out.hessian) continue;
-      Eigen::MatrixXd H = Eigen::Map<const RowMatrix>(hessian.data(p), n, n);
-      if (curvature.projection_weight > 0) clamp(H, curvature.projection_weight);
-      for (int i = 0, k = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j, ++k)
-          out.hessian[static_cast<std::size_t>(k) * LocalSystem::stride + p] = H(i, j);
+      std::vector<double> packed;
+      for (int i = 0; i < n; ++i)
+        packed.insert(packed.end(), hessian.data(p, i), hessian.data(p, i) + i + 1);
+      if (curvature.projection_weight > 0)
+        clamp_eigenvalues(n, curvature.projection_weight, packed.data());
+      for (std::size_t k = 0; k < packed.size(); ++k)
+        out.hessian[k * LocalSystem::stride + p] = packed[k];
     }
   }
 
  private:
   static double finite(double value) {
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
-  }
-
-  static void clamp(Eigen::MatrixXd& H, double projection_weight) {
-    const SymmetricEigen eigen = symmetric_eigen(H);
-    const Vec& l = eigen.values;
-    if (l.size() == 0 || l[0] >= 0) return;
-    H = eigen.vectors * l.cwiseMax((1 - projection_weight) * l).asDiagonal() *
-        eigen.vectors.transpose();
   }
 
   // The batch's unknowns, an element a row, and the elements' numbers.

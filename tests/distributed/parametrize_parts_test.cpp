@@ -28,7 +28,7 @@ class Parts : public testing::Test {
     RunRecord record;
     return parametrize(BezierMap::linear(mesh_, uv_), options_, record);
   }
-  PartResult parts() const {
+  ParametrizationResult parts() const {
     RunRecord record;
     return parametrize_parts(one_part(*mesh_), uv_, options_, record);
   }
@@ -39,7 +39,7 @@ class Parts : public testing::Test {
   }
   void expect_solved_alike() const {
     const ParametrizationResult a = whole();
-    const PartResult b = parts();
+    const ParametrizationResult b = parts();
     EXPECT_EQ(a.status, b.status) << b.message;
     EXPECT_NEAR(a.measures.value, b.measures.value, 1e-12 * a.measures.value);
     EXPECT_EQ(a.injectivity_tests, b.injectivity_tests);

@@ -23,10 +23,10 @@ double wavy(Index i, Index j) { return std::sin(1.7 * i + 0.3) + std::cos(2.9 * 
 
 struct Solver {
   std::shared_ptr<LadderRecord> record = std::make_shared<LadderRecord>();
-  std::unique_ptr<LinearSolver> solver;
+  std::shared_ptr<LinearSolver> solver;
 
   Solver(Rung first, const StripMatrix& m) : solver(petsc_solver({first, 0}, record)()) {
-    solver->analyze_shared(m.pattern, *m.partition);
+    analyze_shared(*solver, m.pattern, *m.partition);
   }
   const LadderRecord::Use& use(Rung rung) const {
     return record->rungs[static_cast<std::size_t>(rung)];

@@ -41,7 +41,7 @@ NamedSolver cholmod(const char* name, Ordering ordering, Factor factor) {
 
 class Factorization : public testing::TestWithParam<NamedSolver> {
  protected:
-  std::unique_ptr<LinearSolver> make() const { return GetParam().make(); }
+  std::shared_ptr<LinearSolver> make() const { return GetParam().make(); }
 };
 
 TEST_P(Factorization, SolvesPositiveDefiniteSystems) {

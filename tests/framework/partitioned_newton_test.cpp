@@ -86,7 +86,7 @@ class Ordered final : public FeasibilityChecker {
 };
 
 // Of all ranks, dense and on every one of them.
-class DenseSolver final : public LinearSolver {
+class DenseSolver final : public SharedSolver {
  public:
   void analyze(const SparsePattern& pattern) override {
     whole_ = Partition(pattern.size);
@@ -196,7 +196,7 @@ struct Part {
   }
 
   Problem problem(bool hold_all_copies = true) const {
-    ProblemBuilder builder(partition);
+    ProblemBuilder builder = shared_problem_builder(partition);
     builder.add(gaps, 1.0);
     builder.add(std::make_shared<const Ordered>(gaps));
     for (std::size_t i = 0; i < node.size(); ++i) {
@@ -324,7 +324,7 @@ TEST(PartitionedProblem, ConstraintsHoldSingleUnknowns) {
   EXPECT_THROW(test::run_ranks(3,
                                [](const auto& ranks) {
                                  const Part part(ranks);
-                                 ProblemBuilder builder(part.partition);
+                                 ProblemBuilder builder = shared_problem_builder(part.partition);
                                  builder.add(part.gaps, 1.0);
                                  struct Tied final : Constraint {
                                    void append_rows(ConstraintRows& rows) const override {

@@ -76,12 +76,12 @@ TEST(RunRecord, RanksStopTogether) {
   test::run_ranks(3, [](const auto& ranks) {
     const bool stops = ranks->rank() == 0;
     RunRecord record(INFINITY, stops ? 2 : 9);
-    record.agree(*ranks);
+    record.agree([&](int own) { return ranks->of_first(own); });
     EXPECT_EQ(record.iterations_left(), 2);
     EXPECT_EQ(record.directive(), Directive::Continue);
     std::atomic<bool> interrupt = stops;
     RunRecord late(INFINITY, 9, &interrupt);
-    late.agree(*ranks);
+    late.agree([&](int own) { return ranks->of_first(own); });
     EXPECT_EQ(late.note(row_of(0)), Directive::Interrupt);
   });
 }

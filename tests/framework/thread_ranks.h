@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "majorant/framework/ranks.h"
+#include "majorant/framework/partition.h"
 
 namespace majorant::test {
 

@@ -1,11 +1,13 @@
 #include "majorant/parametrization/fields/internal/intrinsic_triangulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
 
+#include "majorant/mesh/half_edge_flip.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
@@ -124,30 +126,14 @@ bool IntrinsicTriangulation::is_delaunay(const Vec& log_lengths, Index half_edge
 void IntrinsicTriangulation::flip(Index half_edge) {
   const Index h0 = half_edge, h1 = next(h0), h2 = previous(h0);
   const Index o0 = opposite(half_edge), o1 = next(o0), o2 = previous(o0);
-  const std::array<Index, 4> from{h2, o1, o2, h1}, to{h1, h2, o1, o2};
   const double diagonal =
       log_sum(log_lengths_[h1] + log_lengths_[o1], log_lengths_[h2] + log_lengths_[o2]) -
       log_lengths_[h0];
-  const auto vertex = [&](Index h) { return from_vertex(faces_, h); };
-  const Index a = vertex(h0), b = vertex(o0), c = vertex(h2), d = vertex(o2);
-  std::array<Index, 4> outside{};
+  const FlippedSides moved = flip_half_edge(faces_, opposite_, half_edge);
   std::array<double, 4> lengths{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    outside[k] = opposite(from[k]);
-    lengths[k] = log_lengths_[from[k]];
-    // A side of the quadrilateral that is glued to another one moves with it.
-    for (std::size_t l = 0; l < 4; ++l)
-      if (opposite(from[k]) == from[l]) outside[k] = to[l];
-  }
-  for (std::size_t k = 0; k < 4; ++k) {
-    opposite_[to[k]] = outside[k];
-    if (outside[k] >= 0) opposite_[outside[k]] = to[k];
-    log_lengths_[to[k]] = lengths[k];
-  }
+  for (std::size_t k = 0; k < 4; ++k) lengths[k] = log_lengths_[moved.from[k]];
+  for (std::size_t k = 0; k < 4; ++k) log_lengths_[moved.to[k]] = lengths[k];
   log_lengths_[h0] = log_lengths_[o0] = diagonal;
-  const std::array<Index, 6> half_edges{h0, h1, h2, o0, o1, o2}, origins{d, c, a, c, d, b};
-  for (std::size_t k = 0; k < 6; ++k)
-    faces_(face_of(half_edges[k]), corner_of(half_edges[k])) = origins[k];
   flips_.push_back({h0, o0});
 }
 

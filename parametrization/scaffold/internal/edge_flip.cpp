@@ -10,6 +10,7 @@
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/half_edge_flip.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/scaffold/internal/moving_barrier.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
@@ -121,28 +122,6 @@ Quadrilateral corners(const BezierMesh& mesh, Index h) {
   return {corner(h), corner(previous(o)), corner(next(h)), corner(previous(h))};
 }
 
-void flip_connectivity(BezierMesh& mesh, Index h) {
-  const Index o = mesh.opposite[h];
-  const FlippedSides moves = flipped_sides(h, o);
-  std::array<Index, 4> outside{};
-  for (std::size_t k = 0; k < 4; ++k) outside[k] = mesh.opposite[moves.from[k]];
-  for (std::size_t k = 0; k < 4; ++k) {
-    mesh.opposite[moves.to[k]] = outside[k];
-    if (outside[k] >= 0) mesh.opposite[outside[k]] = moves.to[k];
-  }
-  const Index a = mesh.from_vertex(h), b = mesh.from_vertex(o);
-  const Index c = mesh.from_vertex(previous(h)), d = mesh.from_vertex(previous(o));
-  const auto set = [&](Index side, Index vertex) {
-    mesh.faces(face_of(side), corner_of(side)) = vertex;
-  };
-  set(h, d);
-  set(next(h), c);
-  set(previous(h), a);
-  set(o, c);
-  set(next(o), d);
-  set(previous(o), b);
-}
-
 FlipCounts flip_while(BezierMesh& mesh, std::vector<char>& is_fixed, long most,
                       const FlipWish& wanted) {
   require_degree(mesh);
@@ -191,11 +170,6 @@ FlipCounts flip_while(BezierMesh& mesh, std::vector<char>& is_fixed, long most,
 
 }  // namespace
 
-FlippedSides flipped_sides(Index half_edge, Index opposite) {
-  return {{next(half_edge), previous(half_edge), next(opposite), previous(opposite)},
-          {previous(opposite), next(half_edge), previous(half_edge), next(opposite)}};
-}
-
 bool flip_edge(BezierMesh& mesh, Index half_edge) {
   require_degree(mesh);
   if (half_edge < 0 || to_size(half_edge) >= mesh.opposite.size())
@@ -221,7 +195,7 @@ bool flip_edge(BezierMesh& mesh, Index half_edge) {
   if (!tables.is_injective(upper) || !tables.is_injective(lower)) return false;
   mesh.points.row(face_of(h)) = upper;
   mesh.points.row(face_of(o)) = lower;
-  flip_connectivity(mesh, h);
+  flip_half_edge(mesh.faces, mesh.opposite, h);
   return true;
 }
 

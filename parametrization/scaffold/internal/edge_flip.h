@@ -11,7 +11,6 @@
 // the same angle modulo 2 pi, and each is below pi. [MC20] Sec. 6.1.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <vector>
 
@@ -30,13 +29,6 @@ namespace majorant {
 // db; after h: dc, ca, ad and o: cd, db, bc. The faces around a vertex must be one fan. Throws
 // InvalidArgument for a degree outside 1..8 or a half-edge that does not exist.
 bool flip_edge(BezierMesh& mesh, Index half_edge);
-
-// The numbers of a quadrilateral's sides before and after flip_edge(half_edge), in the same order:
-// bc, ca, ad, db. Whoever keeps something by half-edge moves it from `from` to `to`.
-struct FlippedSides {
-  std::array<Index, 4> from, to;
-};
-FlippedSides flipped_sides(Index half_edge, Index opposite);
 
 // Flips edges, other than those with is_fixed[h] (3 #F, both sides; may be empty; the boundary is
 // fixed anyway), until the triangulation of the corner points is locally Delaunay; flips of

@@ -1,191 +1,50 @@
 #include "majorant/parametrization/solve/internal/map_domain.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "majorant/framework/error.h"
 #include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/curvature_name.h"
-#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/stopwatch.h"
 
 namespace majorant {
-namespace {
-
-// A solver that is kept for the next one who needs one: patterns differ little, and it knows the
-// last one's ordering.
-class KeptSolver final : public LinearSolver {
- public:
-  explicit KeptSolver(std::shared_ptr<LinearSolver> solver) : solver_(std::move(solver)) {}
-  void analyze(const SparsePattern& pattern) override { solver_->analyze(pattern); }
-  FactorStatus factorize(const Vec& values, double shift) override {
-    return solver_->factorize(values, shift);
-  }
-  Solution solve(const Vec& r, Vec& p, double tolerance) override {
-    return solver_->solve(r, p, tolerance);
-  }
-  std::string description() const override { return solver_->description(); }
-
- private:
-  std::shared_ptr<LinearSolver> solver_;
-};
-
-// Of the size of the surface, about 1: the translation that terms are asked about. Chosen;
-// any that is no rounding error of the coordinates.
-constexpr double kTranslation = 0.5;
-// Of the largest number that they are sums of: what is no change of a term's value, and no
-// coefficient of a translation. Far above rounding, far below what a term means.
-constexpr double kNoChange = 1e-9;
-
-// A checker of the map's unknowns in a problem with more. Its elements are its own: the remedies
-// of a run are for faces.
-class OnMap final : public FeasibilityChecker {
- public:
-  OnMap(std::shared_ptr<const FeasibilityChecker> checker, Index unknowns)
-      : checker_(std::move(checker)), unknowns_(unknowns) {}
-  std::string_view name() const override { return checker_->name(); }
-  Verdict check(VecIn x) const override {
-    Verdict verdict = checker_->check(x.head(unknowns_));
-    verdict.blocking.clear();
-    verdict.proven.clear();
-    return verdict;
-  }
-  StepBound max_step(VecIn x, VecIn d, double s) const override {
-    return {checker_->max_step(x.head(unknowns_), d.head(unknowns_), s).step, {}};
-  }
-
- private:
-  std::shared_ptr<const FeasibilityChecker> checker_;
-  Index unknowns_;
-};
-
-Vec values_of(const EnergyTerm& term, VecIn x) {
-  return element_values(term, {}, ColoredBatches(term.element_dofs(), {}), x);
-}
-
-bool same_values(const Vec& a, const Vec& b) {
-  double size = 0;
-  for (const double f : a)
-    if (std::isfinite(f)) size = std::max(size, std::abs(f));
-  for (Index e = 0; e < a.size(); ++e)
-    if (a[e] != b[e] && !(std::abs(a[e] - b[e]) <= kNoChange * size)) return false;
-  return true;
-}
-
-// The translations of the pieces that gauge vertices stand for, 2 each, and which of them rows
-// rule out: by Gaussian elimination of few columns.
-class Translations {
- public:
-  Translations(const BezierTriangleSpace& space, const std::vector<Index>& gauge)
-      : gauge_(gauge), piece_of_(to_size(space.node_count()), -1), ruled_out_(2 * gauge.size(), 0) {
-    const std::vector<Index> component = vertex_components(space);
-    std::vector<Index> piece(to_size(space.vertex_count()), -1);
-    for (std::size_t g = 0; g < gauge.size(); ++g)
-      piece[component[gauge[g]]] = static_cast<Index>(g);
-    for (Index f = 0; f < space.element_count(); ++f)
-      for (const Index node : space.cells().row(f))
-        piece_of_[node] = piece[component[space.faces()(f, 0)]];
-  }
-
-  void constrain(const ConstraintRows& rows) {
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      Vec row = Vec::Zero(count());
-      double size = 0;
-      bool own = true;
-      for (auto e = rows.begin(r); e != rows.end(r); ++e) {
-        own = own && e->unknown >= 0;
-        if (!own || e->unknown / 2 >= static_cast<Index>(piece_of_.size())) continue;
-        size = std::max(size, std::abs(e->coefficient));
-        if (const Index piece = piece_of_[e->unknown / 2]; piece >= 0)
-          row[2 * piece + e->unknown % 2] += e->coefficient;
-      }
-      if (own) rule_out(std::move(row), kNoChange * size);
-    }
-  }
-
-  void constrain(const EnergyTerm& term, const Vec& x) {
-    const Vec values = values_of(term, x);
-    for (Index t = 0; t < count(); ++t) {
-      Vec moved = x;
-      for (std::size_t node = 0; node < piece_of_.size(); ++node)
-        if (piece_of_[node] == t / 2) moved[2 * static_cast<Index>(node) + t % 2] += kTranslation;
-      if (!same_values(values, values_of(term, moved))) rule_out(Vec::Unit(count(), t), kNoChange);
-    }
-  }
-
-  // Of those that are left: the unknowns that stop them, where x has them.
-  std::vector<FixedUnknown> stopped(VecIn x) const {
-    std::vector<FixedUnknown> unknowns;
-    for (Index t = 0; t < count(); ++t) {
-      const Index unknown = 2 * gauge_[t / 2] + t % 2;
-      if (!ruled_out_[t]) unknowns.push_back({unknown, x[unknown]});
-    }
-    return unknowns;
-  }
-
- private:
-  Index count() const { return static_cast<Index>(ruled_out_.size()); }
-
-  void rule_out(Vec row, double tolerance) {
-    for (const auto& [pivot, basis] : rows_) row -= row[pivot] * basis;
-    Index pivot = 0;
-    if (!(row.cwiseAbs().maxCoeff(&pivot) > tolerance)) return;
-    ruled_out_[pivot] = 1;
-    row /= row[pivot];
-    rows_.emplace_back(pivot, std::move(row));
-  }
-
-  const std::vector<Index>& gauge_;
-  std::vector<Index> piece_of_;  // by node, -1: cannot move anyway
-  std::vector<char> ruled_out_;
-  std::vector<std::pair<Index, Vec>> rows_;  // 1 at their pivots
-};
-
-}  // namespace
-
-DomainProblem PlainDomain::build(const DomainInput& in, VecIn) {
-  ProblemBuilder builder = map_builder(in.map, *in.space);
-  EnergyIds energies = add_map(builder, in.map, in.space, in.start, in.terms);
-  builder.add(in.injectivity);
-  std::vector<TermId> barriers = in.added.add_to(builder);
-  builder.add(in.added.gauge(in.map, *in.space, in.start));
-  return {{builder.build(), std::move(energies)}, std::move(barriers)};
-}
-
 ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
-                                   const SolverRules& rules)
-    : scaffold_([&] {
+                                   const SolverRules& rules, const StopCheck& stop)
+    : map_faces_(start.space().element_count()),
+      scaffold_([&] {
         const AddedSeconds time(seconds_);
         return Scaffold(start.shared_space(), start.control_points());
       }()),
       mode_(flips),
       rules_(rules.scaffold),
-      relaxing_(newton_options(Curvature::Projected, rules, {}, ScaffoldedDomain::ordering())),
+      relaxing_(newton_options(Curvature::Projected, rules, stop, ScaffoldedDomain::ordering())),
       share_(rules_.share) {
+  // One for all relaxations: patterns differ little, and it knows the last one's ordering.
   const std::shared_ptr<LinearSolver> solver = make_direct_solver(ScaffoldedDomain::ordering());
-  relaxing_.linear_solver = [solver] { return std::make_unique<KeptSolver>(solver); };
+  relaxing_.linear_solver = [solver] { return solver; };
 }
 
-DomainProblem ScaffoldedDomain::build(const DomainInput& in, VecIn x) {
+MapProblem ScaffoldedDomain::build(const MapSpecification& map,
+                                   const std::shared_ptr<const BezierTriangleSpace>& space,
+                                   VecIn start, const DensityTerms& terms,
+                                   const std::shared_ptr<const LocalInjectivity>& injectivity,
+                                   VecIn x) {
   const AddedSeconds time(seconds_);
   ProblemBuilder builder(2 * scaffold_.joint_node_count());
-  EnergyIds energies = add_map(builder, in.map, in.space, in.start, in.terms);
+  MapTerms ids = add_map(builder, map, space, start, terms,
+                         std::make_shared<const ScaffoldInjectivity>(
+                             injectivity, map_faces_,
+                             std::make_shared<const LocalInjectivity>(
+                                 scaffold_.space(), Vec::Ones(scaffold_.face_count()),
+                                 depth(injectivity->max_depth()), relaxing_.stop)));
   TermState around;
   around.element_rule = scaffold_.levels();
   around_ = builder.add(scaffold_.energy_term(), around);
-  builder.add(std::make_shared<const ScaffoldInjectivity>(
-      in.injectivity, in.space->element_count(),
-      std::make_shared<const LocalInjectivity>(scaffold_.space(), Vec::Ones(scaffold_.face_count()),
-                                               depth(in), in.stop)));
-  std::vector<TermId> barriers = in.added.add_to(builder);
   builder.add(FixedPoints::at(scaffold_.frame_nodes(), x));
   lambda_.reset();
   built_ = built_ ? builder.build(*built_) : builder.build();
-  return {{*built_, std::move(energies)}, std::move(barriers)};
+  return {std::move(ids), *built_};
 }
 
 TermChanges ScaffoldedDomain::before_step(const MapProblem& built, VecIn x) {
@@ -208,18 +67,16 @@ double ScaffoldedDomain::foreign_energy(const Problem& problem, VecIn x) const {
 }
 
 // The scaffold is enlarged, flipped and relaxed.
-DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, const DomainInput& in) {
+DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, int of_map) {
   const AddedSeconds time(seconds_);
   scaffold_.take(x);
-  if (refine(step.blocking, in.space->element_count())) lambda_.reset();
+  if (refine(step.blocking)) lambda_.reset();
   if (rests(step)) stage_ = Stage::AtRest;
   const bool grown = scaffold_.grow();
   FlipCounts counts = flip();
   const bool relaxed = grown || needs_relaxing(step.record, counts);
   if (relaxed) {
-    NewtonOptions options = relaxing_;
-    options.stop = in.stop;
-    scaffold_.relax(rules_.relax_steps, depth(in), options);
+    scaffold_.relax(rules_.relax_steps, depth(of_map), relaxing_);
     const FlipCounts more = flip();
     counts.intended += more.intended;
     counts.performed += more.performed;
@@ -246,16 +103,12 @@ bool ScaffoldedDomain::rests(const StepResult& step) const {
 }
 
 // Scaffold faces that block a step get a finer quadrature rule: theirs does not see the barrier.
-bool ScaffoldedDomain::refine(const std::vector<Index>& blocking, Index map_faces) {
+bool ScaffoldedDomain::refine(const std::vector<Index>& blocking) {
   std::vector<Index> faces;
   for (const Index e : blocking)
-    if (e >= map_faces) faces.push_back(e - map_faces);
+    if (e >= map_faces_) faces.push_back(e - map_faces_);
   scaffold_.refine(faces);
   return !faces.empty();
-}
-
-int ScaffoldedDomain::depth(const DomainInput& in) const {
-  return std::max(in.depth, rules_.depth);
 }
 
 FlipCounts ScaffoldedDomain::flip() {
@@ -291,74 +144,6 @@ void ScaffoldedDomain::elevate(const std::shared_ptr<const BezierTriangleSpace>&
 
 void ScaffoldedDomain::restore(const std::optional<Scaffold>& scaffold) {
   if (scaffold) scaffold_ = *scaffold;
-}
-
-UserTerms::UserTerms(std::shared_ptr<const MapExtension> extension)
-    : extension_(std::move(extension)) {
-  HeldBounds::Bounds bounds;
-  for (const auto& checker : extension_->checkers())
-    if (auto bound = std::dynamic_pointer_cast<const BarrierChecker>(checker))
-      bounds.push_back(std::move(bound));
-  bounds_ = HeldBounds(std::move(bounds));
-}
-
-std::vector<TermId> UserTerms::add_to(ProblemBuilder& builder) const {
-  std::vector<TermId> barriers;
-  if (!extension_) return barriers;
-  const auto unknowns = static_cast<Index>(extension_->start().size());
-  for (const auto& [term, weight] : extension_->terms()) builder.add(term, weight);
-  for (const auto& constraint : extension_->constraints()) builder.add(*constraint);
-  for (const auto& checker : extension_->checkers())
-    if (!dynamic_cast<const BarrierChecker*>(checker.get()))
-      builder.add(std::make_shared<const OnMap>(checker, unknowns));
-  for (const auto& bound : bounds_.held())
-    builder.add(std::make_shared<const OnMap>(bound, unknowns));
-  for (const auto& barrier : bounds_.barriers())
-    barriers.push_back(builder.add(barrier, barrier_weight_));
-  return barriers;
-}
-
-FixedUnknowns UserTerms::gauge(const MapSpecification& spec, const BezierTriangleSpace& space,
-                               VecIn start) const {
-  const std::vector<Index> vertices = gauge_vertices(spec, space);
-  Translations translations(space, vertices);
-  if (extension_ && !vertices.empty()) {
-    ConstraintRows rows;
-    for (const auto& constraint : extension_->constraints()) constraint->append_rows(rows);
-    translations.constrain(rows);
-    for (const auto& added : extension_->terms()) translations.constrain(*added.term, start);
-    for (const auto& barrier : bounds_.barriers()) translations.constrain(*barrier, start);
-  }
-  return FixedUnknowns(translations.stopped(start));
-}
-
-void UserTerms::require_curvature(Curvature asked) const {
-  if (!extension_) return;
-  const auto require = [asked](const EnergyTerm& term) {
-    if (!term.supports(asked))
-      throw InvalidArgument(
-          fmt::format("term '{}' has no curvature model '{}'", term.name(), curvature_name(asked)));
-  };
-  for (const auto& added : extension_->terms()) require(*added.term);
-  for (const auto& bound : bounds_.bounds()) require(*bound->barrier());
-}
-
-double UserTerms::energy(VecIn x) const {
-  double sum = 0;
-  if (extension_)
-    for (const auto& [term, weight] : extension_->terms())
-      sum += weight * values_of(*term, x).sum();
-  return sum;
-}
-
-Vec UserTerms::of_map(VecIn x) const {
-  return extension_ ? x.head(extension_->start().size()) : Vec(x);
-}
-
-double UserTerms::barrier_size(VecIn x) const {
-  double sum = 0;
-  for (const auto& barrier : bounds_.barriers()) sum += values_of(*barrier, x).cwiseAbs().sum();
-  return sum;
 }
 
 }  // namespace majorant

@@ -7,80 +7,22 @@
 // Internal to parametrize(). A domain lives as long as a run: it is elevated with the map.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "majorant/constraints/fixed_unknowns.h"
-#include "majorant/framework/internal/barrier_path.h"
+#include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/stepper.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/scaffold/scaffold.h"
-#include "majorant/parametrization/solve/map_extension.h"
 #include "majorant/parametrization/solve/solve_options.h"
 #include "majorant/parametrization/solve/solver_rules.h"
 
 namespace majorant {
-
-// What a MapExtension added, as a part of the problems of its degree: bounds with a barrier are
-// left out, relaxed or held, as the solver goes along (degree_solver.cpp).
-class UserTerms {
- public:
-  UserTerms() = default;  // nothing
-  explicit UserTerms(std::shared_ptr<const MapExtension> extension);
-
-  bool constrained() const { return extension_ && !extension_->constraints().empty(); }
-  // Terms, constraints, checkers and the bounds that are held; the map's nodes are the builder's
-  // first. Returns the ids of the barriers.
-  std::vector<TermId> add_to(ProblemBuilder& builder) const;
-  // What must be held so that the gauge vertices' pieces cannot be translated where nothing that
-  // was added withstands: both coordinates of each, or fewer. A term withstands where a translation
-  // changes it at the start; rows with auxiliary unknowns do not count.
-  FixedUnknowns gauge(const MapSpecification& spec, const BezierTriangleSpace& space,
-                      VecIn start) const;
-
-  // Throws InvalidArgument where a term has no such curvature model.
-  void require_curvature(Curvature asked) const;
-  // Weighted sum of the terms, bounds' barriers not among them.
-  double energy(VecIn x) const;
-
-  // ---- Bounds with a barrier ----
-  bool bounded() const { return !bounds_.bounds().empty(); }
-  // Whether x meets all of them; the first one that it does not, by name.
-  bool met(VecIn x) const { return violated(x) == nullptr; }
-  const BarrierChecker* violated(VecIn x) const { return bounds_.violated(of_map(x)); }
-  // What is held in their place; they see the map's unknowns alone.
-  HeldBounds& bounds() { return bounds_; }
-  Vec of_map(VecIn x) const;
-  double barrier_weight() const { return barrier_weight_; }
-  void set_barrier_weight(double weight) { barrier_weight_ = weight; }
-  // Sum of the absolute values of the elements of the held bounds' barriers.
-  double barrier_size(VecIn x) const;
-
- private:
-  std::shared_ptr<const MapExtension> extension_;
-  HeldBounds bounds_;
-  double barrier_weight_ = 1;
-};
-
-// The map that is to be optimized, whatever surrounds it.
-struct DomainInput {
-  const MapSpecification& map;
-  const std::shared_ptr<const BezierTriangleSpace>& space;
-  const Vec& start;  // 2 numbers per node of `space`: what is fixed stays there
-  const DensityTerms& terms;
-  std::shared_ptr<const LocalInjectivity> injectivity;  // of the map
-  int depth;                                            // of certificates
-  const UserTerms& added;
-  const StopCheck& stop;
-};
-
-struct DomainProblem : MapProblem {
-  std::vector<TermId> barriers;  // of the bounds that were added and are held
-};
 
 // What happened to the unknowns between two steps.
 enum class DomainChange {
@@ -95,13 +37,18 @@ class MapDomain {
 
   // The unknowns of a problem for a map with these control points, which come first.
   virtual Vec unknowns(VecIn map) const = 0;
-  virtual DomainProblem build(const DomainInput& input, VecIn x) = 0;
+  // As map_problem(), on the unknowns x.
+  virtual MapProblem build(const MapSpecification& map,
+                           const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                           const DensityTerms& terms,
+                           const std::shared_ptr<const LocalInjectivity>& injectivity, VecIn x) = 0;
 
   // States that follow the unknowns x of the last problem built; empty: as they are. Not stopped:
   // coming back to a place after a stop needs it, too.
   virtual TermChanges before_step(const MapProblem&, VecIn /*x*/) { return {}; }
-  // The surroundings are adapted to x, which was reached by `step` or could not be left.
-  virtual DomainChange after_step(Vec& /*x*/, const StepResult& /*step*/, const DomainInput&) {
+  // The surroundings are adapted to x, which was reached by `step` or could not be left. depth: of
+  // certificates.
+  virtual DomainChange after_step(Vec& /*x*/, const StepResult& /*step*/, int /*depth*/) {
     return DomainChange::None;
   }
   // What the problem's energy at x has that is not the map's own.
@@ -135,7 +82,12 @@ class MapDomain {
 class PlainDomain final : public MapDomain {
  public:
   Vec unknowns(VecIn map) const override { return map; }
-  DomainProblem build(const DomainInput& input, VecIn x) override;
+  MapProblem build(const MapSpecification& map,
+                   const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                   const DensityTerms& terms,
+                   const std::shared_ptr<const LocalInjectivity>& injectivity, VecIn) override {
+    return map_problem(map, space, start, terms, injectivity);
+  }
 };
 
 // [MC20] Sec. 6. Every iteration is one Newton step on
@@ -145,13 +97,18 @@ class PlainDomain final : public MapDomain {
 // map.
 class ScaffoldedDomain final : public MapDomain {
  public:
-  // Throws Error(Infeasible) as Scaffold does where the start overlaps itself.
-  ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips, const SolverRules& rules);
+  // stop: ends relaxations. Throws Error(Infeasible) as Scaffold does where the start overlaps
+  // itself.
+  ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips, const SolverRules& rules,
+                   const StopCheck& stop);
 
   Vec unknowns(VecIn map) const override { return scaffold_.joined(map); }
-  DomainProblem build(const DomainInput& input, VecIn x) override;
+  MapProblem build(const MapSpecification& map,
+                   const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
+                   const DensityTerms& terms,
+                   const std::shared_ptr<const LocalInjectivity>& injectivity, VecIn x) override;
   TermChanges before_step(const MapProblem& built, VecIn x) override;
-  DomainChange after_step(Vec& x, const StepResult& step, const DomainInput& input) override;
+  DomainChange after_step(Vec& x, const StepResult& step, int depth) override;
   double foreign_energy(const Problem& problem, VecIn x) const override;
   bool strengthen(double weight) override;
   bool hold() override;
@@ -168,13 +125,14 @@ class ScaffoldedDomain final : public MapDomain {
  private:
   enum class Stage { Moving, AtRest, Held };  // held: as while it moves, although it rests
 
-  bool refine(const std::vector<Index>& blocking, Index map_faces);
+  bool refine(const std::vector<Index>& blocking);
   FlipCounts flip();
-  int depth(const DomainInput& in) const;  // of the certificates of the scaffold's faces
+  int depth(int of_map) const { return std::max(of_map, rules_.depth); }  // of certificates
   bool needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const;
   bool rests(const StepResult& step) const;
 
   double seconds_ = 0;
+  Index map_faces_;
   Scaffold scaffold_;
   ScaffoldFlips mode_;
   ScaffoldRules rules_;

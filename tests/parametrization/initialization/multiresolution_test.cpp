@@ -18,10 +18,9 @@
 namespace majorant {
 namespace {
 
-double energy_of(const std::shared_ptr<const SurfaceMesh>& mesh, const MapObjective& asked,
+double energy_of(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& asked,
                  const Vec& uv) {
-  MapSpecification spec;
-  static_cast<MapObjective&>(spec) = asked;
+  MapSpecification spec(asked);
   spec.rest = flat_triangles(mesh->positions(), mesh->faces());
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
@@ -38,10 +37,9 @@ void expect_injective(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec&
 }
 
 // The minimum, by Newton's method from `start`.
-double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapObjective& asked,
+double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& asked,
                const Vec& start) {
-  MapSpecification spec;
-  static_cast<MapObjective&>(spec) = asked;
+  MapSpecification spec(asked);
   spec.rest = flat_triangles(mesh->positions(), mesh->faces());
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
@@ -114,7 +112,7 @@ TEST(Multiresolution, HasHoles) {
 
 TEST(Multiresolution, KeepsAFixedBoundaryWhereTutteHasIt) {
   const auto mesh = surface(grid(24, bumpy));
-  MapObjective asked;
+  MapOptions asked;
   asked.boundary = BoundaryCondition::Fixed;
   const auto uv = multiresolution_map(*mesh, asked, {}, small());
   ASSERT_TRUE(uv);
@@ -128,7 +126,7 @@ TEST(Multiresolution, KeepsAFixedBoundaryWhereTutteHasIt) {
 // A surface whose left half counts a thousandfold: the levels must know, or be far off.
 TEST(Multiresolution, KnowsFaceWeights) {
   const auto mesh = surface(grid(24, bumpy));
-  MapObjective asked;
+  MapOptions asked;
   asked.face_weight.resize(mesh->face_count());
   for (Index f = 0; f < mesh->face_count(); ++f)
     asked.face_weight[f] = mesh->positions()(mesh->faces()(f, 0), 0) < 0.5 ? 1000 : 1;
@@ -145,7 +143,7 @@ TEST(Multiresolution, TakesEveryEnergyWithABarrier) {
   const auto mesh = surface(grid(20, bumpy));
   for (const NamedEnergy& energy : named_energies()) {
     SCOPED_TRACE(energy.name);
-    MapObjective asked;
+    MapOptions asked;
     asked.energy = {{energy.make, 1.0}};
     const auto uv = multiresolution_map(*mesh, asked, {}, small());
     ASSERT_EQ(uv.has_value(), energy.make.traits().barrier != Barrier::None);
@@ -171,37 +169,37 @@ TEST(Multiresolution, IsTheSameWithAnyNumberOfThreadsAndAtAnyScale) {
   EXPECT_EQ(*multiresolution_map(*surface(large), {}, {}, small()), 1024 * *first);
 }
 
-// The creature's limbs are squeezed: relaxed before the rest, they leave less to the levels, the
+// The creature's limbs are compressed: relaxed before the rest, they leave less to the levels, the
 // last one included. Thresholds beyond reach switch it off.
 TEST(Multiresolution, RelaxesWhatIsSqueezedFirst) {
   const auto mesh = generated("creature");
   MultiresolutionRules rules = small();
-  rules.squeezed_share = 0;
+  rules.compressed_share = 0;
   MultiresolutionRecord relaxed, left;
   const Vec with = *multiresolution_map(*mesh, {}, {}, rules, &relaxed);
-  rules.squeezed_share = 2;
+  rules.compressed_share = 2;
   const Vec without = *multiresolution_map(*mesh, {}, {}, rules, &left);
   expect_injective(mesh, with);
   EXPECT_LT(energy_of(mesh, {}, with), energy_of(mesh, {}, without));
   ASSERT_EQ(relaxed.levels.size(), left.levels.size());
   for (std::size_t k = 1; k < left.levels.size(); ++k) {
-    EXPECT_GT(relaxed.levels[k].squeezed_steps, 0) << k;
-    EXPECT_GT(relaxed.levels[k].squeezed, 0) << k;
-    EXPECT_LT(relaxed.levels[k].squeezed, relaxed.levels[k].faces / 2) << k;
-    EXPECT_EQ(left.levels[k].squeezed, 0) << k;
+    EXPECT_GT(relaxed.levels[k].compressed_steps, 0) << k;
+    EXPECT_GT(relaxed.levels[k].compressed, 0) << k;
+    EXPECT_LT(relaxed.levels[k].compressed, relaxed.levels[k].faces / 2) << k;
+    EXPECT_EQ(left.levels[k].compressed, 0) << k;
   }
 }
 
 // What is relaxed first may touch neither the rest of the map nor a boundary that is held.
 TEST(Multiresolution, HoldsTheBoundaryOfWhatIsSqueezed) {
   const auto mesh = surface(grid(24, bumpy));
-  MapObjective asked;
+  MapOptions asked;
   asked.boundary = BoundaryCondition::Fixed;
   MultiresolutionRules rules = small();
-  rules.squeezed_share = rules.squeezed = 0;  // all vertices
+  rules.compressed_share = rules.compressed = 0;  // all vertices
   MultiresolutionRecord record;
   const Vec uv = *multiresolution_map(*mesh, asked, {}, rules, &record);
-  EXPECT_EQ(record.levels.back().squeezed, mesh->vertex_count());
+  EXPECT_EQ(record.levels.back().compressed, mesh->vertex_count());
   expect_injective(mesh, uv);
   const Vec tutte = tutte_map(*mesh);
   for (const Index v : mesh->boundary_loops().front())
@@ -235,7 +233,7 @@ TEST(Multiresolution, NotesItsSteps) {
 TEST(Multiresolution, SaysWhatItDoesNotKnow) {
   EXPECT_FALSE(multiresolution_map(*surface(grid(3)), {}));  // too small
   const auto mesh = surface(grid(20));
-  MapObjective angles;
+  MapOptions angles;
   angles.boundary_angles = BoundaryAngles::AtMostFullTurn;
   EXPECT_FALSE(suits_multiresolution(*mesh, angles));
   EXPECT_FALSE(multiresolution_map(*mesh, angles, {}, small()));

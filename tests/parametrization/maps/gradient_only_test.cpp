@@ -5,7 +5,7 @@
 
 #include "energies/density_fixture.h"
 #include "majorant/constraints/fixed_points.h"
-#include "majorant/energies/quadratic_penalty.h"
+#include "majorant/terms/quadratic_penalty.h"
 
 namespace majorant {
 namespace {

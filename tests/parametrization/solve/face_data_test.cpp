@@ -133,8 +133,7 @@ TEST(FaceData, WeightsOfSummandsAndOfTheWholeMultiply) {
   EXPECT_NEAR(result.value_quadrature, minimized, 5e-3 * minimized);
 
   // The pieces of a map's problem: assembled, by face, and with weights on top.
-  MapSpecification spec;
-  static_cast<MapObjective&>(spec) = options.map;
+  MapSpecification spec(options.map);
   spec.rest = rest_shapes(*mesh);
   const auto space = result.map->shared_space();
   const Vec& x = result.map->control_points();

@@ -23,7 +23,7 @@ class Resume {
     const NormalizedStart start(map_, asked);
     map_ = start.map();
     while (map_.degree() < degree) map_ = map_.elevated();
-    setup_ = {start.specification(), {}, {}, {}, {}, {}, {}};
+    setup_ = {start.specification(), {}, {}, {}, {}, {}};
     setup_.solve.tolerance = 1e-9;  // ends do not depend on paths any more
     setup_.watch = [this](const TraceEntry& row, const MapView& at) {
       const auto state = running_->state();
@@ -43,7 +43,7 @@ class Resume {
     running_ = &solver;
     if (from) solver.resume(from->state);
     RunRecord record;
-    solver.soften_start(record);
+    solver.soft_start(record);
     const SolveResult result = solver.finish(record);
     last_ = solver.state();
     return result;

@@ -22,8 +22,7 @@ TEST(SolversAfterSchedule, AgreeOnAQuarticEnergy) {
   const ParametrizationResult first = parametrize(mesh, options);
   ASSERT_EQ(first.status, Status::Converged) << first.message;
   const BezierMap start = first.map->elevated();
-  MapSpecification spec;
-  static_cast<MapObjective&>(spec) = options.map;
+  MapSpecification spec(options.map);
   spec.rest = rest_shapes(*mesh);
   const auto injectivity =
       std::make_shared<const LocalInjectivity>(start.shared_space(), 2 * spec.rest.measure);

@@ -1,5 +1,5 @@
 // Linear constraints made soft: derivatives, elimination beside them, handles.
-#include "majorant/energies/quadratic_penalty.h"
+#include "majorant/terms/quadratic_penalty.h"
 
 #include <gtest/gtest.h>
 

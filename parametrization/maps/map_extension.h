@@ -61,6 +61,8 @@ class MapExtension {
   // at the last degree inside the bound, and along the barrier to the constrained minimum.
   MapExtension& add(std::shared_ptr<const FeasibilityChecker> checker);
   MapExtension& observe(MapObserver observer);
+  // The same with these checkers alone.
+  MapExtension with(std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const;
 
   // What was added, in this order.
   struct Term {

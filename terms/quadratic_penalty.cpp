@@ -1,4 +1,4 @@
-#include "majorant/energies/quadratic_penalty.h"
+#include "majorant/terms/quadratic_penalty.h"
 
 #include <algorithm>
 #include <cmath>

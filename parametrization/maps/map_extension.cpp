@@ -1,4 +1,4 @@
-#include "majorant/parametrization/solve/map_extension.h"
+#include "majorant/parametrization/maps/map_extension.h"
 
 #include <fmt/format.h>
 
@@ -51,6 +51,13 @@ MapExtension& MapExtension::observe(MapObserver observer) {
   require(observer, "observer");
   observers_.push_back(std::move(observer));
   return *this;
+}
+
+MapExtension MapExtension::with(
+    std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const {
+  MapExtension other = *this;
+  other.checkers_ = std::move(checkers);
+  return other;
 }
 
 }  // namespace majorant

@@ -1,0 +1,29 @@
+// The flip of an edge between two triangles of a half-edge mesh: the other diagonal of their
+// quadrilateral takes the numbers of the edge's half-edges.
+//
+//   const FlippedSides moved = flip_half_edge(faces, opposite, h);   // what is kept by half-edge
+//                                                                    // moves like this
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+// The numbers of a quadrilateral's sides before and after the flip of its diagonal, in the same
+// order: bc, ca, ad, db. Whoever keeps something by half-edge moves it from `from` to `to`.
+struct FlippedSides {
+  std::array<Index, 4> from, to;
+};
+FlippedSides flipped_sides(Index half_edge, Index opposite);
+
+// faces: #F by 3; opposite: 3 #F, negative on the boundary; the half-edge has one. Nothing is asked
+// of shapes. A side that is glued to another one of the quadrilateral moves with it.
+FlippedSides flip_half_edge(Cells& faces, std::vector<Index>& opposite, Index half_edge);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
