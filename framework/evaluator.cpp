@@ -34,15 +34,18 @@ void visit_batches(Index count, const StopCheck& stop, const Run& run) {
 }
 
 void add_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop, double& total) {
+  const EnergyTerm& term = problem.term(id);
   const TermState& state = problem.state(id);
   const ColoredBatches& plan = ProblemParts::plan(problem, id);
-  const Vec f = element_values(problem.term(id), state, plan, x, stop);
-  for (Index c = 0; c < plan.batch_count(); ++c) {
-    double sum = 0;
-    for (const Index e : plan.batch(c).elements)
-      if (const double w = weight(state, e); w != 0) sum += w * f[e];
-    total += sum;
-  }
+  std::vector<double> sums(to_size(plan.batch_count()), 0.0);
+  visit_batches(plan.batch_count(), stop, [&](Index c, Workspace& workspace) {
+    double f[ElementBatch::kMaxSize];
+    const ElementBatch batch = plan.batch(c);
+    term.values(x, batch, state, workspace, {f, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p)
+      if (const double w = weight(state, batch.elements[p]); w != 0) sums[c] += w * f[p];
+  });
+  for (const double sum : sums) total += sum;
 }
 
 }  // namespace

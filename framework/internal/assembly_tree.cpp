@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
+#include <new>
 
 #include "majorant/framework/internal/front_kernels.h"
 
@@ -75,6 +77,7 @@ void AssemblyTree::make_fronts(const BlockElimination& elimination,
     front.rows = front.columns + below;
     front.stride = padded(front.rows);
     front.update_stride = padded(below);
+    if (front.panel_size() > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();
     panel_size_ += front.panel_size();
     for (Index c = 0; c < front.columns; ++c) {
       front_of_[front.first + c] = static_cast<Index>(g);
@@ -126,18 +129,23 @@ void AssemblyTree::place_entries(const SparsePattern& pattern) {
   for (std::size_t k = 0; k < order_.size(); ++k) position[order_[k]] = static_cast<Index>(k);
   const std::size_t count = fronts_.size() - 1;
   std::vector<std::size_t> starts(count + 2, 0);
-  std::vector<Index> columns(pattern.rows.size()), rows(pattern.rows.size());
-  for (Index c = 0; c < pattern.size; ++c)
-    for (Index k = pattern.column_starts[c]; k < pattern.column_starts[c + 1]; ++k) {
-      const auto [column, row] = std::minmax(position[c], position[pattern.rows[k]]);
-      columns[k] = column;
-      rows[k] = row;
-      ++starts[to_size(front_of_[column]) + 2];
-    }
+  const auto visit = [&](const auto& use) {
+    for (Index c = 0; c < pattern.size; ++c)
+      for (Index k = pattern.column_starts[c]; k < pattern.column_starts[c + 1]; ++k) {
+        const auto [column, row] = std::minmax(position[c], position[pattern.rows[k]]);
+        use(k, column, row);
+      }
+  };
+  visit([&](Index, Index column, Index) { ++starts[to_size(front_of_[column]) + 2]; });
   for (std::size_t f = 2; f < starts.size(); ++f) starts[f] += starts[f - 1];
   entries_.resize(pattern.rows.size());
-  for (Index k = 0; k < pattern.nonzeros(); ++k)
-    entries_[starts[to_size(front_of_[columns[k]]) + 1]++].slot = k;
+  std::vector<Index> columns(entries_.size());
+  // Until a front's turn comes the place of an entry is its row.
+  visit([&](Index k, Index column, Index row) {
+    const std::size_t at = starts[to_size(front_of_[column]) + 1]++;
+    entries_[at] = {k, static_cast<std::uint32_t>(row)};
+    columns[at] = column;
+  });
   std::vector<Index> local(order_.size());
   for (std::size_t f = 0; f < count; ++f) {
     Front& front = fronts_[f];
@@ -146,9 +154,9 @@ void AssemblyTree::place_entries(const SparsePattern& pattern) {
     Index next = front.columns;
     for (const Index row : rows_below(static_cast<Index>(f))) local[row] = next++;
     for (std::size_t k = starts[f]; k < starts[f + 1]; ++k) {
-      Entry& entry = entries_[k];
-      entry.row = local[rows[entry.slot]];
-      entry.column = columns[entry.slot] - front.first;
+      const auto column = static_cast<std::size_t>(columns[k] - front.first);
+      entries_[k].place = static_cast<std::uint32_t>(
+          column * static_cast<std::size_t>(front.stride) + to_size(local[entries_[k].place]));
     }
   }
   fronts_[count].entries = entries_.size();

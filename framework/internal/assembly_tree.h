@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -59,10 +60,10 @@ class AssemblyTree {
   std::span<const Index> rows_below(Index f) const;
   // Parallel to rows_below: which row of the parent's front each is.
   const Index* rows_of_parent(Index f) const { return rows_of_parent_.data() + front(f).below; }
-  // Entries of the matrix that front f takes in: slots of the pattern, rows and columns of its
-  // panel.
+  // Entries of the matrix that front f takes in: slots of the pattern, places in its panel.
   struct Entry {
-    Index slot, row, column;
+    Index slot;
+    std::uint32_t place;
   };
   std::span<const Entry> entries(Index f) const;
 

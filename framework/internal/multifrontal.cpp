@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <numeric>
 
 #include "majorant/framework/parallel.h"
 
@@ -20,10 +21,8 @@ constexpr double kParallelOperations = 1e7, kParallelUpdate = 2e6;
 // Largest subtree for one thread, of the operations of all for each thread: the last one to finish
 // keeps the others waiting for at most an eighth of the time.
 constexpr double kTaskPart = 1.0 / 8;
-
-std::unique_ptr<double[]> uninitialized(std::size_t size) {
-  return std::unique_ptr<double[]>(new double[size]);
-}
+// Unknowns that a task permutes: fewer are not worth waking a thread for.
+constexpr Index kPermuted = 16384;
 
 // Columns of a lower triangle, and what of the upper one shares tiles with it.
 void clear_triangle(double* values, std::ptrdiff_t stride, Index columns) {
@@ -44,22 +43,28 @@ MultifrontalFactor::MultifrontalFactor(const AssemblyTree& tree, const FrontKern
     : tree_(tree),
       kernels_(kernels),
       threads_(tree.operations() < kParallelOperations ? 1 : ThreadCount::current()),
-      update_places_(tree.fronts().size()) {
+      update_places_(tree.fronts().size()),
+      is_root_(tree.fronts().size(), 0) {
   for (const AssemblyTree::Front& front : tree_.fronts())
     largest_stride_ = std::max(largest_stride_, static_cast<std::size_t>(front.stride));
   make_tasks();
-  updates_size_ = place_updates();
+  place_updates();
+  find_outside();
 }
 
 std::size_t MultifrontalFactor::bytes() const {
-  return (tree_.panel_size() + updates_size_ + to_size(threads_) * packed_size()) * sizeof(double);
+  return (tree_.panel_size() + updates_size() + to_size(threads_) * packed_size()) * sizeof(double);
 }
 
 void MultifrontalFactor::allocate() {
-  panels_ = uninitialized(tree_.panel_size());
-  updates_ = uninitialized(updates_size_);
-  packed_ = uninitialized(to_size(threads_) * packed_size());
-  front_values_.resize(static_cast<Eigen::Index>(largest_stride_));
+  panels_ = large_array(tree_.panel_size());
+  updates_ = large_array(updates_size());
+  packed_ = large_array(to_size(threads_) * packed_size());
+}
+
+MultifrontalFactor::Scratch MultifrontalFactor::scratch(int thread, int threads) {
+  return {packed_.get() + to_size(thread) * packed_size(),
+          updates_.get() + roots_size_ + to_size(thread) * stack_size_, threads};
 }
 
 // From the top down: a subtree that is small enough is a task, the root of another one is above.
@@ -91,37 +96,68 @@ void MultifrontalFactor::make_tasks() {
                    [](const Task& a, const Task& b) { return a.operations > b.operations; });
 }
 
-// Every task has stacks of its own: others work at the same time.
-std::size_t MultifrontalFactor::place_updates() {
-  std::size_t size = 0;
-  for (const Task& task : tasks_) size = place_updates(task, size);
-  for (const Index f : above_) {
-    update_places_[f] = size;
-    size += tree_.fronts()[f].update_size();
+void MultifrontalFactor::place_updates() {
+  std::vector<Index> fronts;
+  for (const Task& task : tasks_) {
+    const Index root = task.last - 1;
+    is_root_[root] = 1;
+    update_places_[root] = roots_size_;
+    roots_size_ += tree_.fronts()[root].update_size();
+    fronts.resize(to_size(root - task.first));
+    std::iota(fronts.begin(), fronts.end(), task.first);
+    stack_size_ = std::max(stack_size_, place_on_stacks(fronts));
   }
-  return size;
+  const std::size_t threads = to_size(threads_);
+  stack_size_ = std::max(stack_size_, (place_on_stacks(above_) + threads - 1) / threads);
 }
 
 // Updates wait on two stacks, of fronts at even and at odd depths: a front's comes on the one
-// while its children's are taken from the top of the other.
-std::size_t MultifrontalFactor::place_updates(const Task& task, std::size_t start) {
-  std::vector<Index> odd(to_size(task.last - task.first), 0);
-  const auto is_odd = [&](Index f) -> Index& { return odd[f - task.first]; };
-  for (Index f = task.last; f-- > task.first;)
-    if (const Index parent = tree_.fronts()[f].parent; parent >= 0 && parent < task.last)
-      is_odd(f) = 1 - is_odd(parent);
+// while its children's are taken from the top of the other. fronts: ascending. Returns how much
+// room they need.
+std::size_t MultifrontalFactor::place_on_stacks(std::span<const Index> fronts) {
+  constexpr char kElsewhere = 2;
+  std::vector<char> stack(tree_.fronts().size(), kElsewhere);
+  for (std::size_t k = fronts.size(); k-- > 0;) {
+    const Index parent = tree_.fronts()[fronts[k]].parent;
+    stack[fronts[k]] = parent >= 0 && stack[parent] == 0 ? 1 : 0;
+  }
   std::array<std::size_t, 2> top{}, highest{};
-  for (Index f = task.first; f < task.last; ++f) {
-    const std::size_t mine = to_size(is_odd(f)), theirs = 1 - mine;
+  for (const Index f : fronts) {
+    const auto mine = static_cast<std::size_t>(stack[f]), theirs = 1 - mine;
     update_places_[f] = top[mine];
     top[mine] += tree_.fronts()[f].update_size();
     highest[mine] = std::max(highest[mine], top[mine]);
-    if (const auto children = tree_.children(f); !children.empty())
-      top[theirs] = update_places_[children.front()];
+    const auto children = tree_.children(f);
+    const auto first =
+        std::ranges::find_if(children, [&](Index c) { return stack[c] != kElsewhere; });
+    if (first != children.end()) top[theirs] = update_places_[*first];
   }
-  for (Index f = task.first; f < task.last; ++f)
-    update_places_[f] += start + (is_odd(f) ? highest[0] : 0);
-  return start + highest[0] + highest[1];
+  for (const Index f : fronts) update_places_[f] += stack[f] == 1 ? highest[0] : 0;
+  return highest[0] + highest[1];
+}
+
+void MultifrontalFactor::find_outside() {
+  const std::size_t count = tree_.fronts().size();
+  inside_.resize(count);
+  for (std::size_t f = 0; f + 1 < count; ++f)
+    inside_[f] = tree_.fronts()[f].rows - tree_.fronts()[f].columns;
+  if (threads_ == 1) return;
+  std::size_t outside = 0;
+  outside_places_.resize(count);
+  for (const Task& task : tasks_) {
+    const AssemblyTree::Front& root = tree_.fronts()[task.last - 1];
+    for (Index f = task.first; f < task.last; ++f) {
+      const std::span<const Index> below = tree_.rows_below(f);
+      const auto first = std::ranges::lower_bound(below, root.first + root.columns);
+      inside_[f] = static_cast<Index>(first - below.begin());
+      outside_places_[f] = outside;
+      outside += to_size(static_cast<Index>(below.end() - first));
+    }
+  }
+  outside_.resize(static_cast<Eigen::Index>(outside));
+  task_order_.resize(tasks_.size());
+  std::iota(task_order_.begin(), task_order_.end(), 0);
+  std::ranges::sort(task_order_, {}, [&](Index t) { return tasks_[t].first; });
 }
 
 std::size_t MultifrontalFactor::packed_size() const {
@@ -132,54 +168,53 @@ bool MultifrontalFactor::factorize(const Vec& values, double shift) {
   if (!packed_) allocate();
   const Work work{values, shift};
   std::atomic<bool> positive{true};
-  const auto count = static_cast<Index>(tasks_.size());
   const auto factorize_task = [&](Index t, int thread) {
-    double* packed = packed_.get() + to_size(thread) * packed_size();
+    const Scratch own = scratch(thread, 1);
     for (Index f = tasks_[t].first; f < tasks_[t].last && positive; ++f)
-      if (!factorize_front(f, work, packed, 1)) positive = false;
+      if (!factorize_front(f, work, own)) positive = false;
   };
-  parallel_tasks(count, factorize_task, threads_);
+  parallel_tasks(static_cast<Index>(tasks_.size()), factorize_task, threads_);
+  const Scratch all = scratch(0, threads_);
   for (const Index f : above_)
-    if (positive && !factorize_front(f, work, packed_.get(), threads_)) positive = false;
+    if (positive && !factorize_front(f, work, all)) positive = false;
   return positive;
 }
 
-bool MultifrontalFactor::factorize_front(Index f, const Work& work, double* packed, int threads) {
+bool MultifrontalFactor::factorize_front(Index f, const Work& work, const Scratch& scratch) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
   const Index below = front.rows - front.columns;
+  double *l = panel(f), *u = update(f, scratch);
   take_in_entries(f, work);
-  clear_triangle(update(f), front.update_stride, below);
-  for (const Index child : tree_.children(f)) extend_add(child);
-  double* l = panel(f);
+  clear_triangle(u, front.update_stride, below);
+  for (const Index child : tree_.children(f)) extend_add(child, scratch);
   for (Index first = 0; first < front.columns; first += kPanelColumns) {
     const Index last = std::min(front.columns, first + kPanelColumns), depth = last - first;
     if (!kernels_.factorize(l, front.stride, first, last)) return false;
     if (last < front.columns) {
       const auto rows = static_cast<Index>(front.stride);
-      kernels_.pack(l, front.stride, rows, last, first, last, packed);
+      kernels_.pack(l, front.stride, rows, last, first, last, scratch.packed);
       subtract_product(
           {l + last * front.stride + last, front.stride, front.columns - last, rows - last, depth},
-          packed, threads);
+          scratch);
     }
     if (below == 0) continue;
-    kernels_.pack(l, front.stride, front.rows, front.columns, first, last, packed);
-    subtract_product({update(f), front.update_stride, below, below, depth}, packed, threads);
+    kernels_.pack(l, front.stride, front.rows, front.columns, first, last, scratch.packed);
+    subtract_product({u, front.update_stride, below, below, depth}, scratch);
   }
   return true;
 }
 
 // Tiles of columns from the left, where they are longest.
-void MultifrontalFactor::subtract_product(const Target& target, const double* packed,
-                                          int threads) const {
+void MultifrontalFactor::subtract_product(const Target& target, const Scratch& scratch) const {
   const Index columns = tiles(target.columns), rows = tiles(target.rows);
   const auto update = [&](Index first, Index last) {
-    kernels_.update(target.values, target.stride, target.columns, packed, rows, target.depth, first,
-                    last);
+    kernels_.update(target.values, target.stride, target.columns, scratch.packed, rows,
+                    target.depth, first, last);
   };
   const double operations = 0.5 * target.rows * target.columns * target.depth;
-  if (threads == 1 || operations < kParallelUpdate) return update(0, columns);
+  if (scratch.threads == 1 || operations < kParallelUpdate) return update(0, columns);
   parallel_tasks(
-      columns, [&](Index c, int) { update(c, c + 1); }, threads);
+      columns, [&](Index c, int) { update(c, c + 1); }, scratch.threads);
 }
 
 void MultifrontalFactor::take_in_entries(Index f, const Work& work) {
@@ -187,18 +222,18 @@ void MultifrontalFactor::take_in_entries(Index f, const Work& work) {
   double* l = panel(f);
   clear_triangle(l, front.stride, front.columns);
   for (const AssemblyTree::Entry& entry : tree_.entries(f))
-    l[entry.column * front.stride + entry.row] = work.values[entry.slot];
+    l[entry.place] = work.values[entry.slot];
   if (work.shift != 0)
     for (Index c = 0; c < front.columns; ++c) l[c * front.stride + c] += work.shift;
 }
 
-void MultifrontalFactor::extend_add(Index child) {
+void MultifrontalFactor::extend_add(Index child, const Scratch& scratch) {
   const AssemblyTree::Front& front = tree_.fronts()[child];
   const AssemblyTree::Front& parent = tree_.fronts()[front.parent];
   const Index* place = tree_.rows_of_parent(child);
   const Index count = front.rows - front.columns;
-  const double* from = update(child);
-  double *l = panel(front.parent), *u = update(front.parent);
+  const double* from = update(child, scratch);
+  double *l = panel(front.parent), *u = update(front.parent, scratch);
   for (Index c = 0; c < count; ++c, from += front.update_stride) {
     const Index column = place[c];
     double* to = column < parent.columns
@@ -208,33 +243,70 @@ void MultifrontalFactor::extend_add(Index child) {
   }
 }
 
+void MultifrontalFactor::forward(Index f, double* x) {
+  const AssemblyTree::Front& front = tree_.fronts()[f];
+  const std::span<const Index> below = tree_.rows_below(f);
+  std::copy_n(permuted_.data() + front.first, front.columns, x);
+  std::fill(x + front.columns, x + front.stride, 0.0);
+  kernels_.forward(panel(f), front.stride, front.columns, x);
+  std::copy_n(x, front.columns, permuted_.data() + front.first);
+  x += front.columns;
+  const std::size_t inside = to_size(inside_[f]);
+  for (std::size_t k = 0; k < inside; ++k) permuted_[below[k]] += x[k];
+  if (inside < below.size())
+    std::copy(x + inside, x + below.size(), outside_.data() + outside_places_[f]);
+}
+
+void MultifrontalFactor::add_outside(const Task& task) {
+  for (Index f = task.first; f < task.last; ++f) {
+    const std::span<const Index> outside = tree_.rows_below(f).subspan(to_size(inside_[f]));
+    const double* x = outside_.data() + outside_places_[f];
+    for (const Index row : outside) permuted_[row] += *x++;
+  }
+}
+
+void MultifrontalFactor::backward(Index f, double* x) {
+  const AssemblyTree::Front& front = tree_.fronts()[f];
+  const std::span<const Index> below = tree_.rows_below(f);
+  std::copy_n(permuted_.data() + front.first, front.columns, x);
+  for (std::size_t k = 0; k < below.size(); ++k)
+    x[to_size(front.columns) + k] = permuted_[below[k]];
+  std::fill(x + front.rows, x + front.stride, 0.0);
+  kernels_.backward(panel(f), front.stride, front.columns, x);
+  std::copy_n(x, front.columns, permuted_.data() + front.first);
+}
+
 void MultifrontalFactor::solve(const Vec& r, Vec& p) {
-  const auto count = static_cast<Index>(tree_.fronts().size()) - 1;
-  permuted_.resize(r.size());
-  for (Index k = 0; k < tree_.size(); ++k) permuted_[k] = r[tree_.order()[k]];
-  double* x = front_values_.data();
-  for (Index f = 0; f < count; ++f) {
-    const AssemblyTree::Front& front = tree_.fronts()[f];
-    const std::span<const Index> below = tree_.rows_below(f);
-    std::copy_n(permuted_.data() + front.first, front.columns, x);
-    std::fill(x + front.columns, x + front.stride, 0.0);
-    kernels_.forward(panel(f), front.stride, front.columns, x);
-    std::copy_n(x, front.columns, permuted_.data() + front.first);
-    for (std::size_t k = 0; k < below.size(); ++k)
-      permuted_[below[k]] += x[to_size(front.columns) + k];
+  const auto tasks = static_cast<Index>(tasks_.size());
+  const Index size = tree_.size(), pieces = (size + kPermuted - 1) / kPermuted;
+  permuted_.resize(size);
+  front_values_.resize(static_cast<Eigen::Index>(to_size(threads_) * largest_stride_));
+  const auto values = [&](int thread) {
+    return front_values_.data() + to_size(thread) * largest_stride_;
+  };
+  const auto for_each_unknown = [&](const auto& work) {
+    const auto piece = [&](Index first, int) {
+      for (Index k = first * kPermuted; k < std::min(size, (first + 1) * kPermuted); ++k) work(k);
+    };
+    parallel_tasks(pieces, piece, threads_);
+  };
+  for_each_unknown([&](Index k) { permuted_[k] = r[tree_.order()[k]]; });
+  const auto forward_task = [&](Index t, int thread) {
+    for (Index f = tasks_[t].first; f < tasks_[t].last; ++f) forward(f, values(thread));
+  };
+  parallel_tasks(tasks, forward_task, threads_);
+  auto task = task_order_.begin();
+  for (const Index f : above_) {
+    for (; task != task_order_.end() && tasks_[*task].last <= f; ++task) add_outside(tasks_[*task]);
+    forward(f, values(0));
   }
-  for (Index f = count; f-- > 0;) {
-    const AssemblyTree::Front& front = tree_.fronts()[f];
-    const std::span<const Index> below = tree_.rows_below(f);
-    std::copy_n(permuted_.data() + front.first, front.columns, x);
-    for (std::size_t k = 0; k < below.size(); ++k)
-      x[to_size(front.columns) + k] = permuted_[below[k]];
-    std::fill(x + front.rows, x + front.stride, 0.0);
-    kernels_.backward(panel(f), front.stride, front.columns, x);
-    std::copy_n(x, front.columns, permuted_.data() + front.first);
-  }
-  p.resize(r.size());
-  for (Index k = 0; k < tree_.size(); ++k) p[tree_.order()[k]] = permuted_[k];
+  for (std::size_t k = above_.size(); k-- > 0;) backward(above_[k], values(0));
+  const auto backward_task = [&](Index t, int thread) {
+    for (Index f = tasks_[t].last; f-- > tasks_[t].first;) backward(f, values(thread));
+  };
+  parallel_tasks(tasks, backward_task, threads_);
+  p.resize(size);
+  for_each_unknown([&](Index k) { p[tree_.order()[k]] = permuted_[k]; });
 }
 
 }  // namespace majorant

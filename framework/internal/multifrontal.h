@@ -11,15 +11,17 @@
 //   if (factor.factorize(Vec::Ones(1), 0.0)) factor.solve(Vec::Ones(1), p);
 //
 // With several threads (thread_count.h: as many as the constructor's caller has) subtrees are
-// worked on at the same time, then large fronts in parts. Every number comes from the same
-// operations in the same order whatever the number of threads.
+// worked on at the same time, then large fronts in parts; solving goes up and down the tree
+// likewise. Every number comes from the same operations in the same order whatever the number of
+// threads.
 #pragma once
 
-#include <memory>
+#include <span>
 #include <vector>
 
 #include "majorant/framework/internal/assembly_tree.h"
 #include "majorant/framework/internal/front_kernels.h"
+#include "majorant/framework/internal/large_array.h"
 
 namespace majorant {
 
@@ -37,13 +39,17 @@ class MultifrontalFactor {
   void solve(const Vec& r, Vec& p);
 
  private:
-  using Storage = std::unique_ptr<double[]>;
   // A subtree, for one thread: fronts first to last - 1.
   struct Task {
     Index first, last;
     double operations;
   };
   struct Work;  // of one factorize()
+  // What a thread works on while it factorizes fronts: packed columns, updates that wait.
+  struct Scratch {
+    double *packed, *stack;
+    int threads;  // that may share the work on a front
+  };
 
   // Where the lower triangle of a product goes: rows by columns, of a sum of `depth` terms.
   struct Target {
@@ -54,25 +60,42 @@ class MultifrontalFactor {
 
   void allocate();
   void make_tasks();
-  std::size_t place_updates();
-  std::size_t place_updates(const Task& task, std::size_t start);
+  void place_updates();
+  std::size_t place_on_stacks(std::span<const Index> fronts);
+  void find_outside();
+  Scratch scratch(int thread, int threads);
+  std::size_t updates_size() const { return stack_size_ * to_size(threads_) + roots_size_; }
   std::size_t packed_size() const;  // for one thread
-  bool factorize_front(Index f, const Work& work, double* packed, int threads);
-  void subtract_product(const Target& target, const double* packed, int threads) const;
+  bool factorize_front(Index f, const Work& work, const Scratch& scratch);
+  void subtract_product(const Target& target, const Scratch& scratch) const;
   void take_in_entries(Index f, const Work& work);
-  void extend_add(Index child);
+  void extend_add(Index child, const Scratch& scratch);
+  void forward(Index f, double* x);
+  void add_outside(const Task& task);
+  void backward(Index f, double* x);
   double* panel(Index f) { return panels_.get() + tree_.fronts()[f].panel; }
-  double* update(Index f) { return updates_.get() + update_places_[f]; }
+  double* update(Index f, const Scratch& scratch) {
+    return (is_root_[f] ? updates_.get() : scratch.stack) + update_places_[f];
+  }
 
   const AssemblyTree& tree_;
   const FrontKernels& kernels_;
   const int threads_;
-  std::size_t largest_stride_ = 0, updates_size_ = 0;
-  std::vector<Task> tasks_;   // the most expensive first
-  std::vector<Index> above_;  // fronts of no task, ascending: one by one, on all threads
+  std::size_t largest_stride_ = 0;
+  std::vector<Task> tasks_;        // the most expensive first
+  std::vector<Index> task_order_;  // as the tree has them
+  std::vector<Index> above_;       // fronts of no task, ascending: one by one, on all threads
+  // Updates: those of the roots of tasks, which wait for fronts above, one after the other, then a
+  // stack for every thread; fronts above have all of these for theirs.
   std::vector<std::size_t> update_places_;
-  Storage panels_, updates_, packed_;
-  Vec permuted_, front_values_;
+  std::vector<char> is_root_;
+  std::size_t roots_size_ = 0, stack_size_ = 0;
+  // By front: how many of its rows below belong to its task; where what it takes out of the others
+  // waits for its turn, fronts being in the order of the tree.
+  std::vector<Index> inside_;
+  std::vector<std::size_t> outside_places_;
+  LargeArray panels_, updates_, packed_;
+  Vec permuted_, front_values_, outside_;
 };
 
 }  // namespace majorant
