@@ -58,7 +58,13 @@ std::vector<Side> sorted_sides(const NodeLattice& lattice, const Cells& cells, I
                      [&](const auto& part) { return part.corners.size() == corners; }))
       continue;
     const PairOrder order(vertex_count, count, [&](Index k) {
-      if (parts[k % per_cell].corners.size() != corners) return std::pair(Index{-1}, Index{-1});
+      const std::vector<int>& of_part = parts[k % per_cell].corners;
+      if (of_part.size() != corners) return std::pair(Index{-1}, Index{-1});
+      if (corners == 2) {
+        const auto [low, high] =
+            std::minmax({cells(k / per_cell, of_part[0]), cells(k / per_cell, of_part[1])});
+        return std::pair(low, high);
+      }
       const Side s = side(k);
       return std::pair(s.vertices[0], s.vertices[1]);
     });
