@@ -59,6 +59,25 @@ class ObjReader {
     while (cursor_.next_line()) read_line();
   }
 
+  // Room for what these lines seem to hold, so that lists do not move while they grow.
+  void reserve(std::string_view text) {
+    std::size_t positions = 0, texcoords = 0, faces = 0;
+    for (std::size_t line = 0; line < text.size();) {
+      const std::string_view word = text.substr(line, 2);
+      positions += word == "v ";
+      texcoords += word == "vt";
+      faces += word == "f ";
+      const std::size_t end = text.find('\n', line);
+      line = end == std::string_view::npos ? text.size() : end + 1;
+    }
+    mesh_.positions.reserve(positions);
+    mesh_.texcoords.reserve(texcoords);
+    mesh_.texcoord_rounding.reserve(texcoords);
+    mesh_.polygons.reserve(faces);
+    mesh_.polygon_lines.reserve(faces);
+    if (texcoords > 0) mesh_.polygon_texcoords.reserve(faces);
+  }
+
   // Whether nothing that was read depends on the lines before: indices that count backwards, and
   // warnings, which name lines.
   bool is_independent() const {
@@ -72,6 +91,11 @@ class ObjReader {
     if (!mesh_.colors.empty() || !next.mesh_.colors.empty()) {
       mesh_.colors.resize(mesh_.positions.size(), no_color());
       next.mesh_.colors.resize(next.mesh_.positions.size(), no_color());
+    }
+    for (const auto lists : {&PolygonMesh::polygon_texcoords, &PolygonMesh::polygon_normals}) {
+      if ((mesh_.*lists).empty() && (next.mesh_.*lists).empty()) continue;
+      (mesh_.*lists).resize(mesh_.polygons.size());
+      (next.mesh_.*lists).resize(next.mesh_.polygons.size());
     }
     for (Element element : next.elements_) {
       element.directive += mesh_.directives.size();
@@ -315,8 +339,13 @@ class ObjReader {
       });
     }
     mesh_.polygons.push_back(lists[0]);
-    mesh_.polygon_texcoords.push_back(lists[1]);
-    mesh_.polygon_normals.push_back(lists[2]);
+    const auto add = [&](std::vector<std::vector<Index>>& of_polygon, std::vector<Index>& list) {
+      if (of_polygon.empty() && list.empty()) return;  // none has any, yet
+      of_polygon.resize(mesh_.polygons.size());
+      of_polygon.back() = list;
+    };
+    add(mesh_.polygon_texcoords, lists[1]);
+    add(mesh_.polygon_normals, lists[2]);
     mesh_.polygon_lines.push_back(cursor_.line());
   }
 
@@ -458,6 +487,7 @@ std::optional<PolygonMesh> read_pieces(const std::string& path, std::string_view
     if (is_one) return;
     try {
       readers[k] = std::make_unique<ObjReader>(path, pieces[k], stop, strictness);
+      readers[k]->reserve(k == 0 ? text : pieces[k]);  // the others come behind the first one
       readers[k]->read_lines();
       if (!readers[k]->is_independent()) is_one = true;
     } catch (const Error&) {
@@ -480,6 +510,7 @@ PolygonMesh read_obj(const std::string& path, std::string content, const StopChe
   if (ThreadCount::current() > 1 && !is_parallel_task())
     if (auto mesh = read_pieces(path, content, stop, strictness)) return std::move(*mesh);
   ObjReader reader(path, content, stop, strictness);
+  reader.reserve(content);
   reader.read_lines();
   return reader.conclude();
 }
