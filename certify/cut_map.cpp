@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <unordered_set>
 #include <utility>
 
@@ -14,26 +16,56 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/repair.h"
+#include "majorant/mesh/sound_surface.h"
 #include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 namespace {
 
-SurfaceMesh welded(const MapFile& file, const std::string& name) {
+constexpr Index kHalfEdges = 16384;  // a task: some 0.1 ms
+
+// vertex: by point, numbers of vertices at these positions.
+SurfaceParts parts_of(const MapFile& file, const Eigen::VectorXi& vertex,
+                      const std::vector<Vector3>& positions, const std::string& name) {
+  const auto corners = file.cells.leftCols<3>();
+  std::vector<Index> number(positions.size(), -1);
+  for (const Index point : corners.reshaped<Eigen::RowMajor>()) number[vertex[point]] = 0;
+  SurfaceParts parts;
+  parts.file = name;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = static_cast<Index>(parts.input_vertex.size());
+    parts.input_vertex.push_back(static_cast<Index>(v));
+  }
+  parts.positions.resize(static_cast<Index>(parts.input_vertex.size()), 3);
+  for (Index v = 0; v < parts.positions.rows(); ++v)
+    parts.positions.row(v) = positions[parts.input_vertex[v]];
+  parts.faces.resize(corners.rows(), 3);
+  for (Index c = 0; c < corners.rows(); ++c)
+    for (Index k = 0; k < 3; ++k) parts.faces(c, k) = number[vertex[corners(c, k)]];
+  parts.input_face.resize(to_size(static_cast<Index>(corners.rows())));
+  std::iota(parts.input_face.begin(), parts.input_face.end(), 0);
+  return parts;
+}
+
+std::shared_ptr<const SurfaceMesh> welded(const MapFile& file, const std::string& name) {
   const Eigen::VectorXi vertex =
       knows_vertices(file) ? file.input_vertex : number_by_place(file.points, {});
-  const auto corners = file.cells.leftCols<3>();
   PolygonMesh polygons;
   polygons.file = name;
   polygons.positions = vertex_positions(file, vertex, name);
+  if (auto sound = sound_surface(parts_of(file, vertex, polygons.positions, name)))
+    return std::make_shared<const SurfaceMesh>(std::move(*sound));
+  const auto corners = file.cells.leftCols<3>();
   for (Index c = 0; c < corners.rows(); ++c) {
     polygons.polygons.emplace_back();
     for (Index k = 0; k < 3; ++k) polygons.polygons.back().push_back(vertex[corners(c, k)]);
   }
-  return *repair(polygons, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven})
-              .mesh;
+  return repair(polygons, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven})
+      .mesh;
 }
 
 // Nearest numbers of quarter turns, 0 at the boundary of the uncut surface.
@@ -79,11 +111,11 @@ CutMap::CutMap(const MapFile& file, std::string name)
       name_(std::move(name)),
       surface_(welded(file, name_)),
       edge_points_(to_size(file.degree) + 1),
-      differs_(to_size(surface_.half_edge_count()), 0),
+      differs_(to_size(surface_->half_edge_count()), 0),
       is_unshared_(differs_) {
-  for (Index h = 0; h < surface_.half_edge_count(); ++h) {
-    const Index opposite = surface_.opposite(h);
-    if (opposite < h) continue;
+  parallel_for(surface_->half_edge_count(), kHalfEdges, [&](Index h) {
+    const Index opposite = surface_->opposite(h);
+    if (opposite < h) return;
     std::size_t shared = 0, equal = 0;
     for (std::size_t i = 0; i < edge_points_; ++i) {
       const Index p = point(h, i), q = opposite_point(h, i);
@@ -93,7 +125,7 @@ CutMap::CutMap(const MapFile& file, std::string name)
     }
     differs_[h] = differs_[opposite] = equal < edge_points_;
     is_unshared_[h] = is_unshared_[opposite] = edge_points_ == 2 ? shared < 2 : shared == 0;
-  }
+  });
 }
 
 // Point i = 0..n along a half-edge; of its opposite in the same direction.
@@ -102,7 +134,7 @@ Index CutMap::point(Index h, std::size_t i) const {
 }
 
 Index CutMap::opposite_point(Index h, std::size_t i) const {
-  return point(surface_.opposite(h), edge_points_ - 1 - i);
+  return point(surface_->opposite(h), edge_points_ - 1 - i);
 }
 
 CutMap::Fit CutMap::fit(Index h) const {
@@ -120,21 +152,21 @@ CutMap::Fit CutMap::fit(Index h) const {
 }
 
 double CutMap::diagonal() const {
-  const Points2 points = file_.uv(file_.cells.reshaped(), Eigen::all);
-  if (points.rows() == 0) return 0;
-  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+  Eigen::AlignedBox2d box;
+  for (const Index point : file_.cells.reshaped()) box.extend(Vector2(file_.uv.row(point)));
+  return box.isEmpty() ? 0 : (box.max() - box.min()).norm();
 }
 
 double CutMap::mean_length() const {
   double sum = 0;
-  for (Index h = 0; h < surface_.half_edge_count(); ++h)
+  for (Index h = 0; h < surface_->half_edge_count(); ++h)
     sum += (file_.uv.row(point(h, 0)) - file_.uv.row(point(h, edge_points_ - 1))).norm();
-  return sum / surface_.half_edge_count();
+  return sum / surface_->half_edge_count();
 }
 
 std::array<Index, 2> CutMap::input_edge(Index h) const {
-  return {surface_.input_vertex(surface_.from_vertex(h)),
-          surface_.input_vertex(surface_.to_vertex(h))};
+  return {surface_->input_vertex(surface_->from_vertex(h)),
+          surface_->input_vertex(surface_->to_vertex(h))};
 }
 
 std::string CutMap::place(Index h) const {
@@ -143,7 +175,10 @@ std::string CutMap::place(Index h) const {
 }
 
 BezierMap CutMap::map_cut_along(const std::vector<char>& is_cut) const {
-  auto cut = std::make_shared<const SurfaceMesh>(surface_.cut_along(is_cut, nullptr));
+  // Opened nowhere it is the same.
+  auto cut = std::count(is_cut.begin(), is_cut.end(), 0) == surface_->half_edge_count()
+                 ? surface_
+                 : std::make_shared<const SurfaceMesh>(surface_->cut_along(is_cut, nullptr));
   auto space =
       std::make_shared<const BezierTriangleSpace>(cut->faces(), cut->vertex_count(), file_.degree);
   Vec x = node_values(file_, *space, name_);
@@ -154,8 +189,8 @@ BezierMap CutMap::map_with_seams() const {
   const double tolerance = kSeamTolerance * mean_length();
   std::vector<char> is_seam(differs_.size(), 0);
   std::vector<int> turns(differs_.size(), 0);
-  for (Index h = 0; h < surface_.half_edge_count(); ++h) {
-    const Index opposite = surface_.opposite(h);
+  for (Index h = 0; h < surface_->half_edge_count(); ++h) {
+    const Index opposite = surface_->opposite(h);
     if (opposite < h || !(differs(h) || is_unshared(h))) continue;
     const Fit best = fit(h);
     if (!(best.mismatch <= tolerance))
@@ -169,13 +204,13 @@ BezierMap CutMap::map_with_seams() const {
     turns[opposite] = (4 - best.turns) % 4;
   }
   std::vector<Index> surface_vertex;
-  const SurfaceMesh cut = surface_.cut_along(is_seam, &surface_vertex);
+  const SurfaceMesh cut = surface_->cut_along(is_seam, &surface_vertex);
   const auto space =
       std::make_shared<const BezierTriangleSpace>(cut.faces(), cut.vertex_count(), file_.degree);
   Vec x = node_values(file_, *space, name_);
   const CutSurface open =
-      cut_open(surface_, is_seam, turns,
-               quarter_turns(surface_, surface_vertex, vertex_angle_sums(*space, x)));
+      cut_open(*surface_, is_seam, turns,
+               quarter_turns(*surface_, surface_vertex, vertex_angle_sums(*space, x)));
   return BezierMap(open.mesh, space, std::move(x), open.seams);
 }
 

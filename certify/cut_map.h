@@ -30,7 +30,7 @@ class CutMap {
   // places.
   CutMap(const MapFile& file, std::string name);
 
-  const SurfaceMesh& surface() const { return surface_; }
+  const SurfaceMesh& surface() const { return *surface_; }
 
   // Whether the two sides of a half-edge have different uv; false at the boundary of the surface.
   bool differs(Index half_edge) const { return differs_[half_edge]; }
@@ -70,7 +70,7 @@ class CutMap {
 
   const MapFile& file_;
   std::string name_;
-  SurfaceMesh surface_;
+  std::shared_ptr<const SurfaceMesh> surface_;
   std::size_t edge_points_;  // n + 1
   std::vector<char> differs_, is_unshared_;
 };

@@ -20,6 +20,7 @@
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/mesh/refusal.h"
 
 namespace majorant {
@@ -207,19 +208,27 @@ class MapProof::Judge {
     numbering.cells = file_.cells;
     numbering.node_count = static_cast<Index>(file_.points.rows());
     const BezierTriangleSpace space(std::move(numbering), file_.degree);
-    const Vec x = file_.uv.reshaped<Eigen::RowMajor>();
+    const Eigen::Map<const Vec> x(file_.uv.data(), file_.uv.size());
+    const auto cells = static_cast<Index>(file_.cells.rows());
+    std::vector<char> is_proven(to_size(cells), 0);  // in floating point
+    parallel_tasks((cells + kCellsPerPoll - 1) / kCellsPerPoll, [&](Index task, int) {
+      if (is_stopped()) return;
+      const Index last = std::min(cells, (task + 1) * kCellsPerPoll);
+      for (Index c = task * kCellsPerPoll; c < last; ++c) {
+        const PositivityProof proof = space.certify(c, x, ProofDepth::kFinal);
+        is_proven[c] = proof.result == ProofStatus::Proven &&
+                       proof.lower_bound > rounding_of_determinant(file_, c);
+      }
+    });
     std::string worst;
     bool is_violated = false;
-    for (Index c = 0; c < file_.cells.rows(); ++c) {
+    for (Index c = 0; c < cells; ++c) {
       if (c % kCellsPerPoll == 0 && is_stopped()) {
         if (!is_violated) proof_.positive = stopped_finding();
         if (!is_violated) return;
         break;
       }
-      const PositivityProof proof = space.certify(c, x, ProofDepth::kFinal);
-      if (proof.result == ProofStatus::Proven &&
-          proof.lower_bound > rounding_of_determinant(file_, c))
-        continue;
+      if (is_proven[c]) continue;
       const CellPositivity exact = beyond_rounding(
           file_, c, exact_positivity(file_.uv(file_.cells.row(c), Eigen::all), request_.stop));
       if (exact.result == ProofStatus::Proven) continue;
@@ -244,12 +253,11 @@ class MapProof::Judge {
   // Else the file shows another surface than the one between its corners.
   void judge_flatness() {
     const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
-    const Points3 used = file_.points(file_.cells.reshaped(), Eigen::all);
-    const Eigen::AlignedBox3d box(used.colwise().minCoeff().transpose(),
-                                  used.colwise().maxCoeff().transpose());
+    Eigen::AlignedBox3d box;
+    for (const Index p : file_.cells.reshaped()) box.extend(Vector3(file_.points.row(p)));
     double worst = 0;
     for (Index c = 0; c < file_.cells.rows(); ++c)
-      for (int l = 0; l < ix.count(); ++l) {
+      for (int l = 3; l < ix.count(); ++l) {  // corners are where they are
         Eigen::RowVector3d flat = Eigen::RowVector3d::Zero();
         for (int k = 0; k < 3; ++k)
           flat += ix.multi(l)[k] / double(file_.degree) * file_.points.row(file_.cells(c, k));
@@ -349,13 +357,16 @@ class MapProof::Judge {
   Vec angle_sums() const {
     const SurfaceMesh& surface = cut_->surface();
     const TriangleIndices& ix = TriangleIndices::of_degree(file_.degree);
-    Vec sum = Vec::Zero(surface.vertex_count());
-    for (Index c = 0; c < file_.cells.rows(); ++c)
+    Vec angle(3 * file_.cells.rows());
+    parallel_for(static_cast<Index>(file_.cells.rows()), kCellsPerPoll, [&](Index c) {
+      const auto point = [&](int local) { return Vector2(file_.uv.row(file_.cells(c, local))); };
       for (int k = 0; k < 3; ++k) {
-        const auto point = [&](int local) { return Vector2(file_.uv.row(file_.cells(c, local))); };
         const auto [right, left] = ix.beside_corner(k);
-        sum[surface.faces()(c, k)] += sector_angle(point(right) - point(k), point(left) - point(k));
+        angle[3 * c + k] = sector_angle(point(right) - point(k), point(left) - point(k));
       }
+    });
+    Vec sum = Vec::Zero(surface.vertex_count());
+    for (Index h = 0; h < surface.half_edge_count(); ++h) sum[surface.from_vertex(h)] += angle[h];
     return sum;
   }
 

@@ -19,10 +19,15 @@ enum class ByteOrder { Little, Big };
 // The T stored at bytes[0 .. sizeof(T)).
 template <class T>
 T load_bytes(const char* bytes, ByteOrder order) {
+  constexpr bool kMachineIsLittle = std::endian::native == std::endian::little;
+  if ((order == ByteOrder::Little) == kMachineIsLittle) {
+    T value;
+    std::memcpy(&value, bytes, sizeof(T));
+    return value;
+  }
   std::array<char, sizeof(T)> copy;
   std::memcpy(copy.data(), bytes, sizeof(T));
-  const bool machine_is_little = std::endian::native == std::endian::little;
-  if ((order == ByteOrder::Little) != machine_is_little) std::reverse(copy.begin(), copy.end());
+  std::reverse(copy.begin(), copy.end());
   return std::bit_cast<T>(copy);
 }
 

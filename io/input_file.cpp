@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 
@@ -22,7 +23,22 @@ namespace {
 
 bool is_text_byte(char byte) {
   const unsigned char c = static_cast<unsigned char>(byte);
-  return c >= 32 ? c != 127 : (c >= '\t' && c <= '\r');
+  return (c >= 32 && c != 127) || (c >= '\t' && c <= '\r');
+}
+
+// The first that is none; the size of the text if all are. Blocks without branches are fast.
+std::size_t first_binary_byte(std::string_view text) {
+  constexpr std::size_t kBlock = 1024;
+  for (std::size_t first = 0; first < text.size(); first += kBlock) {
+    const std::string_view block = text.substr(first, kBlock);
+    std::uint8_t is_bad = 0;
+    for (const char c : block) is_bad |= static_cast<std::uint8_t>(!is_text_byte(c));
+    if (is_bad != 0)
+      return first +
+             static_cast<std::size_t>(std::find_if_not(block.begin(), block.end(), is_text_byte) -
+                                      block.begin());
+  }
+  return text.size();
 }
 
 std::string lower_extension(const std::filesystem::path& path) {
@@ -122,8 +138,8 @@ std::string read_whole_file(const std::string& path, const StopCheck& stop) {
 
 void require_text(const std::string& path, std::string& content) {
   if (content.starts_with("\xEF\xBB\xBF")) content.erase(0, 3);
-  const auto bad = std::find_if_not(content.begin(), content.end(), is_text_byte);
-  if (bad != content.end()) {
+  if (const std::size_t place = first_binary_byte(content); place < content.size()) {
+    const auto bad = content.begin() + static_cast<std::ptrdiff_t>(place);
     throw Error(ErrorKind::Unreadable,
                 fmt::format("{}:{}: binary content (byte {}); this format is text, check that the "
                             "extension fits the file",

@@ -10,6 +10,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
@@ -120,24 +121,25 @@ class CellTransform {
   // Result `row` of a cell of a map.
   Rounded apply(const MapFile& map, Index cell, int row) const {
     const auto input = [&](int k) { return map.cells(cell, k); };
-    std::vector<int> order = inputs_[row];
-    if (order.size() == 1) return {map.uv.row(input(row)), rounding(map, input(row))};
-    if (order.size() < matrix_.size() && runs_backwards(map, cell, order))
-      std::reverse(order.begin(), order.end());
+    const std::vector<int>& along = inputs_[row];
+    const std::size_t size = along.size();
+    if (size == 1) return {map.uv.row(input(row)), rounding(map, input(row))};
+    const bool is_backwards = size < matrix_.size() && runs_backwards(map, cell, along);
     Rounded result;
     for (int axis = 0; axis < 2; ++axis) {
       Quad sum = 0;
-      double size = 0, error = 0;
-      for (const int k : order) {
+      double magnitudes = 0, error = 0;
+      for (std::size_t i = 0; i < size; ++i) {
+        const int k = along[is_backwards ? size - 1 - i : i];
         const Quad weight = matrix_.weight(to_size(row), to_size(k));
         const Quad term = weight * map.uv(input(k), axis);
         sum += term;
-        size += std::abs(static_cast<double>(term));
+        magnitudes += std::abs(static_cast<double>(term));
         if (map.uv_rounding.rows() > 0)
           error += std::abs(static_cast<double>(weight)) * rounding(map, input(k))[axis];
       }
-      // Of `order` weights, terms and sums, each rounded once.
-      const double own = 3 * static_cast<double>(order.size()) * kUnitRoundoff<Quad> * size;
+      // Of as many weights, terms and sums, each rounded once.
+      const double own = 3 * static_cast<double>(size) * kUnitRoundoff<Quad> * magnitudes;
       result.value[axis] = static_cast<double>(sum);
       const double cut_off = std::abs(static_cast<double>(sum - Quad(result.value[axis])));
       result.error[axis] =
@@ -146,7 +148,29 @@ class CellTransform {
     return result;
   }
 
+  // visit(cell, k, result): all results from `first` on, of all cells in order.
+  template <class Visit>
+  void apply_to_all(const MapFile& map, int first, const StopCheck& stop,
+                    const Visit& visit) const {
+    const auto cells = static_cast<Index>(map.cells.rows());
+    const auto columns = static_cast<int>(map.cells.cols());
+    std::vector<Rounded> results(to_size(std::min(cells, kCells)) * to_size(columns));
+    for (Index begin = 0; begin < cells; begin += kCells) {
+      const Index count = std::min(kCells, cells - begin);
+      stop.poll();
+      parallel_for(count, kPiece, [&](Index c) {
+        for (int k = first; k < columns; ++k)
+          results[to_size(c * columns + k)] = apply(map, begin + c, k);
+      });
+      for (Index c = 0; c < count; ++c)
+        for (int k = first; k < columns; ++k)
+          visit(begin + c, k, results[to_size(c * columns + k)]);
+    }
+  }
+
  private:
+  // Some ms of them between two polls, some 0.1 ms of them a task.
+  static constexpr Index kCells = 4096, kPiece = 32;
   // More than what rounding a bound to double takes away. Rounding takes 2^-53 of it.
   static constexpr double kRoundUp = 1.0000001;
 
@@ -183,11 +207,9 @@ Points2 lagrange_nodes(const MapFile& map, const StopCheck& stop) {
   Points2 nodes = map.uv;
   if (map.degree == 1) return nodes;
   const CellTransform transform(evaluation(map.degree), map.degree);
-  for (Index cell = 0; cell < map.cells.rows(); ++cell) {
-    stop.poll_at(to_size(cell));
-    for (int k = 3; k < map.cells.cols(); ++k)
-      nodes.row(map.cells(cell, k)) = transform.apply(map, cell, k).value;
-  }
+  transform.apply_to_all(map, 3, stop, [&](Index cell, int k, const Rounded& node) {
+    nodes.row(map.cells(cell, k)) = node.value;
+  });
   return nodes;
 }
 
@@ -213,21 +235,17 @@ void take_as_lagrange_nodes(MapFile& map, const std::string& file, const StopChe
   Points2 uv = map.uv;
   Points2 rounding = Points2::Zero(uv.rows(), 2);
   std::vector<char> is_known(to_size(static_cast<Index>(uv.rows())), 0);
-  for (Index cell = 0; cell < map.cells.rows(); ++cell) {
-    stop.poll_at(to_size(cell));
-    for (int k = 0; k < map.cells.cols(); ++k) {
-      const Index point = map.cells(cell, k);
-      const Rounded control_point = transform.apply(map, cell, k);
-      if (is_known[point] && Vector2(uv.row(point)) != control_point.value)
-        throw Error(ErrorKind::Unreadable,
-                    fmt::format("{}: cell {}: its point {} is another cell's, on another curve; "
-                                "damaged file",
-                                file, cell, k));
-      is_known[point] = 1;
-      uv.row(point) = control_point.value;
-      rounding.row(point) = control_point.error;
-    }
-  }
+  transform.apply_to_all(map, 0, stop, [&](Index cell, int k, const Rounded& control_point) {
+    const Index point = map.cells(cell, k);
+    if (is_known[point] && Vector2(uv.row(point)) != control_point.value)
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: cell {}: its point {} is another cell's, on another curve; "
+                              "damaged file",
+                              file, cell, k));
+    is_known[point] = 1;
+    uv.row(point) = control_point.value;
+    rounding.row(point) = control_point.error;
+  });
   map.uv = std::move(uv);
   map.uv_rounding = std::move(rounding);
 }

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -10,6 +9,7 @@
 
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/internal/msh_content.h"
+#include "majorant/io/internal/text_pieces.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
 #include "majorant/io/msh.h"
@@ -33,50 +33,62 @@ class MshText {
   }
 
   void add_mesh() {
-    add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+    text_.add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
     add_entities();
     add("$Nodes\n{} {} 1 {}\n", charts_.size(), nodes_.rows(), nodes_.rows());
     for (const auto& [number, chart] : charts_) {
       add("2 {} 0 {}\n", long{number} + 1, chart.nodes.size());
-      for (const Index p : chart.nodes) add("{}\n", p + 1);
-      for (const Index p : chart.nodes) add("{} {} {}\n", nodes_(p, 0), nodes_(p, 1), nodes_(p, 2));
+      const auto count = static_cast<Index>(chart.nodes.size());
+      text_.add_lines(count, [&nodes = chart.nodes](Index k, fmt::appender out) {
+        fmt::format_to(out, FMT_COMPILE("{}\n"), nodes[k] + 1);
+      });
+      text_.add_lines(count, [&, &nodes = chart.nodes](Index k, fmt::appender out) {
+        const auto node = nodes_.row(nodes[k]);
+        fmt::format_to(out, FMT_COMPILE("{} {} {}\n"), node[0], node[1], node[2]);
+      });
     }
     const Index count = static_cast<Index>(map_.cells.rows());
     add("$EndNodes\n$Elements\n{} {} 1 {}\n", charts_.size(), count, count);
     for (const auto& [number, chart] : charts_) {
       add("2 {} {} {}\n", long{number} + 1, kMshTriangles[map_.degree - 1].first,
           chart.cells.size());
-      for (const Index c : chart.cells) {
-        add("{}", c + 1);
-        for (const Index p : map_.cells.row(c)) add(" {}", p + 1);
-        add("\n");
-      }
+      text_.add_lines(static_cast<Index>(chart.cells.size()),
+                      [&, &cells = chart.cells](Index k, fmt::appender out) {
+                        fmt::format_to(out, FMT_COMPILE("{}"), cells[k] + 1);
+                        for (const Index p : map_.cells.row(cells[k]))
+                          fmt::format_to(out, FMT_COMPILE(" {}"), p + 1);
+                        *out++ = '\n';
+                      });
     }
-    add("$EndElements\n");
+    text_.add("$EndElements\n");
   }
 
   // One number per node, shown by gmsh as colours and lines of equal value.
   template <class Values>
   void add_view(char name, const Values& values) {
     add("$NodeData\n1\n\"{}\"\n1\n0\n3\n0\n1\n{}\n", name, values.size());
-    for (Index p = 0; p < values.size(); ++p) add("{} {}\n", p + 1, values[p]);
-    add("$EndNodeData\n");
+    text_.add_lines(static_cast<Index>(values.size()), [&](Index p, fmt::appender out) {
+      fmt::format_to(out, FMT_COMPILE("{} {}\n"), p + 1, values[p]);
+    });
+    text_.add("$EndNodeData\n");
   }
 
   // Of nodes or elements.
   void add_input_numbers(std::string_view name, const Eigen::VectorXi& numbers) {
     if (numbers.size() == 0) return;
     add("${}\n{}\n", name, numbers.size());
-    for (Index k = 0; k < numbers.size(); ++k) add("{} {}\n", k + 1, numbers[k]);
+    text_.add_lines(static_cast<Index>(numbers.size()), [&](Index k, fmt::appender out) {
+      fmt::format_to(out, FMT_COMPILE("{} {}\n"), k + 1, numbers[k]);
+    });
     add("$End{}\n", name);
   }
 
-  std::string text() const { return fmt::to_string(text_); }
+  std::string take() { return text_.take(); }
 
  private:
   template <class... Args>
   void add(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+    text_.add(fmt::format(format, std::forward<Args>(args)...));
   }
 
   // Surfaces with their boxes, no boundary, no physical groups.
@@ -88,7 +100,7 @@ class MshText {
       const Eigen::RowVector3d low = here.colwise().minCoeff(), high = here.colwise().maxCoeff();
       add("{} {} {} 0 0\n", long{number} + 1, fmt::join(low, " "), fmt::join(high, " "));
     }
-    add("$EndEntities\n");
+    text_.add("$EndEntities\n");
   }
 
   struct Chart {
@@ -98,7 +110,7 @@ class MshText {
   const MapFile& map_;
   const Points3& nodes_;
   std::map<Index, Chart> charts_;
-  fmt::memory_buffer text_;
+  TextPieces text_;
 };
 
 }  // namespace
@@ -118,7 +130,7 @@ void write_msh(const std::string& path, const MapFile& map, MshContent content,
     text.add_input_numbers(kMshInputVertex, map.input_vertex);
     text.add_input_numbers(kMshInputFace, map.input_face);
   }
-  write_file_atomically(path, text.text(), verify);
+  write_file_atomically(path, text.take(), verify);
 }
 
 }  // namespace majorant

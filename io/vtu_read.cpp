@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -96,14 +97,27 @@ bool with_type(std::string_view name, Visitor&& visit) {
   return false;
 }
 
-std::string without_space(std::string_view text) {
-  std::string result;
-  result.reserve(text.size());
-  for (const char c : text) {
-    if (c != ' ' && c != '\n' && c != '\r' && c != '\t') result += c;
+bool is_xml_space(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+
+// Base64 without the space around it and, in a copy, without that between its characters.
+class Compacted {
+ public:
+  explicit Compacted(std::string_view text) : text_(text) {
+    while (!text_.empty() && is_xml_space(text_.front())) text_.remove_prefix(1);
+    while (!text_.empty() && is_xml_space(text_.back())) text_.remove_suffix(1);
+    if (std::none_of(text_.begin(), text_.end(), is_xml_space)) return;
+    std::remove_copy_if(text_.begin(), text_.end(), std::back_inserter(copy_), is_xml_space);
+    text_ = copy_;
   }
-  return result;
-}
+  Compacted(const Compacted&) = delete;
+  Compacted& operator=(const Compacted&) = delete;
+
+  std::string_view text() const { return text_; }
+
+ private:
+  std::string copy_;
+  std::string_view text_;
+};
 
 std::size_t encoded_size(DataEncoding encoding, std::size_t bytes) {
   return encoding == DataEncoding::Raw ? bytes : base64_length(bytes);
@@ -173,10 +187,12 @@ std::string VtuArrays::encoded_bytes(const XmlElement& array, std::string_view t
   const std::size_t size = length(header);
   if (size > text.size()) fail(array, "the data end too early; the file is truncated");
   const bool separate = header.size() == header_size_;
-  const std::string all = decode(separate ? header_characters + base64_length(size)
-                                          : base64_length(header_size_ + size));
+  std::string all = decode(separate ? header_characters + base64_length(size)
+                                    : base64_length(header_size_ + size));
   if (all.size() < header_size_ + size) fail(array, "the base64 data are damaged");
-  return all.substr(header_size_, size);
+  all.resize(header_size_ + size);
+  all.erase(0, header_size_);
+  return all;
 }
 
 // The first `count` bytes that `data` stand for.
@@ -236,7 +252,7 @@ std::string VtuArrays::bytes(const XmlElement& array) const {
     if (is_compressed_) return compressed_bytes(array, data, encoding);
     return encoding == DataEncoding::Raw ? raw_bytes(array, data) : encoded_bytes(array, data);
   };
-  if (format == "binary") return decode(without_space(array.text), DataEncoding::Base64);
+  if (format == "binary") return decode(Compacted(array.text).text(), DataEncoding::Base64);
   if (format != "appended") fail(array, fmt::format("unknown format {}", in_quotes(format)));
   const std::string_view text = array.attribute("offset");
   std::size_t offset = 0;
@@ -277,13 +293,15 @@ std::vector<T> VtuArrays::values(const XmlElement& array) const {
     if (data.size() % sizeof(Stored) != 0) fail(array, "its size is no multiple of the type's");
     limit_.require(data.size() + data.size() / sizeof(Stored) * sizeof(T));
     result.resize(data.size() / sizeof(Stored));
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      stop_.poll_at(i);
-      const auto stored = load_bytes<Stored>(data.data() + i * sizeof(Stored), order_);
-      if constexpr (std::is_same_v<T, double>) {
-        if (!std::isfinite(static_cast<double>(stored))) fail(array, "a value is not finite");
-      }
-      result[i] = static_cast<T>(stored);
+    for (std::size_t first = 0; first < result.size(); first += StopCheck::kPeriod) {
+      stop_.poll();
+      const std::size_t last = std::min(result.size(), first + StopCheck::kPeriod);
+      for (std::size_t i = first; i < last; ++i)
+        result[i] = static_cast<T>(load_bytes<Stored>(data.data() + i * sizeof(Stored), order_));
+      if constexpr (std::is_same_v<T, double>)
+        if (!Eigen::Map<const Vec>(result.data() + first, static_cast<Index>(last - first))
+                 .allFinite())
+          fail(array, "a value is not finite");
     }
   });
   if (!known) fail(array, fmt::format("unknown type {}", in_quotes(array.attribute("type"))));

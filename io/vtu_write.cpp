@@ -61,6 +61,8 @@ class VtuText {
     text_ += "\n</DataArray>\n";
   }
 
+  // Of the text that is to be made: it grows without being copied.
+  void reserve(std::size_t size) { text_.reserve(size); }
   std::string take() { return std::move(text_); }
 
  private:
@@ -102,6 +104,22 @@ Eigen::VectorXi seam_of_points(const MapFile& map) {
   return seam;
 }
 
+// Of the text: of arrays base64 with a header, of claims bytes of up to four characters.
+std::size_t greatest_size(const MapFile& map) {
+  constexpr std::size_t kMarkup = 8192;
+  const auto numbers = [](const auto&... arrays) {
+    return (static_cast<std::size_t>(arrays.size()) + ...);
+  };
+  const std::size_t cells = numbers(map.chart) + static_cast<std::size_t>(map.cells.rows());
+  const std::size_t bytes =
+      sizeof(double) *
+          numbers(map.uv, map.points, map.distortion, map.min_det, map.face_distortion) +
+      sizeof(Index) * (numbers(map.input_vertex, map.cone, map.input_face, map.seam_edges) +
+                       static_cast<std::size_t>(map.points.rows())) +
+      sizeof(std::int64_t) * (numbers(map.cells) + 2 * cells);
+  return base64_length(bytes) + 4 * map.claims.size() + kMarkup;
+}
+
 }  // namespace
 
 std::string vtu_text(const std::string& path, const MapFile& map, VtuCells cells) {
@@ -109,6 +127,7 @@ std::string vtu_text(const std::string& path, const MapFile& map, VtuCells cells
   if (cells == VtuCells::Lagrange) require_lagrange_degree(path, map);
   const Points2 uv = cells == VtuCells::Lagrange ? lagrange_nodes(map) : map.uv;
   VtuText text;
+  text.reserve(greatest_size(map));
   text.add(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n");

@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/internal/material_files.h"
+#include "majorant/io/internal/text_pieces.h"
 #include "majorant/io/map_check.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 
@@ -27,43 +28,58 @@ std::string cone_comments(const MapFile& map) {
   return text;
 }
 
+// The polygon before which every directive stands: they keep their order.
+std::vector<Index> places_of_directives(const PolygonMesh& mesh) {
+  std::vector<Index> places;
+  for (const auto& [polygon, line] : mesh.directives)
+    places.push_back(std::max(polygon, places.empty() ? 0 : places.back()));
+  return places;
+}
+
 }  // namespace
 
 std::string obj_text(const PolygonMesh& mesh) {
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+  TextPieces text;
+  const auto count = [](const auto& list) { return static_cast<Index>(list.size()); };
+  text.add_lines(count(mesh.positions), [&](Index v, fmt::appender out) {
     const Vector3& p = mesh.positions[v];
-    fmt::format_to(out, "v {} {} {}", p[0], p[1], p[2]);
+    fmt::format_to(out, FMT_COMPILE("v {} {} {}"), p[0], p[1], p[2]);
     if (!mesh.colors.empty() && mesh.colors[v].allFinite()) {
       const Vector3& c = mesh.colors[v];
-      fmt::format_to(out, " {} {} {}", c[0], c[1], c[2]);
+      fmt::format_to(out, FMT_COMPILE(" {} {} {}"), c[0], c[1], c[2]);
     }
-    fmt::format_to(out, "\n");
-  }
-  for (const Vector2& t : mesh.texcoords) fmt::format_to(out, "vt {} {}\n", t[0], t[1]);
-  for (const Vector3& n : mesh.normals) fmt::format_to(out, "vn {} {} {}\n", n[0], n[1], n[2]);
-  const std::vector<Index> none;
-  auto directive = mesh.directives.begin();
-  for (std::size_t p = 0; p < mesh.polygons.size(); ++p) {
-    for (; directive != mesh.directives.end() && to_size(directive->first) <= p; ++directive) {
-      fmt::format_to(out, "{}\n", directive->second);
+    *out++ = '\n';
+  });
+  text.add_lines(count(mesh.texcoords), [&](Index k, fmt::appender out) {
+    fmt::format_to(out, FMT_COMPILE("vt {} {}\n"), mesh.texcoords[k][0], mesh.texcoords[k][1]);
+  });
+  text.add_lines(count(mesh.normals), [&](Index k, fmt::appender out) {
+    const Vector3& n = mesh.normals[k];
+    fmt::format_to(out, FMT_COMPILE("vn {} {} {}\n"), n[0], n[1], n[2]);
+  });
+  const std::vector<Index> places = places_of_directives(mesh);
+  text.add_lines(count(mesh.polygons), [&](Index p, fmt::appender out) {
+    const auto here = std::equal_range(places.begin(), places.end(), p);
+    for (auto place = here.first; place != here.second; ++place)
+      fmt::format_to(out, FMT_COMPILE("{}\n"), mesh.directives[place - places.begin()].second);
+    const auto list = [p](const std::vector<std::vector<Index>>& lists) {
+      return lists.empty() || lists[p].empty() ? nullptr : lists[p].data();
+    };
+    const auto& polygon = mesh.polygons[p];
+    const Index* const texcoords = list(mesh.polygon_texcoords);
+    const Index* const normals = list(mesh.polygon_normals);
+    *out++ = 'f';
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      fmt::format_to(out, FMT_COMPILE(" {}"), polygon[k] + 1);
+      if (texcoords) fmt::format_to(out, FMT_COMPILE("/{}"), texcoords[k] + 1);
+      if (normals) fmt::format_to(out, FMT_COMPILE("{}{}"), texcoords ? "/" : "//", normals[k] + 1);
     }
-    const auto& texcoords = mesh.polygon_texcoords.empty() ? none : mesh.polygon_texcoords[p];
-    const auto& normals = mesh.polygon_normals.empty() ? none : mesh.polygon_normals[p];
-    fmt::format_to(out, "f");
-    for (std::size_t k = 0; k < mesh.polygons[p].size(); ++k) {
-      fmt::format_to(out, " {}", mesh.polygons[p][k] + 1);
-      if (!texcoords.empty()) fmt::format_to(out, "/{}", texcoords[k] + 1);
-      if (!normals.empty())
-        fmt::format_to(out, "{}{}", texcoords.empty() ? "//" : "/", normals[k] + 1);
-    }
-    fmt::format_to(out, "\n");
-  }
-  for (; directive != mesh.directives.end(); ++directive) {
-    fmt::format_to(out, "{}\n", directive->second);
-  }
-  return fmt::to_string(text);
+    *out++ = '\n';
+  });
+  const auto rest = std::lower_bound(places.begin(), places.end(), count(mesh.polygons));
+  for (auto place = rest; place != places.end(); ++place)
+    text.add(mesh.directives[place - places.begin()].second + "\n");
+  return text.take();
 }
 
 void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input,

@@ -9,8 +9,10 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/pair_order.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/map_check.h"
@@ -37,17 +39,20 @@ struct PlyVertex {
 class PlyText {
  public:
   explicit PlyText(const PolygonMesh& mesh) : mesh_(mesh) {
-    std::vector<char> is_used(mesh.positions.size(), 0);
     for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
-      for (std::size_t k = 0; k < mesh.polygons[p].size(); ++k) {
-        const Index v = mesh.polygons[p][k];
-        is_used[v] = 1;
-        numbers_.emplace(PlyVertex{v, mesh.polygon_texcoords[p][k]}, 0);
+      for (std::size_t k = 0; k < mesh.polygons[p].size(); ++k)
+        corners_.push_back({mesh.polygons[p][k], mesh.polygon_texcoords[p][k]});
+    const auto positions = static_cast<Index>(mesh.positions.size());
+    const PairOrder order(positions, static_cast<Index>(corners_.size()),
+                          [&](Index corner) { return corners_[corner]; });
+    numbers_.resize(corners_.size());
+    for (Index v = 0; v < positions; ++v) {
+      if (order.of(v).empty()) vertices_.push_back({v, -1});
+      for (const auto& [vt, corner] : order.of(v)) {
+        if (vertices_.empty() || vertices_.back() != PlyVertex{v, vt}) vertices_.push_back({v, vt});
+        numbers_[corner] = static_cast<Index>(vertices_.size()) - 1;
       }
-    for (std::size_t v = 0; v < is_used.size(); ++v)
-      if (!is_used[v]) numbers_.emplace(PlyVertex{static_cast<Index>(v), -1}, 0);
-    Index next = 0;
-    for (auto& [vertex, number] : numbers_) number = next++;
+    }
     has_colors_ =
         !mesh.colors.empty() && std::all_of(mesh.colors.begin(), mesh.colors.end(),
                                             [](const Vector3& color) { return color.allFinite(); });
@@ -59,8 +64,19 @@ class PlyText {
 
   std::string text(const std::map<Index, int>& cones) const {
     std::string text = header(cones);
-    for (const auto& [vertex, number] : numbers_) add_vertex(vertex, text);
-    for (std::size_t p = 0; p < mesh_.polygons.size(); ++p) add_face(p, text);
+    constexpr std::size_t kVertex = 5 * sizeof(double) + sizeof(std::int32_t) + 3;
+    text.reserve(text.size() + kVertex * vertices_.size() +
+                 sizeof(std::int32_t) * (mesh_.polygons.size() + numbers_.size()));
+    for (const PlyVertex& vertex : vertices_) add_vertex(vertex, text);
+    std::size_t corner = 0;
+    for (const auto& polygon : mesh_.polygons) {
+      if (has_small_faces_)
+        append(static_cast<std::uint8_t>(polygon.size()), text);
+      else
+        append(static_cast<std::uint32_t>(polygon.size()), text);
+      for (std::size_t k = 0; k < polygon.size(); ++k)
+        append(std::int32_t{numbers_[corner++]}, text);
+    }
     return text;
   }
 
@@ -71,7 +87,7 @@ class PlyText {
       text += "comment cones: vertices count from 0; angle = quarter_turns * 90 degrees\n";
     for (const auto& [vertex, turns] : cones)
       text += fmt::format("comment cone vertex {} quarter_turns {}\n", vertex, turns);
-    text += fmt::format("element vertex {}\n", numbers_.size());
+    text += fmt::format("element vertex {}\n", vertices_.size());
     for (const char* name : {"x", "y", "z", "s", "t"})
       text += fmt::format("property double {}\n", name);
     text += "property int input_vertex\n";
@@ -91,18 +107,9 @@ class PlyText {
       append(static_cast<std::uint8_t>(std::lround(255 * std::clamp(channel, 0.0, 1.0))), text);
   }
 
-  void add_face(std::size_t p, std::string& text) const {
-    const auto& polygon = mesh_.polygons[p];
-    if (has_small_faces_)
-      append(static_cast<std::uint8_t>(polygon.size()), text);
-    else
-      append(static_cast<std::uint32_t>(polygon.size()), text);
-    for (std::size_t k = 0; k < polygon.size(); ++k)
-      append(std::int32_t{numbers_.at({polygon[k], mesh_.polygon_texcoords[p][k]})}, text);
-  }
-
   const PolygonMesh& mesh_;
-  std::map<PlyVertex, Index> numbers_;
+  std::vector<PlyVertex> vertices_, corners_;  // ascending; of the polygons, one after the other
+  std::vector<Index> numbers_;                 // of the vertices, by corner
   bool has_colors_ = false, has_small_faces_ = true;
 };
 

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
+#include <span>
+#include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/pair_order.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
@@ -63,17 +65,47 @@ struct HalfEdge {
   bool forward;  // runs from low to high
 };
 
-std::vector<HalfEdge> sorted_half_edges(const TriangleList& list) {
+std::vector<HalfEdge> sorted_half_edges(const PolygonMesh& input, const TriangleList& list) {
+  const auto count = static_cast<Index>(list.triangles.size());
+  const auto vertex = [&](Index h) { return list.triangles[face_of(h)][corner_of(h)]; };
+  const PairOrder sides(static_cast<Index>(input.positions.size()), 3 * count, [&](Index h) {
+    return std::pair(std::min(vertex(h), vertex(next(h))), std::max(vertex(h), vertex(next(h))));
+  });
   std::vector<HalfEdge> edges;
-  for (std::size_t t = 0; t < list.triangles.size(); ++t)
-    for (Index k = 0; k < 3; ++k) {
-      const Index a = list.triangles[t][k], b = list.triangles[t][next(k)];
-      edges.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), a < b});
+  edges.reserve(to_size(3 * count));
+  sides.for_each_run([&](std::span<const PairOrder::Entry> edge) {
+    for (const auto& [high, h] : edge) {
+      const Index low = std::min(vertex(h), vertex(next(h)));
+      edges.push_back({low, high, face_of(h), vertex(h) < vertex(next(h))});
     }
-  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
   });
   return edges;
+}
+
+// The first triangle with the same vertices as one before it, in any order; as many as there are
+// if none is.
+std::size_t first_duplicate(const PolygonMesh& input, const TriangleList& list) {
+  const auto sorted = [&](Index t) {
+    std::array<Index, 3> f = list.triangles[t];
+    std::sort(f.begin(), f.end());
+    return f;
+  };
+  const auto count = static_cast<Index>(list.triangles.size());
+  const PairOrder faces(static_cast<Index>(input.positions.size()), count, [&](Index t) {
+    const std::array<Index, 3> f = sorted(t);
+    return std::pair(f[0], f[1]);
+  });
+  Index first = count;
+  std::vector<std::pair<Index, Index>> thirds;  // of those of a run: third vertex, triangle
+  faces.for_each_run([&](std::span<const PairOrder::Entry> run) {
+    if (run.size() == 1) return;
+    thirds.clear();
+    for (const auto& [ignored, t] : run) thirds.emplace_back(sorted(t)[2], t);
+    std::sort(thirds.begin(), thirds.end());
+    for (std::size_t k = 1; k < thirds.size(); ++k)
+      if (thirds[k].first == thirds[k - 1].first) first = std::min(first, thirds[k].second);
+  });
+  return to_size(first);
 }
 
 // Whether flipping some faces makes the orientation consistent: two-colour the dual graph.
@@ -119,20 +151,27 @@ void require_sound_lists(const PolygonMesh& input) {
 }
 
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c) {
+  if (has_clear_area(a, b, c)) return true;
   const Vector3 u = b / 4 - a / 4, v = c / 4 - a / 4;  // lengths themselves may overflow
   const double longest = std::max({u.stableNorm(), v.stableNorm(), (u - v).stableNorm()});
   return (u / longest).cross(v / longest).norm() > kDegenerateHeight;
 }
 
 void require_usable_coordinates(const PolygonMesh& input) {
+  constexpr double kClearly = 1.001;  // far more than the rounding of a square
   double largest = 0, longest = 0, shortest = std::numeric_limits<double>::infinity();
   Index where = 0;
   for (std::size_t p = 0; p < input.polygons.size(); ++p) {
     const auto& polygon = input.polygons[p];
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       const Vector3& a = position(input, polygon[k]);
-      const double length = (a - position(input, polygon[(k + 1) % polygon.size()])).stableNorm();
+      const Vector3 edge = a - position(input, polygon[k + 1 < polygon.size() ? k + 1 : 0]);
       largest = std::max(largest, a.cwiseAbs().maxCoeff());
+      // Neither the shortest nor the longest, whatever the last digits are.
+      const double square = edge.squaredNorm();
+      if (square > kClearly * shortest * shortest && kClearly * square < longest * longest)
+        continue;
+      const double length = edge.stableNorm();
       longest = std::max(longest, std::isfinite(length) ? length : largest);
       if (length > 0 && length < shortest) {
         shortest = length;
@@ -157,28 +196,26 @@ void require_usable_coordinates(const PolygonMesh& input) {
 
 void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Shapes shapes,
                           const StopCheck& stop) {
-  std::set<std::array<Index, 3>> seen;
+  const std::size_t duplicate = first_duplicate(input, list);
   for (std::size_t t = 0; t < list.triangles.size(); ++t) {
     stop.poll_at(t);
-    std::array<Index, 3> f = list.triangles[t];
-    const std::string place = face_place(input, list.polygon[t]);
+    const std::array<Index, 3>& f = list.triangles[t];
+    const auto place = [&] { return face_place(input, list.polygon[t]); };
     if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0])
-      refuse(input, place, "a vertex occurs twice", "makes it a piece of its own");
+      refuse(input, place(), "a vertex occurs twice", "makes it a piece of its own");
     if (shapes == Shapes::Proper &&
         !has_area(position(input, f[0]), position(input, f[1]), position(input, f[2])))
-      refuse(input, place,
+      refuse(input, place(),
              fmt::format("zero area (vertices {}, {}, {})", told(input.file, list.triangles[t][0]),
                          told(input.file, list.triangles[t][1]),
                          told(input.file, list.triangles[t][2])),
              "measures it against a needle");
-    std::sort(f.begin(), f.end());
-    if (!seen.insert(f).second)
-      refuse(input, place, "the same face occurs twice", "makes each a piece");
+    if (t == duplicate) refuse(input, place(), "the same face occurs twice", "makes each a piece");
   }
 }
 
 void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) {
-  const std::vector<HalfEdge> edges = sorted_half_edges(list);
+  const std::vector<HalfEdge> edges = sorted_half_edges(input, list);
   for (std::size_t k = 0; k + 2 < edges.size(); ++k)
     if (edges[k].low == edges[k + 2].low && edges[k].high == edges[k + 2].high)
       refuse(input, face_place(input, list.polygon[edges[k + 2].triangle]),

@@ -1,6 +1,8 @@
 // Finds the first defect of a polygon mesh that the library cannot work with, and says where it is.
 #pragma once
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,16 @@ inline constexpr double kDegenerateHeight = 1e-12;
 
 // Whether a triangle has a height over its longest edge that is more than rounding.
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c);
+
+// The same, told in few operations: false also for triangles that are nearly degenerate, or of a
+// size whose fourth power is out of range.
+inline bool has_clear_area(const Vector3& a, const Vector3& b, const Vector3& c) {
+  constexpr double kLeast = 1e-70, kMost = 1e70, kMargin = 4;
+  const Vector3 u = b - a, v = c - a;
+  const double longest = std::max({u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
+  const double least = kMargin * kDegenerateHeight * longest;  // of twice the area
+  return longest > kLeast && longest < kMost && u.cross(v).squaredNorm() > least * least;
+}
 
 // Throws InvalidArgument unless indices exist, polygons have three corners and more, positions are
 // finite, and lists are parallel to polygons where they are not empty; Error(Unsupported) for a

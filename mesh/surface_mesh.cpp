@@ -8,45 +8,53 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/pair_order.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/mesh_validation.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/triangle_list.h"
-#include "majorant/mesh/union_find.h"
 
 namespace majorant {
+namespace {
+
+// One more than the largest vertex. Throws InvalidArgument for a negative one.
+Index vertex_bound(const Cells& faces) {
+  if (faces.size() == 0) return 0;
+  if (const Index v = faces.minCoeff(); v < 0)
+    throw InvalidArgument(fmt::format("opposite_half_edges: there is no vertex {}", v));
+  return faces.maxCoeff() + 1;
+}
+
+}  // namespace
+
 std::vector<Index> opposite_half_edges(const Cells& faces) {
   if (faces.rows() > 0 && faces.cols() != 3)
     throw InvalidArgument(
         fmt::format("opposite_half_edges: faces have {} columns, 3 are needed", faces.cols()));
   const Index count = 3 * static_cast<Index>(faces.rows());
-  std::vector<std::array<Index, 3>> edges;  // smaller vertex, larger vertex, half-edge
-  for (Index h = 0; h < count; ++h) {
-    const auto [low, high] = std::minmax({from_vertex(faces, h), to_vertex(faces, h)});
-    edges.push_back({low, high, h});
-  }
-  std::sort(edges.begin(), edges.end());
-  const auto same = [&](std::size_t i, std::size_t j) {
-    return j < edges.size() && edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1];
-  };
   std::vector<Index> opposite(to_size(count), -1);
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    if (!same(k, k + 1)) continue;
-    const Index h = edges[k][2], o = edges[k + 1][2];
-    if (same(k, k + 2) || from_vertex(faces, h) == from_vertex(faces, o))
+  const PairOrder sides(vertex_bound(faces), count, [&](Index h) {
+    const Index from = from_vertex(faces, h), to = to_vertex(faces, h);
+    return std::pair(std::min(from, to), std::max(from, to));
+  });
+  sides.for_each_run([&](std::span<const PairOrder::Entry> edge) {
+    if (edge.size() == 1) return;
+    const Index h = edge[0].number, o = edge[1].number;
+    if (edge.size() > 2 || from_vertex(faces, h) == from_vertex(faces, o))
       throw InvalidArgument(
           fmt::format("opposite_half_edges: edge ({}, {}) has more than two faces, or two that run "
                       "the same way",
-                      edges[k][0], edges[k][1]));
+                      std::min(from_vertex(faces, h), to_vertex(faces, h)), edge[0].second));
     opposite[h] = o;
     opposite[o] = h;
-  }
+  });
   return opposite;
 }
 
@@ -70,31 +78,49 @@ std::vector<std::vector<Index>> boundary_half_edges(const Cells& faces,
 
 std::vector<Index> face_components(const std::vector<Index>& opposite) {
   const auto count = static_cast<Index>(opposite.size()) / 3;
-  UnionFind sets(count);
-  for (Index h = 0; h < 3 * count; ++h)
-    if (opposite[h] >= 0) sets.join(face_of(h), face_of(opposite[h]));
-  std::vector<Index> component;
+  std::vector<Index> component(to_size(count), -1), open;
   Index next_number = 0;
-  for (Index f = 0; f < count; ++f)  // a set is named by its first face
-    component.push_back(sets.find(f) == f ? next_number++ : component[sets.find(f)]);
+  for (Index first = 0; first < count; ++first) {
+    if (component[first] >= 0) continue;
+    component[first] = next_number;
+    for (open.push_back(first); !open.empty();) {
+      const Index f = open.back();
+      open.pop_back();
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        if (opposite[h] < 0 || component[face_of(opposite[h])] >= 0) continue;
+        component[face_of(opposite[h])] = next_number;
+        open.push_back(face_of(opposite[h]));
+      }
+    }
+    ++next_number;
+  }
   return component;
 }
 
-// Corners go by the half-edges that leave them; those of one fan are joined across its edges.
+// Corners go by the half-edges that leave them; those of one fan follow each other across its
+// edges.
 Index find_touching_vertex(const Cells& faces, const std::vector<Index>& opposite) {
   const auto count = static_cast<Index>(opposite.size());
-  UnionFind fans(count);
-  for (Index h = 0; h < count; ++h)
-    if (opposite[h] >= 0) fans.join(h, next(opposite[h]));
-  std::vector<Index> fan_of;  // by vertex, -1: not met
-  Index touching = -1;
+  std::vector<Index> corners_left;  // by vertex: those not in the fan of the first one
+  std::vector<char> is_met;         // by vertex
+  for (Index h = 0; h < count; ++h) {
+    const auto v = to_size(from_vertex(faces, h));
+    if (v >= corners_left.size()) corners_left.resize(v + 1, 0);
+    ++corners_left[v];
+  }
+  is_met.resize(corners_left.size(), 0);
   for (Index h = 0; h < count; ++h) {
     const Index v = from_vertex(faces, h);
-    if (to_size(v) >= fan_of.size()) fan_of.resize(to_size(v) + 1, -1);
-    if (fan_of[v] < 0) fan_of[v] = fans.find(h);
-    if (fan_of[v] != fans.find(h) && (touching < 0 || v < touching)) touching = v;
+    if (std::exchange(is_met[v], 1)) continue;
+    --corners_left[v];
+    Index at = opposite[previous(h)];  // counterclockwise, as far as there are faces
+    for (; at >= 0 && at != h; at = opposite[previous(at)]) --corners_left[v];
+    if (at == h) continue;
+    for (at = opposite[h]; at >= 0; at = opposite[next(at)]) --corners_left[v];  // clockwise
   }
-  return touching;
+  const auto touching =
+      std::find_if(corners_left.begin(), corners_left.end(), [](Index left) { return left != 0; });
+  return touching == corners_left.end() ? -1 : static_cast<Index>(touching - corners_left.begin());
 }
 
 namespace {
@@ -200,8 +226,10 @@ SurfaceParts SurfaceMesh::parts() const {
 
 // The faces are edge-manifold and oriented by now.
 void SurfaceMesh::build_connectivity(const StopCheck& stop) {
+  vertex_of_input_.reserve(to_size(vertex_count()));
   for (Index v = 0; v < vertex_count(); ++v) vertex_of_input_.emplace_back(input_vertex(v), v);
-  std::sort(vertex_of_input_.begin(), vertex_of_input_.end());
+  if (!std::is_sorted(vertex_of_input_.begin(), vertex_of_input_.end()))
+    std::sort(vertex_of_input_.begin(), vertex_of_input_.end());
   opposite_ = opposite_half_edges(faces_);
   stop.poll();
   if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)

@@ -67,16 +67,21 @@ Triangles triangles_of(const PolygonMesh& input, Index p, Crossing crossing,
 TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const StopCheck& stop) {
   counted("vertices", input.positions.size(), 3);
   TriangleList list;
+  list.triangles.reserve(input.polygons.size());
+  list.polygon.reserve(input.polygons.size());
+  list.corners.reserve(input.polygons.size());
+  const auto add = [&](Index p, const std::array<int, 3>& corners) {
+    const auto& polygon = input.polygons[p];
+    list.triangles.push_back({polygon[corners[0]], polygon[corners[1]], polygon[corners[2]]});
+    list.polygon.push_back(p);
+    list.corners.push_back(corners);
+  };
   for (Index p = 0; p < static_cast<Index>(input.polygons.size()); ++p) {
     stop.poll_at(to_size(p));
-    const auto& polygon = input.polygons[p];
-    for (const auto& t : triangles_of(input, p, crossing, stop)) {
-      std::array<Index, 3> f{};
-      for (std::size_t k = 0; k < 3; ++k) f[k] = polygon[t[k]];
-      list.triangles.push_back(f);
-      list.polygon.push_back(p);
-      list.corners.push_back(t);
-    }
+    if (input.polygons[p].size() == 3)
+      add(p, {0, 1, 2});
+    else
+      for (const auto& t : triangles_of(input, p, crossing, stop)) add(p, t);
   }
   counted("triangles", list.triangles.size(), 3);
   return list;

@@ -5,11 +5,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "majorant/certify/internal/match_tolerance.h"
+#include "majorant/framework/internal/pair_order.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/mesh/triangle_list.h"
 #include "majorant/mesh/triangulate_polygon.h"
 #include "majorant/mesh/union_find.h"
@@ -17,7 +21,11 @@
 namespace majorant {
 namespace {
 
-using DirectedEdge = std::pair<Index, Index>;
+// Of a polygon of the surface, which is on its left.
+struct Side {
+  Index from, to;  // vertices of the surface
+  Index face;
+};
 
 struct Mismatch {
   std::string line;
@@ -29,8 +37,27 @@ template <class... Args>
 }
 
 struct Patch {
-  std::vector<Index> faces;  // polygons of the surface
-  std::vector<Index> cells;
+  std::span<const Index> faces;  // polygons of the surface
+  std::span<const Index> cells;
+};
+
+// 0 to count - 1 in groups, ascending; group(k): the one that k is in, below `count_of_groups`.
+class Groups {
+ public:
+  template <class Group>
+  Groups(Index count_of_groups, Index count, const Group& group)
+      : begin_(to_size(count_of_groups) + 1, 0), members_(to_size(count)) {
+    for (Index k = 0; k < count; ++k) ++begin_[group(k)];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    for (Index k = count - 1; k >= 0; --k) members_[--begin_[group(k)]] = k;
+  }
+
+  std::span<const Index> operator[](Index group) const {
+    return {members_.data() + begin_[group], members_.data() + begin_[group + 1]};
+  }
+
+ private:
+  std::vector<Index> begin_, members_;
 };
 
 class Matcher {
@@ -40,20 +67,41 @@ class Matcher {
       : cells_(cells),
         surface_(surface),
         face_of_cell_(face_of_cell),
+        sides_(sides_of(surface)),
         face_left_(to_size(cells.half_edge_count()), kUnknown) {}
 
   SurfaceMatch run() {
     find_size();
     check_vertices();
-    collect_edges();
+    number_vertices();
+    const PairOrder order(static_cast<Index>(surface_.positions.size()),
+                          static_cast<Index>(sides_.size()),
+                          [&](Index k) { return std::pair(sides_[k].from, sides_[k].to); });
+    require_one_direction(order);
+    cell_edges_.emplace(cells_.vertex_count(), cells_.half_edge_count(), [&](Index h) {
+      return std::pair(cells_.from_vertex(h), cells_.to_vertex(h));
+    });
     UnionFind faces(static_cast<Index>(surface_.polygons.size()));
-    for (const auto& [edge, face] : face_of_edge_) follow(edge, face, faces);
+    for (const Index side : sides_to_follow(order)) follow(sides_[side], order, faces);
     compare_patches(faces);
     return match_;
   }
 
  private:
   static constexpr Index kUnknown = -2, kOutside = -1;  // of face_left_
+  static constexpr Index kPiece = 4096;                 // vertices a task: some 0.3 ms
+
+  static std::vector<Side> sides_of(const PolygonMesh& surface) {
+    std::vector<Side> sides;
+    sides.reserve(3 * surface.polygons.size());
+    for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
+      const auto& polygon = surface.polygons[p];
+      for (std::size_t k = 0; k < polygon.size(); ++k)
+        sides.push_back(
+            {polygon[k], polygon[k + 1 < polygon.size() ? k + 1 : 0], static_cast<Index>(p)});
+    }
+    return sides;
+  }
 
   const Vector3& place(Index v) const { return surface_.positions[v]; }
   Vector3 cell_place(Index vertex) const { return cells_.positions().row(vertex); }
@@ -82,35 +130,76 @@ class Matcher {
     }
   }
 
-  void collect_edges() {
-    for (std::size_t p = 0; p < surface_.polygons.size(); ++p) {
-      const auto& polygon = surface_.polygons[p];
-      for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const DirectedEdge edge{polygon[k], polygon[(k + 1) % polygon.size()]};
-        if (!face_of_edge_.emplace(edge, static_cast<Index>(p)).second)
-          refuse_match("two faces of the surface have edge ({}, {}) in the same direction",
-                       edge.first, edge.second);
-      }
-    }
-    for (Index h = 0; h < cells_.half_edge_count(); ++h)
-      half_edge_[{cells_.from_vertex(h), cells_.to_vertex(h)}] = h;
-    neighbours_.resize(to_size(cells_.vertex_count()));
-    for (const auto& [edge, h] : half_edge_) {
-      neighbours_[edge.first].push_back(edge.second);
-      if (!half_edge_.contains({edge.second, edge.first}))
-        neighbours_[edge.second].push_back(edge.first);
-    }
+  void number_vertices() {
+    cell_vertex_.assign(surface_.positions.size(), -1);
+    for (Index v = cells_.vertex_count() - 1; v >= 0; --v)
+      if (const auto known = to_size(cells_.input_vertex(v)); known < cell_vertex_.size())
+        cell_vertex_[known] = v;
   }
 
-  bool has_edge(Index a, Index b) const {
-    return half_edge_.contains({a, b}) || half_edge_.contains({b, a});
+  void require_one_direction(const PairOrder& order) const {
+    auto second = static_cast<Index>(sides_.size());  // the first that runs as one before it
+    order.for_each_run([&](std::span<const PairOrder::Entry> run) {
+      if (run.size() > 1) second = std::min(second, run[1].number);
+    });
+    if (to_size(second) < sides_.size())
+      refuse_match("two faces of the surface have edge ({}, {}) in the same direction",
+                   sides_[second].from, sides_[second].to);
+  }
+
+  // The half-edge of the cells; -1 if there is none.
+  Index half_edge(Index from, Index to) const { return cell_edges_->find(from, to); }
+  bool has_edge(Index a, Index b) const { return half_edge(a, b) >= 0 || half_edge(b, a) >= 0; }
+
+  // The face on the other side of an edge of the surface.
+  Index across(const Side& side, const PairOrder& order) const {
+    const Index other = order.find(side.to, side.from);
+    return other < 0 ? kOutside : sides_[other].face;
+  }
+
+  // Of all sides those that are no edge of the cells as they are, in order. For the others notes
+  // which faces lie on both sides: no two have a half-edge in common, nor one with those that
+  // follow() goes along.
+  std::vector<Index> sides_to_follow(const PairOrder& order) {
+    std::vector<char> is_left(sides_.size(), 0);
+    parallel_for(static_cast<Index>(surface_.positions.size()), kPiece, [&](Index v) {
+      const Index a = cell_vertex_[v];
+      for (const auto& [to, side] : order.of(v)) {
+        const Index b = cell_vertex_[to], other = across(sides_[side], order);
+        if (other != kOutside && to < v) continue;  // once for both sides
+        const Index h = a < 0 || b < 0 ? -1 : half_edge(a, b);
+        const Index o = h < 0 ? -1 : half_edge(b, a);
+        is_left[side] = h < 0 || (o < 0) != (other == kOutside);
+        if (is_left[side]) continue;
+        face_left_[h] = sides_[side].face;
+        if (o >= 0) face_left_[o] = other;
+      }
+    });
+    std::vector<Index> left;
+    order.for_each_run([&](std::span<const PairOrder::Entry> run) {
+      if (is_left[run[0].number]) left.push_back(run[0].number);
+    });
+    return left;
+  }
+
+  // Of the vertices of the cells, where edges lead.
+  const std::vector<Index>& neighbours(Index vertex) {
+    if (neighbours_.empty()) {
+      neighbours_.resize(to_size(cells_.vertex_count()));
+      cell_edges_->for_each_run([&](std::span<const PairOrder::Entry> run) {
+        const Index from = cells_.from_vertex(run[0].number), to = run[0].second;
+        neighbours_[from].push_back(to);
+        if (half_edge(to, from) < 0) neighbours_[to].push_back(from);
+      });
+    }
+    return neighbours_[vertex];
   }
 
   // The vertices of the cells along the straight edge of the surface; empty if the cells lack it.
   // Depth first, every new vertex once: several may be on the edge, since the other side of a slit
   // lies in the same place and ends elsewhere.
-  std::vector<Index> chain(const DirectedEdge& edge) const {
-    const Index a = cells_.find_input_vertex(edge.first), b = cells_.find_input_vertex(edge.second);
+  std::vector<Index> chain(const Side& edge) {
+    const Index a = cell_vertex_[edge.from], b = cell_vertex_[edge.to];
     if (a < 0 || b < 0) return {};
     if (has_edge(a, b)) return {a, b};
     std::map<Index, Index> before{{a, -1}};  // the vertex that each one was reached from
@@ -124,7 +213,7 @@ class Matcher {
         std::reverse(out.begin(), out.end());
         return out;
       }
-      for (const Index v : neighbours_[from]) {
+      for (const Index v : neighbours(from)) {
         const std::optional<double> t = place_along(edge, v);
         if (t && *t > travelled && before.emplace(v, from).second) open.emplace_back(v, *t);
       }
@@ -133,9 +222,9 @@ class Matcher {
   }
 
   // Where a new vertex lies on an edge of the surface, between 0 and 1.
-  std::optional<double> place_along(const DirectedEdge& edge, Index vertex) const {
+  std::optional<double> place_along(const Side& edge, Index vertex) const {
     if (surface_vertex(vertex) >= 0) return {};
-    const Vector3 start = place(edge.first), step = place(edge.second) - start;
+    const Vector3 start = place(edge.from), step = place(edge.to) - start;
     const Vector3 offset = cell_place(vertex) - start;
     const double t = offset.dot(step) / step.squaredNorm();
     const bool is_on = t > 0 && t < 1 && (offset - t * step).norm() <= close_;
@@ -144,33 +233,30 @@ class Matcher {
 
   // Notes on which side of the cells' edges the face lies, or joins it with its neighbour where the
   // cells do not have the edge.
-  void follow(const DirectedEdge& edge, Index face, UnionFind& faces) {
-    const auto across = face_of_edge_.find({edge.second, edge.first});
-    const Index other = across == face_of_edge_.end() ? kOutside : across->second;
-    if (other != kOutside && edge.second < edge.first) return;  // once for both sides
+  void follow(const Side& edge, const PairOrder& order, UnionFind& faces) {
+    const Index other = across(edge, order);
     const std::vector<Index> vertices = chain(edge);
     if (vertices.empty()) {
       if (other == kOutside)
-        refuse_match("the cells lack the boundary edge ({}, {}) of the surface", edge.first,
-                     edge.second);
-      faces.join(face, other);
+        refuse_match("the cells lack the boundary edge ({}, {}) of the surface", edge.from,
+                     edge.to);
+      faces.join(edge.face, other);
       return;
     }
     for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
-      put({vertices[k], vertices[k + 1]}, face, edge);
-      put({vertices[k + 1], vertices[k]}, other, edge);
+      put(half_edge(vertices[k], vertices[k + 1]), edge.face, edge);
+      put(half_edge(vertices[k + 1], vertices[k]), other, edge);
     }
   }
 
-  void put(const DirectedEdge& cell_edge, Index face, const DirectedEdge& edge) {
-    const auto h = half_edge_.find(cell_edge);
-    if (face == kOutside && h != half_edge_.end())
+  void put(Index h, Index face, const Side& edge) {
+    if (face == kOutside && h >= 0)
       refuse_match("cells lie beyond the boundary edge ({}, {}) of the surface, or are turned over",
-                   edge.first, edge.second);
-    if (face != kOutside && h == half_edge_.end())
+                   edge.from, edge.to);
+    if (face != kOutside && h < 0)
       refuse_match("face {}: no cell lies at its edge ({}, {}), or it is turned over", face,
-                   edge.first, edge.second);
-    if (h != half_edge_.end()) face_left_[h->second] = face;
+                   edge.from, edge.to);
+    if (h >= 0) face_left_[h] = face;
   }
 
   void compare_patches(UnionFind& faces) {
@@ -196,18 +282,18 @@ class Matcher {
       if (faces_of[mine] != theirs || cells_of[theirs] != mine)
         refuse_match("face {} is mapped by cells that are not its own", face_left_[h]);
     }
-    std::map<Index, Patch> patches;  // by the smallest of the faces
-    for (Index p = 0; p < static_cast<Index>(surface_.polygons.size()); ++p) {
-      const Index of = faces.find(p);
-      if (cells_of[of] == kNone) refuse_match("face {} is mapped by no cell", p);
-      patches[of].faces.push_back(p);
-    }
-    for (Index c = 0; c < cells_.face_count(); ++c) {
-      const Index of = faces_of[cells.find(c)];
-      if (of == kNone) refuse_match("cell {} belongs to no face", cells_.input_face(c));
-      patches[of].cells.push_back(c);
-    }
-    for (const auto& [ignored, patch] : patches) compare(patch);
+    const auto count = static_cast<Index>(surface_.polygons.size());
+    for (Index p = 0; p < count; ++p)
+      if (cells_of[faces.find(p)] == kNone) refuse_match("face {} is mapped by no cell", p);
+    for (Index c = 0; c < cells_.face_count(); ++c)
+      if (faces_of[cells.find(c)] == kNone)
+        refuse_match("cell {} belongs to no face", cells_.input_face(c));
+    // Patches are named by the smallest of their faces.
+    const Groups of_faces(count, count, [&](Index p) { return faces.find(p); });
+    const Groups of_cells(count, cells_.face_count(),
+                          [&](Index c) { return faces_of[cells.find(c)]; });
+    for (Index p = 0; p < count; ++p)
+      if (!of_faces[p].empty()) compare({of_faces[p], of_cells[p]});
   }
 
   void compare(const Patch& patch) {
@@ -238,9 +324,9 @@ class Matcher {
   // its shape or of its texture coordinates, or all of them face its side.
   bool is_unfolded(const Patch& patch) const {
     const auto& polygon = surface_.polygons[patch.faces.front()];
+    if (polygon.size() == 3) return true;
     std::vector<Vector3> corners;
     for (const Index v : polygon) corners.push_back(place(v));
-    if (corners.size() == 3) return true;
     const Vector3 side = area_vector(corners).stableNormalized();
     std::set<std::set<Index>> usual;
     for (const auto& triangles :
@@ -314,8 +400,9 @@ class Matcher {
   const std::vector<Index>& face_of_cell_;
   double size_ = 0, close_ = 0;                 // of the surface; what counts as the same place
   std::vector<char> used_;                      // vertices of the surface with a face
-  std::map<DirectedEdge, Index> face_of_edge_;  // of the surface, the face on its left
-  std::map<DirectedEdge, Index> half_edge_;     // of the cells
+  std::vector<Side> sides_;                     // of the surface, polygon by polygon
+  std::vector<Index> cell_vertex_;              // of the cells, by vertex of the surface, or -1
+  std::optional<PairOrder> cell_edges_;         // half-edges of the cells by their ends
   std::vector<std::vector<Index>> neighbours_;  // of the cells' vertices
   std::vector<Index> face_left_;  // by half-edge of the cells: the face whose edge it lies on
   SurfaceMatch match_;

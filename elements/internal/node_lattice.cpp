@@ -4,11 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/internal/pair_order.h"
 
 namespace majorant {
 namespace {
@@ -39,25 +43,46 @@ Side make_side(const Cells& cells, Index cell, std::size_t number, const NodeLat
   return side;
 }
 
-std::vector<Side> sorted_sides(const NodeLattice& lattice, const Cells& cells) {
+// By corners, vertices, cell and part.
+std::vector<Side> sorted_sides(const NodeLattice& lattice, const Cells& cells, Index vertex_count) {
+  const std::vector<NodeLattice::Part>& parts = lattice.parts();
+  const auto per_cell = static_cast<Index>(parts.size());
+  const auto count = per_cell * static_cast<Index>(cells.rows());
+  const auto side = [&](Index k) {
+    return make_side(cells, k / per_cell, to_size(k % per_cell), parts[k % per_cell]);
+  };
   std::vector<Side> sides;
-  sides.reserve(static_cast<std::size_t>(cells.rows()) * lattice.parts().size());
-  for (Index e = 0; e < cells.rows(); ++e)
-    for (std::size_t p = 0; p < lattice.parts().size(); ++p)
-      sides.push_back(make_side(cells, e, p, lattice.parts()[p]));
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.corners, a.vertices, a.cell, a.part) <
-           std::tie(b.corners, b.vertices, b.cell, b.part);
-  });
+  sides.reserve(to_size(count));
+  for (std::size_t corners = 1; corners <= kMaxCorners; ++corners) {
+    if (std::none_of(parts.begin(), parts.end(),
+                     [&](const auto& part) { return part.corners.size() == corners; }))
+      continue;
+    const PairOrder order(vertex_count, count, [&](Index k) {
+      const std::vector<int>& of_part = parts[k % per_cell].corners;
+      if (of_part.size() != corners) return std::pair(Index{-1}, Index{-1});
+      if (corners == 2) {
+        const auto [low, high] =
+            std::minmax({cells(k / per_cell, of_part[0]), cells(k / per_cell, of_part[1])});
+        return std::pair(low, high);
+      }
+      const Side s = side(k);
+      return std::pair(s.vertices[0], s.vertices[1]);
+    });
+    order.for_each_run([&](std::span<const PairOrder::Entry> run) {
+      const auto first = static_cast<std::ptrdiff_t>(sides.size());
+      for (const auto& [ignored, k] : run) sides.push_back(side(k));
+      if (corners > 2)
+        std::stable_sort(sides.begin() + first, sides.end(),
+                         [](const Side& a, const Side& b) { return a.vertices < b.vertices; });
+    });
+  }
   return sides;
 }
 
-// Nodes inside a part in the order that its vertices give: large weights on small numbers first.
-std::vector<int> ordered_nodes(const NodeLattice& lattice, const Cells& cells, const Side& side) {
-  const NodeLattice::Part& part = lattice.parts()[side.part];
-  std::vector<int> corners = part.corners, nodes = part.nodes;
-  std::sort(corners.begin(), corners.end(),
-            [&](int a, int b) { return cells(side.cell, a) < cells(side.cell, b); });
+// Nodes inside a part in the order that its corners give: large weights on the first ones first.
+std::vector<int> ordered_nodes(const NodeLattice& lattice, const NodeLattice::Part& part,
+                               const std::vector<int>& corners) {
+  std::vector<int> nodes = part.nodes;
   std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
     for (const int c : corners)
       if (lattice.weight(a, c) != lattice.weight(b, c))
@@ -66,6 +91,37 @@ std::vector<int> ordered_nodes(const NodeLattice& lattice, const Cells& cells, c
   });
   return nodes;
 }
+
+// Of all parts, corners in the order of their vertices; that of edges is made once.
+class NodeOrder {
+ public:
+  NodeOrder(const NodeLattice& lattice, const Cells& cells) : lattice_(lattice), cells_(cells) {
+    for (const NodeLattice::Part& part : lattice.parts()) {
+      auto& [forward, backward] = of_edges_.emplace_back();
+      if (part.corners.size() != 2) continue;
+      forward = ordered_nodes(lattice, part, part.corners);
+      backward = ordered_nodes(lattice, part, {part.corners[1], part.corners[0]});
+    }
+  }
+
+  const std::vector<int>& of(const Side& side) {
+    const NodeLattice::Part& part = lattice_.parts()[side.part];
+    const auto vertex = [&](int corner) { return cells_(side.cell, corner); };
+    const auto& [forward, backward] = of_edges_[side.part];
+    if (part.corners.size() == 2)
+      return vertex(part.corners[0]) < vertex(part.corners[1]) ? forward : backward;
+    std::vector<int> corners = part.corners;
+    std::sort(corners.begin(), corners.end(), [&](int a, int b) { return vertex(a) < vertex(b); });
+    return last_ = ordered_nodes(lattice_, part, corners);
+  }
+
+ private:
+  const NodeLattice& lattice_;
+  const Cells& cells_;
+  std::vector<std::array<std::vector<int>, 2>> of_edges_;  // by part; of its two corners as they
+                                                           // are, and the other way
+  std::vector<int> last_;
+};
 
 void check_cells(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
                  std::string_view name) {
@@ -132,7 +188,8 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
   out.cells.resize(cells.rows(), lattice.node_count());
   out.cells.leftCols(cells.cols()) = cells;
   out.node_count = with_more_nodes(0, to_size(vertex_count));
-  const std::vector<Side> sides = sorted_sides(lattice, cells);
+  const std::vector<Side> sides = sorted_sides(lattice, cells, vertex_count);
+  NodeOrder order(lattice, cells);
   std::vector<const Side*> outer;
   for (auto first = sides.begin(); first != sides.end();) {
     const auto last = std::find_if(
@@ -150,7 +207,7 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
     out.node_count = with_more_nodes(before, part.nodes.size());
     for (auto side = first; side != last && !part.nodes.empty(); ++side) {
       Index node = before;
-      for (const int l : ordered_nodes(lattice, cells, *side)) out.cells(side->cell, l) = node++;
+      for (const int l : order.of(*side)) out.cells(side->cell, l) = node++;
     }
     first = last;
   }

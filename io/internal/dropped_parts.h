@@ -42,6 +42,11 @@ class DroppedParts {
     if (entry.count++ == 0) begin(part, entry, problem());
   }
 
+  bool is_empty() const {
+    return std::all_of(entries_.begin(), entries_.end(),
+                       [](const Entry& e) { return e.count == 0; });
+  }
+
   // Adds the warnings to those of the mesh.
   void conclude(PolygonMesh& mesh) const;
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -17,7 +18,19 @@
 namespace majorant {
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+constexpr std::uint8_t kSpace = 1, kTokenEnd = 2;  // kTokenEnd: or may be
+
+constexpr std::array<std::uint8_t, 256> kinds_of_characters() {
+  std::array<std::uint8_t, 256> kinds{};
+  for (const char c : {' ', '\t', '\r', '\v', '\f'})
+    kinds[static_cast<unsigned char>(c)] = kSpace | kTokenEnd;
+  for (const char c : {'\n', '\\'}) kinds[static_cast<unsigned char>(c)] = kTokenEnd;
+  return kinds;
+}
+constexpr std::array<std::uint8_t, 256> kKinds = kinds_of_characters();
+
+bool is_space(char c) { return (kKinds[static_cast<unsigned char>(c)] & kSpace) != 0; }
+bool may_end_token(char c) { return (kKinds[static_cast<unsigned char>(c)] & kTokenEnd) != 0; }
 
 bool has_comment(std::string_view line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -75,8 +88,10 @@ bool is_exact(std::string_view decimal, double nearest) {
   for (; digits % 10 == 0; digits /= 10) ++power;
   const auto integer = static_cast<double>(digits);
   if (digits > (std::uint64_t{1} << 53) || std::abs(power) > kMostPower) return false;
-  double scale = 1;  // 10^|power|, exactly
-  for (int p = 0; p < std::abs(power); ++p) scale *= 10;
+  constexpr std::array<double, kMostPower + 1> kPowers = {
+      1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+      1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  const double scale = kPowers[std::abs(power)];
   // fma rounds once: it is zero only where the products are equal.
   return power >= 0 ? std::fma(integer, scale, -std::abs(nearest)) == 0
                     : std::fma(std::abs(nearest), scale, -integer) == 0;
@@ -135,6 +150,20 @@ bool LineCursor::next_line() {
   return false;
 }
 
+std::string_view LineCursor::ahead() const {
+  const char* begin = line_end_ == nullptr ? line_begin_ : line_end_;
+  if (line_end_ != nullptr && begin != text_end_) ++begin;
+  return {begin, static_cast<std::size_t>(text_end_ - begin)};
+}
+
+void LineCursor::pass(std::size_t size, long lines) {
+  if (lines == 0) return;
+  next_line_ += lines;
+  line_ = next_line_ - 1;
+  const char* const end = ahead().data() + size;
+  line_begin_ = line_end_ = cursor_ = end[-1] == '\n' ? end - 1 : end;  // of the last one
+}
+
 std::string_view LineCursor::whole_line() const {
   const char* begin = line_begin_;
   const char* end = line_end_;
@@ -159,10 +188,9 @@ std::string_view LineCursor::next_token() {
   if (at_end_of_line()) return {};
   stop_.poll_at(++steps_);
   const char* begin = cursor_;
-  while (cursor_ != line_end_ && !is_space(*cursor_) && *cursor_ != '\n' &&
-         !(*cursor_ == '\\' && is_continuation(cursor_))) {
+  while (cursor_ != line_end_ &&
+         (!may_end_token(*cursor_) || (*cursor_ == '\\' && !is_continuation(cursor_))))
     ++cursor_;
-  }
   return {begin, static_cast<std::size_t>(cursor_ - begin)};
 }
 

@@ -32,9 +32,14 @@ class LineCursor {
              StopCheck stop = {});
 
   bool next_line();  // to the next line that holds a token; false at the end of the text
-  long line() const { return line_; }   // number of the current line, 1-based
-  std::string_view whole_line() const;  // the current line without surrounding space
-  bool at_end_of_line();                // no token is left on the current line
+  long line() const { return line_; }                 // number of the current line, 1-based
+  long lines_read() const { return next_line_ - 1; }  // continuations and skipped ones included
+  std::string_view whole_line() const;                // the current line without surrounding space
+  std::string_view ahead() const;                     // the lines behind the current one
+  // Goes on so many characters of these, which are whole lines: the last of them is the current
+  // one.
+  void pass(std::size_t size, long lines);
+  bool at_end_of_line();  // no token is left on the current line
 
   // The next token of the current line; empty at its end.
   std::string_view next_token();

@@ -7,11 +7,18 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
 #include <charconv>
+#include <iterator>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/thread_count.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/line_cursor.h"
@@ -39,6 +46,7 @@ struct IndexSpace {
   long largest_line = 0;
 };
 
+// Reads a file, or the lines of a piece of it.
 class ObjReader {
  public:
   ObjReader(const std::string& path, std::string_view text, const StopCheck& stop,
@@ -47,8 +55,78 @@ class ObjReader {
     mesh_.file = path;
   }
 
-  PolygonMesh read() {
+  void read_lines() {
     while (cursor_.next_line()) read_line();
+  }
+
+  // Room for what these lines seem to hold, so that lists do not move while they grow.
+  void reserve(std::string_view text) {
+    std::size_t positions = 0, texcoords = 0, faces = 0;
+    for (std::size_t line = 0; line < text.size();) {
+      const std::string_view word = text.substr(line, 2);
+      positions += word == "v ";
+      texcoords += word == "vt";
+      faces += word == "f ";
+      const std::size_t end = text.find('\n', line);
+      line = end == std::string_view::npos ? text.size() : end + 1;
+    }
+    mesh_.positions.reserve(positions);
+    mesh_.texcoords.reserve(texcoords);
+    mesh_.texcoord_rounding.reserve(texcoords);
+    mesh_.polygons.reserve(faces);
+    mesh_.polygon_lines.reserve(faces);
+    if (texcoords > 0) mesh_.polygon_texcoords.reserve(faces);
+  }
+
+  // Whether nothing that was read depends on the lines before: indices that count backwards, and
+  // warnings, which name lines.
+  bool is_independent() const {
+    return !counts_backwards_ && dropped_.is_empty() && skipped_lines_ == 0;
+  }
+
+  // The lines that follow.
+  void append(ObjReader&& next) {
+    const long lines = lines_before_ + cursor_.lines_read();
+    const auto polygons = static_cast<Index>(mesh_.polygons.size());
+    if (!mesh_.colors.empty() || !next.mesh_.colors.empty()) {
+      mesh_.colors.resize(mesh_.positions.size(), no_color());
+      next.mesh_.colors.resize(next.mesh_.positions.size(), no_color());
+    }
+    for (const auto lists : {&PolygonMesh::polygon_texcoords, &PolygonMesh::polygon_normals}) {
+      if ((mesh_.*lists).empty() && (next.mesh_.*lists).empty()) continue;
+      (mesh_.*lists).resize(mesh_.polygons.size());
+      (next.mesh_.*lists).resize(next.mesh_.polygons.size());
+    }
+    for (Element element : next.elements_) {
+      element.directive += mesh_.directives.size();
+      element.line += lines;
+      elements_.push_back(element);
+    }
+    for (auto& [polygon, text] : next.mesh_.directives)
+      mesh_.directives.emplace_back(polygon + polygons, std::move(text));
+    for (long& line : next.mesh_.polygon_lines) line += lines;
+    const auto move_behind = [](auto& list, auto& more) {
+      list.insert(list.end(), std::move_iterator(more.begin()), std::move_iterator(more.end()));
+    };
+    move_behind(mesh_.positions, next.mesh_.positions);
+    move_behind(mesh_.colors, next.mesh_.colors);
+    move_behind(mesh_.texcoords, next.mesh_.texcoords);
+    move_behind(mesh_.texcoord_rounding, next.mesh_.texcoord_rounding);
+    move_behind(mesh_.normals, next.mesh_.normals);
+    move_behind(mesh_.polygons, next.mesh_.polygons);
+    move_behind(mesh_.polygon_texcoords, next.mesh_.polygon_texcoords);
+    move_behind(mesh_.polygon_normals, next.mesh_.polygon_normals);
+    move_behind(mesh_.polygon_lines, next.mesh_.polygon_lines);
+    for (std::size_t k = 0; k < spaces_.size(); ++k) {
+      spaces_[k].count += next.spaces_[k].count;
+      if (next.spaces_[k].largest <= spaces_[k].largest) continue;
+      spaces_[k].largest = next.spaces_[k].largest;
+      spaces_[k].largest_line = next.spaces_[k].largest_line + lines;
+    }
+    lines_before_ += next.cursor_.lines_read();
+  }
+
+  PolygonMesh conclude() {
     require_in_range(spaces_[0]);
     require_complete(mesh_);
     drop_unusable_attributes();
@@ -241,7 +319,8 @@ class ObjReader {
   }
 
   void read_face() {
-    std::array<std::vector<Index>, 3> lists;
+    std::array<std::vector<Index>, 3>& lists = lists_;
+    for (auto& list : lists) list.clear();
     std::array<bool, 3> is_broken{};
     while (!cursor_.at_end_of_line()) read_corner(cursor_.next_token(), lists, is_broken);
     const std::size_t corners = lists[0].size();
@@ -259,9 +338,14 @@ class ObjReader {
         return here(fmt::format("a {} index at some corners only", spaces_[k].name));
       });
     }
-    mesh_.polygons.push_back(std::move(lists[0]));
-    mesh_.polygon_texcoords.push_back(std::move(lists[1]));
-    mesh_.polygon_normals.push_back(std::move(lists[2]));
+    mesh_.polygons.push_back(lists[0]);
+    const auto add = [&](std::vector<std::vector<Index>>& of_polygon, std::vector<Index>& list) {
+      if (of_polygon.empty() && list.empty()) return;  // none has any, yet
+      of_polygon.resize(mesh_.polygons.size());
+      of_polygon.back() = list;
+    };
+    add(mesh_.polygon_texcoords, lists[1]);
+    add(mesh_.polygon_normals, lists[2]);
     mesh_.polygon_lines.push_back(cursor_.line());
   }
 
@@ -325,7 +409,7 @@ class ObjReader {
   };
 
   // From OBJ's numbering (1, 2, ... from the start, -1, -2, ... back from here) to 0, 1, ...
-  FoundIndex find_index(std::string_view digits, const IndexSpace& space) const {
+  FoundIndex find_index(std::string_view digits, const IndexSpace& space) {
     long long value = 0;
     const char* end = digits.data() + digits.size();
     const auto [stop, code] = std::from_chars(digits.data(), end, value);
@@ -335,6 +419,7 @@ class ObjReader {
     if (code != std::errc())
       return {.problem = fmt::format("index {} overflows 64 bits", in_quotes(digits))};
     if (value == 0) return {.problem = fmt::format("{} index 0, OBJ counts from 1", space.name)};
+    counts_backwards_ = counts_backwards_ || value < 0;
     if (value < 0) value += space.count + 1;
     if (value <= 0 || value > std::numeric_limits<Index>::max())
       return {.problem = fmt::format("{} index out of range, {} were read up to here", space.name,
@@ -364,17 +449,70 @@ class ObjReader {
   DroppedParts dropped_;
   std::vector<Element> elements_;
   std::vector<double> numbers_, rounded_;
+  std::array<std::vector<Index>, 3> lists_;  // of the face at hand
+  bool counts_backwards_ = false;
+  long lines_before_ = 0;                       // of pieces that were appended
   static constexpr std::size_t kMostNamed = 8;  // keywords in the warning
   std::vector<std::string> skipped_;            // in quotes
   long skipped_lines_ = 0, first_skipped_ = 0;
 };
+
+// Pieces of at least this size but for the last one, which end with lines that are not continued.
+std::vector<std::string_view> pieces_of(std::string_view text, std::size_t size) {
+  std::vector<std::string_view> pieces;
+  while (text.size() > size) {
+    std::size_t end = text.find('\n', size);
+    const auto is_continued = [&] {
+      const std::size_t last = text.substr(0, end).find_last_not_of(" \t\r\v\f");
+      return last != std::string_view::npos && text[last] == '\\';
+    };
+    while (end != std::string_view::npos && is_continued()) end = text.find('\n', end + 1);
+    if (end == std::string_view::npos) break;
+    pieces.push_back(text.substr(0, end + 1));
+    text.remove_prefix(end + 1);
+  }
+  pieces.push_back(text);
+  return pieces;
+}
+
+// On all threads; nothing where pieces depend on each other, or one of them is broken: then the
+// file is to be read as one, which says what is wrong.
+std::optional<PolygonMesh> read_pieces(const std::string& path, std::string_view text,
+                                       const StopCheck& stop, Strictness strictness) {
+  constexpr std::size_t kPiece = std::size_t{1} << 17;  // some 1 ms
+  const std::vector<std::string_view> pieces = pieces_of(text, kPiece);
+  std::vector<std::unique_ptr<ObjReader>> readers(pieces.size());
+  std::atomic<bool> is_one = false;
+  parallel_tasks(static_cast<Index>(pieces.size()), [&](Index k, int) {
+    if (is_one) return;
+    try {
+      readers[k] = std::make_unique<ObjReader>(path, pieces[k], stop, strictness);
+      readers[k]->reserve(k == 0 ? text : pieces[k]);  // the others come behind the first one
+      readers[k]->read_lines();
+      if (!readers[k]->is_independent()) is_one = true;
+    } catch (const Error&) {
+      is_one = true;
+    }
+  });
+  if (is_one) return std::nullopt;
+  for (std::size_t k = 1; k < readers.size(); ++k) {
+    readers[0]->append(std::move(*readers[k]));
+    readers[k].reset();
+  }
+  return readers[0]->conclude();
+}
 
 }  // namespace
 
 PolygonMesh read_obj(const std::string& path, std::string content, const StopCheck& stop,
                      Strictness strictness) {
   require_text(path, content);
-  return ObjReader(path, content, stop, strictness).read();
+  if (ThreadCount::current() > 1 && !is_parallel_task())
+    if (auto mesh = read_pieces(path, content, stop, strictness)) return std::move(*mesh);
+  ObjReader reader(path, content, stop, strictness);
+  reader.reserve(content);
+  reader.read_lines();
+  return reader.conclude();
 }
 
 }  // namespace majorant

@@ -9,6 +9,7 @@
 
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/pair_order.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/triangulate_polygon.h"
 
@@ -22,12 +23,12 @@ bool is_positive(const PolygonMesh& mesh, const std::vector<Index>& texture,
   return orientation(uv(0), uv(1), uv(2)) > 0;
 }
 
-// Corner numbers of the triangles of a textured polygon: those of its shape in space unless they
-// are not positive in the plane and others are. Who shows the polygon may choose either.
+// Corner numbers of the triangles of a textured polygon of more than three corners: those of its
+// shape in space unless they are not positive in the plane and others are. Who shows the polygon
+// may choose either.
 std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& mesh, std::size_t polygon) {
   const auto& corners = mesh.polygons[polygon];
   const auto& texture = mesh.polygon_texcoords[polygon];
-  if (corners.size() == 3) return {{0, 1, 2}};
   const auto all_positive = [&](const std::vector<std::array<int, 3>>& triangles) {
     return std::all_of(triangles.begin(), triangles.end(),
                        [&](const auto& t) { return is_positive(mesh, texture, t); });
@@ -96,42 +97,41 @@ MapFile to_map_file(const PolygonMesh& textured) {
                 textured.file + ": not every corner has texture coordinates");
   MapFile file;
   file.warnings = textured.warnings;
-  std::map<std::pair<Index, Index>, Index> point_of;  // (vertex, texture coordinate)
-  std::vector<std::array<Index, 3>> cells;
+  std::vector<std::pair<Index, Index>> corners;  // of the cells: (vertex, texture coordinate)
   std::vector<Index> faces;
+  corners.reserve(3 * textured.polygons.size());
+  faces.reserve(textured.polygons.size());
   for (std::size_t p = 0; p < textured.polygons.size(); ++p) {
-    const auto& corners = textured.polygons[p];
+    const auto& polygon = textured.polygons[p];
     const auto& texture = textured.polygon_texcoords[p];
-    if (texture.size() != corners.size())
+    if (texture.size() != polygon.size())
       throw Error(ErrorKind::Unreadable,
                   fmt::format("{}: face {} has no texture coordinates", textured.file, p + 1));
-    for (const auto& triangle : triangles_of(textured, p)) {
-      std::array<Index, 3>& cell = cells.emplace_back();
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto corner = to_size(triangle[k]);
-        cell[k] = point_of
-                      .emplace(std::pair(corners[corner], texture[corner]),
-                               static_cast<Index>(point_of.size()))
-                      .first->second;
-      }
+    const auto add_cell = [&](const std::array<int, 3>& triangle) {
+      for (const int k : triangle) corners.emplace_back(polygon[k], texture[k]);
       faces.push_back(static_cast<Index>(p));
-    }
+    };
+    if (polygon.size() == 3)
+      add_cell({0, 1, 2});
+    else
+      for (const auto& triangle : triangles_of(textured, p)) add_cell(triangle);
   }
-  const auto count = static_cast<Index>(point_of.size());
+  const auto [point, first] = numbered_in_order(static_cast<Index>(textured.positions.size()),
+                                                static_cast<Index>(corners.size()),
+                                                [&](Index corner) { return corners[corner]; });
+  const auto count = static_cast<Index>(first.size());
   file.points.resize(count, 3);
   file.uv.resize(count, 2);
   if (!textured.texcoord_rounding.empty()) file.uv_rounding.resize(count, 2);
   file.input_vertex.resize(count);
-  for (const auto& [key, point] : point_of) {
-    if (file.uv_rounding.rows() > 0)
-      file.uv_rounding.row(point) = textured.texcoord_rounding[key.second];
-    file.points.row(point) = textured.positions[key.first];
-    file.uv.row(point) = textured.texcoords[key.second];
-    file.input_vertex[point] = key.first;
+  for (Index p = 0; p < count; ++p) {
+    const auto& [vertex, texcoord] = corners[first[p]];
+    if (file.uv_rounding.rows() > 0) file.uv_rounding.row(p) = textured.texcoord_rounding[texcoord];
+    file.points.row(p) = textured.positions[vertex];
+    file.uv.row(p) = textured.texcoords[texcoord];
+    file.input_vertex[p] = vertex;
   }
-  file.cells.resize(static_cast<Index>(cells.size()), 3);
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    file.cells.row(static_cast<Index>(c)) << cells[c][0], cells[c][1], cells[c][2];
+  file.cells = Eigen::Map<const Cells>(point.data(), static_cast<Index>(faces.size()), 3);
   file.input_face = Eigen::Map<Eigen::VectorXi>(faces.data(), static_cast<Index>(faces.size()));
   return file;
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/parametrization/maps/corner_mesh.h"
 #include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
@@ -44,10 +46,11 @@ std::vector<Index> number_vertices(const MapFile& map) {
 std::vector<Index> order_cells(const MapFile& map) {
   std::vector<Index> order(static_cast<std::size_t>(map.cells.rows()));
   std::iota(order.begin(), order.end(), 0);
-  if (map.input_face.size() == map.cells.rows() && map.input_face.minCoeff() >= 0) {
+  const Eigen::VectorXi& face = map.input_face;
+  if (face.size() == map.cells.rows() && face.minCoeff() >= 0 &&
+      !std::is_sorted(face.begin(), face.end()))
     std::stable_sort(order.begin(), order.end(),
-                     [&map](Index a, Index b) { return map.input_face[a] < map.input_face[b]; });
-  }
+                     [&](Index a, Index b) { return face[a] < face[b]; });
   return order;
 }
 
@@ -76,29 +79,43 @@ std::vector<Vector3> vertex_positions(const MapFile& file,
   return positions;
 }
 
-PolygonMesh mesh_from_map(const MapFile& map, const std::string& file) {
-  PolygonMesh mesh;
-  mesh.file = file;
+CornerMesh corner_mesh(const MapFile& map, const std::string& file) {
+  CornerMesh mesh;
   const std::vector<Index> vertices = number_vertices(map);
   mesh.positions = vertex_positions(
       map, Eigen::Map<const Eigen::VectorXi>(vertices.data(), map.points.rows()), file);
   std::vector<Index> texcoords(vertices.size(), -1);  // of a map point
+  mesh.texcoords.reserve(vertices.size());
   for (std::size_t p = 0; p < vertices.size(); ++p) {
     if (vertices[p] < 0) continue;
     texcoords[p] = static_cast<Index>(mesh.texcoords.size());
     mesh.texcoords.emplace_back(map.uv.row(static_cast<Eigen::Index>(p)).transpose());
   }
-  for (const Index cell : order_cells(map)) {
-    std::vector<Index> polygon(3);
-    std::vector<Index> polygon_texcoords(3);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto point = to_size(map.cells(cell, static_cast<Index>(k)));
-      polygon[k] = vertices[point];
-      polygon_texcoords[k] = texcoords[point];
+  mesh.cell = order_cells(map);
+  const auto count = static_cast<Index>(mesh.cell.size());
+  mesh.vertices.resize(count, 3);
+  mesh.texcoord_ids.resize(count, 3);
+  for (Index t = 0; t < count; ++t)
+    for (Index k = 0; k < 3; ++k) {
+      const Index point = map.cells(mesh.cell[t], k);
+      mesh.vertices(t, k) = vertices[point];
+      mesh.texcoord_ids(t, k) = texcoords[point];
     }
-    mesh.polygons.push_back(std::move(polygon));
-    mesh.polygon_texcoords.push_back(std::move(polygon_texcoords));
-    mesh.polygon_lines.push_back(long{cell} + 1);
+  return mesh;
+}
+
+PolygonMesh mesh_from_map(const MapFile& map, const std::string& file) {
+  CornerMesh corners = corner_mesh(map, file);
+  PolygonMesh mesh;
+  mesh.file = file;
+  mesh.positions = std::move(corners.positions);
+  mesh.texcoords = std::move(corners.texcoords);
+  for (std::size_t t = 0; t < corners.cell.size(); ++t) {
+    const auto row = static_cast<Index>(t);
+    mesh.polygons.emplace_back(corners.vertices.row(row).begin(), corners.vertices.row(row).end());
+    mesh.polygon_texcoords.emplace_back(corners.texcoord_ids.row(row).begin(),
+                                        corners.texcoord_ids.row(row).end());
+    mesh.polygon_lines.push_back(long{corners.cell[t]} + 1);
   }
   return mesh;
 }

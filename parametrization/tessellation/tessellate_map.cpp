@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
+#include <numeric>
+#include <ranges>
 #include <set>
 #include <span>
 #include <utility>
@@ -45,8 +46,35 @@ bool is_simple(const std::vector<Vector2>& corners) {
 
 // What the cells of a map are of the mesh that it was made from.
 struct InputFaces {
-  std::vector<std::vector<Index>> cells;            // of every polygon
+  // Those of a polygon follow each other: of polygon p first[p] to first[p + 1] - 1.
+  std::vector<Index> first;
   std::vector<std::array<std::size_t, 3>> corners;  // of its polygon, by cell
+
+  auto cells(std::size_t polygon) const {
+    return std::views::iota(first[polygon], first[polygon + 1]);
+  }
+};
+
+// The cells of a map that are taken as they are, each one piece: MapPieces where nothing is cut.
+class WholeCells {
+ public:
+  explicit WholeCells(CornerMesh coarse) : coarse_(std::move(coarse)) {}
+
+  Index cell_count() const { return static_cast<Index>(coarse_.cell.size()); }
+  std::array<MapPieces::Point, 3> points(Index cell) const {
+    std::array<MapPieces::Point, 3> points;
+    for (int k = 0; k < 3; ++k) {
+      const Index v = coarse_.vertices(cell, k);
+      points[k] = {v, coarse_.texcoord_ids(cell, k), v, Vector3::Unit(k)};
+    }
+    return points;
+  }
+  static std::array<MapPieces::Piece, 1> pieces(Index) { return {{{{0, 1, 2}}}}; }
+  const std::vector<Vector3>& positions() const { return coarse_.positions; }
+  const std::vector<Vector2>& texcoords() const { return coarse_.texcoords; }
+
+ private:
+  CornerMesh coarse_;
 };
 
 // By vertex number, else by position; none of `taken`, which are those of the cell's other corners:
@@ -72,44 +100,47 @@ std::size_t corner_at(const MapFile& map, Index point, const PolygonMesh& input,
 }
 
 // Gives the mesh of the cells the vertices of the input.
-InputFaces find_input(const MapFile& map, const PolygonMesh& input, PolygonMesh& coarse) {
-  InputFaces faces{std::vector<std::vector<Index>>(input.polygons.size()), {}};
-  for (std::size_t c = 0; c < coarse.polygons.size(); ++c) {
-    const auto cell = static_cast<Index>(coarse.polygon_lines[c] - 1);
+InputFaces find_input(const MapFile& map, const PolygonMesh& input, CornerMesh& coarse) {
+  InputFaces faces{std::vector<Index>(input.polygons.size() + 1, 0), {}};
+  const auto count = static_cast<Index>(coarse.cell.size());
+  faces.corners.resize(coarse.cell.size());
+  for (Index c = 0; c < count; ++c) {
+    const Index cell = coarse.cell[c];
     const Index face = map.input_face.size() == 0 ? cell : map.input_face[cell];
     if (face < 0 || to_size(face) >= input.polygons.size())
       refuse_surface(
           fmt::format("cell {} belongs to face {}, which the input does not have", cell, face));
-    faces.cells[face].push_back(static_cast<Index>(c));
-    faces.corners.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index point = map.cells(cell, static_cast<Index>(k));
-      const std::span<const std::size_t> taken(faces.corners[c].data(), k);
+    ++faces.first[face + 1];
+    for (Index k = 0; k < 3; ++k) {
+      const Index point = map.cells(cell, k);
+      const std::span<const std::size_t> taken(faces.corners[c].data(), to_size(k));
       faces.corners[c][k] = corner_at(map, point, input, to_size(face), taken);
-      coarse.polygons[c][k] = input.polygons[face][faces.corners[c][k]];
+      coarse.vertices(c, k) = input.polygons[face][faces.corners[c][k]];
     }
   }
+  std::partial_sum(faces.first.begin(), faces.first.end(), faces.first.begin());
   coarse.positions = input.positions;
   return faces;
 }
 
-void add_triangle(const MapPieces& pieces, Index c, const MapPieces::Piece& piece,
-                  PolygonMesh& mesh) {
-  mesh.polygons.emplace_back();
-  mesh.polygon_texcoords.emplace_back();
-  for (const int p : piece.corners) {
-    mesh.polygons.back().push_back(pieces.points(c)[p].v);
-    mesh.polygon_texcoords.back().push_back(pieces.points(c)[p].vt);
-  }
+template <class Pieces>
+void add_triangle(const Pieces& pieces, Index c, const MapPieces::Piece& piece, PolygonMesh& mesh) {
+  const auto& points = pieces.points(c);
+  const auto [i, j, k] = piece.corners;
+  mesh.polygons.push_back({points[i].v, points[j].v, points[k].v});
+  mesh.polygon_texcoords.push_back({points[i].vt, points[j].vt, points[k].vt});
 }
 
-// Puts the pieces of a map in place of the polygons of its input.
+// Puts the pieces of a map in place of the polygons of its input. Pieces: MapPieces or WholeCells.
+template <class Pieces>
 class PolygonTransfer {
  public:
-  PolygonTransfer(const MapPieces& pieces, const PolygonMesh& input, const InputFaces& faces)
+  PolygonTransfer(const Pieces& pieces, const PolygonMesh& input, const InputFaces& faces)
       : pieces_(pieces), input_(input), faces_(faces) {}
 
   PolygonMesh run() {
+    for (auto* lists : {&result_.polygons, &result_.polygon_texcoords})
+      lists->reserve(input_.polygons.size());
     result_.positions = pieces_.positions();
     result_.texcoords = pieces_.texcoords();
     result_.normals = input_.normals;
@@ -148,9 +179,9 @@ class PolygonTransfer {
   }
 
   void add_face(std::size_t face) {
-    const std::vector<Index> texcoords = texcoords_of_corners(face);
+    std::vector<Index> texcoords = texcoords_of_corners(face);
     if (texcoords.empty()) {
-      for (const Index c : faces_.cells[face]) add_pieces(face, c);
+      for (const Index c : faces_.cells(face)) add_pieces(face, c);
       return;
     }
     const auto keep = [is_turned = is_turned(face)](std::vector<Index> list) {
@@ -158,13 +189,13 @@ class PolygonTransfer {
       return list;
     };
     result_.polygons.push_back(keep(input_.polygons[face]));
-    result_.polygon_texcoords.push_back(keep(texcoords));
+    result_.polygon_texcoords.push_back(keep(std::move(texcoords)));
     if (has_normals()) result_.polygon_normals.push_back(keep(input_.polygon_normals[face]));
   }
 
   // Whether the map has the face with the other side up: its cells run backwards around it.
   bool is_turned(std::size_t face) const {
-    const auto& [a, b, c] = faces_.corners[faces_.cells[face].front()];
+    const auto& [a, b, c] = faces_.corners[faces_.first[face]];
     return (a < b) + (b < c) + (c < a) == 1;
   }
 
@@ -177,10 +208,11 @@ class PolygonTransfer {
   std::vector<Index> texcoords_of_corners(std::size_t face) const {
     std::vector<Index> texcoords(input_.polygons[face].size(), -1);
     bool is_whole = true;
-    for (const Index c : faces_.cells[face]) {
+    for (const Index c : faces_.cells(face)) {
       is_whole &= pieces_.pieces(c).size() == 1;
+      const auto& points = pieces_.points(c);
       for (std::size_t k = 0; k < 3; ++k) {
-        const Index vt = pieces_.points(c)[k].vt;
+        const Index vt = points[k].vt;
         Index& texcoord = texcoords[faces_.corners[c][k]];
         is_whole &= texcoord < 0 || texcoord == vt;  // else a cut runs through the polygon
         texcoord = vt;
@@ -229,14 +261,15 @@ class PolygonTransfer {
     return numbers;
   }
 
-  const MapPieces& pieces_;
+  const Pieces& pieces_;
   const PolygonMesh& input_;
   const InputFaces& faces_;
   PolygonMesh result_;
 };
 
 // The triangles alone.
-PolygonMesh mesh_of(const MapPieces& pieces) {
+template <class Pieces>
+PolygonMesh mesh_of(const Pieces& pieces) {
   PolygonMesh mesh;
   mesh.positions = pieces.positions();
   mesh.texcoords = pieces.texcoords();
@@ -245,16 +278,23 @@ PolygonMesh mesh_of(const MapPieces& pieces) {
   return mesh;
 }
 
+template <class Pieces>
+PolygonMesh mesh_of(const Pieces& pieces, const PolygonMesh* input, const InputFaces& faces) {
+  return input != nullptr ? PolygonTransfer<Pieces>(pieces, *input, faces).run() : mesh_of(pieces);
+}
+
 }  // namespace
 
 PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
                            const TessellationOptions& options) {
-  PolygonMesh coarse = mesh_from_map(map, "");
-  std::optional<InputFaces> faces;
+  CornerMesh coarse = corner_mesh(map, "");
+  InputFaces faces;
   if (input != nullptr) faces = find_input(map, *input, coarse);
+  if (map.degree == 1 && options.refine == 1)
+    return mesh_of(WholeCells(std::move(coarse)), input, faces);
   MapPieces pieces(map, std::move(coarse), options.refine);
-  if (map.degree > 1 || options.refine > 1) cut_until_positive(pieces, options.overlap);
-  return faces ? PolygonTransfer(pieces, *input, *faces).run() : mesh_of(pieces);
+  cut_until_positive(pieces, options.overlap);
+  return mesh_of(pieces, input, faces);
 }
 
 }  // namespace majorant

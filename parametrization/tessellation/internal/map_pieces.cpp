@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/pair_order.h"
+#include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 
@@ -73,20 +76,20 @@ void require_moderate(const MapFile& map, int refine) {
 
 }  // namespace
 
-MapPieces::MapPieces(const MapFile& map, PolygonMesh coarse, int refine)
+MapPieces::MapPieces(const MapFile& map, CornerMesh coarse, int refine)
     : map_(map),
       coarse_(std::move(coarse)),
+      edge_points_{bezier_edge_points(map.degree, 0), bezier_edge_points(map.degree, 1),
+                   bezier_edge_points(map.degree, 2)},
       positions_(coarse_.positions),
       texcoords_(coarse_.texcoords) {
   require_moderate(map, refine);
-  cells_.resize(coarse_.polygons.size());
+  cells_.resize(coarse_.cell.size());
   number_edges();
   fill_lattice(refine);
 }
 
-Index MapPieces::map_cell(Index cell) const {
-  return static_cast<Index>(coarse_.polygon_lines[cell] - 1);
-}
+Index MapPieces::map_cell(Index cell) const { return coarse_.cell[cell]; }
 
 const Vector2& MapPieces::uv(Index cell, int point) const {
   return texcoords_[of(cell).points[point].vt];
@@ -98,12 +101,14 @@ const Vector3& MapPieces::position(Index cell, int point) const {
 
 // ---- Edges of cells ----
 
-std::vector<int> MapPieces::control_points_along(Index cell, int edge, bool is_reversed) const {
-  std::vector<int> points;
-  for (const int k : bezier_edge_points(map_.degree, edge))
-    points.push_back(map_.cells(map_cell(cell), k));
-  if (is_reversed) std::reverse(points.begin(), points.end());
-  return points;
+bool MapPieces::same_control_points(const CellEdge& edge, const CellEdge& other,
+                                    bool is_reversed) const {
+  const std::vector<int>&mine = edge_points_[edge.edge], &theirs = edge_points_[other.edge];
+  for (std::size_t i = 0; i < mine.size(); ++i)
+    if (map_.cells(map_cell(edge.cell), mine[is_reversed ? mine.size() - 1 - i : i]) !=
+        map_.cells(map_cell(other.cell), theirs[i]))
+      return false;
+  return true;
 }
 
 // By vertex of the coarse mesh: the same for vertices that are one in the map.
@@ -117,7 +122,7 @@ std::vector<Index> MapPieces::nodes_of_corners() const {
   for (Index c = 0; c < cell_count(); ++c)
     for (Index k = 0; k < 3; ++k) {
       const Index point = map_.cells(map_cell(c), k);
-      nodes.join(coarse_.polygons[c][k], vertices + point);
+      nodes.join(coarse_.vertices(c, k), vertices + point);
       if (is_named && map_.input_vertex[point] >= 0)
         nodes.join(vertices + point, vertices + points + map_.input_vertex[point]);
     }
@@ -129,42 +134,49 @@ std::vector<Index> MapPieces::nodes_of_corners() const {
 // Edges are one when their ends are the same two nodes, one in space when these are the same two
 // vertices, in the plane when they have the same control points.
 void MapPieces::number_edges() {
-  std::map<std::pair<Index, Index>, Index> edges, space_edges;
   const std::vector<Index> node = nodes_of_corners();
-  next_node_ = static_cast<Index>(node.size());
-  for (Index c = 0; c < cell_count(); ++c)
-    for (int k = 0; k < 3; ++k) {
-      const Index v = coarse_.polygons[c][k], w = coarse_.polygons[c][next(k)];
-      const Index from = node[v], to = node[w];
-      const auto entry =
-          edges.try_emplace(std::minmax(from, to), static_cast<Index>(edge_cells_.size()));
-      if (entry.second) edge_cells_.emplace_back();
-      const Index edge = entry.first->second;
-      cells_[c].edge[k] = edge;
-      const auto in_space = space_edges.try_emplace(std::minmax(v, w), space_edges_);
-      space_edges_ += in_space.second;
-      cells_[c].space_edge[k] = in_space.first->second;
-      Index& plane = cells_[c].plane_edge[k];
-      plane = -1;
-      for (const CellEdge& other : edge_cells_[edge]) {
-        const bool is_reversed = node[coarse_.polygons[other.cell][other.edge]] != from;
-        if (control_points_along(c, k, is_reversed) !=
-            control_points_along(other.cell, other.edge, false))
-          continue;
-        plane = of(other.cell).plane_edge[other.edge];
-        break;
-      }
-      if (plane < 0) {
-        plane = static_cast<Index>(plane_sides_.size());
-        plane_sides_.push_back(0);
-      }
-      ++plane_sides_[plane];
-      edge_cells_[edge].push_back({c, k});
+  const auto vertices = static_cast<Index>(node.size()), sides = 3 * cell_count();
+  next_node_ = vertices;
+  const auto vertex = [&](Index h) { return coarse_.vertices(face_of(h), corner_of(h)); };
+  const NumberedPairs edges = numbered_in_order(vertices, sides, [&](Index h) {
+    const Index from = node[vertex(h)], to = node[vertex(next(h))];
+    return std::pair(std::min(from, to), std::max(from, to));
+  });
+  const NumberedPairs space_edges = numbered_in_order(vertices, sides, [&](Index h) {
+    const Index from = vertex(h), to = vertex(next(h));
+    return std::pair(std::min(from, to), std::max(from, to));
+  });
+  space_edges_ = static_cast<Index>(space_edges.first.size());
+  edge_begin_.assign(edges.first.size() + 1, 0);
+  for (const Index edge : edges.number) ++edge_begin_[edge];
+  std::partial_sum(edge_begin_.begin(), edge_begin_.end(), edge_begin_.begin());
+  edge_sides_.resize(to_size(sides));
+  for (Index h = sides - 1; h >= 0; --h)
+    edge_sides_[--edge_begin_[edges.number[h]]] = {face_of(h), corner_of(h)};
+  for (Index h = 0; h < sides; ++h) {
+    const CellEdge here{face_of(h), corner_of(h)};
+    Cell& cell = cells_[here.cell];
+    cell.edge[here.edge] = edges.number[h];
+    cell.space_edge[here.edge] = space_edges.number[h];
+    Index plane = -1;
+    for (const CellEdge& other : sides_of(edges.number[h])) {
+      if (3 * other.cell + other.edge >= h) break;
+      const bool is_reversed = node[coarse_.vertices(other.cell, other.edge)] != node[vertex(h)];
+      if (!same_control_points(here, other, is_reversed)) continue;
+      plane = of(other.cell).plane_edge[other.edge];
+      break;
     }
+    if (plane < 0) {
+      plane = static_cast<Index>(plane_sides_.size());
+      plane_sides_.push_back(0);
+    }
+    ++plane_sides_[plane];
+    cell.plane_edge[here.edge] = plane;
+  }
   for (Index c = 0; c < cell_count(); ++c)
     for (int k = 0; k < 3; ++k) {
-      const Index v = coarse_.polygons[c][k];
-      cells_[c].points.push_back({v, coarse_.polygon_texcoords[c][k], node[v], Vector3::Unit(k)});
+      const Index v = coarse_.vertices(c, k);
+      cells_[c].points.push_back({v, coarse_.texcoord_ids(c, k), node[v], Vector3::Unit(k)});
     }
 }
 
@@ -183,7 +195,7 @@ void MapPieces::fill_lattice(int refine) {
   const std::vector<MapPieces::Piece> pieces = lattice.pieces();
   const Eigen::MatrixXd bernstein = bernstein_values(map_.degree, lattice.points());
   std::vector<Index> first_v(to_size(space_edges_), -1), first_vt(plane_sides_.size(), -1);
-  std::vector<Index> first_node(edge_cells_.size(), -1);
+  std::vector<Index> first_node(edge_begin_.size() - 1, -1);
   for (Index c = 0; c < cell_count(); ++c) {
     Cell& cell = cells_[c];
     cell.pieces = pieces;
@@ -245,7 +257,7 @@ std::vector<MapPieces::Edge> MapPieces::sides(const Edge& edge) const {
   std::vector<Edge> result{edge};
   const int k = cell_edge(edge);
   if (k < 0) return result;
-  for (const CellEdge& other : edge_cells_[of(edge.cell).edge[k]]) {
+  for (const CellEdge& other : sides_of(of(edge.cell).edge[k])) {
     if (other.cell == edge.cell && other.edge == k) continue;
     const Edge side = seen_from(other, edge);
     // A cell that has a vertex twice, in files only, may not have the edge.

@@ -1,6 +1,6 @@
 // The cells of a map cut into straight-sided pieces, for formats without curves.
 //
-//   MapPieces pieces(file, mesh_from_map(file, ""), 1);   // every cell is one piece
+//   MapPieces pieces(file, corner_mesh(file, ""), 1);   // every cell is one piece
 //   pieces.split({12, 0, 1});   // edge 01 of cell 12 at the middle, on both sides
 //
 // Points of pieces lie on the flat triangle in space and on the map in the plane. They are numbered
@@ -11,9 +11,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
-#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/parametrization/maps/corner_mesh.h"
 #include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
@@ -35,12 +36,12 @@ class MapPieces {
     int i, j;
   };
 
-  // coarse: mesh_from_map of `map`; its polygons are called cells here, in its order. Its vertices
+  // coarse: corner_mesh of `map`; its triangles are called cells here, in its order. Its vertices
   // may be others, those of an input that has a vertex of the map several times. Starts with
   // refine x refine pieces a cell, from a regular lattice whose points are evaluated at multiples
   // of 1 / refine. The map is only referred to.
   // Throws Error(Usage) if refine < 1 or the result needs more than 2^31 points.
-  MapPieces(const MapFile& map, PolygonMesh coarse, int refine);
+  MapPieces(const MapFile& map, CornerMesh coarse, int refine);
 
   Index cell_count() const { return static_cast<Index>(cells_.size()); }
   Index map_cell(Index cell) const;  // its number in the map
@@ -83,19 +84,25 @@ class MapPieces {
   };
 
   const Cell& of(Index cell) const { return cells_[cell]; }
+  std::span<const CellEdge> sides_of(Index edge) const {
+    return {edge_sides_.data() + edge_begin_[edge], edge_sides_.data() + edge_begin_[edge + 1]};
+  }
   std::vector<Index> nodes_of_corners() const;
   void number_edges();
   void fill_lattice(int refine);
-  std::vector<int> control_points_along(Index cell, int edge, bool is_reversed) const;
+  bool same_control_points(const CellEdge& edge, const CellEdge& other, bool is_reversed) const;
   Edge seen_from(const CellEdge& other, const Edge& edge) const;
   Vector2 evaluate(Index cell, const Vector3& xi) const;
   Vector3 flat_point(Index cell, const Vector3& xi) const;
 
   const MapFile& map_;
-  PolygonMesh coarse_;
+  CornerMesh coarse_;
   std::vector<Cell> cells_;
-  std::vector<std::vector<CellEdge>> edge_cells_;  // by edge
-  std::vector<int> plane_sides_;                   // by plane edge
+  std::array<std::vector<int>, 3> edge_points_;  // bezier_edge_points()
+  // Of edge e sides edge_begin_[e] to edge_begin_[e + 1] - 1.
+  std::vector<Index> edge_begin_;
+  std::vector<CellEdge> edge_sides_;
+  std::vector<int> plane_sides_;  // by plane edge
   Index space_edges_ = 0, next_node_ = 0;
   std::vector<Vector3> positions_;
   std::vector<Vector2> texcoords_;

@@ -287,15 +287,15 @@ TEST(TessellateMap, VerticesWoundTwiceAreNotValid) {
     map.points.row(k + 1) << std::cos(angle / 2), std::sin(angle / 2), 0;
     map.cells.row(k) << 0, k + 1, (k + 1) % 5 + 1;
   }
-  const PolygonMesh coarse = mesh_from_map(map, "");
-  EXPECT_EQ(count_not_positive(coarse), 0);
+  const CornerMesh coarse = corner_mesh(map, "");
+  EXPECT_EQ(count_not_positive(mesh_from_map(map, "")), 0);
   const MapPieces pieces(map, coarse, 1);
   const std::vector<MapPieces::Edge> spokes = spokes_of_wound_vertices(pieces);
   EXPECT_EQ(spokes.size(), 5u);
   for (const auto& spoke : spokes) EXPECT_EQ(pieces.points(spoke.cell)[spoke.i].vt, 0);
   error_message(ErrorKind::Invalid, [&] { tessellate_map(map, nullptr, {.refine = 2}); });
   for (Index k = 0; k < 5; ++k) map.uv.row(k + 1) = map.points.row(k + 1).head<2>();
-  EXPECT_TRUE(spokes_of_wound_vertices(MapPieces(map, mesh_from_map(map, ""), 1)).empty());
+  EXPECT_TRUE(spokes_of_wound_vertices(MapPieces(map, corner_mesh(map, ""), 1)).empty());
   EXPECT_EQ(tessellate_map(map, nullptr, {.refine = 2}).polygons.size(), 20u);
 }
 

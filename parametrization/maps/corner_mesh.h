@@ -1,0 +1,28 @@
+// The corner mesh of a map: one triangle per cell, with the uv of the corner points.
+//
+//   const CornerMesh coarse = corner_mesh(file, "");
+//   coarse.vertices(0, 2);   // of the triangle of cell coarse.cell[0] at its corner 2
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/framework/types.h"
+#include "majorant/parametrization/maps/map_file.h"
+
+namespace majorant {
+
+struct CornerMesh {
+  std::vector<Vector3> positions;
+  std::vector<Vector2> texcoords;  // one per corner point of the map, so that cuts stay cuts
+  std::vector<Index> cell;         // of the map, by triangle
+  Cells vertices, texcoord_ids;    // by triangle, three each
+};
+
+// As mesh_from_map() says it (map_file.h), without the lists of a polygon mesh.
+CornerMesh corner_mesh(const MapFile& map, const std::string& file);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
