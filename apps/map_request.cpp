@@ -16,7 +16,7 @@
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/free_scale.h"
 #include "majorant/results/input_points.h"
 

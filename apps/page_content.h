@@ -7,7 +7,7 @@
 
 #include "apps/result_files.h"
 #include "majorant/io/claims.h"
-#include "majorant/pictures/write_page.h"
+#include "majorant/pictures/pictures.h"
 #include "majorant/results/report.h"
 
 namespace majorant::app {

@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "apps/streams.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/reading_limit.h"
 #include "majorant/io/temporary_file.h"
 

@@ -8,7 +8,7 @@
 #include "apps/command.h"
 #include "apps/progress.h"
 #include "apps/result_files.h"
-#include "majorant/framework/stopping.h"
+#include "majorant/framework/minimizer.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/report.h"
 

@@ -7,7 +7,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <vector>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/internal/det_coefficients.h"
 #include "majorant/framework/error.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/measure.h"
 
 namespace majorant {

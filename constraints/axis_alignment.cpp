@@ -1,9 +1,8 @@
-#include "majorant/constraints/axis_alignment.h"
-
 #include <fmt/format.h>
 
 #include <utility>
 
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/surface_mesh.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/internal/elimination.h"
 
 namespace majorant {

@@ -1,10 +1,9 @@
-#include "majorant/constraints/fixed_points.h"
-
 #include <fmt/format.h>
 
 #include <string_view>
 #include <utility>
 
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 

@@ -1,5 +1,4 @@
-#include "majorant/constraints/fixed_unknowns.h"
-
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/stop_check.h"

@@ -1,10 +1,9 @@
-#include "majorant/constraints/seamless_constraint.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/surface_mesh.h"
 

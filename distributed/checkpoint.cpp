@@ -17,7 +17,7 @@
 #include "distributed/internal/collect.h"
 #include "distributed/internal/part_data.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/io/atomic_file.h"

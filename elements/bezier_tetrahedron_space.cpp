@@ -1,5 +1,4 @@
-#include "majorant/elements/bezier_tetrahedron_space.h"
-
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/internal/bernstein.h"
 
 namespace majorant {

@@ -1,5 +1,3 @@
-#include "majorant/framework/derivative_check.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/colored_batches.h"
 #include "majorant/framework/internal/curvature_name.h"

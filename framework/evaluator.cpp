@@ -1,5 +1,3 @@
-#include "majorant/framework/evaluator.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,6 +7,7 @@
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/problem.h"
 
 namespace majorant {
 namespace {

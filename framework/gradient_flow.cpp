@@ -1,7 +1,6 @@
-#include "majorant/framework/gradient_flow.h"
-
 #include <utility>
 
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/preconditioner.h"
 #include "majorant/framework/internal/stopwatch.h"

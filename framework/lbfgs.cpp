@@ -1,7 +1,6 @@
-#include "majorant/framework/lbfgs.h"
-
 #include <utility>
 
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/preconditioner.h"

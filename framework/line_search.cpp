@@ -1,5 +1,3 @@
-#include "majorant/framework/line_search.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/stepper.h"
 
 namespace majorant {
 namespace {

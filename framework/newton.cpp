@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/internal/try_shifts.h"
-#include "majorant/framework/lbfgs.h"
 
 namespace majorant {
 namespace {

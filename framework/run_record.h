@@ -17,7 +17,7 @@
 //
 // Solvers, starts and measurements announce what they begin and note their steps; progress lines,
 // reports and CSV files show it. No solver is here: who decides from a step whether to go on is
-// StoppingTest (stopping.h).
+// StoppingTest (minimizer.h).
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-#include "majorant/framework/stopping.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +5,7 @@
 
 #include "majorant/framework/internal/diagnosis.h"
 #include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/minimizer.h"
 
 namespace majorant {
 namespace {

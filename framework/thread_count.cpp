@@ -1,5 +1,3 @@
-#include "majorant/framework/thread_count.h"
-
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"

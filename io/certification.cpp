@@ -1,5 +1,3 @@
-#include "majorant/io/certification.h"
-
 #include <fmt/format.h>
 
 #include <optional>
@@ -7,6 +5,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/refusal.h"
 

@@ -10,10 +10,10 @@
 //     .ply  ascii, binary of both byte orders; vertex properties x y z, (texture_u, texture_v),
 //           (s, t) or (u, v) as texture coordinates, and red green blue; face property
 //           vertex_indices or vertex_index, texcoord as coordinates of the corners (MeshLab's);
-//           element tristrips with the same, -1 begins a strip; int input_vertex (write_ply.h)
+//           element tristrips with the same, -1 begins a strip; int input_vertex (io.h)
 //     .stl  ascii and binary. STL cannot share vertices: corners with exactly equal coordinates
 //           become one vertex, numbered by first appearance
-//     .vtu  written by majorant (vtu.h): the corner points, uv as texture coordinates
+//     .vtu  written by majorant (io.h): the corner points, uv as texture coordinates
 //     .msh  of gmsh, version 4.1, ascii: the corners of its triangles, of any degree; views u and v
 //           as texture coordinates
 //     .obj.gz .off.gz ...  the same, compressed by gzip

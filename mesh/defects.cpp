@@ -1,5 +1,3 @@
-#include "majorant/mesh/defects.h"
-
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>

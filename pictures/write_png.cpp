@@ -1,5 +1,3 @@
-#include "majorant/pictures/write_png.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,6 +21,7 @@
 #include "majorant/pictures/internal/pixel_font.h"
 #include "majorant/pictures/internal/raster_scene.h"
 #include "majorant/pictures/internal/rasterizer.h"
+#include "majorant/pictures/pictures.h"
 #include "majorant/pictures/png_file.h"
 
 namespace majorant {

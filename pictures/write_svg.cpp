@@ -1,5 +1,3 @@
-#include "majorant/pictures/write_svg.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,13 +10,14 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/io/io.h"
 #include "majorant/io/map_check.h"
-#include "majorant/io/map_distortion.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 #include "majorant/pictures/internal/legend.h"
 #include "majorant/pictures/internal/svg_layout.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/io.h"
 #include "majorant/io/layout_scale.h"
-#include "majorant/io/map_distortion.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/maps/energy_text.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"

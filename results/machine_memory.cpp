@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/internal/assembly.h"
 #include "majorant/framework/linear_solver.h"
 

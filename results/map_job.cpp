@@ -4,9 +4,9 @@
 
 #include "majorant/certify/cut_map.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/map_distortion.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
-#include "majorant/parametrization/solve/deform.h"
+#include "majorant/io/io.h"
+#include "majorant/parametrization/initialization/start.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/input_points.h"
 #include "majorant/results/write_map.h"

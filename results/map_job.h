@@ -22,11 +22,10 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/certify/moved_layout.h"
-#include "majorant/parametrization/initialization/make_seamless.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/pictures/write_page.h"
+#include "majorant/pictures/pictures.h"
 #include "majorant/results/report.h"
 
 namespace majorant {

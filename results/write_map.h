@@ -10,14 +10,10 @@
 #include <vector>
 
 #include "majorant/certify/map_proof.h"
-#include "majorant/io/msh.h"
-#include "majorant/io/vtu.h"
-#include "majorant/io/write_obj.h"
+#include "majorant/io/io.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/pictures/write_page.h"
-#include "majorant/pictures/write_png.h"
-#include "majorant/pictures/write_svg.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 

@@ -1,5 +1,3 @@
-#include "majorant/terms/bounds.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/terms/inequality.h"
 
 namespace majorant {
 namespace {

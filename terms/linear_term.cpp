@@ -1,9 +1,8 @@
-#include "majorant/terms/linear_term.h"
-
 #include <utility>
 #include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/terms/local_term.h"
 
 namespace majorant {
 namespace {

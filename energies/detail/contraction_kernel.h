@@ -11,7 +11,7 @@
 //                                                         t: BlendedCurvature::projection_weight
 //     slope(z, PointModel&)                              without curvature; where it is a saving
 //     to_coordinates, gradient_to_jacobian, curvature_to_jacobian
-// as energies/spectral.h and energies/density.h have them.
+// as energies/spectral.h and energies/make_energy.h have them.
 //
 // Everything here is a template on Arch, needed or not, or always inlined: a function that several
 // instruction sets define would be merged by the linker, possibly to one the machine cannot run.

@@ -6,7 +6,7 @@
 
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/internal/elimination.h"
-#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 

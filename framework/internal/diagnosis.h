@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/problem.h"
 
 namespace majorant {
 

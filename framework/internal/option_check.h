@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/line_search.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/stopping.h"
+#include "majorant/framework/minimizer.h"
+#include "majorant/framework/stepper.h"
 
 namespace majorant {
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 

@@ -13,8 +13,8 @@
 #include <optional>
 #include <string>
 
-#include "majorant/framework/evaluator.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/problem.h"
 #include "majorant/framework/run_record.h"
 
 namespace majorant {

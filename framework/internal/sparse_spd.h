@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/sparse_pattern.h"
 
 namespace majorant {
 

@@ -1,11 +1,10 @@
-#include "majorant/parametrization/atlas/stretch.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/internal/singular_values.h"
+#include "majorant/parametrization/atlas/unwrap.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {

@@ -16,7 +16,6 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/framework/thread_count.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/model_unit.h"
 #include "majorant/mesh/refusal.h"

@@ -14,7 +14,7 @@
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {

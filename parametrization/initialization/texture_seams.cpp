@@ -1,5 +1,3 @@
-#include "majorant/parametrization/initialization/texture_seams.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/texture_borders.h"
+#include "majorant/parametrization/initialization/start.h"
 
 namespace majorant {
 namespace {

@@ -1,5 +1,3 @@
-#include "majorant/parametrization/initialization/tutte.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/filled_holes.h"
 #include "majorant/parametrization/initialization/internal/weighted_tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/initialization/tutte_system.h"
 
 namespace majorant {

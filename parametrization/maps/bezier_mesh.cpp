@@ -1,4 +1,4 @@
-#include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {
 

@@ -12,8 +12,7 @@
 #include "majorant/framework/types.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/bezier_mesh.h"
-#include "majorant/parametrization/maps/measure_distortion.h"
+#include "majorant/parametrization/maps/distortion.h"
 
 namespace majorant {
 

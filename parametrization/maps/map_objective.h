@@ -3,7 +3,6 @@
 #pragma once
 
 #include "majorant/energies/energy_factory.h"
-#include "majorant/energies/named_energies.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {

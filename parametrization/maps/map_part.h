@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/partition.h"
 
 namespace majorant {

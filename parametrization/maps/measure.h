@@ -5,7 +5,7 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/measure_distortion.h"
+#include "majorant/parametrization/maps/distortion.h"
 
 namespace majorant {
 
@@ -21,7 +21,7 @@ struct MapMeasures {
   Vec min_det;  // #F certified lower bound of det J (<= 0: not proven positive)
   // All min_det > 0 and interior angle sums 2 pi, at cones their angle.
   bool locally_injective = false;
-  double seam_residual = 0;           // seamless_constraint.h, model units
+  double seam_residual = 0;           // constraints.h, model units
   double max_boundary_angle = 0;      // radians, largest sector sum at a boundary vertex
   Index boundary_over_full_turn = 0;  // boundary vertices whose sum exceeds 2 pi
 };

@@ -1,5 +1,3 @@
-#include "majorant/parametrization/maps/measure_distortion.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/parametrization/maps/distortion.h"
 #include "majorant/parametrization/maps/extreme_samples.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 

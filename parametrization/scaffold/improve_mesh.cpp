@@ -11,15 +11,15 @@
 #include <optional>
 #include <vector>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/curvature.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/internal/element_values.h"
+#include "majorant/framework/problem.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 

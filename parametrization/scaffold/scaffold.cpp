@@ -7,10 +7,10 @@
 #include <map>
 #include <utility>
 
-#include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/elements/quadrature.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"

@@ -1,5 +1,3 @@
-#include "majorant/parametrization/solve/deform.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
 #include "majorant/parametrization/solve/pin_homotopy.h"
 

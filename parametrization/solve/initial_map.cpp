@@ -7,7 +7,7 @@
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/initialization/multiresolution.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 

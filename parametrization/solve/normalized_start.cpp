@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "majorant/constraints/axis_alignment.h"
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/framework/internal/rounding.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/solve/free_scale.h"
 #include "majorant/parametrization/solve/pins.h"

@@ -7,7 +7,6 @@
 #pragma once
 
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/bezier_mesh.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/solve/map_options.h"
 

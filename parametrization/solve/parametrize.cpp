@@ -12,7 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/element_values.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/scaffold/improve_mesh.h"

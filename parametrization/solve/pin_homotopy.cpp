@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/certify/global_injectivity.h"
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/elimination.h"
 #include "majorant/mesh/exact_predicates.h"

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/solve/map_options.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/pictures/picture_options.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/pictures/write_page.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 

@@ -4,7 +4,7 @@
 
 #include "arrays.h"
 #include "density.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/results/input_points.h"
 

@@ -8,14 +8,13 @@
 #include <map>
 #include <utility>
 
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/rounding.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 
 namespace majorant {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {

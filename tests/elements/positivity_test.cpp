@@ -7,7 +7,7 @@
 #include <map>
 
 #include "exact_polynomials.h"
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/internal/det_coefficients.h"
 #include "support.h"
 

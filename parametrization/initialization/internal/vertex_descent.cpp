@@ -6,7 +6,7 @@
 #include <complex>
 #include <limits>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/backtracking.h"

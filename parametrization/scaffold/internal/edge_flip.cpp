@@ -6,7 +6,7 @@
 #include <deque>
 #include <limits>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
 #include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/problem.h"
 
 namespace majorant {
 namespace {

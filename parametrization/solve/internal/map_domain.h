@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "majorant/constraints/fixed_unknowns.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/internal/barrier_path.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/problem.h"

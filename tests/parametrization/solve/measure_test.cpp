@@ -6,8 +6,8 @@
 #include <Eigen/LU>
 
 #include "majorant/elements/internal/bernstein.h"
-#include "majorant/energies/named_energies.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/obj_file.h"
