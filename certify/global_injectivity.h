@@ -4,7 +4,7 @@
 //   if (proof.result == ProofStatus::Violated && !proof.contacts.empty())
 //     proof.contacts[0].where;                          // uv where two boundary edges meet
 //
-// What is assumed of the map and not checked here: the surface is compact and orientable, its
+// The proof assumes of the map, and does not check: the surface is compact and orientable, its
 // faces the elements; the map is continuous across edges that two elements share; det J > 0 on
 // every (closed) element (LocalInjectivity, measure_map()); the loops given are the whole boundary,
 // the surface on their left. Its connected components are the charts: any number, with any number
@@ -47,7 +47,7 @@ namespace majorant {
 
 struct Finding {
   ProofStatus answer = ProofStatus::NotAsked;
-  std::string detail;  // one line: what is wrong or open, and where; of Proven what was counted
+  std::string detail;  // one line: the defect or the open case and its place; where Proven, counts
 };
 
 struct InjectivityOptions {

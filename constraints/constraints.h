@@ -105,8 +105,8 @@ class SeamlessConstraint final : public Constraint {
 // edge that is no seam.
 std::vector<Index> boundary_nodes(const BezierTriangleSpace& space, const Seams& seams);
 
-// How far x (2 numbers per node) is from seamless: the largest
-// |(c_i - c_{i+1}) - i^k (c'_i - c'_{i+1})| over all seam edges and control points, and where.
+// The distance of x (2 numbers per node) from a seamless map: the largest |(c_i - c_{i+1}) - i^k
+// (c'_i - c'_{i+1})| over all seam edges and control points, and its edge.
 struct SeamMismatch {
   Index edge = -1;  // of seams.edges(); -1 when the mismatch is zero everywhere
   double distance = 0;

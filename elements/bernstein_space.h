@@ -64,7 +64,7 @@ struct EdgeBisection {
   std::vector<int> first, second;
 };
 
-// What distinguishes one element type from another: data, no algorithms.
+// The data that distinguish one element type from another; it has no algorithms.
 struct BernsteinElement {
   std::string_view name;  // of its space, for messages
   int degree;             // of the map
@@ -136,7 +136,7 @@ class BernsteinSpace : public ElementSpace {
   // 1..max_degree, a description that is wrong, vertex numbers outside 0..vertex_count-1, a vertex
   // twice in a cell and facets of more than two cells.
   BernsteinSpace(const BernsteinElement& element, const Cells& cells, Index vertex_count);
-  // With nodes numbered by the caller: any node may be a vertex.
+  // Takes nodes that the caller has numbered: any node may be a vertex.
   BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering);
 
  private:
@@ -171,7 +171,7 @@ LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n);
 
 class BezierTriangleSpace final : public BernsteinSpace {
  public:
-  // Of all maps; chosen, not tuned.
+  // The highest degree of any map; chosen, not tuned.
   static constexpr int kMaxDegree = 8;
 
   // faces: #F by 3 vertex numbers, counterclockwise, consistently oriented and edge-manifold;

@@ -1,4 +1,4 @@
-// What a map is measured against: the shapes of the elements at rest.
+// Rest shapes: the shapes of the elements that a map is measured against.
 //
 //   auto flat = flat_triangles(mesh->positions(), mesh->faces());   // a surface of flat triangles
 //   const RowMatrix nodes = space->node_positions(mesh->positions());

@@ -25,7 +25,7 @@ namespace majorant {
 //
 // Made by make_energy(); nothing here depends on the density's type.
 
-// What a term must know of its density.
+// The facts of a density that a term needs.
 struct DensityTraits {
   std::string name;
   std::vector<Curvature> curvatures;  // supported
@@ -33,8 +33,8 @@ struct DensityTraits {
   FreeScale free_scale = FreeScale::Determined;
   // The density for these TermState::parameters; empty for a density without parameters.
   std::function<std::shared_ptr<const void>(const Vec& parameters)> with_parameters;
-  // Of how many elements the density is told something, or has the frame turned; none: it is the
-  // same on every mesh.
+  // The number of elements that the density has data or turned frames for; none: it is the same on
+  // every mesh.
   std::optional<Index> elements;
 };
 
@@ -155,7 +155,7 @@ struct WeightedEnergy {
 };
 using EnergySum = std::vector<WeightedEnergy>;
 
-// Whether a summand is made for the elements of one mesh: has face weights, or data, or fibres.
+// True where a summand is made for the elements of one mesh: has face weights, data or fibres.
 bool knows_elements(const EnergySum& energy);
 // The sum on a mesh made of these elements: EnergyFactory::for_elements().
 EnergySum for_elements(const EnergySum& energy, std::span<const Index> elements);
@@ -184,7 +184,7 @@ struct NamedEnergy {
 std::span<const NamedEnergy> named_energies();
 const NamedEnergy* find_energy(std::string_view name);  // null when there is none
 
-// Those that code asks for.
+// The two that the library itself asks for.
 EnergyFactory symmetric_dirichlet();
 EnergyFactory mips();
 

@@ -38,7 +38,8 @@
 
 namespace majorant {
 
-// What a density is told of every element beside J: a stiffness, a direction, any value.
+// Data of elements: a formula may take a value of its element beside J, such as a stiffness or a
+// direction.
 //
 //   Vec stiffness = Vec::Ones(mesh->face_count());                 // the formula gets a double
 //   auto soft = density<2, 2>("soft", [](const auto& J, double k) { return k * J.squaredNorm(); },
@@ -59,7 +60,7 @@ class ElementValues {
       : values_(std::make_shared<const std::vector<T>>(std::move(values))) {}
   Index size() const { return static_cast<Index>(values_->size()); }
   decltype(auto) operator[](Index e) const { return (*values_)[e]; }
-  // Those of some elements, in their order.
+  // The values of some elements, in their order.
   ElementValues of(std::span<const Index> elements) const {
     std::vector<T> part;
     for (const Index e : elements) part.push_back((*this)[e]);
@@ -104,7 +105,7 @@ auto element_data(const std::string& name, const Eigen::MatrixBase<Matrix>& data
 }
 }  // namespace detail
 
-// Of the kinds above: a vector or matrix of Eigen, or a std::vector.
+// Data of any of these kinds: a vector or matrix of Eigen, or a std::vector.
 template <class Data>
 concept DataOfElements = requires(const std::string& name, const Data& data) {
   detail::element_data(name, data);
@@ -168,7 +169,7 @@ class GeneralDensity {
     const auto J = matrix<double>([&z](int r) { return z[r]; });
     return inside_domain(f_(J, data...), z);
   }
-  // With the exact Hessian.
+  // Value, gradient and exact Hessian.
   template <class... Data>
   void model(const double (&z)[size], PointModel<double, size>& m, const Data&... data) const {
     differentiate<Dual2<double, size>>(z, m, data...);
@@ -212,8 +213,9 @@ GeneralDensity<M, D, F> density(std::string name, F f, const Traits& traits = {}
   return {std::move(name), std::move(f), traits};
 }
 
-// f(J, data of the element): see ElementValues and WithData above. Throws InvalidArgument for numbers that are
-// not finite; make_energy() and drivers do so unless there are data for each element.
+// f(J, data of the element): see ElementValues and WithData above. Throws InvalidArgument for
+// numbers that are not finite; make_energy() and drivers do so unless there are data for each
+// element.
 template <int M, int D, class F, DataOfElements Data>
 auto density(std::string name, F f, const Data& data, const Traits& traits = {}) {
   auto rows = detail::element_data(name, data);
@@ -267,7 +269,7 @@ EnergyFactory energy_factory(const Density& density) {
       },
       [](const Density& other) { return energy_factory(other); });
 }
-// With kernels that this density is compiled into (energies/vectorized.h).
+// The same with kernels that this density is compiled into (energies/vectorized.h).
 template <class Density>
 EnergyFactory energy_factory(const Density& density, const DensityKernels& kernels) {
   using Object = detail::CalledItself<Density>;

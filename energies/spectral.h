@@ -93,7 +93,7 @@ struct SimilarityCoordinates {
   }
 };
 
-// What both forms share: J in the coordinates z = (alpha, beta), traits, curvature models.
+// The common part of both forms: J in the coordinates z = (alpha, beta), traits, curvature models.
 // `Derived` supplies value_of(x, y, data...) and jet(x, y, data...), data being what a formula
 // takes of its element.
 template <class Derived, class Majorant>

@@ -49,7 +49,7 @@ struct ElementBatch {
   std::span<const Index> elements;  // at most kMaxSize
 };
 
-// What may change between steps without changing unknowns or sparsity pattern.
+// The part of a term that may change between steps without changing unknowns or sparsity pattern.
 struct TermState {
   double weight = 1.0;                    // of the whole term
   Vec element_weight = {};                // #E factors, empty = all 1

@@ -28,7 +28,7 @@
 //     parallel.h                  how many threads work, and loops on them
 //
 // What they stand on:
-//     linear_solver.h             sparse patterns and factorizations: the own one, others to plug in
+//     linear_solver.h             sparse patterns and factorizations: ours, others to plug in
 //     ranks.h                     processes that solve one problem together
 //     partition.h                 which part of the problem each of them has
 //

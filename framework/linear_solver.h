@@ -1,9 +1,14 @@
-// Solution of H p = r for symmetric positive definite H of a fixed pattern.
+// Linear solvers: H p = r for symmetric positive definite H of a fixed pattern.
 //
-// Analyse once per pattern, factorize once per matrix, solve as often as needed. The solvers here
-// are direct. One of your own may be iterative: factorize() makes a preconditioner, solve() is
-// asked for no more accuracy than the method needs and says what it reached;
-// docs/choosing_a_solver.md has one.
+//   const std::unique_ptr<LinearSolver> solver = make_direct_solver();
+//   solver->analyze(problem.pattern());                             // once per pattern
+//   const Vec values = Vec::Ones(problem.pattern().nonzeros());     // parallel to pattern().rows
+//   Vec p;
+//   if (solver->factorize(values, 0) == FactorStatus::Ok) solver->solve(y0, p);
+//
+// The solvers here are direct. One of your own may be iterative: factorize() makes a
+// preconditioner, solve() is asked for no more accuracy than the method needs and says what it
+// reached; docs/choosing_a_solver.md has one. Not for indefinite or unsymmetric systems.
 #pragma once
 
 #include <cstddef>
@@ -48,14 +53,14 @@ struct SparsePattern {
   // blocks. places: where this pattern's entries are in the result.
   SparsePattern joined(const SparsePattern& more, std::vector<Index>& places) const;
 
-  // Where the value of an entry is: parallel to `rows`; either triangle. Throws InvalidArgument for
-  // an entry that is not there.
+  // The place of an entry's value in arrays parallel to `rows`; the entry may be of either
+  // triangle. Throws InvalidArgument for an entry that is not there.
   Index slot(Index row, Index column) const;
   Index diagonal_slot(Index column) const { return column_starts[column]; }
 };
 
-// Throws InvalidArgument unless a pattern is what the comment of SparsePattern says, with a block for
-// every unknown, equal numbers next to each other, counted from 0.
+// Throws InvalidArgument unless a pattern is what the comment of SparsePattern says, with a block
+// for every unknown, equal numbers next to each other, counted from 0.
 void require_valid(const SparsePattern& pattern);
 
 enum class FactorStatus { Ok, NotPositiveDefinite };
@@ -83,9 +88,9 @@ class LinearSolver {
   // outlive the solver's use of them. Solvers of one process need not know of it: analyze(pattern)
   // where one process has everything, else InvalidArgument.
   virtual void analyze_shared(const SparsePattern& pattern, const Partition& partition);
-  // What the matrices to come hardly see, one vector a column (the translations of a map, say), on
-  // the unknowns of the next analysis: multigrid that is made of matrices alone converges sooner
-  // for it. Others do not look.
+  // The near null space of the matrices to come (the translations of a map, say), one vector a
+  // column, on the unknowns of the next analysis. Algebraic multigrid converges sooner for it;
+  // other solvers ignore it.
   virtual void hint_near_null_space(Eigen::MatrixXd /*vectors*/) {}
   // Factorizes H + shift * I; `values` parallel to pattern.rows.
   virtual FactorStatus factorize(const Vec& values, double shift) = 0;
@@ -95,20 +100,20 @@ class LinearSolver {
   // Memory that factorize() is going to allocate for the factor and its making, known after the
   // analysis, before any of it is taken; 0: not known.
   virtual std::size_t bytes() const { return 0; }
-  // What the analysis chose, for reports: "supernodal, METIS, 1.2e6 nonzeros".
+  // The choices of the analysis, for reports: "supernodal, METIS, 1.2e6 nonzeros".
   virtual std::string description() const = 0;
 };
 
-// Makes one; minimizers call it once. May be empty where they have one of their own.
+// Makes a solver; minimizers call it once. May be empty where they have one of their own.
 using SolverFactory = std::function<std::unique_ptr<LinearSolver>()>;
 
 // Automatic: what costs least over the factorizations of a Newton run, ten and more. Amd: cheaper
 // to find, for one or two.
 enum class Ordering { Automatic, Amd, Metis };
 
-// Where a run, rather than a minimizer, makes the solver: it is told what is to be factorized, and
-// which ordering suits the number of factorizations, so that it can choose by size (bytes() of a
-// solver that has analysed the pattern).
+// Makes the solver of a run, as SolveOptions::linear_solver. It is told the pattern to be
+// factorized and the ordering that suits the number of factorizations, so that it can choose by
+// size (bytes() of a solver that has analysed the pattern).
 using PatternSolverFactory =
     std::function<std::unique_ptr<LinearSolver>(const SparsePattern& pattern, Ordering ordering)>;
 
@@ -118,16 +123,16 @@ using PatternSolverFactory =
 // Needs no BLAS. Every member throws std::bad_alloc when it runs out of memory.
 std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering = Ordering::Automatic);
 
-// What kernels run on here, the direct solver's and those of the built-in energies: "AVX-512",
-// "AVX2" or "baseline".
+// The instruction set that the direct solver and the kernels of built-in energies use on this
+// machine: "AVX-512", "AVX2" or "baseline".
 std::string_view vector_instructions();
 
 // Eigen's simplicial L D L^T with the AMD ordering, on one thread: header-only, no BLAS, the oracle
 // of the tests. Not for large matrices, where the supernodal factorization is several times faster.
 std::unique_ptr<LinearSolver> make_eigen_ldlt_solver();
 
-// Mean of |H_ii|; values parallel to pattern.rows. Of the sum of several ranks' matrices: with
-// their partition, collective.
+// Mean of |H_ii|; values parallel to pattern.rows. With a partition: of the sum of the matrices of
+// all ranks; collective.
 double mean_diagonal(const SparsePattern& pattern, const Vec& values);
 double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Partition& partition);
 

@@ -1,4 +1,4 @@
-// What all iterative solvers share: what they are given, what they return, and when they stop.
+// Minimizers: their interface, their results, and the rules by which they stop.
 //
 //   NewtonMinimizer newton;
 //   const Minimizer& method = newton;
@@ -91,10 +91,11 @@ struct StoppingRules {
   // Such small steps that end a run: the first is followed by a step with the exact Hessian; 1
   // where Hessians never become exact.
   int tail_steps = 2;
-  // Of relative_decrease, that may be left; held by tests/campaigns/plateaus.py.
+  // The multiple of relative_decrease that may be left at the end; held by
+  // tests/campaigns/plateaus.py.
   double plateau_factor = 2;
-  // Of that, where Hessians are indefinite: runs pass saddles with decreases of 1e-7. Tuned by
-  // bench/tune.py stopping.saddle_part.
+  // The factor of the same where Hessians are indefinite: runs pass saddles with decreases of 1e-7.
+  // Tuned by bench/tune.py stopping.saddle_part.
   double saddle_part = 0.01;
   // Steps in each of the two sums; held by tests/campaigns/plateaus.py.
   int plateau_window = 12;
@@ -142,11 +143,11 @@ class StoppingTest {
   // NaN or numbers of steps below 1 (max_iterations: 0).
   StoppingTest(const StoppingRules& rules, double energy);
 
-  // Whether the iterations are used up.
+  // The stop where the iterations are used up.
   std::optional<Stop> before_step() const;
 
-  // Whether the next step minimizes what this one did. A small step on a problem that has changed
-  // since is no sign of a minimum.
+  // Same: the next step minimizes the energy that this one did. A small step on a problem that has
+  // changed since is no sign of a minimum.
   enum class Since { Same, ProblemChanged };
   Advice after(const StepResult& step, Since since = Since::Same);
 

@@ -23,16 +23,9 @@
 
 namespace majorant {
 
-// How many threads the work of a block may use: a value that the block owns.
-//
-//   const ThreadCount two(2);          // until the end of this block, for what this thread calls
-//   double e = Evaluator(problem).value(y0);
-//
-// Evaluators, checkers and all solvers run their loops on the pool of threads of the process; two
-// threads that solve at the same time do not see each other's number. Results are the same for any
-// number, to the last bit. parametrize(), deform() and make_seamless() take the number with their
-// options.
-
+// The number of threads that the work of a block may use: a value that the block owns. Two threads
+// that solve at the same time do not see each other's number. parametrize(), deform() and
+// make_seamless() take the number with their options.
 class ThreadCount {
  public:
   // 0: as it is. Throws InvalidArgument where count < 0.
@@ -41,9 +34,9 @@ class ThreadCount {
   ThreadCount(const ThreadCount&) = delete;
   ThreadCount& operator=(const ThreadCount&) = delete;
 
-  // Of the calling thread, now. Without any ThreadCount: as many as the process has processors, by
-  // its affinity and the CPU quota of its control groups, and at most OMP_NUM_THREADS. In a task of
-  // a parallel loop: 1.
+  // The number that holds for the calling thread now. Without any ThreadCount: the number of
+  // processors of the process, by its affinity and the CPU quota of its control groups, and at most
+  // OMP_NUM_THREADS. In a task of a parallel loop: 1.
   static int current();
 
  private:
@@ -56,7 +49,7 @@ class ThreadCount {
 void parallel_tasks(Index count, const std::function<void(Index task, int thread)>& work,
                     int threads = ThreadCount::current());
 
-// Whether the calling thread runs a task, where further loops are its own.
+// True in a task, where further loops run on the calling thread.
 bool is_parallel_task();
 
 // work(i) for all i from 0 to count - 1, `piece` successive ones a task.

@@ -40,7 +40,7 @@ class Elimination;
 // structure.
 enum class TermId : std::size_t {};
 
-// What is to be set, term by term.
+// New states of terms.
 using TermChanges = std::vector<std::pair<TermId, TermState>>;
 
 class Problem {
@@ -66,7 +66,7 @@ class Problem {
   // as with() does and ProblemBuilder::add().
   Problem exchanged(const std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>>& terms,
                     std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const;
-  // Whether a factorization analysed for `other` fits this problem.
+  // True where a factorization analysed for `other` fits this problem.
   bool same_structure(const Problem& other) const { return structure_ == other.structure_; }
 
   // Both throw InvalidArgument for another number of unknowns.
@@ -90,7 +90,7 @@ class Problem {
 
 class ProblemBuilder {
  public:
-  // What add() of a term returns: its id, or the builder again where nobody asks for it.
+  // The result of add() of a term: its id, or the builder again where nobody asks for the id.
   //     const TermId energy = builder.add(term, 1.0);
   //     const Problem problem = ProblemBuilder(size).add(term, 1.0).add(pins).build();
   class AddedTerm {
@@ -154,9 +154,9 @@ class ProblemBuilder {
 // InvalidArgument for another number of unknowns, linearize() for a curvature that a term has not;
 // what a term throws leaves them as it is.
 
-// Of one term at x (full unknowns): the unweighted value of each of its elements here, and its part
-// of the (whole) problem's energy, weights included. Poll between batches of elements, as all
-// evaluations do that are given a stop check: Stopped.
+// For one term at x (full unknowns): the unweighted values of its elements here, and its part of
+// the energy of the whole problem, weights included. Both poll the stop check between batches of
+// elements, as all evaluations do, and throw Stopped.
 Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 

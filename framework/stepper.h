@@ -39,7 +39,7 @@ inline constexpr double kPartOfLimit = 0.9;
 struct LineSearchOptions {
   double armijo = kArmijo;                  // accept s when E(s) <= E(0) + armijo * s * g.p, finite
   double boundary_fraction = kPartOfLimit;  // of the largest certified step, when that is the limit
-  // Of the step per trial, while the energy asks for more. Tuned by bench/tune.py
+  // The growth of a step per trial, at most, while the energy asks for more. Tuned by bench/tune.py
   // line_search.largest_growth.
   double largest_growth = 4;
   // Longer or shorter steps that are tried after the first one that is good enough. Tuned by
@@ -105,8 +105,8 @@ class LineSearch {
   int trials_ = 0;
 };
 
-// Where a descent is, and what becomes of its steps. The base class reports the energy that is
-// minimized; a derived one may change the problem between steps and report another energy.
+// The state of a descent, and the hooks that its steps pass. The base class reports the energy that
+// is minimized; a derived one may change the problem between steps and report another energy.
 class Descent {
  public:
   virtual ~Descent() = default;
@@ -185,7 +185,7 @@ class Stepper {
   double decrement_rule_;
 };
 
-// Whether result.y may be a start: fills result.energy there, else status Infeasible, message and
+// True where result.y may be a start; fills result.energy then, else status Infeasible, message and
 // blocking elements. For loops of one's own around step(). Throws InvalidArgument for another
 // number of unknowns, one that is not finite, and a problem without terms.
 bool check_start(Evaluator& evaluator, SolveResult& result);

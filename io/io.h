@@ -75,9 +75,9 @@ FileVerification certification(std::string path, ProofRequest wanted,
 // range, values that are not finite; Stopped.
 MapFile read_vtu(const std::string& path, const StopCheck& stop = {});
 
-// What stands for a curved triangle: uv and Points are its control points, or its values at the
-// points (i, j, k) / n (VTK_LAGRANGE_TRIANGLE, type 69). The latter are what most programs know,
-// and round the map: it reads back as another one, some units in the last place away.
+// The representation of a curved triangle: uv and Points are its control points, or its values at
+// the points (i, j, k) / n (VTK_LAGRANGE_TRIANGLE, type 69). Most programs know the latter, which
+// rounds the map: it reads back as another one, some units in the last place away.
 enum class VtuCells { Bezier, Lagrange };
 
 // Throws Error(Invalid) if the map is inconsistent or not finite, Error(Unsupported) for Lagrange
@@ -97,10 +97,10 @@ void write_vtu(const std::string& path, const MapFile& map, const FileVerificati
 //                                                         // views "u" and "v" over them
 //   const MapFile image = read_msh("bunny.msh");
 //
-// What is written rounds the map (use write_vtu to keep it) and says nothing of seams and claims;
-// an image says nothing of the surface. Nodes are numbered as the map's points, elements as its
-// cells, from 1; every chart is a surface entity of its own, from 1. Nodes are shared where the map
-// is continuous. A surface has two sections of our own behind the views, which gmsh passes over:
+// Writing rounds the map (write_vtu() keeps it) and leaves out seams and claims; an image leaves
+// out the surface. Nodes are numbered as the map's points, elements as its cells, from 1; every
+// chart is a surface entity of its own, from 1. Nodes are shared where the map is continuous. A
+// surface has two sections of our own behind the views, which gmsh passes over:
 //
 //     $input_vertex      number of lines, then lines of a node tag and the vertex of the input,
 //                        from 0; -1: none
@@ -139,9 +139,9 @@ void write_msh(const std::string& path, const MapFile& map, MshContent content,
 // its vertices and polygons come first and stay where they can: with refine = 1 all of them for
 // degree 1, almost all for higher degrees.
 //
-// What the input says of materials, names, groups, colours of vertices, points and lines comes
-// back; files of materials, which names relative to the input's folder lead to, are named relative
-// to the folder of the output.
+// Materials, names, groups, colours of vertices, points and lines of the input come back; files of
+// materials, named relative to the folder of the input, are named relative to the folder of the
+// output.
 //
 // Cones of a map with seams stand at the top as comments, one a line, numbered from 0 like vertices
 // in pins and reports: `# cone vertex 12 quarter_turns 3`.

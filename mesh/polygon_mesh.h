@@ -1,6 +1,14 @@
-// What a mesh file says, before anything is believed: polygons over positions, with the lines they
-// came from. SurfaceMesh (surface_mesh.h) validates it; readers (io/) only guarantee that numbers
-// are finite, every index is in range and every polygon has at least three corners.
+// A mesh file as it is, before anything is believed: polygons over positions, with the lines that
+// they came from.
+//
+//   PolygonMesh quad;
+//   quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+//   quad.polygons = {{0, 1, 2, 3}};
+//   const SurfaceMesh mesh = SurfaceMesh::from_polygons(quad);
+//
+// Readers (io/) guarantee that numbers are finite, every index is in range and every polygon has at
+// least three corners, and no more. Not for geometry: SurfaceMesh (surface_mesh.h) validates it,
+// repair() (repair.h) makes a surface of what is none.
 #pragma once
 
 #include <string>

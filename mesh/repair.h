@@ -136,10 +136,9 @@ PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surfa
 //   for (const Defect& d : found.defects) std::cerr << describe(d) << "\n";   // "2 edges have..."
 //   for (const ComponentShape& c : found.components) std::cout << c.genus() << "\n";
 //
-// SurfaceMesh::from_polygons refuses a mesh with any of the kinds before Needle; repair()
-// (repair.h) makes it usable, as it does with needles and offsets, and says the same in other
-// words. The last three stay as they are: welding is up to the user, and T-junctions are
-// boundaries.
+// SurfaceMesh::from_polygons refuses a mesh with any of the kinds before Needle; repair() makes it
+// usable, as it does with needles and offsets, and says the same in other words. The last three
+// stay as they are: welding is up to the user, and T-junctions are boundaries.
 
 enum class DefectKind {
   Soup,                // no face shares a vertex with another: count 1

@@ -1,5 +1,5 @@
-// What people look at: the layout as an exact vector drawing (SVG), layout or surface as pixels
-// (PNG), and both side by side as a page for a browser, with the film of a run.
+// Pictures of maps: the layout as an exact vector drawing (SVG), layout or surface as pixels (PNG),
+// and both side by side as a page for a browser, with the film of a run.
 //
 //   const MapFile map = read_map("bunny.vtu");
 //   write_svg("bunny.svg", map);
@@ -29,10 +29,10 @@ inline constexpr std::array kQuantities{Quantity::Density, Quantity::Area, Quant
 // "density", "area", "angle", "sigma-max", "sigma-min".
 std::string_view quantity_name(Quantity quantity);
 
-// Whether pictures and pages show the layout turned, the longer side of the smallest rectangle
-// around it lying. Automatic: where nothing holds it as it is, as far as the map's claims tell: no
-// pins, handles, seams or charts, and it is not a deformation. Files keep their coordinates either
-// way.
+// Always: pictures and pages show the layout turned so that the longer side of the smallest
+// rectangle around it lies horizontally. Automatic: the same where nothing holds it as it is, as
+// far as the map's claims tell: no pins, handles, seams or charts, and no deformation. Files keep
+// their coordinates either way.
 enum class Alignment { Automatic, Always, Never };
 
 struct ColorRange {
@@ -48,8 +48,8 @@ struct SvgOptions {
   // The space around the map (to_map_file of a BezierMesh), of its degree: drawn pale behind it, as
   // far as the drawing reaches.
   std::optional<MapFile> scaffold = std::nullopt;
-  // What the triangles' colours show, the mean over each; none: the density, where the map has it
-  // and names its energy.
+  // The quantity that colours the triangles, by its mean over each; none: the density, where the
+  // map has it and names its energy.
   std::optional<Quantity> quantity = std::nullopt;
   // None: the fixed range of the quantity's scale.
   std::optional<ColorRange> color_range = std::nullopt;
@@ -62,12 +62,11 @@ struct SvgOptions {
 // is 4000 high instead); coordinates have 6 digits of the drawing's size.
 //
 // Cells are filled by `distortion`, the mean density of the energy that the map's claims name, on
-// the fixed scale of that energy (docs/pictures.md): pictures of different maps can be compared. The
-// legend names energy, degree and isometry, the smallest and the largest value on the map (not of
-// the means that are drawn; as MapMeasures::max_density), and how many means are beyond the scale.
-// Without
-// either the cells are grey, or in pale colours by chart. The paper is white, whatever page it lies
-// on. The output depends on nothing but the map and the options.
+// the fixed scale of that energy (docs/pictures.md): pictures of different maps can be compared.
+// The legend names energy, degree and isometry, the smallest and the largest value on the map (not
+// of the means that are drawn; as MapMeasures::max_density), and how many means are beyond the
+// scale. Without both the cells are grey, or in pale colours by chart. The paper is white, whatever
+// page it lies on. The output depends on nothing but the map and the options.
 //
 // Over the cells: grid lines if asked for, cut off at the layout's boundary; where the map has
 // several charts, thin outlines in one colour a chart, and its number where there is room; where it
@@ -175,11 +174,13 @@ struct MapPage {
   // `message`, the numbers of `result` and `distortion`, `proofs` and `findings`, where these are.
   std::string facts = "{}";
   Alignment alignment = Alignment::Automatic;  // of the layout as it is shown
-  // What is shown first; none: a checkered texture, or the density where color_range is given.
+  // The quantity that is shown first; none: a checkered texture, or the density where color_range
+  // is given.
   std::optional<Quantity> quantity = std::nullopt;
-  // Of that quantity; none: the fixed range of its scale.
+  // The range of colours of that quantity; none: the fixed one of its scale.
   std::optional<ColorRange> color_range = std::nullopt;
-  // By rising iterations. They are kept in single precision, 8 bytes a control point each.
+  // Snapshots in the order of their iterations. The page keeps them in single precision, 8 bytes a
+  // control point each.
   std::vector<PageSnapshot> snapshots = {};
 };
 
@@ -206,7 +207,7 @@ void write_page(const std::string& path, const MapPage& page);
 // every second one is taken. The start, iteration 0, is always one of them.
 class Film {
  public:
-  // Of all frames: 46 of 10,000 cubic triangles.
+  // The memory that all frames may take: 46 frames of 10,000 cubic triangles.
   static constexpr std::size_t kMostBytes = std::size_t{1} << 24;
 
   struct Frame {
@@ -222,7 +223,7 @@ class Film {
   // For SolveOptions::watch; the film outlives it.
   MapObserver watcher();
   int every() const { return every_; }  // now
-  // How many frames() gives for a result of that iteration.
+  // The number of frames that frames() gives for a result of that iteration.
   std::size_t count(int last_iteration) const;
   // The frames and, as the last one, the result, elevated to its degree, by rising iterations.
   std::vector<PageSnapshot> frames(const Frame& result) const;
@@ -236,7 +237,7 @@ class Film {
   std::vector<Frame> frames_;
 };
 
-// Of the last row, 0 where there is none.
+// The iteration of the last row, 0 where there is none.
 int last_iteration(const std::vector<TraceEntry>& trace);
 
 }  // namespace majorant

@@ -62,7 +62,7 @@ class InequalityChecker final : public BarrierChecker {
       return -log(g(e, z) + slack);
     });
   }
-  // By a tenth of the size of g, which is about 1, and of what x violates.
+  // The slack is a tenth of the size of g, which is about 1, beyond what x violates.
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
     const double violated = std::max(0.0, slack_ - check(x).margin);
     const double slack = std::max(slack_, violated + 0.1 * (1 + violated));

@@ -22,20 +22,20 @@
 
 namespace majorant {
 
-// Where a seamless map comes from. Field: a cross field, integrated. ScaledField: likewise, with
-// the lengths of the conformal metric that has the field's cones. Conformal: that metric, laid out;
-// for spheres and disks only, where the cones determine all transitions. Automatic: the first of
-// these that can be untangled.
+// The way in which a seamless map is made. Field: a cross field is integrated. ScaledField:
+// likewise, with the lengths of the conformal metric that has the field's cones. Conformal: that
+// metric is laid out; for spheres and disks only, where the cones determine all transitions.
+// Automatic: the first of these that can be untangled.
 enum class SeamlessMethod { Automatic, Field, ScaledField, Conformal };
 // "automatic", "field", "scaled-field", "conformal".
 std::string_view method_name(SeamlessMethod method);
 
 struct Start {
   BezierMap map;  // of degree 1, of the surface cut open where it has seams, which hold to rounding
-  // Of maps put together from corner coordinates, uv units: the largest mismatch found along a seam
-  // edge, and the largest distance by which projecting it out moved a corner.
+  // For maps put together from corner coordinates, in uv units: the largest mismatch found along a
+  // seam edge, and the largest distance by which projecting it out moved a corner.
   double residual = 0, moved = 0;
-  // Of maps that were made: triangles inverted at first, Newton steps to repair them, and the
+  // For maps that were made: triangles inverted at first, Newton steps to repair them, and the
   // method that gave the map (Automatic: none).
   Index inverted = 0;
   int untangling_steps = 0;

@@ -1,4 +1,4 @@
-// What a map does to the surface at one point, in the words of the field.
+// The distortion of a map: at a point of the surface, of each face, and over the whole surface.
 //
 //   const PointDistortion d = distortion_of(map.jacobian(12, {0.2, 0.3, 0.5}));
 //   const double much = d.area();     // 2: twice as large in the plane as on the surface
@@ -50,7 +50,7 @@ struct PointDistortion {
 // J: any 2 by 2 matrix, columns the images of an orthonormal frame of the surface.
 PointDistortion distortion_of(const Eigen::Matrix2d& J);
 
-// What a map does to each face and to the whole surface, in the words of the field.
+// The distortion of each face and of the whole surface.
 //
 //   const MapDistortion measured = measure_distortion(map);
 //   const DistortionSummary all = summary(measured);
@@ -90,7 +90,7 @@ MapDistortion measure_distortion(const BezierMap& map, double scale = 1);
 // The percentiles that are told: those people ask for; for reports alone.
 inline constexpr std::array<int, 7> kPercentiles{1, 5, 25, 50, 75, 95, 99};
 
-// How a quantity is spread over the surface, by area.
+// The distribution of a quantity over the surface, by area.
 struct Spread {
   double mean = 0;
   // The smallest value that is exceeded on at most 99, 95, ... % of the area, as kPercentiles.
@@ -105,7 +105,7 @@ struct DistortionSummary {
   Spread sigma_1, sigma_2, area, angle;
 };
 
-// Of all parts as one map; all 0 where no face counts.
+// The summary of all parts as one map; all 0 where no face counts.
 DistortionSummary summary(const std::vector<const MapDistortion*>& parts);
 inline DistortionSummary summary(const MapDistortion& map) { return summary(std::vector{&map}); }
 

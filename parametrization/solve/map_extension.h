@@ -1,5 +1,5 @@
-// What a caller adds to the problem that parametrize() builds for each degree: terms, constraints,
-// checkers, bounds and observers of its own.
+// Extensions of the problem that parametrize() builds for each degree: terms, constraints,
+// checkers, bounds and observers of the caller.
 //
 //   ParametrizationOptions options;
 //   options.extend = [](MapExtension& map) {
@@ -62,7 +62,7 @@ class MapExtension {
   MapExtension& add(std::shared_ptr<const FeasibilityChecker> checker);
   MapExtension& observe(MapObserver observer);
 
-  // What was added, in this order.
+  // The additions, in their order.
   struct Term {
     std::shared_ptr<const EnergyTerm> term;
     double weight;

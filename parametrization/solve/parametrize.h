@@ -32,7 +32,8 @@ struct ParametrizationOptions {
   MapExtender extend = {};  // what else: terms, constraints, checkers of one's own; may be empty
 };
 
-// What became of what MapOptions does not know, in the order it was added for the last degree.
+// The outcome of terms and checkers that a MapExtension added, in the order in which they were
+// added for the last degree.
 struct AddedTerm {
   std::string name;
   double weight;
@@ -69,7 +70,8 @@ struct ParametrizationResult {
   std::optional<GlobalInjectivity> boundary;  // likewise: the proof that `map` does not overlap
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
   double scaffold_seconds = 0;  // of these: the scaffold, its problems, their analyses
-  // Of one factorization and one solve at the degree asked for, median (SolveOptions::factor_cost).
+  // The time of one factorization and one solve at the degree asked for, the median
+  // (SolveOptions::factor_cost).
   std::optional<double> factor_solve_seconds;
 };
 

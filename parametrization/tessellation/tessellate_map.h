@@ -25,13 +25,13 @@ struct TessellationOptions {
   Overlap overlap = Overlap::Allowed;  // Excluded: for maps that are injective as a whole
 };
 
-// With `input`, the mesh that the map was made from: its vertices (also unreferenced ones), then
-// new ones; its polygons in their order, with groups, materials, normals and colours. A polygon
-// stays as it is where none of its cells is cut, no cut of the surface crosses it and its image is
-// a simple polygon; otherwise its triangles take its place, in the order of cells. Normals and
-// colours at new vertices are interpolated. A polygon whose cells run backwards around it (the map
-// has its other side up) is written as they run. Without `input` (null): the triangles of
-// mesh_from_map in their order.
+// `input`: the mesh that the map was made from, or null. The result has its vertices (also
+// unreferenced ones), then new ones; its polygons in their order, with groups, materials, normals
+// and colours. A polygon stays as it is where none of its cells is cut, no cut of the surface
+// crosses it and its image is a simple polygon; otherwise its triangles take its place, in the
+// order of cells. Normals and colours at new vertices are interpolated. A polygon whose cells run
+// backwards around it (the map has its other side up) is written as they run. Without `input`
+// (null): the triangles of mesh_from_map in their order.
 //
 // Texture coordinates: one per corner point of the map in the order of the map's points, then those
 // of new vertices. A map of degree 1 with refine = 1 is taken as it is, whether positive or not.
