@@ -12,7 +12,7 @@
 
 #include "majorant/constraints/cut_surface.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/repair.h"

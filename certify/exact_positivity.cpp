@@ -7,9 +7,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <vector>
 
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/det_coefficients.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/exact_integers.h"
 

@@ -12,7 +12,7 @@
 #include "majorant/certify/box_pairs.h"
 #include "majorant/certify/internal/curve_contact.h"
 #include "majorant/certify/loop_winding.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {

@@ -15,11 +15,11 @@
 #include "majorant/certify/internal/match_tolerance.h"
 #include "majorant/certify/internal/repaired_match.h"
 #include "majorant/certify/internal/surface_match.h"
-#include "majorant/constraints/internal/sector_angle.h"
+#include "majorant/constraints/sector_angle.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/element_space.h"
-#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/refusal.h"
 
 namespace majorant {

@@ -7,7 +7,7 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/proven_distance.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/maps/smallest_rectangle.h"
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "majorant/constraints/constraints.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "majorant/constraints/constraints.h"
-#include "majorant/framework/internal/elimination.h"
+#include "majorant/framework/elimination.h"
 
 namespace majorant {
 

@@ -1,5 +1,5 @@
 #include "majorant/constraints/constraints.h"
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 
 namespace majorant {
 

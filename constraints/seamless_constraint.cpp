@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "majorant/constraints/constraints.h"
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {

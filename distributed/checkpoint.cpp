@@ -19,7 +19,7 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/stopwatch.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/input_file.h"

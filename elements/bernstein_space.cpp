@@ -10,15 +10,15 @@
 #include <set>
 #include <utility>
 
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/det_coefficients.h"
 #include "majorant/elements/internal/element_check.h"
 #include "majorant/elements/internal/node_lattice.h"
-#include "majorant/elements/internal/positivity.h"
 #include "majorant/elements/internal/small_buffer.h"
+#include "majorant/elements/positivity.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant {
 

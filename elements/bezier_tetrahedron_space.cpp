@@ -1,5 +1,5 @@
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/elements/internal/bernstein.h"
 
 namespace majorant {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {

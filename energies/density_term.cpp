@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "majorant/energies/energy_factory.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 

@@ -6,12 +6,11 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/energy_term.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/colored_batches.h"
-#include "majorant/framework/internal/curvature_name.h"
-#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 namespace {

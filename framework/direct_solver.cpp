@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/internal/block_graph.h"
 #include "majorant/framework/internal/block_ordering.h"
 #include "majorant/framework/internal/multifrontal.h"

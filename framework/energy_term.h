@@ -40,6 +40,8 @@ struct ElementDofs {
   int local_size() const { return static_cast<int>(nodes.cols()) * block; }
 };
 
+std::string_view curvature_name(Curvature curvature);  // "projected", "paper-majorizer", ...
+
 using RuleId = int;  // a term's own numbering of its quadrature rules; 0 is its default rule
 
 // Elements that one call treats: all use the same rule.

@@ -3,8 +3,8 @@
 #include "majorant/framework/first_order.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/preconditioner.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {

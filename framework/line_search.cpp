@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/backtracking.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/backtracking.h"
-#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/problem_parts.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/internal/try_shifts.h"
 
 namespace majorant {

@@ -7,14 +7,14 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/first_order.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/option_check.h"
-#include "majorant/framework/internal/problem_parts.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/internal/try_shifts.h"
+#include "majorant/framework/problem_parts.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/curvature_name.h"
-#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 namespace {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
+#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/available_resources.h"
 #include "majorant/framework/parallel.h"
 
 namespace majorant {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {

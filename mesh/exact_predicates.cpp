@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/exact_integers.h"
 
 namespace majorant {

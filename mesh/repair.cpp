@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 #include "majorant/mesh/internal/place_text.h"

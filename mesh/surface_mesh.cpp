@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/mesh_validation.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/triangulate_polygon.h"

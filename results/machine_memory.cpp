@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/framework/internal/assembly.h"
+#include "majorant/framework/assembly.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {

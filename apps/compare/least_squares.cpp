@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
+#include "majorant/framework/problem_parts.h"
 #include "majorant/framework/stepper.h"
 
 namespace majorant {

@@ -9,8 +9,8 @@
 #include "apps/plugins/plugin.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/first_order.h"
-#include "majorant/framework/internal/curvature_name.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant::app {

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {

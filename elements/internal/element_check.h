@@ -3,7 +3,7 @@
 #pragma once
 
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/det_coefficients.h"
 
 namespace majorant {
 

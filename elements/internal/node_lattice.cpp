@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <tuple>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {

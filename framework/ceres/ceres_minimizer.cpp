@@ -11,8 +11,8 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/diagnosis.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {

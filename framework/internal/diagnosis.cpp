@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/framework/stepper.h"

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <vector>
 
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/singular_values.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/singular_values.h"
 #include "majorant/parametrization/atlas/unwrap.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "majorant/certify/proven_distance.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/model_unit.h"

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "majorant/framework/backtracking.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/fields/edge_laplacian.h"

@@ -8,8 +8,8 @@
 #include <memory>
 #include <utility>
 
-#include "majorant/framework/internal/rounding.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/internal/collapsing_mesh.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "majorant/constraints/cut_surface.h"
-#include "majorant/constraints/internal/sector_angle.h"
+#include "majorant/constraints/sector_angle.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"

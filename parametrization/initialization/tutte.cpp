@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "majorant/framework/internal/sparse_spd.h"
+#include "majorant/framework/sparse_spd.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/initialization/area_margin.h"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/singular_values.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/singular_values.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {

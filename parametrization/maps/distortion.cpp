@@ -1,6 +1,6 @@
 #include "majorant/parametrization/maps/distortion.h"
 
-#include "majorant/elements/internal/singular_values.h"
+#include "majorant/elements/singular_values.h"
 
 namespace majorant {
 

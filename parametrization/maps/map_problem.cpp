@@ -4,8 +4,8 @@
 
 #include "majorant/constraints/constraints.h"
 #include "majorant/energies/quadratic_penalty.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/element_values.h"
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/problem.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"

@@ -9,10 +9,10 @@
 
 #include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/element_space.h"
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/singular_values.h"
-#include "majorant/framework/internal/element_values.h"
+#include "majorant/elements/singular_values.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/problem.h"
 #include "majorant/parametrization/maps/extreme_samples.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/quadrature.h"
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/parametrization/maps/distortion.h"
 #include "majorant/parametrization/maps/extreme_samples.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/constraints/constraints.h"
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/solve/free_scale.h"

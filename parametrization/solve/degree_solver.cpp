@@ -10,10 +10,10 @@
 #include "majorant/elements/jacobian_net.h"
 #include "majorant/energies/densities/symmetric_dirichlet.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/problem_parts.h"
-#include "majorant/framework/internal/projection.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/problem.h"
+#include "majorant/framework/problem_parts.h"
+#include "majorant/framework/projection.h"
+#include "majorant/framework/stopwatch.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/solve/solver_rules.h"
 

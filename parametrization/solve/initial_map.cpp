@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/initialization/multiresolution.h"
 #include "majorant/parametrization/initialization/start.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "majorant/constraints/constraints.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/elimination.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/initialization/start.h"

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "majorant/certify/global_injectivity.h"
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"

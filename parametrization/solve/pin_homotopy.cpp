@@ -9,8 +9,8 @@
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/constraints/constraints.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/elimination.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "majorant/elements/element_space.h"
-#include "majorant/framework/internal/barrier_path.h"
+#include "majorant/framework/barrier_path.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"

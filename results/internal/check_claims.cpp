@@ -10,7 +10,7 @@
 
 #include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/refusal.h"

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "majorant/constraints/constraints.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/elimination.h"
 #include "support.h"
 
 namespace majorant {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "majorant/energies/energy_factory.h"
-#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/energy_term.h"
 
 namespace majorant {
 namespace {

@@ -12,9 +12,9 @@
 #include "framework/barrier_chain.h"
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/first_order.h"
-#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant::test {
 namespace {

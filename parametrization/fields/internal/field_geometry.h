@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "majorant/framework/internal/sparse_spd.h"
+#include "majorant/framework/sparse_spd.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {

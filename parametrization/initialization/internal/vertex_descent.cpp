@@ -8,8 +8,8 @@
 
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/quadrature.h"
+#include "majorant/framework/backtracking.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/backtracking.h"
 
 namespace majorant {
 namespace {

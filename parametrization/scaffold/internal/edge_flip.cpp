@@ -6,9 +6,9 @@
 #include <deque>
 #include <limits>
 
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/element_space.h"
-#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/scaffold/internal/moving_barrier.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/framework/internal/backtracking.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/framework/backtracking.h"
 
 namespace majorant {
 namespace {

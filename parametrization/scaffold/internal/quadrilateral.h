@@ -7,7 +7,7 @@
 // Tolerances are sines of angles: what does not exceed them counts as 0, whatever the scale.
 #pragma once
 
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {

@@ -7,11 +7,11 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/element_values.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/curvature_name.h"
-#include "majorant/framework/internal/element_values.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/problem.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {

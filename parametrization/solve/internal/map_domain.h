@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "majorant/constraints/constraints.h"
-#include "majorant/framework/internal/barrier_path.h"
+#include "majorant/framework/barrier_path.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/stepper.h"

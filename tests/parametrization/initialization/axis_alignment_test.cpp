@@ -3,8 +3,8 @@
 
 #include "expected_error.h"
 #include "majorant/constraints/constraints.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/elimination.h"
 #include "parametrization/initialization/seamless_cases.h"
 #include "support.h"
 

@@ -8,8 +8,8 @@
 #include <array>
 #include <numeric>
 
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/elements/internal/bernstein.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "mesh/test_meshes.h"
 

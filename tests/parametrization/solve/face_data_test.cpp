@@ -6,8 +6,8 @@
 
 #include "expected_error.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/element_values.h"
 #include "majorant/framework/problem.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"

@@ -5,7 +5,7 @@
 
 #include <Eigen/LU>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"

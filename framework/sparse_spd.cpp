@@ -1,9 +1,9 @@
-#include "majorant/framework/internal/sparse_spd.h"
+#include "majorant/framework/sparse_spd.h"
 
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/pattern_of_pairs.h"
+#include "majorant/framework/pattern_of_pairs.h"
 
 namespace majorant {
 namespace {

@@ -1,4 +1,4 @@
-#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/energy_term.h"
 
 namespace majorant {
 

@@ -1,11 +1,11 @@
-#include "majorant/elements/internal/positivity.h"
+#include "majorant/elements/positivity.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant {
 

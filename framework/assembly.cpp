@@ -1,4 +1,4 @@
-#include "majorant/framework/internal/assembly.h"
+#include "majorant/framework/assembly.h"
 
 #include <algorithm>
 #include <span>

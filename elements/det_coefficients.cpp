@@ -1,4 +1,4 @@
-#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/det_coefficients.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "majorant/elements/internal/small_buffer.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant {
 namespace {

@@ -1,4 +1,4 @@
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 
 #include <fmt/format.h>
 

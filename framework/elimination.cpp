@@ -1,4 +1,4 @@
-#include "majorant/framework/internal/elimination.h"
+#include "majorant/framework/elimination.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "majorant/framework/internal/affine_presolve.h"
-#include "majorant/framework/internal/projection.h"
+#include "majorant/framework/projection.h"
 
 namespace majorant {
 

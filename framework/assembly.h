@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/energy_term.h"
-#include "majorant/framework/internal/elimination.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {

@@ -5,9 +5,9 @@
 //   const ColoredBatches& plan = ProblemParts::plan(problem, problem.terms().front());
 #pragma once
 
-#include "majorant/framework/internal/assembly.h"
+#include "majorant/framework/assembly.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/internal/colored_batches.h"
-#include "majorant/framework/internal/elimination.h"
 #include "majorant/framework/problem.h"
 
 namespace majorant {

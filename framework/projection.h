@@ -7,7 +7,7 @@
 
 #include <utility>
 
-#include "majorant/framework/internal/elimination.h"
+#include "majorant/framework/elimination.h"
 
 namespace majorant {
 

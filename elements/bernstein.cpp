@@ -1,4 +1,4 @@
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 
 #include <cmath>
 

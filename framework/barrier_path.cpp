@@ -1,4 +1,4 @@
-#include "majorant/framework/internal/barrier_path.h"
+#include "majorant/framework/barrier_path.h"
 
 #include <string>
 
