@@ -66,7 +66,8 @@ struct FormatOptions : MapFormats {
   // The file that --image names, or empty. Throws Error(Unreadable) where it is no picture.
   std::string readable_image() const;
 
-  // Whether --align asks for a map that is turned itself: some of these files hold its coordinates.
+  // Returns whether --align asks for a map that is turned itself: some of these files hold its
+  // coordinates.
   bool turns_map(const std::vector<std::string>& files) const;
 
   void add_to(CLI::App& verb);  // --refine --vtu --msh --grid --color-range ...

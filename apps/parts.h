@@ -9,7 +9,7 @@
 
 namespace majorant::app {
 
-// Whether CGAL and the others under the GPL or LGPL are in (MAJORANT_GPL).
+// Returns whether CGAL and the others under the GPL or LGPL are in (MAJORANT_GPL).
 bool has_gpl_parts();
 
 // Throws Error(Usage) that says so where they are not; what: the verb or flag that needs them.

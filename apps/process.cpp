@@ -99,7 +99,7 @@ void require_one_blas_thread() {
   if (set) set(1);
 }
 
-// Whether this much address space is left.
+// Returns whether this much address space is left.
 bool can_map(std::size_t bytes) {
   void* place = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

@@ -14,7 +14,8 @@
 namespace majorant {
 namespace {
 
-// Of a distance, what division by the size leaves: some units of rounding less.
+// The part of a distance that division by the size leaves for certain: some units of rounding less
+// than all.
 constexpr double kRounded = 1 - 1e-12;
 
 // u, v of every control point as a row.

@@ -43,7 +43,7 @@ class Elimination {
   // The full unknown that reduced unknown j is; full_size() + a for auxiliary unknown a.
   Index full_index(Index j) const { return free_[static_cast<size_t>(j)]; }
 
-  // Whether rows 0 to full_unknowns - 1 of Z are those of `other`.
+  // Returns whether rows 0 to full_unknowns - 1 of Z are those of `other`.
   bool begins_like(const Elimination& other, Index full_unknowns) const;
 
   void expand(VecIn y, Vec& x) const;               // x = Z y + c

@@ -22,15 +22,17 @@ namespace {
 // Relative decrement below which rounding errors of the gradient matter. Its square root, 1e-5, is
 // the relative distance to the minimum.
 constexpr double kPolish = 1e-10;
-// Of the mean diagonal: ten times kPolish, well above the rounding of the Hessian.
+// The shift of a polished Hessian, relative to the mean diagonal: ten times kPolish, well above the
+// rounding of the Hessian.
 constexpr double kPolishShift = 1e-9;
 // Part of the decrement below which a decrease says that the Hessian misleads: a quadratic
 // decreases by half of it.
 constexpr double kMisleading = 0.1;
-// Of the curvature along a rotation that is made up for; 1 would leave it singular.
+// The multiple of a rotation's negative curvature that is added; 1 would leave the Hessian
+// singular.
 constexpr double kRotationShift = 1.5;
-// What t of a blend rises to when it was too small: by about a factor of 5, so that two failures
-// lead from the exact Hessian to one that is mostly projected.
+// The values that t of a blend rises to when it was too small: by about a factor of 5, so that two
+// failures lead from the exact Hessian to one that is mostly projected.
 constexpr double kRaised[] = {0.1, 0.5, 1};
 
 }  // namespace
@@ -130,7 +132,7 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
     kept_->renew(from, gradient_, partition(), r, relative_decrement_);
 }
 
-// Whether the last factor gave a step; if not, y is as it was.
+// Returns whether the last factor gave a step; if not, y is as it was.
 bool NewtonStepper::kept_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   Stopwatch watch;
@@ -182,7 +184,7 @@ double NewtonStepper::mean_diagonal() const {
   return majorant::mean_diagonal(evaluator_.problem().pattern(), hessian_, partition());
 }
 
-// Of hessian_ and gradient_, both as they are.
+// Solves with hessian_ and gradient_ as they are.
 FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record) {
   Stopwatch watch;
   const FactorStatus factors = solver_->factorize(hessian_, shift);
@@ -240,7 +242,7 @@ bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   return f.status == FactorStatus::Ok;
 }
 
-// What the next blend is.
+// Chooses the next blend.
 void NewtonStepper::learn_weight(const Step& step) {
   const IterationRecord& r = step.record;
   const BlendRules& rules = options_.blend;

@@ -51,7 +51,7 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
     };
     try {
       const MapFile file = read_map(temporary);
-      // What it says to be cut binds it: other edges whose sides differ are tears.
+      // A claim of cuts binds the file: other edges whose sides differ are tears.
       ProofRequest claimed = wanted;
       if (!claimed.cut_edges) claimed.cut_edges = parse_claims(file.claims, path).cuts;
       if (image_of != nullptr) {

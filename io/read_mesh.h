@@ -37,7 +37,7 @@
 
 namespace majorant {
 
-// Whether the extension of a name is one of these.
+// Returns whether the extension of a name is one of these.
 bool is_mesh_name(const std::string& path);
 
 // "FBX" for model.fbx: what a format is called that is known by its extension and not read. Empty

@@ -76,7 +76,7 @@ std::vector<HalfEdge> sorted_half_edges(const TriangleList& list) {
   return edges;
 }
 
-// Whether flipping some faces makes the orientation consistent: two-colour the dual graph.
+// Returns whether flipping some faces makes the orientation consistent: two-colour the dual graph.
 bool orientable(const TriangleList& list, const std::vector<HalfEdge>& edges) {
   const auto n = static_cast<Index>(list.triangles.size());
   UnionFind sheets(2 * n);  // t: kept, n + t: flipped

@@ -458,7 +458,7 @@ Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
 // five digits; polygons that are bent more do not cross themselves in space.
 constexpr double kAside = 1e-4;
 
-// Whether triangles over these corners are in one plane, and some face its other side.
+// Returns whether triangles over these corners are in one plane, and some face its other side.
 bool disagree(const std::vector<Vector3>& corners,
               const std::vector<std::array<int, 3>>& triangles) {
   std::vector<Vector3> areas;

@@ -203,7 +203,7 @@ void add_dot(SvgLayout& layout, const Vector2& center, int quarter_turns) {
   layout.add("\" r=\"{}\" fill=\"{}\"/>\n", kConeRadius, cone_color(quarter_turns));
 }
 
-// Whether the map is an atlas: has pieces of different numbers in `chart`.
+// Returns whether the map is an atlas: has pieces of different numbers in `chart`.
 bool has_charts(const MapFile& map) {
   return map.chart.size() > 0 && map.chart.minCoeff() != map.chart.maxCoeff();
 }

@@ -111,8 +111,8 @@ void add_energy(const CheckedEnergy& energy, Json& section) {
 
 namespace {
 
-// Whether nothing says where a map is cut: files that claim nothing, and atlases of the time before
-// there was the claim `cuts`.
+// Returns whether nothing says where a map is cut: files that claim nothing, and atlases of the
+// time before there was the claim `cuts`.
 bool is_untold(const MapFile& file, const Claims& claims) {
   const bool says_nothing = !claims.version && !claims.seams;
   return !claims.cuts && (says_nothing || file.chart.size() > 0);
@@ -165,7 +165,8 @@ Json measured_distortion(const MapFile& file) {
   return section;
 }
 
-// Whether the file is what a map makes of the plane, as `.msh` has it: the identity of itself.
+// Returns whether the file is what a map makes of the plane, as `.msh` has it: the identity of
+// itself.
 bool is_image(const MapFile& file) {
   const auto corners = file.cells.leftCols(3).reshaped();
   return file.points(corners, 2).isZero(0) &&

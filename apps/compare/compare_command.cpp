@@ -345,7 +345,7 @@ std::vector<LinearSolverRun> measure_linear_solvers(const Request& request,
   return runs;
 }
 
-// Whether what the method needs can be loaded; asked for by name it must.
+// Returns whether what the method needs can be loaded; asked for by name it must.
 bool can_be_had(const Method& method, const Request& request) {
   if (!method.load) return true;
   try {

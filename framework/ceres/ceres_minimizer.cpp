@@ -43,7 +43,7 @@ struct Run {
   }
   // After an exception or a stop every trial point is refused, until Ceres gives up.
   bool is_over() const { return error || directive != Directive::Continue; }
-  // Whether result.y is stationary as far as Ceres was asked for.
+  // Returns whether result.y is stationary as far as Ceres was asked for.
   bool is_flat() {
     Vec gradient;
     evaluator.gradient(result.y, gradient);
@@ -133,8 +133,8 @@ class Callback final : public ceres::IterationCallback {
 // Above the rounding of energies that are sums over thousands of elements.
 constexpr double kLeastGain = 1e-12;
 
-// Whether some step along the negative gradient gains `least`, from where the linear model of the
-// energy reaches 0 down to the rounding of y.
+// Returns whether some step along the negative gradient gains `least`, from where the linear model
+// of the energy reaches 0 down to the rounding of y.
 bool gains_along_gradient(Evaluator& evaluator, const Vec& y, double energy, double least) {
   Vec gradient;
   evaluator.gradient(y, gradient);

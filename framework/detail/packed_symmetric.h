@@ -14,8 +14,8 @@ namespace majorant {
 // rounding of a small factorization.
 inline constexpr double kZeroPivot = 1e-14;
 
-// Whether no eigenvalue is below 0, but for rounding, by a factorization: a fraction of the time
-// that eigenvalues take. "No" may be caution.
+// Returns whether no eigenvalue is below 0, but for rounding, by a factorization: a fraction of the
+// time that eigenvalues take. "No" may be caution.
 template <int N>
 bool is_semidefinite(const double* k) {
   double a[N][N], largest = 0;

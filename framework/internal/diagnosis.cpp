@@ -85,7 +85,7 @@ std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy
   return before;
 }
 
-// Whether a curvature model is all zeros.
+// Returns whether a curvature model is all zeros.
 bool is_flat(Evaluator& evaluator, VecIn y, Curvature curvature) {
   Vec gradient, hessian;
   evaluator.linearize(y, curvature, gradient, hessian);

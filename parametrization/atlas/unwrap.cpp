@@ -220,7 +220,7 @@ void scale_points(double factor, std::vector<Pin>& points) {
     if (p.target) *p.target *= factor;
 }
 
-// Whether it has all its digits.
+// Returns whether it has all its digits.
 bool is_in_range(double size) {
   return size >= std::numeric_limits<double>::min() && std::isfinite(size);
 }

@@ -35,14 +35,14 @@ class DegreeSolver {
     StopCheck stop;
     SolverRules rules;
     UserTerms added = {};  // of this degree
-    // Of a map, 2 numbers per node, for the trace: where another energy is minimized than the one
-    // asked for. Empty: that of `map`.
+    // The energy asked for, at 2 numbers per node, for the trace, where another energy is
+    // minimized. Empty: that of `map`.
     std::function<double(VecIn)> asked_energy;
     MapObserver watch = {};  // in_model_units is empty there; may be empty
   };
 
-  // With x() what another solver of the same degree needs to go on from there; what Newton's method
-  // has learned of late, it learns again.
+  // Together with x() the state from which another solver of the same degree goes on. Newton's
+  // method learns again what it has learned of late.
   struct State {
     bool softened = false;            // soften_start() is through
     int stalls = 0, refinements = 0;  // remedies tried, times the quadrature was refined
@@ -73,7 +73,7 @@ class DegreeSolver {
   std::optional<State> state() const;
   // Before any step. Throws InvalidArgument for levels that the setup's quadrature does not have.
   void resume(State state);
-  // What a step from here costs; it is not taken, and in no trace.
+  // The record of a step from here, for its cost; the step is not taken, and in no trace.
   IterationRecord try_step();
 
   Vec x() const { return x_.head(2 * space_->node_count()); }
@@ -84,14 +84,14 @@ class DegreeSolver {
   std::vector<long> proven() const;
 
  private:
-  // Where a run can come back to.
+  // A point that a run can come back to.
   struct Place {
     Vec x;
     std::optional<Scaffold> surroundings;
   };
   class MapDescent;
   class SoftDescent;
-  // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
+  // The outcome of a remedy: it could not help, the run goes on from a new point, or it has ended.
   enum class Effect { None, GoOn, Ended };
 
   const Partition& partition() const { return built_.problem.partition(); }
@@ -123,7 +123,7 @@ class DegreeSolver {
 
   // Remedies.
   const RemedyRules& rules() const { return setup_.rules.remedies; }
-  // How often something was tried at this degree.
+  // The number of times that remedies were tried at this degree.
   struct Tries {
     int stalls = 0, refinements = 0;
   };

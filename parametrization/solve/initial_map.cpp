@@ -22,8 +22,8 @@ constexpr Index kLargeSurface = 5000;
 // all. Where other minima wait it was 0.51, on all other public disks at most 0.07.
 constexpr double kLargestDrop = 0.25;
 
-// Whether an automatic start is made in many resolutions. Points that are to stay where the initial
-// map has them, or are pulled, mean Tutte's: it does not depend on the energy.
+// Returns whether an automatic start is made in many resolutions. Points that are to stay where the
+// initial map has them, or are pulled, mean Tutte's: it does not depend on the energy.
 bool pays(const SurfaceMesh& mesh, const MapOptions& asked) {
   return mesh.face_count() >= kLargeSurface && asked.handles.empty() &&
          std::all_of(asked.pins.begin(), asked.pins.end(),

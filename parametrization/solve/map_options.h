@@ -6,7 +6,7 @@
 //   map.pins = {{0, {}}};                          // stays where the initial map has it
 //   map.handles = {{12, Vector2(0.5, 1)}};         // pulled there
 //
-// How such a map is looked for is another matter: solve_options.h.
+// Not for how such a map is looked for: that is solve_options.h.
 #pragma once
 
 #include <optional>
@@ -21,10 +21,10 @@ namespace majorant {
 // space around the image.
 enum class MapInjectivity { Local, Global };
 
-// Where a map starts that is not given. Automatic: Multiresolution for large surfaces, unless
-// points are pulled or held where the initial map has them. Multiresolution: multiresolution_map(),
-// but Tutte where that does not know what is asked. Tutte: tutte_map(). Given: MapOptions::initial,
-// or the start that a caller brings.
+// The start of a map. Automatic: Multiresolution for large surfaces, unless points are pulled or
+// held where the initial map has them. Multiresolution: multiresolution_map(), but Tutte where that
+// does not know what is asked. Tutte: tutte_map(). Given: MapOptions::initial, or the start that a
+// caller brings.
 enum class StartMethod { Automatic, Tutte, Multiresolution, Given };
 std::string_view start_name(StartMethod method);  // "auto", "tutte", "multiresolution", "input"
 

@@ -30,7 +30,8 @@ void require_valid(const ParametrizationOptions& o) {
   require_valid(o.map, o.solve, static_cast<bool>(o.extend));
 }
 
-// What is around the degree schedule of a whole map: additions, a scaffold, proofs, measures.
+// A run of parametrize(): the degree schedule of a whole map, with additions, a scaffold, proofs
+// and measures around it.
 class Run {
  public:
   Run(const SolverRules& rules, const BezierMap& start, const ParametrizationOptions& options,
@@ -76,7 +77,7 @@ class Run {
     setup_.added = UserTerms(extension_);
   }
 
-  // What an observer has said once, holds.
+  // The first answer of an observer that ends the run holds.
   Directive observe(const TraceEntry& row, const MapView& at) {
     const MapView view{at.space, at.x,
                        [&] { return start_.in_model_units(map_.with(at.space, at.x)); }};
@@ -201,7 +202,7 @@ class Run {
     return "angle sums at inner vertices are not full turns";
   }
 
-  // What was held by the scaffold, proven once more from the boundary of what is returned.
+  // Proves once more, from the boundary of the map that is returned, what the scaffold has held.
   void prove_no_overlaps() {
     record_.begin(Activity::Proving);
     const double started = record_.seconds();

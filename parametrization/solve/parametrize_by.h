@@ -12,7 +12,7 @@ namespace majorant {
 ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
                                      const ParametrizationOptions& options, RunRecord& record);
 
-// What leads starts to their pins (pin_homotopy.h). record outlives it.
+// The solver that leads starts to their pins (pin_homotopy.h). record outlives it.
 PinSolver pin_solver(RunRecord& record, const SolverRules& rules = {});
 
 }  // namespace majorant

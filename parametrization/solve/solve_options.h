@@ -21,7 +21,7 @@ enum class ScaffoldFlips { Performed, Omitted };
 // energy; the result's faces are not those of the input then.
 enum class Triangles { Kept, Flipped };
 
-// Whether a run that ends without a factorization at its degree makes one, to know what it costs
+// Measured: a run that ends without a factorization at its degree makes one, to know its cost
 // (ParametrizationResult::factor_solve_seconds). Its time counts nowhere.
 enum class FactorCost { IfKnown, Measured };
 

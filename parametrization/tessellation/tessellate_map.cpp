@@ -18,7 +18,7 @@
 namespace majorant {
 namespace {
 
-// Whether the edges of a closed polygon meet in its corners only.
+// Returns whether the edges of a closed polygon meet in its corners only.
 bool is_simple(const std::vector<Vector2>& corners) {
   const std::size_t n = corners.size();
   std::vector<Box2> boxes;
@@ -162,7 +162,7 @@ class PolygonTransfer {
     if (has_normals()) result_.polygon_normals.push_back(keep(input_.polygon_normals[face]));
   }
 
-  // Whether the map has the face with the other side up: its cells run backwards around it.
+  // Returns whether the map has the face with the other side up: its cells run backwards around it.
   bool is_turned(std::size_t face) const {
     const auto& [a, b, c] = faces_.corners[faces_.cells[face].front()];
     return (a < b) + (b < c) + (c < a) == 1;

@@ -105,9 +105,9 @@ void check_cut(const BezierMap& map, const SurfaceMesh& surface, Findings& findi
           false, fmt::format("the map is cut at {}, the surface's texture is not", place(edge)));
 }
 
-// Whether the cut of the map should be that of the texture coordinates of the surface: results of
-// `parametrize --seamless`, and files that do not say where they come from. Those of `seamless`
-// name the method that made their start as `init`.
+// Returns whether the cut of the map should be that of the texture coordinates of the surface:
+// results of `parametrize --seamless`, and files that do not say where they come from. Those of
+// `seamless` name the method that made their start as `init`.
 bool keeps_texture_cuts(const CheckedMap& checked) {
   if (checked.surface == nullptr || checked.surface->polygon_texcoords.empty()) return false;
   const Claims& claims = checked.claims;

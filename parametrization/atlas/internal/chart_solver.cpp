@@ -21,7 +21,7 @@ bool has_proven_boundary(const BezierMap& map) {
   return check_boundary(map).result == ProofStatus::Proven;
 }
 
-// Whether its faces are larger than what moving it and writing it down rounds.
+// Returns whether its faces are larger than what moving it and writing it down rounds.
 bool has_area_margin(const BezierMap& map) {
   const SurfaceMesh& mesh = map.mesh();
   return faces_without_area_margin(mesh.faces(),

@@ -65,7 +65,8 @@ void require_degree(const BezierMesh& mesh) {
                                       BezierTriangleSpace::kMaxDegree, mesh.degree));
 }
 
-// Whether an edge joins these vertices, by going around v from the half-edge that leaves it.
+// Returns whether an edge joins these vertices, by going around v from the half-edge that leaves
+// it.
 bool are_joined(const BezierMesh& mesh, Index leaving, Index other) {
   Index h = leaving;
   do {

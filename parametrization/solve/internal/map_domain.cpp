@@ -34,11 +34,11 @@ class KeptSolver final : public LinearSolver {
   std::shared_ptr<LinearSolver> solver_;
 };
 
-// Of the size of the surface, about 1: the translation that terms are asked about. Chosen;
-// any that is no rounding error of the coordinates.
+// The translation that terms are asked about, where the surface has a size of about 1. Chosen: any
+// length will do that is no rounding error of the coordinates.
 constexpr double kTranslation = 0.5;
-// Of the largest number that they are sums of: what is no change of a term's value, and no
-// coefficient of a translation. Far above rounding, far below what a term means.
+// Changes of a term's value and coefficients of a translation that count as 0, relative to the
+// largest number that they are sums of: far above rounding, far below what a term means.
 constexpr double kNoChange = 1e-9;
 
 // A checker of the map's unknowns in a problem with more. Its elements are its own: the remedies
@@ -117,7 +117,7 @@ class Translations {
     }
   }
 
-  // Of those that are left: the unknowns that stop them, where x has them.
+  // The unknowns that stop the translations that are left, at their values in x.
   std::vector<FixedUnknown> stopped(VecIn x) const {
     std::vector<FixedUnknown> unknowns;
     for (Index t = 0; t < count(); ++t) {
@@ -278,7 +278,7 @@ bool ScaffoldedDomain::hold() {
 StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) const {
   usual.relative_decrease *= rules_.part_of_tolerance;
   usual.tail_steps = rules_.tail_steps;
-  // What the sum promises is not what is left of the map's energy: lambda follows that.
+  // The decrement of the sum does not bound what is left of the map's energy, which lambda follows.
   usual.last_factor = std::numeric_limits<double>::infinity();
   return usual;
 }

@@ -1,5 +1,6 @@
-// Where the map of one degree is optimized: on its own nodes (PlainDomain), or with the space
-// around its image as a part of the problem (ScaffoldedDomain), which keeps it free of overlaps.
+// The domain on which the map of one degree is optimized: its own nodes (PlainDomain), or with the
+// space around its image as a part of the problem (ScaffoldedDomain), which keeps it free of
+// overlaps.
 //
 //     PlainDomain domain;
 //     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
@@ -25,8 +26,8 @@
 
 namespace majorant {
 
-// What a MapExtension added, as a part of the problems of its degree: bounds with a barrier are
-// left out, relaxed or held, as the solver goes along (degree_solver.cpp).
+// The additions of a MapExtension as a part of the problems of its degree: bounds with a barrier
+// are left out, relaxed or held, as the solver goes along (degree_solver.cpp).
 class UserTerms {
  public:
   UserTerms() = default;  // nothing
@@ -36,9 +37,9 @@ class UserTerms {
   // Terms, constraints, checkers and the bounds that are held; the map's nodes are the builder's
   // first. Returns the ids of the barriers.
   std::vector<TermId> add_to(ProblemBuilder& builder) const;
-  // What must be held so that the gauge vertices' pieces cannot be translated where nothing that
-  // was added withstands: both coordinates of each, or fewer. A term withstands where a translation
-  // changes it at the start; rows with auxiliary unknowns do not count.
+  // The unknowns to be held so that the gauge vertices' pieces cannot be translated where nothing
+  // that was added withstands: both coordinates of each, or fewer. A term withstands where a
+  // translation changes it at the start; rows with auxiliary unknowns do not count.
   FixedUnknowns gauge(const MapSpecification& spec, const BezierTriangleSpace& space,
                       VecIn start) const;
 
@@ -49,10 +50,10 @@ class UserTerms {
 
   // ---- Bounds with a barrier ----
   bool bounded() const { return !bounds_.bounds().empty(); }
-  // Whether x meets all of them; the first one that it does not, by name.
+  // met(): x meets all of them. violated(): the name of the first one that it does not.
   bool met(VecIn x) const { return violated(x) == nullptr; }
   const BarrierChecker* violated(VecIn x) const { return bounds_.violated(of_map(x)); }
-  // What is held in their place; they see the map's unknowns alone.
+  // The bounds that are held in their place; they see the map's unknowns alone.
   HeldBounds& bounds() { return bounds_; }
   Vec of_map(VecIn x) const;
   double barrier_weight() const { return barrier_weight_; }
@@ -82,7 +83,7 @@ struct DomainProblem : MapProblem {
   std::vector<TermId> barriers;  // of the bounds that were added and are held
 };
 
-// What happened to the unknowns between two steps.
+// The change of the unknowns between two steps.
 enum class DomainChange {
   None,
   Values,     // they are elsewhere: energies are others
@@ -104,21 +105,21 @@ class MapDomain {
   virtual DomainChange after_step(Vec& /*x*/, const StepResult& /*step*/, const DomainInput&) {
     return DomainChange::None;
   }
-  // What the problem's energy at x has that is not the map's own.
+  // The part of the problem's energy at x that is not the map's own.
   virtual double foreign_energy(const Problem&, VecIn /*x*/) const { return 0; }
 
   // The surroundings follow a barrier of their own: weight relative to the map's energy, 0 as ever.
-  // Whether that changes anything.
+  // Returns whether that changes anything.
   virtual bool strengthen(double /*weight*/) { return false; }
 
-  // Where a run stalls whose surroundings had yielded because the image rested: they do so no more
-  // at this degree. Whether they had.
+  // Called where a run stalls: surroundings that had yielded because the image rested do so no more
+  // at this degree. Returns whether they had.
   virtual bool hold() { return false; }
 
-  // How unknowns are to be ordered for factorizations.
+  // The ordering of unknowns for factorizations.
   virtual Ordering ordering() const { return Ordering::Automatic; }
 
-  // Of the rules by which a run ends at the tolerance asked for: those that the domain needs.
+  // The rules by which a run ends at the tolerance asked for, as this domain needs them.
   virtual StoppingRules final_rules(StoppingRules usual) const { return usual; }
 
   virtual void elevate(const std::shared_ptr<const BezierTriangleSpace>& /*higher*/) {}

@@ -156,7 +156,7 @@ class Cutter {
                             cells.size() >= kMostNamedCells ? " and others" : ""));
   }
 
-  // Whether the other diagonal of two pieces of the cell made both positive.
+  // Returns whether the other diagonal of two pieces of the cell made both positive.
   bool flip_edge_of(Index c, int first) {
     const std::vector<Piece>& all = pieces_.pieces(c);
     if (all[first].depth > kTriedDepth) return false;
@@ -291,7 +291,7 @@ void visit_edges(const MapPieces& pieces, const Visit& visit) {
       }
 }
 
-// Whether the direction from p to q is in [0, pi).
+// Returns whether the direction from p to q is in [0, pi).
 bool is_above(const Vector2& p, const Vector2& q) {
   return q.y() > p.y() || (q.y() == p.y() && q.x() > p.x());
 }
