@@ -1,4 +1,4 @@
-// What a program that maps surfaces needs, in one line.
+// All that a program needs that maps surfaces, in one line.
 //
 //   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
 //   ParametrizationResult result = parametrize(mesh, {});

@@ -47,7 +47,7 @@ Vec read_weights(const std::string& path, const PolygonMesh& polygons, const Sur
   return weights;
 }
 
-// What parametrize() would refuse, said before a start is made and in terms of options.
+// Refuses, before a start is made and in terms of options, what parametrize() would refuse.
 void require_scale(const MapRequest& request, const MapJob& job) {
   if (job.start ? !collapses(job.options.map, job.start->map.space(), job.start->map.seams())
                 : !collapses(job.options.map, {job.mesh->faces(), job.mesh->vertex_count(), 1}, {}))

@@ -1,4 +1,4 @@
-// What this binary is made of, and what it is therefore licensed as.
+// The parts of this binary, and the licence that follows from them.
 //
 //   require_gpl_parts("--bijective");
 //   print_text(licences());

@@ -1,5 +1,5 @@
-// What the verbs that optimize a map share at the end of a run: output options, files with their
-// claims, reports, and the line that sums up.
+// The common end of the verbs that optimize a map: output options, files with their claims,
+// reports, and the line that sums up.
 //
 //   MapRequest map_request;
 //   OutputRequest outputs;
@@ -22,7 +22,7 @@
 
 namespace majorant::app {
 
-// Where the result shall go, as said.
+// The files that the result goes to, as the user named them.
 struct OutputRequest {
   std::string positional;
   std::vector<std::string> files;

@@ -1,4 +1,4 @@
-// How the verbs that optimize a map solve: options, limits, and the record of a run.
+// The solve of all verbs that optimize a map: options, limits, and the record of a run.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -34,7 +34,7 @@
 namespace majorant::app {
 namespace {
 
-// What the user can say of a layout: how to repair, where to cut, how to pack.
+// The options of a layout: how to repair, where to cut, how to pack.
 struct UnwrapRequest {
   SeamRequest seams;
   std::optional<double> weld;

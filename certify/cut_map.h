@@ -41,14 +41,14 @@ class CutMap {
   // 3 #F flags: half-edges that differ.
   const std::vector<char>& cuts() const { return differs_; }
 
-  // How well a side is i^turns times the opposite one plus a translation: the largest difference of
-  // a coordinate of a control point, both sides moved such that they begin at 0, in uv units.
+  // The fit of a side by i^turns times the opposite one plus a translation: the largest difference
+  // of a coordinate of a control point, both sides moved such that they begin at 0, in uv units.
   struct Fit {
     int turns = 0;
     double mismatch = 0;
   };
   Fit fit(Index half_edge) const;
-  // Of the bounding box of the cells' uv; mean length in uv of the edges of the cells.
+  // The diagonal of the bounding box of the cells' uv; mean length in uv of the edges of the cells.
   double diagonal() const;
   double mean_length() const;
 

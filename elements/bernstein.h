@@ -42,8 +42,8 @@ class TriangleIndices {
   }
   // Local numbers along edge 0 (corner 0 -> 1), 1 (1 -> 2) or 2 (2 -> 0), ends included.
   const std::vector<int>& edge(int e) const { return edges_[e]; }
-  // Of the points next to a corner on the two edges from it, counterclockwise: the directions of
-  // the tangents of a map there.
+  // The points next to a corner on the two edges from it, counterclockwise: the directions of the
+  // tangents of a map there.
   std::array<int, 2> beside_corner(int corner) const {
     return {edge(corner)[1], edge((corner + 2) % 3)[degree_ - 1]};
   }

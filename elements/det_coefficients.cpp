@@ -90,8 +90,8 @@ void sum_minors(const ProductTable& table, const First* a0, const First* a1, con
   });
 }
 
-// Of a term in the plane, and one more for each term of a coefficient's sum: 2 differences,
-// 2 products, a subtraction, 2 for the weight, and the subtraction of the bound.
+// Roundings of a term in the plane, and one more for each term of a coefficient's sum: 2
+// differences, 2 products, a subtraction, 2 for the weight, and the subtraction of the bound.
 constexpr double kPlaneRoundings = 8;
 
 constexpr double rounding_error(double roundings, double unit) { return 1.01 * roundings * unit; }
@@ -110,7 +110,7 @@ Degrees derivative_degrees(const BernsteinElement& element, int direction) {
   return element.lowered(element.factor_of(element.derivatives[direction][0]));
 }
 
-// Of the minors of the last two directions.
+// The degrees of the minors of the last two directions.
 Degrees minor_degrees(const BernsteinElement& element) {
   return derivative_degrees(element, element.dim() - 2) +
          derivative_degrees(element, element.dim() - 1);
@@ -257,7 +257,7 @@ void DetCoefficients::at_with_error_quad(const double* c, double* out, double* e
   with_error<Quad>(c, kUnitRoundoff<Quad>, out, error);
 }
 
-// What expand_in_plane() makes of one row and column, but for the weight.
+// The sum that expand_in_plane() makes for one row and column, but for the weight.
 template <class First, class Number>
 auto DetCoefficients::only_minor(const Number* c) const {
   const auto derivative = [&](std::size_t direction, int component) {

@@ -64,7 +64,7 @@ class DetCoefficients {
   // times a positive integer, the same for all.
   template <class Integer>
   std::vector<Integer> scaled(const std::vector<Integer>& c) const;
-  // Of affine maps of the plane there is one coefficient, a 2 by 2 determinant: the same numbers as
+  // An affine map of the plane has one coefficient, a 2 by 2 determinant: the same numbers as
   // at_with_error() and along_line() have, without tables.
   bool is_one_minor() const { return dim_ == 2 && minors_.entries().size() == 1; }
   void minor_with_error(const double* c, double* out, double* error) const;
@@ -93,7 +93,7 @@ class DetCoefficients {
     const auto d = to_size(direction);
     return starts_[d + 1] - starts_[d];
   }
-  // Where the derivative of a component stands in what differentiate() writes.
+  // The place of the derivative of a component in the output of differentiate().
   int derivative_start(int direction, int component) const {
     return dim_ * starts_[direction] + component * derivative_count(direction);
   }

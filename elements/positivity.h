@@ -19,8 +19,8 @@ namespace majorant {
 // [Mau95]; squares: s and t in turn. All three keep the shapes of cells bounded.
 class Subdivision {
  public:
-  // Of a polynomial that is bisected: twice the highest degree of det J and one; chosen,
-  // not tuned.
+  // The largest degree of a polynomial that is bisected: twice the highest degree of det J and one;
+  // chosen, not tuned.
   static constexpr int kMaxDegree = 31;
 
   // Steps are cycled by depth. Throws InvalidArgument beyond kMaxDegree.
@@ -68,8 +68,8 @@ void Subdivision::bisect(int depth, const T* parent, T* first, T* second) const 
   }
 }
 
-// Whether the polynomial with these coefficients, each exact to +- error, is positive on the cell;
-// bisects down to max_depth, its own rounding included. Proven is a proof; Violated: not
+// Proves that the polynomial with these coefficients, each exact to +- error, is positive on the
+// cell; bisects down to max_depth, its own rounding included. Proven is a proof; Violated: not
 // provably positive at a corner; Undecided: max_depth was reached.
 PositivityProof certify_positive(const Subdivision& cell, const double* coefficients, double error,
                                  int max_depth);

@@ -1,4 +1,4 @@
-// What a vector in space is in the frame of a triangle, the frame that flat_triangles() gives it.
+// The components of a vector in space in the frame of a triangle, as flat_triangles() has it.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What public entries ask of their arguments before they use them. Each costs O(n), once a call and
-// never in an inner loop, and throws InvalidArgument with the words of the caller:
+// Checks that public entries make of their arguments before they use them. Each costs O(n), once a
+// call and never in an inner loop, and throws InvalidArgument with the words of the caller:
 //
 //   require_given("ProblemBuilder::add: the term", energy);
 //   require_size("Problem::expand: y", y0.size(), 3);   // "... has 5 numbers, 3 are needed"

@@ -1,5 +1,6 @@
-// Where local Hessian entries go in the reduced matrix: computed once, so that assembly is a loop
-// of additions into the values of a fixed pattern. The tables already contain Z of x = Z y + c.
+// The scatter map of a problem, from local Hessian entries to the reduced matrix: computed once, so
+// that assembly is a loop of additions into the values of a fixed pattern. The tables already
+// contain Z of x = Z y + c.
 #pragma once
 
 #include <vector>
@@ -41,7 +42,7 @@ class ScatterMap {
   void build_general(Index element, const ElementDofs& element_dofs, const Elimination& elimination,
                      const SparsePattern& pattern);
 
-  // Of an element with these reduced unknowns, packed. order: scratch.
+  // The slots of an element with these reduced unknowns, packed. order: scratch.
   void find_slots(const Index* reduced, const SparsePattern& pattern, std::vector<int>& order,
                   Index* direct) const;
 
@@ -56,7 +57,7 @@ class ScatterMap {
 // The lower-triangular pattern that the given terms fill after elimination.
 SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
                               const Elimination& elimination);
-// Of reduced unknowns, which node each belongs to: SparsePattern::block_of.
+// The node that each reduced unknown belongs to: SparsePattern::block_of.
 std::vector<Index> node_blocks(const std::vector<const ElementDofs*>& terms,
                                const Elimination& elimination);
 

@@ -49,7 +49,7 @@ void visit_groups(const std::string& root, const std::string& controller, const 
   }
 }
 
-// What a version of control groups calls its files.
+// The names of files in a version of control groups.
 struct MemoryFiles {
   const char *limit, *usage, *cache;
 };

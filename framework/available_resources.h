@@ -1,4 +1,4 @@
-// What of the machine this process may use: memory, and processors.
+// The memory and the processors that this process may use.
 //
 //   const std::size_t needed = 1 << 30;
 //   const bool fits = needed <= available_memory().value_or(needed);

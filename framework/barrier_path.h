@@ -17,8 +17,8 @@
 
 namespace majorant {
 
-// What stands in place of bounds at a point: each itself, or relaxed where the point does not meet
-// it.
+// The bounds that stand in place of others at a point: each itself, or relaxed where the point does
+// not meet it.
 class HeldBounds {
  public:
   using Bounds = std::vector<std::shared_ptr<const BarrierChecker>>;
@@ -41,7 +41,7 @@ class HeldBounds {
   std::vector<std::shared_ptr<const EnergyTerm>> barriers_;
 };
 
-// Of phase k: first fall^k.
+// The weight of phase k: first fall^k.
 struct BarrierWeights {
   double first = 0;
   // [NW06] Sec. 19.3 has 0.2; Newton's method follows further.
@@ -67,10 +67,10 @@ PathEnd follow_barrier(const BarrierWeights& weights, const Phase& phase) {
 struct BoundEntryRules {
   // Relative decrease that ends a round on the way inside, which only leads there.
   double tolerance = 1e-3;
-  // Of the margin, by which a round comes nearer; else the weight grows. A small part of the tenth
-  // by which bounds are relaxed.
+  // The part of the margin by which a round comes nearer; else the weight grows. A small part of
+  // the tenth by which bounds are relaxed.
   double least_progress = 0.02;
-  // By so much; a round costs a few steps.
+  // The factor by which a weight is raised; a round costs a few steps.
   double harder = 10;
   // Bounds the cost of what leads nowhere.
   int most_rounds = 40;

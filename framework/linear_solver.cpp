@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// Of a shift that was too small; linear_solver.h documents the series.
+// The growth of a shift that was too small; linear_solver.h documents the series.
 constexpr double kShiftGrowth = 10;
 // Factorizations, the first without a shift: from 1e-14 up to 1e8 times the mean diagonal, where
 // the shift is all there is.

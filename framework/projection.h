@@ -11,12 +11,12 @@
 
 namespace majorant {
 
-// Of the coordinates: what constraints are satisfied to, 45 unit roundoffs.
+// The accuracy to which constraints are satisfied, relative to the coordinates: 45 unit roundoffs.
 inline constexpr double kSatisfied = 1e-14;
 
 struct ProjectionRules {
-  // Of the first residual, squared: all the digits of a projection that a double can hold, 1e-10 of
-  // the distance.
+  // The squared residual, relative to the first one, at which the projection ends: all the digits
+  // of a projection that a double can hold, 1e-10 of the distance.
   double enough = 1e-20;
   // Steps at most: bounds the cost of what does not converge.
   int most_steps = 1000;

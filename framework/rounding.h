@@ -1,5 +1,4 @@
-// What a rounded operation may be off: the arithmetic of error bounds, in double and quadruple
-// precision.
+// Bounds of rounding errors: the arithmetic of error bounds, in double and quadruple precision.
 //
 //   const double sum = 0.1 + 0.2;
 //   const double error = kUnitRoundoff<double> * magnitude(sum);
@@ -12,7 +11,8 @@ namespace majorant {
 
 __extension__ typedef __float128 Quad;
 
-// Of the result's magnitude: half the distance from 1 to the next number.
+// The error of an operation, relative to the result's magnitude: half the distance from 1 to the
+// next number.
 template <class Real>
 inline constexpr double kUnitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
 template <>

@@ -433,8 +433,8 @@ const FindingText& text_of(RepairKind kind) {
   return kTexts[static_cast<std::size_t>(kind)];
 }
 
-// Where every coordinate is far from 0 for their range, a point from which all differences are
-// exact: half way between the smallest and the largest, of which none is more than twice another.
+// A point from which all differences are exact, where every coordinate is far from 0 for their
+// range: half way between the smallest and the largest, of which none is more than twice another.
 Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vector3 low = Vector3::Constant(kInfinity), high = -low, origin = Vector3::Zero();

@@ -61,12 +61,12 @@ inline constexpr double kNeedleHeight = 1e-6;
 // Three of sixteen digits are lost; what is nearer is left as from_polygons has it.
 inline constexpr double kFarAway = 1e3;
 
-// How faces that disagree come together: see turned_face and cut_edge above; or not at all, where
-// the orientation means something already: they are open there.
+// MadeConsistent: faces that disagree come together, by turned_face and cut_edge above. AsGiven:
+// the orientation means something already, and they are open there.
 enum class Orientation { MadeConsistent, AsGiven };
 
-// What is done for the sake of computing: needles regularized and far coordinates moved, see above;
-// or only what a map cannot be judged without: rest triangles of faces that have no area.
+// ForSolving: needles are regularized and far coordinates moved, as above. AsGiven: only faces that
+// have no area get rest triangles, without which a map cannot be judged.
 enum class Numerics { ForSolving, AsGiven };
 
 struct RepairOptions {

@@ -1,4 +1,4 @@
-// Where the texture coordinates of a file are cut into islands.
+// The edges along which the texture coordinates of a file are cut into islands.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Which colour a number has, in every picture of every map: so that pictures can be compared.
+// Colour scales: the colour of a number is the same in every picture of every map, so that pictures
+// can be compared.
 //
 //   const ColorScale area = color_scale(Quantity::Area, {});
 //   const std::string twice = area.color(2.0).hex();            // the same in every picture
@@ -44,7 +45,7 @@ struct Color {  // sRGB
   bool operator==(const Color&) const = default;
 };
 
-// Of cells that are turned over, or of no area: no scale has it.
+// The colour of cells that are turned over, or have no area: no scale has it.
 inline constexpr Color kFlippedColor{214, 0, 190};
 
 class ColorScale {

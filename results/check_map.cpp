@@ -27,7 +27,7 @@ EnergySum energy_of(const Claims& claims, Findings& findings) {
   return {{symmetric_dirichlet(), 1.0}};
 }
 
-// What was measured tells a scale as claims do.
+// Measures in a file tell a scale as claims do.
 bool says_nothing_of_scale(const MapFile& file) {
   return has_assumed_scale(file) && file.distortion.size() == 0 && file.min_det.size() == 0 &&
          file.face_distortion.rows() == 0;
@@ -202,7 +202,7 @@ void add_proofs(MapCheck& check) {
                           {"told_from_tears", !check.has_untold_cuts}};
 }
 
-// What there is a map of, and what is claimed of that.
+// Adds measures of the map that there is, and of its claims.
 void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& request,
                   const StopCheck& stop) {
   if (!check.proof.map()) return;

@@ -63,8 +63,9 @@ class BoundBarrier final : public EnergyTerm {
   ElementDofs element_dofs_;
 };
 
-// Of the gap between two bounds, or of 1, and of what a point exceeds a bound by: how far the
-// relaxed bound keeps from it. BarrierChecker::relaxed() asks for about a tenth.
+// The clearance, relative to the gap between two bounds, or to 1, and to what a point exceeds a
+// bound by: how far the relaxed bound keeps from it. BarrierChecker::relaxed() asks for about a
+// tenth.
 constexpr double kClear = 0.1;
 
 class BoundChecker final : public BarrierChecker {

@@ -62,7 +62,8 @@ std::string in_words(const MapCheck& check) {
                      open);
 }
 
-// What a page says of a cell that is not proven to be positive: det J at the points of a lattice.
+// The text of a page for a cell that is not proven to be positive: det J at the points of a
+// lattice.
 std::string describe_fault(const MapProof& proof, Index cell) {
   if (!proof.map()) return "det J is not proven to be positive";
   constexpr int kSteps = 8;

@@ -19,7 +19,7 @@ namespace majorant::app {
 
 struct PluginFile {
   const char* name;
-  // What to do where it is missing, and where what it needs is; words after "; ".
+  // The remedies where it is missing, and where a library that it needs is; words after "; ".
   const char *missing, *broken;
   ErrorKind kind = ErrorKind::Unreadable;  // of that error
 };

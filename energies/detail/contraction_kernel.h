@@ -24,8 +24,8 @@
 
 namespace majorant::kernel {
 
-// Of the two products of a 2 by 2 determinant of differences: more than their rounding; 3
-// unit roundoffs and a little.
+// The part of the two products of a 2 by 2 determinant of differences that bounds their rounding:
+// somewhat more than 3 unit roundoffs.
 inline constexpr double kStarRounding = 4e-16;
 
 // The density on a batch of elements: the object itself, or, where the object is a function that is
@@ -117,7 +117,7 @@ template <class Arch, class Density, Curvature C>
   }
 }
 
-// Which curvature models kernels have code for: all, or those that are not for comparisons.
+// The curvature models that kernels have code for: all, or those that are not for comparisons.
 enum class Models { All, Usual };
 
 template <class Arch, class Density, Models models>

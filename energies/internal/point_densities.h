@@ -17,7 +17,7 @@ namespace majorant {
 
 // Entries, in parts of the largest one, that are 0: as kZeroPivot.
 inline constexpr double kZeroEntry = 1e-14;
-// Of all pairs of rows: rotations converge quadratically, in 6 or 7 sweeps.
+// The number of sweeps over all pairs of rows: rotations converge quadratically, in 6 or 7 sweeps.
 inline constexpr int kMostSweeps = 30;
 
 template <int N, class T>

@@ -94,7 +94,7 @@ void clamp_by_rotations(double projection_weight, double* k) {
         for (int j = 0; j <= i; ++j, ++p) k[p] -= projection_weight * a[e][e] * v[i][e] * v[j][e];
 }
 
-// What a term's Hessian becomes: clamp_eigenvalues(), in the way that takes the least time.
+// Makes a term's Hessian semidefinite: clamp_eigenvalues(), in the way that takes the least time.
 template <int N>
 void make_semidefinite(double projection_weight, double* k) {
   // Unknowns: springs with 4 gain, bending with 6 does not.

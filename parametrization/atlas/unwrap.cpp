@@ -85,7 +85,7 @@ class Unwrapping {
     }
   }
 
-  // Of every vertex of the input that is to go to a target.
+  // Requires that every vertex of the input with a target has one place.
   void require_one_place(const std::vector<Index>& surface_vertex,
                          const std::vector<Pin>& points) const {
     std::vector<Index> copies(to_size(surface_.vertex_count()), 0);
@@ -168,7 +168,7 @@ class Unwrapping {
     atlas_.charts[k] = std::move(chart);
   }
 
-  // Those of different charts that pins put on top of each other.
+  // Refuses charts that pins put on top of each other.
   void require_pinned_apart(const std::vector<BezierMap>& maps) const {
     std::vector<std::size_t> pinned;
     for (std::size_t k = 0; k < maps.size(); ++k)
@@ -232,7 +232,8 @@ void to_model_units(double unit, Packing& packing) {
   packing.distance *= unit;
 }
 
-// Of an atlas of the surface in these units. Both surfaces fall into the same pieces.
+// Scales an atlas of the surface in these units back to model units. Both surfaces fall into the
+// same pieces.
 void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
   atlas.cuts.length *= unit;
   atlas.cuts.added_length *= unit;
@@ -272,7 +273,7 @@ std::string_view start_name(ChartStart start) {
 }
 
 Status Atlas::status() const {
-  // What is worse than what.
+  // Statuses from the best to the worst.
   constexpr std::array kOrder = {Status::Converged, Status::Stalled,     Status::MaxIterations,
                                  Status::TimeLimit, Status::Interrupted, Status::Infeasible,
                                  Status::Failed};

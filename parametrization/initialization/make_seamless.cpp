@@ -182,7 +182,7 @@ BezierMap conformal_start(const SurfaceMesh& mesh, const CutField& cut,
       .map;
 }
 
-// What is wrong with a map: faces without a proof of det > 0, vertices covered several times.
+// The defects of a map: faces without a proof of det > 0, vertices covered several times.
 struct Defects {
   std::vector<Index> faces, vertices;
   bool none() const { return faces.empty() && vertices.empty(); }
@@ -270,7 +270,7 @@ class Maker {
                        near.size() > 1 ? "ices" : "ex", list);
   }
 
-  // By vertex, the source reached first in a breadth-first search.
+  // By vertex the source that is reached first in a breadth-first search.
   std::vector<Index> nearest_of(const std::vector<Index>& sources) const {
     std::vector<std::vector<Index>> neighbours(to_size(mesh_.vertex_count()));
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {

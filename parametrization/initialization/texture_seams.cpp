@@ -67,7 +67,7 @@ struct Transitions {
   double residual = 0;     // largest mismatch
 };
 
-// Of all cut edges.
+// The transitions of all cut edges.
 Transitions snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
                            const CornerView& view) {
   Transitions out{std::vector<int>(is_cut.size(), 0)};

@@ -16,8 +16,8 @@
 namespace majorant {
 namespace {
 
-// How the boundary is spaced on its circle: as on the surface, or, halfway to equal angles, so that
-// edges that are tiny there get room.
+// The spacing of the boundary on its circle: as on the surface, or, halfway to equal angles, so
+// that edges that are tiny there get room.
 enum class Spacing { ArcLength, Halfway };
 
 void place_boundary(const SurfaceMesh& mesh, Spacing spacing, Vec& x) {

@@ -21,7 +21,8 @@
 namespace majorant {
 namespace {
 
-// Of the total, spread over the elements: ten times finer than energies are compared.
+// The agreement of rules, relative to the total, spread over the elements: ten times finer than
+// energies are compared.
 constexpr double kEnergyAgreement = 1e-6;
 
 // A weighted sum of energies on the same rules.

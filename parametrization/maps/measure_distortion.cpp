@@ -17,9 +17,9 @@
 namespace majorant {
 namespace {
 
-// Of the integrals of sigma_1 / sigma_2 and of the squared stretch over a face: how much the last
-// two rules may differ: for reports, read to three or four digits; the finer rule of the
-// two is some 50 times better.
+// The relative agreement of the integrals of sigma_1 / sigma_2 and of the squared stretch over a
+// face: how much the last two rules may differ: for reports, read to three or four digits; the
+// finer rule of the two is some 50 times better.
 constexpr double kDistortionAgreement = 1e-3;
 // Faces that are measured together: their tables fit into a core's cache.
 constexpr Index kBlock = 32;
@@ -110,7 +110,7 @@ class Measurement {
     extremes_.emplace_back(degree, lattice(degree), Vec());
   }
 
-  // That keep samples, in a face.
+  // The number of points of a face that keep samples.
   Index points() const {
     return tables_.empty() ? 1 : static_cast<Index>(tables_.front().weights.size());
   }

@@ -182,23 +182,23 @@ struct AutomaticCut {
   std::vector<Index> ends;   // vertices inside the surface where it ends
 };
 
-// What a cut that leaves no curvature at all may be longer than the one chosen otherwise, in square
-// roots of the area: a box,
-// a tin and a square tube are unfolded whole.
+// The length, in square roots of the area, by which a cut that leaves no curvature at all may
+// exceed the one chosen otherwise: a box, a tin and a square tube are unfolded whole.
 constexpr double kDevelopableWorth = 1;
 constexpr double kCurved = 1e-3;  // radians: an angle defect; files with 4 digits are flat
 // Cuts are routed anew through the ends and the cones that are left as long as they become shorter.
 // Large ones only once: 50,000 faces are cut in ten seconds, and the third route of small
 // ones is the last that changes anything.
 constexpr Index kMostRoutes = 3, kRouteWork = 20000;
-// How many branches a cut is divided into: one for each two edges of a small mesh, and such that
-// one solve for each takes as long on all large ones: a second or two; on public meshes the strains
-// expected and found then agree within 10 %.
+// The numbers of branches that a cut is divided into: one for each two edges of a small mesh, and
+// such that one solve for each takes as long on all large ones: a second or two; on public meshes
+// the strains expected and found then agree within 10 %.
 constexpr Index kMostBranches = 150, kFewestBranches = 40, kBranchSolves = 600000;
 // Corrections, in proportion, where what branches are worth was estimated too low: one or two
 // are enough, coarse meshes take five.
 constexpr int kMostCorrections = 8;
-// Without a field: as many vertices of the largest angle defects; as many as fields have.
+// The number of defects at most, where there is no field: as many vertices of the largest angle
+// defects; as many as fields have.
 constexpr std::size_t kMostDefects = 40;
 
 class Cutter {
@@ -351,8 +351,8 @@ AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
   return Cutter(mesh, edge_cost, is_whole, strain_of_stretch(max_stretch), stop).run();
 }
 
-// Of a piece, of the area of all: squares of areas, and what remains of them after many
-// factors, must be doubles; 1e-80 of the size is mapped.
+// The least area of a piece, relative to that of all: squares of areas, and what remains of them
+// after many factors, must be doubles; 1e-80 of the size is mapped.
 constexpr double kLeastArea = 1e-160;
 
 void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
@@ -377,7 +377,7 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
         Hint::AutomaticCuts);
 }
 
-// What is asked for: flags of both sides.
+// The cuts that are asked for: flags of both sides.
 std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options) {
   std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
   if (options.method == CutMethod::Texture) is_cut = texture_borders(mesh);
@@ -438,8 +438,8 @@ void take_apart_if_flat(const SurfacePiece& part, double max_stretch, std::vecto
     if (mesh.opposite(h) >= 0) is_cut[3 * part.face[face_of(h)] + corner_of(h)] = 1;
 }
 
-// Which of the pieces that are left so far. NotByTexture: those that are closed, as no coordinates
-// cut them (all zero, say), and those whose faces have none.
+// The pieces that are meant, of those that are left so far. NotByTexture: those that are closed, as
+// no coordinates cut them (all zero, say), and those whose faces have none.
 enum class Pieces { All, NotByTexture };
 
 // Cuts them, each to one chart.

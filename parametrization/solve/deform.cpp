@@ -15,7 +15,7 @@
 namespace majorant {
 namespace {
 
-// Of the mesh's size: deviation from a plane.
+// The distance from the plane that counts as 0, relative to the mesh's size.
 constexpr double kFlat = kTenDigits;
 // Towards the targets. Chosen so that a right angle is turned by 9 degrees at a time.
 constexpr int kDeformSteps = 10;

@@ -18,8 +18,8 @@ namespace {
 // bench/multiresolution: at 2,500 it saves 2 to 4 fe of 20 on easy disks and costs some on hard
 // ones.
 constexpr Index kLargeSurface = 5000;
-// Of the energy, from a level to one that is not coarse, beyond which Tutte's map is taken after
-// all. Where other minima wait it was 0.51, on all other public disks at most 0.07.
+// The relative drop of the energy, from a level to one that is not coarse, beyond which Tutte's map
+// is taken after all. Where other minima wait it was 0.51, on all other public disks at most 0.07.
 constexpr double kLargestDrop = 0.25;
 
 // Returns whether an automatic start is made in many resolutions. Points that are to stay where the

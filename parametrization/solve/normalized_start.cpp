@@ -40,8 +40,8 @@ bool on_boundary(const SurfaceMesh& mesh, Index vertex) {
       [&](const auto& loop) { return std::find(loop.begin(), loop.end(), vertex) != loop.end(); });
 }
 
-// Of the normalized map: as it is solved, whatever the size of the mesh. asked: what the map would
-// have started from says what helps.
+// Requires that the normalized map is injective, as it is solved, whatever the size of the mesh.
+// asked: what the map would have started from says what helps.
 void require_injective(const BezierMap& map, const RestShapes& rest, const MapOptions& asked) {
   const auto refuse = [&](const std::string& what) {
     throw Refusal(

@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// Of the plane: what energies of maps do not see, but for points that are held.
+// The translations of the plane: what energies of maps do not see, but for points that are held.
 Eigen::MatrixXd translations(const Problem& problem) {
   Eigen::MatrixXd vectors(problem.size(), 2);
   for (const Index c : {0, 1}) {

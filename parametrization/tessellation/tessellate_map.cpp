@@ -43,7 +43,7 @@ bool is_simple(const std::vector<Vector2>& corners) {
   throw Error(ErrorKind::Invalid, problem + "; give the mesh the map was made from");
 }
 
-// What the cells of a map are of the mesh that it was made from.
+// The faces of the mesh that the cells of a map were made from.
 struct InputFaces {
   std::vector<std::vector<Index>> cells;            // of every polygon
   std::vector<std::array<std::size_t, 3>> corners;  // of its polygon, by cell

@@ -1,4 +1,4 @@
-// What the legend of a coloured map says, however it is drawn.
+// The text of the legend of a coloured map, however it is drawn.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a page of a map holds, as docs/pictures.md describes it: the map's arrays in base64, little
+// The data of a page, as docs/pictures.md describes them: the map's arrays in base64, little
 // endian, and the rest in words.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What all terms made of a lambda share: gathering an element's unknowns, as numbers or as
+// The common base of all terms made of a lambda: gathering an element's unknowns, as numbers or as
 // variables to differentiate by, and writing what became of them. Not for inclusion: local_term.h.
 #pragma once
 

@@ -17,7 +17,7 @@
 namespace majorant {
 namespace {
 
-// What flips of one degree share.
+// The tables that all flips of one degree share.
 class FlipTables {
  public:
   static const FlipTables& of_degree(int n) {

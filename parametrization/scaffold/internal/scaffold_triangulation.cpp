@@ -20,8 +20,9 @@
 namespace majorant {
 namespace {
 
-// Of a side. A frame of few pieces needs few triangles; pieces about as long as the frame is far
-// from the image fit the triangles between them: bounds of that rule for extreme images.
+// The least and the largest number of pieces of a side of the frame. A frame of few pieces needs
+// few triangles; pieces about as long as the frame is far from the image fit the triangles between
+// them: bounds of that rule for extreme images.
 constexpr double kLeastFramePieces = 4, kMostFramePieces = 64;
 // Refinement ends by itself; this bounds its cost: common boundaries take a point an edge.
 constexpr Index kInsertionsPerEdge = 6, kLeastInsertions = 2000;

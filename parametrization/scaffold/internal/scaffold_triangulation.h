@@ -12,7 +12,7 @@
 // The triangulation is constrained Delaunay, made with exact predicates, and refined by
 // circumcentres of badly shaped triangles [Rup95] wherever they do not come close to an edge of
 // boundary or frame [Che93]. Triangles are small at short boundary edges and grow away from them.
-// What is computed depends on the boundary's points and edges only, not on where a loop starts.
+// The result depends on the boundary's points and edges only, not on where a loop starts.
 #pragma once
 
 #include <vector>

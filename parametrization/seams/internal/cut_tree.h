@@ -10,7 +10,7 @@
 // handles are the root; otherwise it is the longest boundary loop, or two edges in the middle of
 // the cut of a closed surface. The rest hangs from it, divided into branches of about equal length.
 //
-// What branches are worth: on the surface cut along the root alone, the stress function chi
+// The worth of branches: on the surface cut along the root alone, the stress function chi
 // (flattening_strain.h) is held with its slope at the ends of all branches, which is nearly what
 // cuts do. With C the rows that say so, G = C A^-1 C^T, P = G^-1, x = P C chi: letting go of some
 // of them (rows R) adds

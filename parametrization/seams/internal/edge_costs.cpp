@@ -11,14 +11,14 @@ namespace {
 // Degrees: edges below the first are not sharp, those above the second fully; a smooth
 // surface of some 1000 faces bends by up to 30 degrees at its edges, a box by 90.
 constexpr double kSharpFrom = 40, kSharpTo = 70;
-// Of its length, what a sharp edge costs: a seam along it may be twice as long.
+// The cost of a sharp edge, relative to its length: a seam along it may be twice as long.
 constexpr double kSharpCost = 0.75;
-// Of its length, what an edge inside a polygon costs: more than any way around.
+// The cost of an edge inside a polygon, relative to its length: more than any way around.
 constexpr double kInnerCost = 1e6;
-// Of its cost, what an edge at a vertex that is to stay whole costs: more than ways around
-// such vertices, less than through a polygon.
+// The factor of an edge's cost at a vertex that is to stay whole: more than ways around such
+// vertices, less than through a polygon.
 constexpr double kWholeCost = 1e4;
-// Of the mean length, what no edge is below: no way is free; far below any usable edge.
+// The least length of an edge, relative to the mean one: no way is free; far below any usable edge.
 constexpr double kLeastLength = 1e-9;
 
 Vector3 area_vector(const SurfaceMesh& mesh, Index face) {

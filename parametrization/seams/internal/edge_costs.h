@@ -1,4 +1,4 @@
-// What it costs to cut an edge: its length, less where a seam is hidden by a sharp edge.
+// The cost of a cut along an edge: its length, less where a seam is hidden by a sharp edge.
 #pragma once
 
 #include <vector>
