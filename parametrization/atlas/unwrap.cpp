@@ -11,8 +11,11 @@
 #include <mutex>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "majorant/certify/proven_distance.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/singular_values.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
@@ -21,10 +24,30 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 
 namespace majorant {
 namespace {
+
+// Points inside a face, all of the same weight. 10 points a face; for reports alone.
+constexpr int kLattice = 6;
+
+std::vector<Barycentric> sample_points(int degree) {
+  if (degree == 1) return {Barycentric::Constant(1.0 / 3)};
+  std::vector<Barycentric> points;
+  for (int i = 1; i < kLattice; ++i)
+    for (int j = 1; j < kLattice - i; ++j)
+      points.push_back(Barycentric(i, j, kLattice - i - j) / kLattice);
+  return points;
+}
+
+Stretch normalized(Stretch s) {
+  const double scale = s.image_area / s.surface_area;
+  s.l2 = std::sqrt(s.square / s.surface_area * scale);
+  s.max = s.largest * std::sqrt(scale);
+  return s;
+}
 
 // Faces from which on a chart has all threads for itself. Below, loops over elements are
 // too short for more than one thread to pay.
@@ -259,6 +282,36 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
 }
 
 }  // namespace
+
+Stretch Stretch::joined(const Stretch& other) const {
+  Stretch s;
+  s.surface_area = surface_area + other.surface_area;
+  s.image_area = image_area + other.image_area;
+  s.square = square + other.square;
+  s.largest = std::max(largest, other.largest);
+  return s.surface_area > 0 ? normalized(s) : s;
+}
+
+Stretch measure_stretch(const BezierMap& map) {
+  const RestShapes rest = rest_shapes(map.mesh());
+  Stretch s;
+  const std::vector<Barycentric> points = sample_points(map.degree());
+  for (const Barycentric& xi : points) {
+    const Eigen::MatrixX2d gradients = bernstein_gradients(map.degree(), xi);
+    for (Index f = 0; f < map.mesh().face_count(); ++f) {
+      Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
+      for (Index q = 0; q < gradients.rows(); ++q)
+        j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * gradients.row(q);
+      j *= rest.inverse_of(f);
+      const double det = j.determinant(), area = rest.measure[f] / double(points.size());
+      s.surface_area += area;
+      s.image_area += det * area;
+      s.square += area * 0.5 * j.squaredNorm() / (det * det);
+      s.largest = std::max(s.largest, singular_values(j).first / det);  // 1 / sigma
+    }
+  }
+  return normalized(s);
+}
 
 std::vector<BezierMap> maps_of(const Atlas& atlas) {
   std::vector<BezierMap> maps;

@@ -1,11 +1,15 @@
+#include "majorant/constraints/constraints.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
-#include "majorant/constraints/constraints.h"
 #include "majorant/framework/argument_check.h"
+#include "majorant/framework/error.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/union_find.h"
 
 namespace majorant {
 namespace {
@@ -54,6 +58,96 @@ std::vector<std::vector<NodePair>> pairs_by_chain(const BezierTriangleSpace& spa
 }
 
 }  // namespace
+
+FixedPoints::FixedPoints(const std::vector<FixedPoint>& points) : dim_(2) {
+  for (const FixedPoint& p : points)
+    points_.push_back({p.node, {p.position.x(), p.position.y(), 0}});
+}
+
+FixedPoints FixedPoints::in_space(std::vector<FixedPoint3> points) {
+  return {std::move(points), 3};
+}
+
+FixedPoints FixedPoints::at(const std::vector<Index>& nodes, VecIn x, int dim) {
+  if (dim != 2 && dim != 3)
+    throw InvalidArgument(
+        fmt::format("FixedPoints::at: {} numbers per node, 2 or 3 are possible", dim));
+  std::vector<FixedPoint3> points;
+  for (const Index node : nodes) {
+    require_index("FixedPoints::at: node", node, x.size() / dim);
+    points.push_back({node, Vector3::Zero()});
+    points.back().position.head(dim) = x.segment(dim * node, dim);
+  }
+  return {std::move(points), dim};
+}
+
+void FixedPoints::append_rows(ConstraintRows& rows) const {
+  const std::string_view names = dim_ == 2 ? "uv" : "xyz";
+  if (dim_ == 2)
+    rows.expect_nodes(2, "FixedPoints of the plane",
+                      "FixedPoints::in_space() holds points of space");
+  else
+    rows.expect_nodes(3, "FixedPoints of space", "FixedPoints() holds points of the plane");
+  for (const FixedPoint3& p : points_) {
+    require_at_least("FixedPoints: a node", p.node, 0);
+    for (int c = 0; c < dim_; ++c) {
+      rows.begin_row(fmt::format("{} of node {}", names[static_cast<std::size_t>(c)], p.node));
+      rows.add(dim_ * p.node + c, 1);
+      rows.end_row(p.position[c]);
+    }
+  }
+}
+
+void FixedUnknowns::append_rows(ConstraintRows& rows) const {
+  for (const FixedUnknown& u : unknowns_) {
+    require_at_least("FixedUnknowns: an unknown", u.unknown, 0);
+    rows.begin_row("unknown " + std::to_string(u.unknown));
+    rows.add(u.unknown, 1);
+    rows.end_row(u.value);
+  }
+}
+
+AxisAlignment::AxisAlignment(std::shared_ptr<const BezierTriangleSpace> space,
+                             std::vector<AlignedEdge> edges)
+    : space_(given("AxisAlignment: the space", std::move(space))), edges_(std::move(edges)) {
+  for (const AlignedEdge& edge : edges_)
+    if (edge.half_edge < 0 || edge.half_edge >= 3 * space_->element_count() ||
+        edge.coordinate < 0 || edge.coordinate > 1)
+      throw InvalidArgument(
+          fmt::format("AxisAlignment: there is no half-edge {} or no coordinate {}", edge.half_edge,
+                      edge.coordinate));
+}
+
+// Edges that hold the same coordinate and meet are a component. Every unknown of one equals its
+// last: rows that are solved without touching each other, which a row for each pair of neighbours
+// would not be.
+void AxisAlignment::append_rows(ConstraintRows& rows) const {
+  rows.expect_nodes(2, "AxisAlignment", "it is a constraint of maps to the plane");
+  const Index unknowns = 2 * space_->node_count();
+  UnionFind components(unknowns);
+  for (const AlignedEdge& edge : edges_) {
+    const std::vector<Index> nodes = edge_nodes(*space_, edge.half_edge);
+    for (const Index node : nodes)
+      components.join(2 * node + edge.coordinate, 2 * nodes[0] + edge.coordinate);
+  }
+  std::vector<Index> last_of(to_size(unknowns));  // by component
+  for (Index i = 0; i < unknowns; ++i) last_of[components.find(i)] = i;
+  std::vector<char> written(to_size(unknowns), 0);
+  for (const AlignedEdge& edge : edges_) {
+    const Cells& faces = space_->faces();
+    for (const Index node : edge_nodes(*space_, edge.half_edge)) {
+      const Index unknown = 2 * node + edge.coordinate, last = last_of[components.find(unknown)];
+      if (unknown == last || written[unknown]) continue;
+      written[unknown] = 1;
+      rows.begin_row(
+          fmt::format("constant {} along edge ({}, {})", edge.coordinate == 0 ? 'u' : 'v',
+                      from_vertex(faces, edge.half_edge), to_vertex(faces, edge.half_edge)));
+      rows.add(unknown, 1);
+      rows.add(last, -1);
+      rows.end_row(0);
+    }
+  }
+}
 
 SeamlessConstraint::SeamlessConstraint(std::shared_ptr<const BezierTriangleSpace> space,
                                        std::shared_ptr<const Seams> seams)
