@@ -28,7 +28,6 @@
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 #include "majorant/mesh/polygon_mesh.h"
-#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 
