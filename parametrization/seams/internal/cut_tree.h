@@ -1,7 +1,7 @@
 // A cut as a tree, and what each of its branches is worth.
 //
 //   const std::vector<char> is_terminal(mesh->vertex_count(), 0);
-//   const Vec edge_cost = cut_costs(*mesh);
+//   const Vec edge_cost = Vec::Ones(mesh->half_edge_count());
 //   CutTree tree(*mesh, is_cut, is_terminal, edge_cost, 150, {});
 //   tree.peel(FlatteningStrain(mesh->cut_along(is_cut, nullptr)).strain(), 0.02, {});
 //   is_cut = tree.after(tree.steps_within(0.02)).is_cut;
