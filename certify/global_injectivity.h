@@ -34,6 +34,8 @@
 // #loops) in all; to compute orientations is simpler than to trust sums of angles. Neighbouring
 // edges that fold back onto each other are contacts like any other. Where contacts remain possible
 // only, a point close by that the loops wind around twice proves the violation.
+//
+// Not for det J > 0, which is assumed: measure_map() and MapProof prove that.
 #pragma once
 
 #include <functional>

@@ -8,6 +8,8 @@
 // Positivity is proven in floating point with its rounding bounds, cells that this leaves open are
 // decided in exact arithmetic. Continuity compares the uv of both sides of an edge, equal to the
 // last bit. Angle sums tell a map that winds twice around a vertex.
+//
+// Not for maps in memory that a solver has certified: their MapMeasures say what is proven.
 #pragma once
 
 #include <array>

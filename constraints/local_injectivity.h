@@ -6,6 +6,12 @@
 // change, so a solve needs AngleSums only for its start - or for boundary vertices, where the sum
 // may pass 2 pi continuously. Of a cut surface the sums over all copies of a vertex count, and the
 // sum at a cone is the cone's angle.
+//
+//   builder.add(std::make_shared<const LocalInjectivity>(space, 2 * rest.measure));
+//   const auto boundary = AngleSums::Vertices::Boundary;
+//   builder.add(std::make_shared<const AngleSums>(space, boundary));
+//
+// Not for overlaps of the image: check_boundary() (certify/global_injectivity.h).
 #pragma once
 
 #include <memory>

@@ -5,6 +5,13 @@
 // To add an element, describe it and derive its space from BernsteinSpace, as the tetrahedra,
 // squares and triangles beside it do (docs/elements.md). A space checks the description when it is
 // made.
+//
+//   Cells cells(1, 3);
+//   cells << 0, 1, 2;
+//   const BezierTriangleSpace triangles(cells, 3, 2);                    // of degree 2
+//   const RowMatrix nodes = triangles.node_positions(RowMatrix::Random(3, 2));
+//
+// Not for rational functions, splines and other bases: those derive from ElementSpace.
 #pragma once
 
 #include <array>

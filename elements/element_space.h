@@ -25,7 +25,7 @@ namespace majorant {
 // three barycentric ones, which makes every recombination a single term). With basis functions B_i:
 //     d_a B_i       = sum_k  G[i,a,k]    shape_gradient_k     (`gradient` list)
 //     d_a B_i d_b B_j = sum_m H[i,a,j,b,m] gradient_product_m     (`hessian` list)
-// so the sums over quadrature points are gradient_products, and basis pairs appear only afterwards.
+// so the sums over quadrature points are moments, and basis pairs appear only afterwards.
 struct ContractionTable {
   int nodes = 0;               // per element
   RowMatrix directions;        // a row each, by reference coordinate: gamma_a

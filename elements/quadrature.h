@@ -8,6 +8,8 @@
 // A rule knows its cell, and spaces refuse the rule of another one: three columns are a point of a
 // triangle or of a cube. All rules here are symmetric under the symmetries of the cell, so results
 // do not depend on where a cell starts, and all weights are positive.
+//
+// Not for numbers to be reported: measure_map() refines its rules until two agree.
 #pragma once
 
 #include <string_view>

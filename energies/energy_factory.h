@@ -2,6 +2,8 @@
 //
 //   const EnergySum sum{{mips(), 1.0}, {symmetric_dirichlet(), 0.1}};
 //   const bool has_a_scale = free_scale_of(sum) == FreeScale::Determined;   // true
+//
+// Not for a term on one space: make_energy() (make_energy.h) makes that at once.
 #pragma once
 
 #include <functional>

@@ -137,7 +137,7 @@ auto spectral(std::string name, H h, const Data& data, const Traits& traits = {}
   return WithData(spectral(std::move(name), std::move(h), traits), std::move(rows));
 }
 
-// Any density of the Jacobian from one line of code: anisotropic, of volumes, of surfaces in space.
+// Densities of the Jacobian from one line of code: anisotropic, of volumes, of surfaces in space.
 //
 //   auto mips = density<2, 2>("mips", [](const auto& J) {
 //     return J.squaredNorm() / J.determinant();

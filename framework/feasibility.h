@@ -13,6 +13,8 @@
 //     const TermId barrier = b.add(bound->barrier(), 1.0);
 //     return BarrierMinimizer::of_bounds({{barrier, bound}});
 //   };
+//
+// Not for equations, which are eliminated (constraint.h).
 #pragma once
 
 #include <cstddef>

@@ -39,7 +39,8 @@ class Minimizer {
   virtual SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const = 0;
 };
 
-// Why a descent ends: the stopping rules as a value, and the test that applies them step by step.
+// The reasons why a descent ends: the stopping rules as a value, and the test that applies them
+// step by step.
 //
 //     StoppingTest test(rules, energy);
 //     while (!(stop = test.before_step())) {

@@ -15,6 +15,8 @@
 // unknowns that these touch, and says how they are shared (partition.h). Energy, gradient and
 // Hessian of the whole are the sums; points are vectors of this rank's unknowns, and checkers hold
 // what they hold on each.
+//
+// Not for sums whose every element has many unknowns: matrices are sparse, local ones dense.
 #pragma once
 
 #include <memory>

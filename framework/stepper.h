@@ -24,15 +24,15 @@ namespace majorant {
 //
 // An acceptable step comes first (certified, Armijo, halving), then the minimum of the parabola
 // through E(0), E'(0) and E(s), as long as that pays. Positive semidefinite models overestimate
-// curvature where they projection_weight it, and barriers flatten quickly, so steps well above 1
-// are common far from a minimum and in linearly converging tails; an evaluation costs a fraction of
-// a factorization. Where a barrier is all of the energy, E ~ 1 / (1 + s / 3)^2, the parabola asks
-// for s = 1.455 every time although E falls on and on: there the step is doubled instead. No
-// curvature (Wolfe) condition: quasi-Newton methods skip pairs instead.
+// curvature where they clamp it, and barriers flatten quickly, so steps well above 1 are common far
+// from a minimum and in linearly converging tails; an evaluation costs a fraction of a
+// factorization. Where a barrier is all of the energy, E ~ 1 / (1 + s / 3)^2, the parabola asks for
+// s = 1.455 every time although E falls on and on: there the step is doubled instead. No curvature
+// (Wolfe) condition: quasi-Newton methods skip pairs instead.
 
-// Part of the predicted decrease that a step must achieve [NW06, Sec. 3.1].
+// The part of the predicted decrease that a step must achieve [NW06, Sec. 3.1].
 inline constexpr double kArmijo = 1e-4;
-// Part of a step that must not be reached (the largest certified one) that is taken. Tuned by
+// The part that is taken of a step that must not be reached, the largest certified one. Tuned by
 // bench/tune.py line_search.boundary_fraction.
 inline constexpr double kPartOfLimit = 0.9;
 

@@ -27,6 +27,8 @@
 // face of which a corner has an index of none (the whole face is then without); colours (the vertex
 // is then without); a slash behind the last index of a corner; points and lines of vertices that
 // are not there; one line more than the header announces.
+//
+// Not for arrays in memory: SurfaceMesh::from_arrays().
 #pragma once
 
 #include <string>

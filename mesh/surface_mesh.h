@@ -17,6 +17,8 @@
 // and an origin of its own.
 //
 // Half-edge 3 f + k runs from corner k of face f to its corner k + 1 (mod 3): see below.
+//
+// Not for editing: nothing changes once it is made; cut_along() and split() make other meshes.
 #pragma once
 
 #include <array>

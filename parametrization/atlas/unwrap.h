@@ -15,6 +15,8 @@
 //
 // Every chart has a valid map in the end: where a solve does not end with one, the chart keeps the
 // best valid map there was, the start if need be, and its status says so.
+//
+// Not for the best map of one disk: parametrize().
 #pragma once
 
 #include <memory>

@@ -7,6 +7,8 @@
 //
 // The branches of a face are numbered 0..3 counterclockwise; `angle` is branch 0. All of this is
 // intrinsic: rotating or scaling the mesh changes nothing but rounding.
+//
+// Not for fields of other symmetries than four directions.
 #pragma once
 
 #include <vector>

@@ -5,6 +5,8 @@
 //
 // Immutable and cheap to copy. Positions and uv are in model units. A map of a cut surface may know
 // its seams: its mesh is the cut surface then.
+//
+// Not for files, which may be torn or inconsistent: MapFile (map_file.h) holds these.
 #pragma once
 
 #include <memory>

@@ -9,6 +9,9 @@
 //
 // Tutte start (or the caller's), Newton on the energy with det J > 0 held by the line search, the
 // degree raised step by step. [MC20], method.md.
+//
+// Not for closed surfaces, which are cut open first: unwrap() (unwrap.h), make_seamless()
+// (start.h).
 #pragma once
 
 #include <optional>

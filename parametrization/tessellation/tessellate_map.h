@@ -8,6 +8,8 @@
 // around every inner vertex turn once, proven on the doubles of the result. Its
 // surface is that of the map: new vertices lie on the flat triangles, the two sides of an edge
 // share them, also along cuts. In the plane there are no T-junctions but where the map is cut.
+//
+// Not for formats that keep curves: write_vtu() loses nothing.
 #pragma once
 
 #include "majorant/mesh/polygon_mesh.h"
