@@ -25,7 +25,8 @@ enum class Barrier { None, Weak, Strong };
 // value, so that something else must hold the scale.
 enum class FreeScale { Determined, Arbitrary, Collapses };
 
-// Without Convex the majorizers are refused, without Separable reweighting is.
+// The facts themselves. Where Convex is not declared the majorizers are refused, where Separable is
+// not reweighting is.
 struct Traits {
   Domain domain = Domain::PositiveDeterminant;
   Convexity convexity = Convexity::Unknown;

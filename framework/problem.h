@@ -56,7 +56,7 @@ class Problem {
   const SparsePattern& pattern() const;  // of the Hessian in the reduced unknowns
   const std::vector<std::shared_ptr<const FeasibilityChecker>>& checkers() const;
   bool supports(Curvature curvature) const;
-  // How the reduced unknowns are shared between processes; one process has all of them.
+  // The sharing of the reduced unknowns between processes; one process has all of them.
   const Partition& partition() const;
 
   // The same problem with other states of these terms, the rest kept: pattern, slots and (in a

@@ -196,7 +196,7 @@ MapFile joined(const std::vector<MapFile>& charts);
 //   const MapDistortion measured = measure_distortion(file);
 //   write_distortion("bunny_distortion.csv", file, measured.faces);
 //
-// What arrays of the file say of it is not looked at.
+// Arrays of the file that say so are not looked at.
 
 // In units of the surface (layout_scale()): of its cells on the flat triangles of their corners,
 // whether they fit together or not. Throws Error(Unreadable) as layout_scale() does.

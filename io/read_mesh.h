@@ -22,7 +22,7 @@
 // at least three corners, at least one vertex and one polygon. Whether the mesh is a manifold,
 // oriented or connected is for SurfaceMesh to say. Polygons are not triangulated here.
 //
-// Of OBJ, OFF and PLY, what else is broken is left out, each kind with one of `warnings`, unless a
+// Other broken parts of OBJ, OFF and PLY are left out, each kind with one of `warnings`, unless a
 // Strictness refuses: texture coordinates and normals that are no finite numbers, and those of a
 // face of which a corner has an index of none (the whole face is then without); colours (the vertex
 // is then without); a slash behind the last index of a corner; points and lines of vertices that
@@ -46,7 +46,7 @@ bool is_mesh_name(const std::string& path);
 // for others.
 std::string foreign_format(const std::string& path);
 
-// What must not be broken in a mesh file.
+// The parts of a mesh file that must not be broken.
 enum class Strictness {
   Shape,       // coordinates and faces
   Texcoords,   // and texture coordinates: for those who need them; faces may be without

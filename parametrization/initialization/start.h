@@ -48,11 +48,10 @@ struct Start {
 // the longest goes to the circle; the others are filled with a vertex each, so that the image has
 // holes there.
 //
-// Where that leaves faces no room in doubles (narrow tubes, boundaries of tiny edges: exact signs
-// decide), vertices lean towards the boundary instead, the boundary being
-// spaced less unevenly if need be. So every face is positive, but for meshes beyond all of these.
-// Needs a disk, possibly with holes; throws Error(Infeasible) when the linear system cannot be
-// solved; Stopped.
+// Faces may be left without room in doubles (narrow tubes, boundaries of tiny edges: exact signs
+// decide); then vertices lean towards the boundary, which is spaced less unevenly if need be. So
+// every face is positive, but for meshes beyond all of these. Needs a disk, possibly with holes;
+// throws Error(Infeasible) when the linear system cannot be solved; Stopped.
 Vec tutte_map(const SurfaceMesh& mesh, const StopCheck& stop = {});
 
 // The boundary of that map where it is spaced by arc length; other vertices at 0.
