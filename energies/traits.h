@@ -25,8 +25,7 @@ enum class Barrier { None, Weak, Strong };
 // value, so that something else must hold the scale.
 enum class FreeScale { Determined, Arbitrary, Collapses };
 
-// The facts themselves. Where Convex is not declared the majorizers are refused, where Separable is
-// not reweighting is.
+// Without Convex the majorizers are refused, without Separable reweighting is.
 struct Traits {
   Domain domain = Domain::PositiveDeterminant;
   Convexity convexity = Convexity::Unknown;
