@@ -5,7 +5,7 @@
 #include <string>
 
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/pictures/pictures.h"
+#include "majorant/pictures/color_scale.h"
 
 namespace majorant {
 

@@ -4,6 +4,7 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/internal/bezier_image.h"
 #include "majorant/pictures/internal/pixel_font.h"
 #include "majorant/pictures/pictures.h"

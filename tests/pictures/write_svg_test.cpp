@@ -6,6 +6,7 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/io/internal/xml_tree.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/pictures.h"
 
 namespace majorant {
