@@ -1,3 +1,5 @@
+#include "majorant/terms/inequality.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/terms/inequality.h"
 
 namespace majorant {
 namespace {

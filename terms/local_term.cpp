@@ -1,8 +1,9 @@
+#include "majorant/terms/local_term.h"
+
 #include <utility>
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/terms/local_term.h"
 
 namespace majorant {
 namespace {
