@@ -12,6 +12,8 @@
 //
 // Elements that are removed and not collected yet are passed over. Messages count vertices as their
 // descriptors do, faces as mesh.faces() gives them: as their descriptors where none is removed.
+//
+// Not for meshes with defects: polygons_of(mesh) and repair().
 #pragma once
 
 #include <CGAL/Kernel_traits.h>

@@ -7,6 +7,8 @@
 //   const Eigen::MatrixXi F = (Eigen::MatrixXi(2, 3) << 0, 1, 2, 0, 2, 3).finished();
 //   const ParametrizationResult result = parametrize(V, F);
 //   if (result.map) std::cout << corner_uv(F, *result.map) << "\n";
+//
+// Not for meshes with defects: polygons_of(V, F) and repair().
 #pragma once
 
 #include <memory>

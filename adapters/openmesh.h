@@ -12,6 +12,8 @@
 //
 // Texture coordinates of OpenMesh's default traits are floats: what is certified is result.map, in
 // doubles. Traits with `typedef OpenMesh::Vec2d TexCoord2D;` keep all of it.
+//
+// Not for meshes with defects: polygons_of(mesh) and repair().
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>

@@ -1,4 +1,4 @@
-// What the verbs of the command share: exit codes, options every verb has, the verbs themselves.
+// The common parts of the verbs: exit codes, options every verb has, the verbs themselves.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -37,7 +37,7 @@ struct CommonOptions {
 
   void add_to(CLI::App& verb);
   void add_petsc_to(CLI::App& verb);  // --petsc-options, where PETSc may solve
-  // Of reading meshes. least: where --strict was not said.
+  // The strictness with which meshes are read. least: where --strict was not said.
   Strictness strictness(Strictness least = Strictness::Shape) const;
 };
 

@@ -13,10 +13,10 @@
 #include "apps/within_memory.h"
 #include "majorant/certify/cut_map.h"
 #include "majorant/certify/moved_layout.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/claims.h"
+#include "majorant/io/io.h"
 #include "majorant/io/layout_scale.h"
-#include "majorant/io/map_distortion.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/smallest_rectangle.h"
 #include "majorant/results/report.h"
@@ -49,7 +49,7 @@ void mark_seams(MapFile& map, const std::string& name) {
   }
 }
 
-// What would not be true any more of a map that is turned, or empty.
+// The claim that would not be true any more of a map that is turned; empty: none.
 std::string what_holds(const MapFile& map, const Claims& claims) {
   if (held_by(claims) == Held::Points) return "pins or handles hold it";
   if (held_by(claims) == Held::Boundary) return "its boundary is held fixed";
@@ -77,7 +77,7 @@ void align(MapFile& map, const std::string& name) {
   map.claims = json_text(all);
 }
 
-// What the claims say of the run that made the map.
+// The page of a map, with what its claims say of the run that made it.
 MapPage page_of(const MapFile& map, const std::string& name) {
   MapPage page;
   page.title = page_title(name);

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 
 namespace majorant::app {
 

@@ -17,11 +17,10 @@
 #include "apps/within_memory.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/mesh/defects.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/mesh/union_find.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/report.h"
@@ -149,7 +148,7 @@ void describe_defects(const std::vector<Defect>& defects, Description& out) {
   out.report["defects"] = list;
 }
 
-// What a file that holds a map says of it; none of files that hold a mesh.
+// The map that a file holds, if any; none of files that hold a mesh.
 std::optional<MapFile> described_map(const std::string& path, Description& out) {
   if (const std::string e = extension(path); e != ".vtu" && e != ".pvtu" && e != ".msh") return {};
   std::optional<MapFile> map;
@@ -213,7 +212,7 @@ void require_start(const std::shared_ptr<const SurfaceMesh>& mesh, MapInjectivit
   NormalizedStart(BezierMap::linear(mesh, initial_map(*mesh, asked)), asked);
 }
 
-// What runs, tried out. Throws Error where nothing does.
+// The verbs that would run, tried out. Throws Error where nothing does.
 std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, const MapFile* curved,
                      Description& out) {
   const Topology& t = mesh->topology();
@@ -268,7 +267,7 @@ std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, co
       refusal.find("`majorant seamless") != std::string::npos ? "" : other_verb);
 }
 
-// What `majorant unwrap` would do, up to the solve. Throws Error as it would.
+// Describes what `majorant unwrap` would do, up to the solve. Throws Error as it would.
 void describe_plan(const RepairedSurface& surface, Description& out) {
   CutOptions options;
   options.given = surface.given_cuts;

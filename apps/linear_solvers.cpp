@@ -98,8 +98,8 @@ std::shared_ptr<LinearSolver> LinearSolvers::make(const SparsePattern& pattern, 
   return direct;
 }
 
-// Whether cg-hypre is to solve instead, now or at a degree that is foreseen (0: now). Says so once:
-// what does not fit at one degree does not at the next one either.
+// Returns whether cg-hypre is to solve instead, now or at a degree that is foreseen (0: now). Says
+// so once: what does not fit at one degree does not at the next one either.
 bool LinearSolvers::gives_way(const SolverMemory& memory, int foreseen_degree) {
   if (name_ != "auto" || memory.fits_direct()) return false;
   const bool is_foreseen = foreseen_degree > 0;

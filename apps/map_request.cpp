@@ -13,11 +13,11 @@
 #include "apps/outputs.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/curvature_name.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/free_scale.h"
 #include "majorant/results/input_points.h"
 
@@ -48,7 +48,7 @@ Vec read_weights(const std::string& path, const PolygonMesh& polygons, const Sur
   return weights;
 }
 
-// What parametrize() would refuse, said before a start is made and in terms of options.
+// Refuses, before a start is made and in terms of options, what parametrize() would refuse.
 void require_scale(const MapRequest& request, const MapJob& job) {
   if (job.start ? !collapses(job.options.map, job.start->map.space(), job.start->map.seams())
                 : !collapses(job.options.map, {job.mesh->faces(), job.mesh->vertex_count(), 1}, {}))

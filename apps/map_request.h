@@ -1,5 +1,5 @@
-// What the verbs that optimize a map share: the options that say which map, and reading what they
-// name.
+// The common options of the verbs that optimize a map: the options that say which map, and reading
+// what they name.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -11,7 +11,7 @@
 
 namespace majorant::app {
 
-// What MapRequest::choose_degree() does.
+// The help text of MapRequest::choose_degree().
 inline constexpr const char* kDegreeByOutputs =
     "3, or 1 where all data outputs are without curves: .obj .ply";
 

@@ -84,7 +84,7 @@ int MapRun::finish(const Json& extra) {
                        request_.solve.scaffold_file, progress_});
 }
 
-// What is moved must be proven anew; where that fails there is no result.
+// Moves the map and proves it anew; where that fails there is no result.
 void MapRun::place() {
   const OutputRequest& outputs = request_.outputs;
   const Turned turn = outputs.turns_map()                             ? Turned::Required

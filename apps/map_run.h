@@ -20,7 +20,7 @@
 #include "apps/progress.h"
 #include "apps/result_files.h"
 #include "apps/solve_request.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant::app {
 

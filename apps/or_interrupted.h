@@ -1,4 +1,5 @@
-// What a limit or Ctrl-C ends before there is anything to write becomes an error with a line.
+// Makes an error with a line out of a limit or Ctrl-C that ends a run before there is anything to
+// write.
 //
 //   const auto read = [&] { return read_mesh(path, stop); };
 //   const PolygonMesh polygons = or_interrupted("reading " + path, read);

@@ -21,8 +21,8 @@
 
 namespace majorant::app {
 
-// Of the formats that hold a map or show one, in the order of messages, and then `also`: the one
-// list behind help, refusals and require_writable().
+// The extensions of formats that hold a map or show one, in the order of messages, and then `also`:
+// the one list behind help, refusals and require_writable().
 std::vector<std::string> map_extensions(std::vector<std::string> also = {});
 // "output: .vtu .obj, repeatable": help of -o.
 std::string output_help(const std::vector<std::string>& extensions);
@@ -30,7 +30,8 @@ std::string output_help(const std::vector<std::string>& extensions);
 void require_some_output(const std::vector<std::string>& outputs,
                          const std::vector<std::string>& extensions);
 
-// What one option names, and the extensions it takes. Empty paths stand for options not given.
+// An output option: the file that it names, and the extensions that it takes. Empty paths stand for
+// options not given.
 struct OutputNames {
   std::vector<std::string> paths, extensions;
 };
@@ -63,12 +64,13 @@ class WrittenFiles {
   std::vector<Entry> entries_;
 };
 
-// How single formats are written, as said.
+// Options of single formats, as the user gave them.
 struct FormatOptions : MapFormats {
   // The file that --image names, or empty. Throws Error(Unreadable) where it is no picture.
   std::string readable_image() const;
 
-  // Whether --align asks for a map that is turned itself: some of these files hold its coordinates.
+  // Returns whether --align asks for a map that is turned itself: some of these files hold its
+  // coordinates.
   bool turns_map(const std::vector<std::string>& files) const;
 
   void add_to(CLI::App& verb);  // --refine --vtu --msh --grid --color-range ...

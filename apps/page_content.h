@@ -1,5 +1,5 @@
-// What pages (.html) show of a run besides its map: facts, points that were held or pulled, the
-// maps on the way.
+// The contents of a page (.html) besides the map: facts, points that were held or pulled, the maps
+// on the way.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 #include "apps/result_files.h"
 #include "majorant/io/claims.h"
-#include "majorant/pictures/write_page.h"
+#include "majorant/pictures/pictures.h"
 #include "majorant/results/report.h"
 
 namespace majorant::app {

@@ -1,4 +1,4 @@
-// What this binary is made of, and what it is therefore licensed as.
+// The parts of this binary, and the licence that follows from them.
 //
 //   require_gpl_parts("--bijective");
 //   print_text(licences());
@@ -9,7 +9,7 @@
 
 namespace majorant::app {
 
-// Whether CGAL and the others under the GPL or LGPL are in (MAJORANT_GPL).
+// Returns whether CGAL and the others under the GPL or LGPL are in (MAJORANT_GPL).
 bool has_gpl_parts();
 
 // Throws Error(Usage) that says so where they are not; what: the verb or flag that needs them.

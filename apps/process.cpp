@@ -17,7 +17,7 @@
 #include <optional>
 
 #include "apps/streams.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/reading_limit.h"
 #include "majorant/io/temporary_file.h"
 
@@ -100,7 +100,7 @@ void require_one_blas_thread() {
   if (set) set(1);
 }
 
-// Whether this much address space is left.
+// Returns whether this much address space is left.
 bool can_map(std::size_t bytes) {
   void* place = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

@@ -38,8 +38,8 @@ class FreeMemoryOnly {
   rlimit before_{};
 };
 
-// That many threads, 0: as many as ThreadCount has; fewer where an address space limit (ulimit -v)
-// leaves no space for their stacks: results do not depend on it.
+// The number of threads for a number asked for; 0: as many as ThreadCount has; fewer where an
+// address space limit (ulimit -v) leaves no space for their stacks: results do not depend on it.
 int usable_threads(int asked);
 
 }  // namespace majorant::app

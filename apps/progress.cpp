@@ -24,14 +24,14 @@ std::string line(const TraceEntry& e) {
   const std::string phase =
       e.phase == Phase::Newton ? "" : fmt::format("  ({})", phase_name(e.phase));
   const std::string level = e.level == 0 ? "" : fmt::format("  (level {})", e.level);
-  // With a scaffold, what decreases is the sum of both.
+  // With a scaffold the sum of both energies decreases.
   const double decrease = e.record.relative_decrease;
   return fmt::format("degree {}  iteration {:3}  energy {:.8g}  {} {:.1e}  step {:.2g}{}{}",
                      e.degree, e.record.iteration, e.energy, decrease < 0 ? "increase" : "decrease",
                      std::abs(decrease), e.record.step, phase, level);
 }
 
-// What fits on one line: a line that wraps cannot be taken away.
+// The number of characters that fit on one line: a line that wraps cannot be taken away.
 std::size_t terminal_width() {
   winsize size{};
   if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;

@@ -1,4 +1,4 @@
-// What a run is doing, on stderr: one live line on a terminal, plain lines otherwise.
+// Shows on stderr what a run is doing: one live line on a terminal, plain lines otherwise.
 //
 //   Progress progress(common, {Activity::Reading, Activity::Proving});   // what is to come
 //   RunRecord record(60, 1000, interruption_flag(), &progress);

@@ -1,4 +1,4 @@
-// What the library refuses, in the words of the command: its verbs and flags in place of functions.
+// Refusals of the library in the words of the command: its verbs and flags in place of functions.
 //
 //   try {
 //     SurfaceMesh::from_polygons(polygons);

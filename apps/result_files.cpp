@@ -10,7 +10,7 @@
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/certify/map_proof.h"
-#include "majorant/io/map_distortion.h"
+#include "majorant/io/io.h"
 #include "majorant/results/global_verdict.h"
 
 namespace majorant::app {

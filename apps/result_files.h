@@ -1,5 +1,5 @@
-// What the verbs that optimize a map share at the end of a run: output options, files with their
-// claims, reports, and the line that sums up.
+// The common end of the verbs that optimize a map: output options, files with their claims,
+// reports, and the line that sums up.
 //
 //   MapRequest map_request;
 //   OutputRequest outputs;
@@ -22,7 +22,7 @@
 
 namespace majorant::app {
 
-// Where the result shall go, as said.
+// The files that the result goes to, as the user named them.
 struct OutputRequest {
   std::string positional;
   std::vector<std::string> files;
@@ -36,11 +36,11 @@ struct OutputRequest {
   // Joins the positional file to `files`. Throws Error(Usage) when there is no output, or what was
   // asked for would move what is held.
   void require_usable(const MapRequest& map);
-  // Whether --align turns the map itself.
+  // Returns whether --align turns the map itself.
   bool turns_map() const { return formats.turns_map(files); }
-  // Whether this result is turned: that, or --normalize where nothing holds it as it is.
+  // Returns whether this result is turned: that, or --normalize where nothing holds it as it is.
   bool turns(const BezierMap& result, const MapRequest& map) const;
-  // Whether a report is asked for, by a flag or as an output.
+  // Returns whether a report is asked for, by a flag or as an output.
   bool has_report(const CommonOptions& common) const;
 };
 

@@ -34,7 +34,7 @@ double sharp_angle(const std::string& seams) {
   return angle;
 }
 
-// What is wrong with a word that is no file, where a known one is near.
+// The message about a word that is no file, where a known one is near.
 std::string wrong_word(const std::string& seams) {
   std::error_code ignored;
   const std::vector<std::string> words = {"auto", "uv", std::string(kSharp)};

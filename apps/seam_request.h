@@ -1,4 +1,4 @@
-// Where a surface is to be cut, as said: --seams and --max-stretch.
+// Where the user wants a surface to be cut: --seams and --max-stretch.
 //
 //   SeamRequest seams;
 //   seams.add_to(verb);
@@ -22,7 +22,7 @@ struct SeamRequest {
   void add_to(CLI::App& verb);
   // The file that --seams names; empty where it is one of the words.
   std::string file() const;
-  // What of a mesh file must not be broken.
+  // The parts of a mesh file that must not be broken.
   Strictness needed_of_file() const;
   // Throws Error(Usage) for words that make no sense and as read_seams.
   CutOptions options(const PolygonMesh& polygons) const;

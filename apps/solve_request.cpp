@@ -10,8 +10,8 @@
 #include "apps/page_content.h"
 #include "apps/parts.h"
 #include "apps/process.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/curvature_name.h"
 #include "majorant/io/waiting_output.h"
 
 namespace majorant::app {

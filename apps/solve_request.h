@@ -1,4 +1,4 @@
-// How the verbs that optimize a map solve: options, limits, and the record of a run.
+// The solve of all verbs that optimize a map: options, limits, and the record of a run.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -8,7 +8,7 @@
 #include "apps/command.h"
 #include "apps/progress.h"
 #include "apps/result_files.h"
-#include "majorant/framework/stopping.h"
+#include "majorant/framework/minimizer.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/report.h"
 

@@ -1,5 +1,5 @@
-// What the command says: messages and progress on stderr, data on stdout. Nothing else in apps/
-// prints.
+// The output streams of the command: messages and progress on stderr, data on stdout. Nothing else
+// in apps/ prints.
 //
 //   const int count = 12;
 //   say("{}: valid\n", path);           // never fails: that nobody can read it changes nothing

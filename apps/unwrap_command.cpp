@@ -26,8 +26,8 @@
 #include "apps/streams.h"
 #include "apps/within_memory.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/thread_count.h"
-#include "majorant/io/map_distortion.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/results/atlas_job.h"
 #include "majorant/results/global_verdict.h"
@@ -35,7 +35,7 @@
 namespace majorant::app {
 namespace {
 
-// What the user can say of a layout: how to repair, where to cut, how to pack.
+// The options of a layout: how to repair, where to cut, how to pack.
 struct UnwrapRequest {
   SeamRequest seams;
   std::optional<double> weld;

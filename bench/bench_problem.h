@@ -4,12 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/parametrize.h"
 

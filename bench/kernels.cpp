@@ -8,7 +8,7 @@
 #include "bench_problem.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/vectorized.h"
-#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 namespace {

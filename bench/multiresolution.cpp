@@ -17,12 +17,12 @@
 #include <map>
 #include <string>
 
-#include "majorant/constraints/fixed_points.h"
-#include "majorant/energies/named_energies.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/problem.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "unit_fe.h"
 

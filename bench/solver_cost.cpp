@@ -42,7 +42,7 @@
 #include <vector>
 
 #include "bench_problem.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "unit_fe.h"
 
 using namespace majorant;

@@ -9,11 +9,11 @@
 #include <array>
 #include <random>
 
-#include "majorant/elements/bezier_tetrahedron_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/packed_symmetric.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/detail/packed_symmetric.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/problem.h"
 #include "majorant/terms/local_term.h"
 
 namespace majorant {

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "../examples/stretch_bound.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
 

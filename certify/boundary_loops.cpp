@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 
 namespace majorant {
 namespace {

@@ -1,5 +1,5 @@
 // The boundary of a map in the plane: loops of Bezier curves, each with the chart it belongs to.
-// What the proof of global_injectivity.h needs to know of a map, wherever that comes from.
+// The proof of global_injectivity.h needs no more of a map, wherever that comes from.
 //
 //   const BoundaryLoops boundary = boundary_loops(map);    // of a map in memory
 //
@@ -38,7 +38,8 @@ struct BoundaryLoops {
   std::vector<Index> next() const;
 };
 
-// Of the map's mesh, both sides of its seams included; the components of the mesh are the charts.
+// The loops of the map's mesh, both sides of its seams included; the components of the mesh are the
+// charts.
 BoundaryLoops boundary_loops(const BezierMap& map);
 
 // The proof of global_injectivity.h for boundaries of any source: that of a map in memory, of

@@ -6,6 +6,8 @@
 // * global_injectivity.h: whether an image overlaps itself, from its boundary
 // * map_proof.h: a file as it is: orientation, seams, cuts, the surface, overlaps
 // * moved_layout.h: layouts that are turned, scaled and moved, proven where they end up
+//
+// Not for how good a map is: parametrization/maps/measure.h.
 #pragma once
 
 #include "majorant/certify/global_injectivity.h"

@@ -14,7 +14,7 @@
 
 #include "majorant/constraints/cut_surface.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/geometry.h"

@@ -32,22 +32,23 @@ class CutMap {
 
   const SurfaceMesh& surface() const { return *surface_; }
 
-  // Whether the two sides of a half-edge have different uv; false at the boundary of the surface.
+  // Returns whether the two sides of a half-edge have different uv; false at the boundary of the
+  // surface.
   bool differs(Index half_edge) const { return differs_[half_edge]; }
-  // Whether they share no control points in the file (at degree 1: not both corners), be uv equal
-  // or not: files mark cuts so.
+  // Returns whether they share no control points in the file (at degree 1: not both corners), be uv
+  // equal or not: files mark cuts so.
   bool is_unshared(Index half_edge) const { return is_unshared_[half_edge]; }
   // 3 #F flags: half-edges that differ.
   const std::vector<char>& cuts() const { return differs_; }
 
-  // How well a side is i^turns times the opposite one plus a translation: the largest difference of
-  // a coordinate of a control point, both sides moved such that they begin at 0, in uv units.
+  // The fit of a side by i^turns times the opposite one plus a translation: the largest difference
+  // of a coordinate of a control point, both sides moved such that they begin at 0, in uv units.
   struct Fit {
     int turns = 0;
     double mismatch = 0;
   };
   Fit fit(Index half_edge) const;
-  // Of the bounding box of the cells' uv; mean length in uv of the edges of the cells.
+  // The diagonal of the bounding box of the cells' uv; mean length in uv of the edges of the cells.
   double diagonal() const;
   double mean_length() const;
 
@@ -75,13 +76,13 @@ class CutMap {
   std::vector<char> differs_, is_unshared_;
 };
 
-// Whether the file says which vertex of the input every corner of a cell is.
+// Returns whether the file says which vertex of the input every corner of a cell is.
 bool knows_vertices(const MapFile& file);
 // Where it does not: a number for every point, equal for points at exactly the same place; those
 // where a known mesh has a vertex of a polygon have its (first) number.
 Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known);
 
-// Whether the file holds a vertex of the input several times: whether its map is cut.
+// Returns whether the file holds a vertex of the input several times: whether its map is cut.
 bool is_cut(const MapFile& file);
 // Where a file that is to be written is cut: edges of the input, by their vertices, that are
 // unshared, each as often as the cells make an edge there. Decided from who shares points, not from

@@ -7,9 +7,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <vector>
 
-#include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/elements/det_coefficients.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/exact_integers.h"
 
@@ -22,8 +22,8 @@ using Integer = boost::multiprecision::cpp_int;
 // bound a minimum of exactly zero at an irrational point would be bisected for ever. Origin: ten
 // times what valid cells take.
 constexpr int kMostPieces = 4000;
-// Of bisection; two halve the edges, so pieces are 2^-50 of the cell then. Integers grow with it.
-// Coordinates in doubles say nothing below.
+// The depth of bisection; two halve the edges, so pieces are 2^-50 of the cell then. Integers grow
+// with it. Coordinates in doubles say nothing below.
 constexpr int kDeepest = 100;
 
 // A triangular array of Bernstein coefficients of degree `degree`, and the corners of the piece.

@@ -12,8 +12,8 @@
 // minimum of zero at degree 8: not for the solver.
 #pragma once
 
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/positivity.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/positivity.h"
 #include "majorant/framework/stop_check.h"
 
 namespace majorant {
@@ -26,7 +26,7 @@ struct CellPositivity {
   Barycentric at = Barycentric::Zero();  // where det J <= 0, when Violated
 };
 
-// control_points: in VTK's order (elements/internal/bernstein.h). Throws
+// control_points: in VTK's order (elements/bernstein.h). Throws
 // InvalidArgument when their number is not triangular or the degree is over
 // BezierTriangleSpace::kMaxDegree; Stopped.
 CellPositivity exact_positivity(const Points2& control_points, const StopCheck& stop = {});

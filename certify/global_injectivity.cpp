@@ -12,7 +12,7 @@
 #include "majorant/certify/box_pairs.h"
 #include "majorant/certify/internal/curve_contact.h"
 #include "majorant/certify/loop_winding.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
@@ -91,7 +91,8 @@ class Sweep {
     return earlier(left(e), left(f)) ? side(e, point(left(f))) > 0 : side(f, point(left(e))) < 0;
   }
 
-  // What the edges at a vertex change. False: a contact, or the budget is used up.
+  // Applies the changes that the edges at a vertex make. False: a contact, or the budget is used
+  // up.
   bool pass(Index v) {
     const Index in = before_[v], out = v;
     const bool in_ends = right(in) == v, out_ends = right(out) == v;
@@ -255,8 +256,8 @@ const PlanarCurve& curve_of(const BoundaryLoops& boundary, Index half_edge) {
   return boundary.curves[static_cast<std::size_t>(edge - boundary.half_edge.begin())];
 }
 
-// Where a point that is covered twice may be, seen from a contact: where two edges cross it is to
-// the left of both.
+// The directions from a contact in which a point that is covered twice may lie: where two edges
+// cross it is to the left of both.
 std::vector<Vector2> directions_at(const PlanarCurve& a, const PlanarCurve& b) {
   // For where edges have other directions than their ends, at a vertex say; chosen, not tuned.
   constexpr int kDirections = 6;
@@ -351,7 +352,7 @@ std::string unfinished(const GlobalInjectivity& proof, const SubdivisionBudget& 
   return fmt::format("{}; {} pairs of boundary edges are not compared", why, left);
 }
 
-// Of what the comparison of curves has found and left open.
+// The finding from what the comparison of curves has found and left open.
 Finding conclude(const BoundaryLoops& boundary, GlobalInjectivity& proof,
                  SubdivisionBudget& budget) {
   const bool is_certain =
@@ -374,8 +375,8 @@ Finding conclude(const BoundaryLoops& boundary, GlobalInjectivity& proof,
 }  // namespace
 
 GlobalInjectivity check_layout(const BoundaryLoops& boundary, const InjectivityOptions& options) {
-  // What a proof may cost. Origin: about a second; maps of real models take 2 to 4 an edge
-  // (global_injectivity.h).
+  // The subdivisions that a proof may take. Origin: about a second; maps of real models take 2 to 4
+  // an edge (global_injectivity.h).
   constexpr long kSubdivisions = 1 << 18, kPerEdge = 64;
   GlobalInjectivity out;
   out.reason = boundary.defect();

@@ -4,7 +4,7 @@
 //   if (proof.result == ProofStatus::Violated && !proof.contacts.empty())
 //     proof.contacts[0].where;                          // uv where two boundary edges meet
 //
-// What is assumed of the map and not checked here: the surface is compact and orientable, its
+// The proof assumes of the map, and does not check: the surface is compact and orientable, its
 // faces the elements; the map is continuous across edges that two elements share; det J > 0 on
 // every (closed) element (LocalInjectivity, measure_map()); the loops given are the whole boundary,
 // the surface on their left. Its connected components are the charts: any number, with any number
@@ -34,6 +34,8 @@
 // #loops) in all; to compute orientations is simpler than to trust sums of angles. Neighbouring
 // edges that fold back onto each other are contacts like any other. Where contacts remain possible
 // only, a point close by that the loops wind around twice proves the violation.
+//
+// Not for det J > 0, which is assumed: measure_map() and MapProof prove that.
 #pragma once
 
 #include <functional>
@@ -47,7 +49,7 @@ namespace majorant {
 
 struct Finding {
   ProofStatus answer = ProofStatus::NotAsked;
-  std::string detail;  // one line: what is wrong or open, and where; of Proven what was counted
+  std::string detail;  // one line: the defect or the open case and its place; where Proven, counts
 };
 
 struct InjectivityOptions {

@@ -1,4 +1,5 @@
-// How often boundary loops wind around a point, and which way they run: exact where they say so.
+// Winding numbers of boundary loops around a point, and the sense in which loops run: exact where
+// they say so.
 //
 //   const BoundaryLoops boundary = boundary_loops(map);
 //   const LoopWinding winding(boundary);

@@ -15,12 +15,12 @@
 #include "majorant/certify/internal/match_tolerance.h"
 #include "majorant/certify/internal/repaired_match.h"
 #include "majorant/certify/internal/surface_match.h"
-#include "majorant/constraints/internal/sector_angle.h"
+#include "majorant/constraints/sector_angle.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/element_space.h"
-#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/rounding.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/refusal.h"
 
 namespace majorant {
@@ -57,8 +57,8 @@ Vector2 reach_of(const MapFile& file, Index cell) {
   return file.degree * largest;
 }
 
-// How far det J of the map that the digits make may be from that of the doubles, anywhere on the
-// cell; 0 where they are the same.
+// A bound on the difference of det J between the map that the digits make and that of the doubles,
+// anywhere on the cell; 0 where they are the same.
 double rounding_of_determinant(const MapFile& file, Index cell) {
   if (file.uv_rounding.rows() == 0) return 0;
   // A control point off by r in every coordinate moves a derivative of degree n by 2 n r.
@@ -80,14 +80,15 @@ Determinant determinant(const MapFile& file, Index cell, const Barycentric& at) 
     first += (gradients(l, 1) - gradients(l, 0)) * p;
     second -= gradients(l, 0) * p;
   }
-  // Of the product alone at degree 1, where gradients are -1, 0, 1; else of all terms of a sum.
+  // The rounding is that of the product alone at degree 1, where gradients are -1, 0, 1; else of
+  // all terms of a sum.
   const double operations = file.degree == 1 ? 4 : 32.0 * static_cast<double>(gradients.rows());
   return {cross(first, second),
           rounding_of_determinant(file, cell) +
               operations * 2 * kUnitRoundoff<double> * reach_of(file, cell).prod()};
 }
 
-// What remains of an exact answer for the doubles: itself, or Undecided.
+// The answer for the digits, from the exact one for the doubles: the same, or Undecided.
 CellPositivity beyond_rounding(const MapFile& file, Index cell, const CellPositivity& exact) {
   if (rounding_of_determinant(file, cell) == 0) return exact;
   const bool is_certified = exact.result == ProofStatus::Proven;

@@ -1,5 +1,5 @@
-// What can be proven of a map in a file, from its points and uv alone. The judge behind `check` and
-// behind every file that is written: it believes no claim.
+// Proves a map that a file holds, from its points and uv alone: the judge behind `check` and behind
+// every file that is written. It believes no claim.
 //
 //   const MapProof proof(read_map("bunny.vtu"), "bunny.vtu", {.surface = &polygons});
 //   if (proof.verdict() == ProofStatus::Proven) ...
@@ -8,6 +8,8 @@
 // Positivity is proven in floating point with its rounding bounds, cells that this leaves open are
 // decided in exact arithmetic. Continuity compares the uv of both sides of an edge, equal to the
 // last bit. Angle sums tell a map that winds twice around a vertex.
+//
+// Not for maps in memory that a solver has certified: their MapMeasures say what is proven.
 #pragma once
 
 #include <array>
@@ -27,7 +29,7 @@ namespace majorant {
 
 std::string_view name_of(ProofStatus status);  // "proven", "violated", "undecided", "not asked"
 
-// What an edge of the surface may be whose two sides have different uv.
+// The kinds of edges whose two sides may have different uv.
 enum class CutRule {
   Nothing,     // none may differ
   Seams,       // sides that agree by a quarter turn and a translation, to kSeamClose
@@ -53,9 +55,9 @@ struct ProofRequest {
   std::optional<std::vector<std::array<Index, 2>>> cut_edges = {};
   // Reported: `global` is filled in, the verdict does not depend on it.
   enum class Overlap { NotAsked, Reported, Forbidden } overlap = Overlap::NotAsked;
-  // Whether vertices and input_face of the file are compared with the surface: a .vtu says of which
-  // face a cell is, and has no others; an .obj may have pieces of faces, with vertices of their
-  // own.
+  // Compared: vertices and input_face of the file must be those of the surface. A .vtu has a cell
+  // for every face and names it; an .obj may have pieces of faces, with vertices of their own, and
+  // its labels are ignored.
   enum class FaceLabels { Ignored, Compared } labels = FaceLabels::Ignored;
   StopCheck stop = {};  // asked now and then; after a stop, what is left is Undecided
 };
@@ -74,11 +76,12 @@ std::string describe(const GlobalInjectivity& proof, const CornerNames& input_ve
 
 class MapProof {
  public:
-  // What cannot be put together at all is a Violated or Undecided finding, nothing of that is
-  // thrown. Throws Error(Unsupported) for degrees that cannot be judged.
+  // Cells that cannot be put together at all are a Violated or Undecided finding, no exception.
+  // Throws Error(Unsupported) for degrees that cannot be judged.
   MapProof(const MapFile& file, const std::string& name, const ProofRequest& request);
 
-  // Of what was asked: Violated if a finding is, else Undecided if one is, else Proven.
+  // The verdict on all questions asked: Violated if a finding is, else Undecided if one is, else
+  // Proven.
   ProofStatus verdict() const;
   // In the order below, with their names.
   std::vector<std::pair<std::string_view, const Finding*>> findings() const;

@@ -7,14 +7,15 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/proven_distance.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/maps/smallest_rectangle.h"
 
 namespace majorant {
 namespace {
 
-// Of a distance, what division by the size leaves: some units of rounding less.
+// The part of a distance that division by the size leaves for certain: some units of rounding less
+// than all.
 constexpr double kRounded = 1 - 1e-12;
 
 // u, v of every control point as a row.

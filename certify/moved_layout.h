@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/measure.h"
 
 namespace majorant {
@@ -38,7 +38,7 @@ struct LayoutMotion {
 // (LocalInjectivity), in exact arithmetic where these leave a face open.
 bool has_positive_determinants(const BezierMap& map, const StopCheck& stop = {});
 
-// What is kept beside det J > 0.
+// Properties that a motion keeps beside det J > 0.
 struct LayoutPromise {
   bool simple_boundaries = false;  // each map is injective as a whole (global_injectivity.h)
   double distance = 0;             // of any two maps before; but for a part of 1e-12

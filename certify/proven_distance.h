@@ -1,4 +1,4 @@
-// How far apart are charts in the plane, at least? A proof, rounding included.
+// A proven lower bound on the distance of charts in the plane, rounding included.
 //
 //   const Packing packing = pack({map, map});
 //   const double apart = proven_distance(packing.charts, 4.0 / 1024 * packing.side);

@@ -5,6 +5,8 @@
 include(CMakePackageConfigHelpers)
 install(TARGETS majorant EXPORT libmajorantTargets COMPONENT development)
 install(FILES majorant.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPONENT development)
+install(FILES parametrization/parametrization.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/parametrization COMPONENT development)
 install(DIRECTORY adapters DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPONENT development)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/majorant)

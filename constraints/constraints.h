@@ -1,20 +1,144 @@
-// Constraints of maps, whole: what is eliminated exactly, and what every step must hold.
+// Constraints of maps: what is eliminated exactly, and, in local_injectivity.h, what every step
+// must hold.
 //
+//   builder.add(FixedPoints({{12, {0.1, 0.2}}}));              // a pin in the plane
+//   builder.add(AxisAlignment(space, {{12, 0}, {40, 1}}));     // edges along the axes
+//   builder.add(SeamlessConstraint(space, map.shared_seams()));
 //   builder.add(std::make_shared<const LocalInjectivity>(space, 2 * rest.measure));
 //
-// Its headers:
-//     fixed_points.h              nodes that stay where they are
-//     fixed_unknowns.h            single unknowns with given values
-//     axis_alignment.h            edges along the axes
-//     seamless_constraint.h       both sides of a cut, alike up to a transition
-//     local_injectivity.h         det J > 0, certified along whole steps
+// Not for what may give way: QuadraticPenalty (energies/quadratic_penalty.h) makes any of these
+// constraints soft.
 #pragma once
 
-#include "majorant/constraints/axis_alignment.h"
-#include "majorant/constraints/fixed_points.h"
-#include "majorant/constraints/fixed_unknowns.h"
+#include <memory>
+#include <vector>
+
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/framework/constraint.h"
+#include "majorant/mesh/seams.h"
+
+namespace majorant {
+
+// Control points held at given positions by elimination.
+//
+//   builder.add(FixedPoints({{12, {0.1, 0.2}}}));                 // a pin in the plane
+//   builder.add(FixedPoints::at({12, 13, 14}, x));                // held where x has them
+//   builder.add(FixedPoints::in_space({{7, {0.1, 0.2, 0.3}}}));   // 3 unknowns a node
+//
+// A problem whose terms have nodes of another dimension refuses them, with InvalidArgument.
+
+struct FixedPoint {
+  Index node;
+  Vector2 position;
+};
+struct FixedPoint3 {
+  Index node;
+  Vector3 position;
+};
+
+class FixedPoints final : public Constraint {
+ public:
+  explicit FixedPoints(const std::vector<FixedPoint>& points);
+  static FixedPoints in_space(std::vector<FixedPoint3> points);
+  // Holds `nodes` where x has them, which has `dim` numbers per node. Throws InvalidArgument for a
+  // node that x does not have, and unless dim is 2 or 3.
+  static FixedPoints at(const std::vector<Index>& nodes, VecIn x, int dim = 2);
+
+  void append_rows(ConstraintRows& rows) const override;
+
+ private:
+  FixedPoints(std::vector<FixedPoint3> points, int dim) : points_(std::move(points)), dim_(dim) {}
+  std::vector<FixedPoint3> points_;  // of the plane: z is not looked at
+  int dim_;
+};
+
+// Hard constraints on single unknowns, whatever they are: coordinates of nodes of any dimension.
+//
+//   const std::vector<FixedUnknown> held{{3 * 12 + 2, 0.5}};                     // z of node 12
+//   builder.add(FixedUnknowns(held));
+//   builder.add(std::make_shared<QuadraticPenalty>(FixedUnknowns(held)), 1e3);   // the same, soft
+//
+// For points of the plane or of space FixedPoints is shorter.
+
+struct FixedUnknown {
+  Index unknown;  // of the full unknowns x
+  double value;
+};
+
+class FixedUnknowns final : public Constraint {
+ public:
+  explicit FixedUnknowns(std::vector<FixedUnknown> unknowns) : unknowns_(std::move(unknowns)) {}
+  void append_rows(ConstraintRows& rows) const override;
+
+ private:
+  std::vector<FixedUnknown> unknowns_;
+};
+
+// Seams that hold exactly: the control points on the two sides of every seam edge agree up to the
+// chain's rotation and translation, c = i^k c' + t.
+//
+//   builder.add(SeamlessConstraint(space, map.shared_seams()));
+//
+// Equivalent to [MC20] Eq. 15, c_i - c_{i+1} = R^k (c'_i - c'_{i+1}), which says the same without
+// t. The translation is kept as an auxiliary unknown: eliminating it would tie every control point
+// of a chain to those of one edge. It is counted in halves, t = 2 s, so that a cone, which
+// satisfies (1 - i^K) c = (a sum of translations), is an integer combination of half-translations:
+// 1 - i^K divides 2. Elimination then keeps the entries of Z in {0, +-1, +-2} on cuts that the map
+// needs and in small integers (4 at most in tests) on any, unless pins or alignment interfere.
+// Redundant rows (around closed chains, at the ends of slits, where chains meet) are recognized
+// there. Positions follow to a few units in the last place of the map's size.
+
+class SeamlessConstraint final : public Constraint {
+ public:
+  // space: of any degree over the cut surface's faces that `seams` was made for.
+  SeamlessConstraint(std::shared_ptr<const BezierTriangleSpace> space,
+                     std::shared_ptr<const Seams> seams);
+  void append_rows(ConstraintRows& rows) const override;
+
+ private:
+  std::shared_ptr<const BezierTriangleSpace> space_;
+  std::shared_ptr<const Seams> seams_;
+};
+
+// Nodes on the boundary of the uncut surface, sorted: those of the space's boundary that lie on an
+// edge that is no seam.
+std::vector<Index> boundary_nodes(const BezierTriangleSpace& space, const Seams& seams);
+
+// The distance of x (2 numbers per node) from a seamless map: the largest |(c_i - c_{i+1}) - i^k
+// (c'_i - c'_{i+1})| over all seam edges and control points, and its edge.
+struct SeamMismatch {
+  Index edge = -1;  // of seams.edges(); -1 when the mismatch is zero everywhere
+  double distance = 0;
+};
+SeamMismatch worst_seam_edge(const BezierTriangleSpace& space, const Seams& seams, VecIn x);
+double seam_residual(const BezierTriangleSpace& space, const Seams& seams, VecIn x);
+
+// Edges that stay parallel to an axis: u or v constant along the control points of chosen
+// half-edges, as feature lines and boundaries of maps for quadrangulation want it.
+//
+//   builder.add(AxisAlignment(space, {{12, 0}, {40, 1}}));  // u along half-edge 12, v along 40
+//
+// Composes with seams (align one side, the other follows) and with hard points. Edges that meet and
+// hold the same coordinate share its value.
+
+struct AlignedEdge {
+  Index half_edge;  // 3 face + corner, as in surface_mesh.h
+  int coordinate;   // 0: u is constant along it, 1: v
+};
+
+class AxisAlignment final : public Constraint {
+ public:
+  // Throws InvalidArgument for a half-edge or coordinate that does not exist.
+  AxisAlignment(std::shared_ptr<const BezierTriangleSpace> space, std::vector<AlignedEdge> edges);
+  void append_rows(ConstraintRows& rows) const override;
+
+ private:
+  std::shared_ptr<const BezierTriangleSpace> space_;
+  std::vector<AlignedEdge> edges_;
+};
+
+}  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "majorant/constraints/seamless_constraint.h"
-#include "majorant/framework/internal/elimination.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/framework/elimination.h"
 
 namespace majorant {
 

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <numeric>
 
-#include "majorant/constraints/internal/sector_angle.h"
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/constraints/sector_angle.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/parallel.h"
 
 namespace majorant {

@@ -6,12 +6,18 @@
 // change, so a solve needs AngleSums only for its start - or for boundary vertices, where the sum
 // may pass 2 pi continuously. Of a cut surface the sums over all copies of a vertex count, and the
 // sum at a cone is the cone's angle.
+//
+//   builder.add(std::make_shared<const LocalInjectivity>(space, 2 * rest.measure));
+//   const auto boundary = AngleSums::Vertices::Boundary;
+//   builder.add(std::make_shared<const AngleSums>(space, boundary));
+//
+// Not for overlaps of the image: check_boundary() (certify/global_injectivity.h).
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/stop_check.h"

@@ -49,7 +49,7 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/map_job.h"
 

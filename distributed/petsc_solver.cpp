@@ -15,7 +15,6 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/partition.h"
-#include "majorant/framework/sparse_pattern.h"
 
 namespace majorant {
 namespace {

@@ -39,7 +39,7 @@ class Processes {
   std::shared_ptr<const Ranks> ranks_;
 };
 
-// Whether this process is the one that speaks; also where a Processes could not be made.
+// Returns whether this process is the one that speaks; also where a Processes could not be made.
 bool is_first_process();
 
 // What this rank has sent until now, for ranks() and inside PETSc; hypre and MUMPS count for

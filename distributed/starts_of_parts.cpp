@@ -8,7 +8,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/filled_holes.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/initialization/tutte_system.h"
 #include "majorant/parametrization/solve/free_scale.h"
 #include "majorant/parametrization/solve/parametrize_by.h"

@@ -1,4 +1,4 @@
-// Where a map in parts starts: Tutte's map (parametrization/initialization/tutte.h), solved by all
+// Where a map in parts starts: Tutte's map (parametrization/initialization/start.h), solved by all
 // ranks together, and its way to pins that are elsewhere.
 //
 //     TutteOfParts tutte = tutte_of_parts(part, whole_mesh, linear_solver);

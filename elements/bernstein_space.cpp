@@ -10,15 +10,15 @@
 #include <set>
 #include <utility>
 
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/det_coefficients.h"
 #include "majorant/elements/internal/element_check.h"
 #include "majorant/elements/internal/node_lattice.h"
-#include "majorant/elements/internal/positivity.h"
 #include "majorant/elements/internal/small_buffer.h"
+#include "majorant/elements/positivity.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant {
 
@@ -96,7 +96,8 @@ Vec BernsteinBasis::values(VecIn point) const {
 
 namespace {
 
-// Of the degree `degree` on a simplex: (degree + corners - 1)! / (degree! (corners - 1)!).
+// The number of Bernstein polynomials of this degree on a simplex: (degree + corners - 1)! /
+// (degree! (corners - 1)!).
 int function_count(int corners, int degree) {
   int count = 1;
   for (int k = 1; k < corners; ++k) count = count * (degree + k) / k;
@@ -256,8 +257,8 @@ ContractionTable BernsteinSpace::tabulate(const Quadrature& rule) const {
 Quadrature BernsteinSpace::default_rule(RestJacobian rest) const {
   const Factors& cell = element_.factors;
   const int n = element_.degree, dim = element_.dim();
-  // By the coordinates of a factor: one derivative lowers the degree in its own factor alone, every
-  // product of the determinant has as many of them as the factor has dimensions.
+  // Derivatives by the coordinates of a factor: one of them lowers the degree in its own factor
+  // alone, every product of the determinant has as many of them as the factor has dimensions.
   const int jacobian = cell.size() == 1 ? n - 1 : n;
   int degree = 0;
   for (const int corners : cell) {

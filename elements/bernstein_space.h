@@ -5,6 +5,13 @@
 // To add an element, describe it and derive its space from BernsteinSpace, as the tetrahedra,
 // squares and triangles beside it do (docs/elements.md). A space checks the description when it is
 // made.
+//
+//   Cells cells(1, 3);
+//   cells << 0, 1, 2;
+//   const BezierTriangleSpace triangles(cells, 3, 2);                    // of degree 2
+//   const RowMatrix nodes = triangles.node_positions(RowMatrix::Random(3, 2));
+//
+// Not for rational functions, splines and other bases: those derive from ElementSpace.
 #pragma once
 
 #include <array>
@@ -64,7 +71,7 @@ struct EdgeBisection {
   std::vector<int> first, second;
 };
 
-// What distinguishes one element type from another: data, no algorithms.
+// The data that distinguish one element type from another; it has no algorithms.
 struct BernsteinElement {
   std::string_view name;  // of its space, for messages
   int degree;             // of the map
@@ -136,7 +143,7 @@ class BernsteinSpace : public ElementSpace {
   // 1..max_degree, a description that is wrong, vertex numbers outside 0..vertex_count-1, a vertex
   // twice in a cell and facets of more than two cells.
   BernsteinSpace(const BernsteinElement& element, const Cells& cells, Index vertex_count);
-  // With nodes numbered by the caller: any node may be a vertex.
+  // Takes nodes that the caller has numbered: any node may be a vertex.
   BernsteinSpace(const BernsteinElement& element, NodeNumbering numbering);
 
  private:
@@ -155,6 +162,94 @@ class BernsteinSpace : public ElementSpace {
 // a simplex, the reference ones of a product of simplices. Throws InvalidArgument for the
 // rule of another cell.
 ContractionTable contraction_table(const BernsteinElement& element, const Quadrature& rule);
+
+// Continuous piecewise polynomial maps: a Bezier triangle of degree n on every face of a mesh.
+//
+// Control points are shared by the faces around a vertex or an edge, so every assignment of
+// positions is a C0 map; cuts are edges of the mesh that faces do not share. Nodes are numbered:
+// vertices, then edges (n-1 each, from the smaller to the larger vertex), then faces. [MC20]
+// Sec. 4.
+
+using LatticeNumbering = NodeNumbering;
+// Shared numbering of the points (i,j,k)/n of every face: vertices keep their numbers, then edges,
+// then face interiors; local order is VTK's. Any n >= 1. Throws InvalidArgument when an edge
+// has more than two faces.
+LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n);
+
+class BezierTriangleSpace final : public BernsteinSpace {
+ public:
+  // The highest degree of any map; chosen, not tuned.
+  static constexpr int kMaxDegree = 8;
+
+  // faces: #F by 3 vertex numbers, counterclockwise, consistently oriented and edge-manifold;
+  // vertices 0..vertex_count-1. Throws InvalidArgument when degree is not 1..8, for other
+  // vertex numbers, or when an edge has more than two faces.
+  BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree);
+
+  // Faces whose nodes the caller has numbered (#F by (n+1)(n+2)/2, the corners first): part of a
+  // larger numbering, say that of a map and the space around it. Its vertices are not the first
+  // nodes: not for what says "vertex" of a space. Throws InvalidArgument for another number
+  // of columns.
+  BezierTriangleSpace(NodeNumbering numbering, int degree);
+
+  const Cells& faces() const { return faces_; }
+
+  // Control points of the same map in `higher`, a space of degree + 1 over the same faces.
+  // x: 2 numbers per node.
+  Vec elevate(VecIn x, const BezierTriangleSpace& higher) const;
+
+ private:
+  Cells faces_;
+};
+
+// Nodes of the space along a half-edge, from its start to its end: degree + 1 of them. Half-edge
+// 3 f + k runs from corner k of face f to its corner k + 1 (mod 3), as in mesh/surface_mesh.h.
+std::vector<Index> edge_nodes(const BezierTriangleSpace& space, Index half_edge);
+
+// Continuous piecewise polynomial maps of space: a Bezier tetrahedron of degree n on every cell.
+//
+//   Cells cells(1, 4);
+//   cells << 0, 1, 2, 3;
+//   RowMatrix vertices = RowMatrix::Random(4, 3);
+//   BezierTetrahedronSpace space(cells, 4, 2);
+//   RowMatrix start = space.node_positions(vertices);     // the identity, one row per node
+//
+// Nodes are numbered: vertices, edges, faces, interiors. det J has degree 3(n-1).
+
+class BezierTetrahedronSpace final : public BernsteinSpace {
+ public:
+  // det J has degree 15 then, as on squares of degree 8; chosen, not tuned.
+  static constexpr int kMaxDegree = 6;
+
+  // cells: #E by 4 vertex numbers, positively oriented: det(p1 - p0, p2 - p0, p3 - p0) > 0, also
+  // the reference coordinates. Nodes of a cell are in VTK's order; quadrature points barycentric.
+  // Throws InvalidArgument when degree is not 1..6, for vertex numbers outside
+  // 0..vertex_count-1 and when a face has more than two cells.
+  BezierTetrahedronSpace(const Cells& cells, Index vertex_count, int degree);
+};
+
+// Continuous piecewise polynomial maps of tensor-product patches: Bernstein polynomials of degree n
+// in each of s, t in [0, 1] on every quadrilateral.
+//
+//   Cells cells(1, 4);
+//   cells << 0, 1, 2, 3;
+//   RowMatrix vertices(4, 2);
+//   vertices << 0, 0, 1, 0, 0, 1, 1, 1;
+//   BezierQuadSpace space(cells, 4, 1);                   // bilinear
+//   RestShapes rest = curved_shapes(space, space.node_positions(vertices), tensor_gauss_rule(3));
+//
+// Nodes are numbered: vertices, edges, interiors. det J has degree 2n-1 in s and in t.
+
+class BezierQuadSpace final : public BernsteinSpace {
+ public:
+  static constexpr int kMaxDegree = BezierTriangleSpace::kMaxDegree;
+
+  // cells: #E by 4 vertex numbers, counterclockwise: (s,t) = (0,0), (1,0), (1,1), (0,1). Nodes of a
+  // cell are in VTK's order; quadrature points are (s, t), which are the reference coordinates.
+  // Throws InvalidArgument when degree is not 1..8, for vertex numbers outside
+  // 0..vertex_count-1 and when an edge has more than two cells.
+  BezierQuadSpace(const Cells& cells, Index vertex_count, int degree);
+};
 
 }  // namespace majorant
 

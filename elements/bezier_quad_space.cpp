@@ -1,6 +1,6 @@
-#include "majorant/elements/bezier_quad_space.h"
-
 #include <algorithm>
+
+#include "majorant/elements/bernstein_space.h"
 
 namespace majorant {
 namespace {

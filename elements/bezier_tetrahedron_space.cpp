@@ -1,6 +1,5 @@
-#include "majorant/elements/bezier_tetrahedron_space.h"
-
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/bernstein_space.h"
 
 namespace majorant {
 namespace {

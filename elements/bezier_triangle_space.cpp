@@ -1,12 +1,11 @@
-#include "majorant/elements/bezier_triangle_space.h"
-
 #include <fmt/format.h>
 
 #include <utility>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/internal/node_lattice.h"
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 
 namespace majorant {
 namespace {

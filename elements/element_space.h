@@ -1,8 +1,13 @@
-// Elements turn geometry into tables.
+// Element spaces: they turn geometry into the tables that energies contract, and prove det J > 0.
+//
+//   const ContractionTable table = space->tabulate(space->default_rule(RestJacobian::Constant));
+//   const PositivityProof proof = space->certify(0, x, ProofDepth::kFinal);
 //
 // A space numbers the nodes of its cells, tabulates what the contraction of energies/ needs on a
 // quadrature rule, and proves that det J is positive, at a map and along a line of maps. Nothing
-// above this layer knows what a basis function is. To write a new element: docs/elements.md.
+// above this layer knows what a basis function is. To write a new element, describe its Bernstein
+// polynomials (bernstein_space.h, docs/elements.md); to derive from ElementSpace is for bases that
+// are none.
 #pragma once
 
 #include <memory>
@@ -20,7 +25,7 @@ namespace majorant {
 // three barycentric ones, which makes every recombination a single term). With basis functions B_i:
 //     d_a B_i       = sum_k  G[i,a,k]    shape_gradient_k     (`gradient` list)
 //     d_a B_i d_b B_j = sum_m H[i,a,j,b,m] gradient_product_m     (`hessian` list)
-// so the sums over quadrature points are gradient_products, and basis pairs appear only afterwards.
+// so the sums over quadrature points are moments, and basis pairs appear only afterwards.
 struct ContractionTable {
   int nodes = 0;               // per element
   RowMatrix directions;        // a row each, by reference coordinate: gamma_a
@@ -33,31 +38,34 @@ struct ContractionTable {
   std::vector<int> pair_starts;
 };
 
-// What is known of something that was to be proven. Proven and Violated are proofs.
+// The outcome of a proof. Proven and Violated are proofs themselves; Undecided says that none was
+// found.
 enum class ProofStatus { Proven, Violated, Undecided, NotAsked };
 
-// That det J > 0 on an element.
+// The outcome of the proof that det J > 0 on an element.
 struct PositivityProof {
   ProofStatus result = ProofStatus::Undecided;
   double lower_bound = 0;  // of the minimum on the element; certified whatever the result
   int depth = 0;           // of bisection that was needed
 };
 
-// How often an element is bisected before a proof of det J > 0 is given up.
+// The number of bisections after which a proof of det J > 0 on an element is given up.
 //
 // One rule of three values: what is checked often is checked quickly, what is certified once is
 // certified as well as possible. A deeper proof never contradicts a shallower one.
 struct ProofDepth {
   // While optimizing; measured by bench/tune.py depth.
   static constexpr int kStart = 5;
-  // Where kStart holds a run back; measured by bench/tune.py deepest_bisection.
+  // The depth to which a run goes that kStart holds back; measured by bench/tune.py
+  // deepest_bisection.
   static constexpr int kDeepest = 13;
-  // Of results, once a file: a little deeper than what was optimized, so that what went
-  // through there is proven again although it has been scaled and rounded.
+  // The depth of the final proof of a result: a little deeper than any run goes, so that a map that
+  // passed there passes again after it was scaled and rounded.
   static constexpr int kFinal = 16;
 };
 
-// Of rest shapes (rest_shapes.h): whether their inverse Jacobian M is the same all over an element.
+// Constant: the inverse Jacobian M of the rest shape (rest_shapes.h) is the same all over an
+// element.
 enum class RestJacobian { Constant, Varying };
 
 class ElementSpace {

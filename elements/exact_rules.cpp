@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "majorant/elements/element_space.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
@@ -42,9 +42,9 @@ struct ExactRule {
   Quadrature rule;
 };
 
-// By degree. Digits: solutions of the gradient_product equations of all symmetric polynomials of
-// the degree, by Newton's method in 40 digits from random starts; weights are positive, points
-// inside.
+// The rules of the triangle, by degree. Digits: solutions of the moment equations of all symmetric
+// polynomials of the degree, by Newton's method in 40 digits from random starts; weights are
+// positive, points inside.
 const std::vector<ExactRule>& triangle_rules() {
   static const std::vector<ExactRule> rules{
       {1, lattice_rule(1)},

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "majorant/elements/internal/singular_values.h"
+#include "majorant/elements/singular_values.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant {
 namespace {

@@ -18,7 +18,7 @@
 
 #include <memory>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/rest_shapes.h"
 
 namespace majorant {

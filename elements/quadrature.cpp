@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {
 
-// Of what rules are rounded to: rules are printed with 15 digits and more, which leaves
-// 1e-15; chosen, not tuned.
+// The tolerance of checks, above what rules are rounded to: rules are printed with 15 digits and
+// more, which leaves 1e-15; chosen, not tuned.
 constexpr double kRuleTolerance = 1e-12;
 
 using Point = Eigen::RowVectorXd;
@@ -30,7 +30,7 @@ Index column_count(const Factors& cell) {
   return columns;
 }
 
-// What Quadrature::points holds -> homogeneous coordinates, 1-t and t of a segment.
+// From a row of Quadrature::points to homogeneous coordinates, 1-t and t of a segment.
 void to_homogeneous(const Factors& cell, Eigen::Ref<const Point> point, Point& out) {
   out.resize(std::accumulate(cell.begin(), cell.end(), 0));
   Index from = 0, to = 0;

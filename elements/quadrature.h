@@ -8,6 +8,8 @@
 // A rule knows its cell, and spaces refuse the rule of another one: three columns are a point of a
 // triangle or of a cube. All rules here are symmetric under the symmetries of the cell, so results
 // do not depend on where a cell starts, and all weights are positive.
+//
+// Not for numbers to be reported: measure_map() refines its rules until two agree.
 #pragma once
 
 #include <string_view>
@@ -73,8 +75,8 @@ Quadrature composite_rule(const Quadrature& rule, int m);
 // the corner subtriangles of the m-fold subdivision are halved.
 Quadrature corner_graded_rule(const Quadrature& rule, int m, int levels);
 
-// Of guard points at the corners: changes no integral by more than it takes to see the corners.
-// As QuadratureRules::corner_guard; measured by bench/tune.py quadrature.corner_guard.
+// The total weight of guard points at the corners: as small as lets the energy see the corners, so
+// that integrals hardly change. Measured by bench/tune.py quadrature.corner_guard.
 inline constexpr double kCornerGuard = 1e-3;
 
 // `rule` scaled by 1 - weight, and the lattice points of its cell, whose coordinates are multiples

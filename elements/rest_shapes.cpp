@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
-#include "majorant/elements/internal/tangent_part.h"
+#include "majorant/elements/tangent_part.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant {
 namespace {

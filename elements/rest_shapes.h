@@ -1,4 +1,4 @@
-// What a map is measured against: the shapes of the elements at rest.
+// Rest shapes: the shapes of the elements that a map is measured against.
 //
 //   auto flat = flat_triangles(mesh->positions(), mesh->faces());   // a surface of flat triangles
 //   const RowMatrix nodes = space->node_positions(mesh->positions());
@@ -6,6 +6,9 @@
 //
 // J = (d image / d reference) M, M the inverse Jacobian of the rest shape (reference coordinates ->
 // orthonormal frame of the rest shape).
+//
+// Not for surfaces that repair() made, whose faces may have no area: rest_shapes()
+// (parametrization/maps/rest_shapes_of.h) knows these.
 #pragma once
 
 #include "majorant/elements/element_space.h"
@@ -60,8 +63,8 @@ RestShapes turned(RestShapes rest, const RowMatrix& first_axes);
 RestShapes curved_shapes(const ElementSpace& space, const RowMatrix& positions,
                          const Quadrature& rule);
 
-// M (D by D) and det of the rest shape of element e at every point of a tabulated rule; `first` row
-// by row: D^2 + 1 numbers per point. Points where the rest shape is degenerate give inf or NaN.
+// M (D by D) and det of the rest shape of element e at every point of a tabulated rule, M first,
+// row by row: D^2 + 1 numbers per point. Points where the rest shape is degenerate give inf or NaN.
 RowMatrix tabulate_rest(const RestShapes& rest, const ElementSpace& space,
                         const ContractionTable& table, Index e);
 

@@ -1,5 +1,4 @@
-#include "majorant/energies/element_data.h"
-
+#include "majorant/energies/make_energy.h"
 #include "majorant/framework/error.h"
 
 namespace majorant {

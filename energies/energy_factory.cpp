@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "majorant/energies/detail/pointwise.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 
 namespace majorant {
 namespace {

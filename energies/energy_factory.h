@@ -2,21 +2,100 @@
 //
 //   const EnergySum sum{{mips(), 1.0}, {symmetric_dirichlet(), 0.1}};
 //   const bool has_a_scale = free_scale_of(sum) == FreeScale::Determined;   // true
+//
+// Not for a term on one space: make_energy() (make_energy.h) makes that at once.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "majorant/energies/density_term.h"
+#include "majorant/elements/rest_shapes.h"
+#include "majorant/energies/detail/contraction.h"
 #include "majorant/energies/traits.h"
+#include "majorant/framework/energy_term.h"
 
 namespace majorant {
 
-// Made by energy_factory() of make_energy.h, or taken from named_energies.h. An energy may be that
+// The energy term of a density: element tables and rest shapes around a contraction kernel.
+//
+// Made by make_energy(); nothing here depends on the density's type.
+
+// The facts of a density that a term needs.
+struct DensityTraits {
+  std::string name;
+  std::vector<Curvature> curvatures;  // supported
+  Barrier barrier = Barrier::Weak;
+  FreeScale free_scale = FreeScale::Determined;
+  // The density for these TermState::parameters; empty for a density without parameters.
+  std::function<std::shared_ptr<const void>(const Vec& parameters)> with_parameters;
+  // The number of elements that the density has data or turned frames for; none: it is the same on
+  // every mesh.
+  std::optional<Index> elements;
+};
+
+class DensityTerm final : public EnergyTerm {
+ public:
+  // `density` is what `kernels` expect; `rules` are numbered by RuleId. Throws
+  // InvalidArgument when there is no rule, the rest shapes do not fit the space, the density
+  // has data for another number of elements, or its Jacobian has not the element's dimension.
+  DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpace> space,
+              const RestShapes& rest, const std::vector<Quadrature>& rules,
+              std::shared_ptr<const void> density, const DensityKernels& kernels);
+
+  std::string_view name() const override { return traits_.name; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
+  bool supports(Curvature curvature) const override;
+  RuleId rule_count() const override { return static_cast<RuleId>(rules_.size()); }
+  const DensityTraits& traits() const { return traits_; }
+  // f = measure * mean density of each element.
+  void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,
+              std::span<double> f) const override;
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override;
+
+  // The density alone, at TermState{}: summed over the triangles around a vertex at v, which need
+  // not be those of the space. Throws InvalidArgument unless the density is of planar maps
+  // and the same on all elements.
+  StarModel star(const StarView& view, const Vector2& v) const;
+
+ private:
+  // Tables of one rule, built when first used: fine rules are large and rarely needed.
+  struct Rule {
+    Quadrature quadrature;
+    std::once_flag built;
+    ContractionTable table;
+    decltype(ContractionTable::shape_gradient) weighted_shape_gradient, weighted_gradient_product;
+    RowMatrix rest;  // curved: #E by (D^2 + 1) L, inverse and measure point by point
+    ContractionView view() const;
+  };
+  const Rule& rule(RuleId id) const;
+  std::shared_ptr<const void> density(const TermState& state) const;
+  void tabulate_curved(Rule& rule) const;
+  struct Gathered {
+    BatchView batch;
+    double* scratch;
+    double* values;  // kMaxSize, aligned
+  };
+  Gathered gather(VecIn x, const ElementBatch& batch, const Rule& rule,
+                  const ContractionView& table, Workspace& w) const;
+
+  DensityTraits traits_;
+  ElementDofs element_dofs_;
+  RestShapes rest_;
+  std::shared_ptr<const ElementSpace> space_;
+  std::vector<std::unique_ptr<Rule>> rules_;
+  std::shared_ptr<const void> density_;
+  DensityKernels kernels_;
+};
+
+// Made by energy_factory() of make_energy.h, or one of named_energies(). An energy may be that
 // of one mesh only, because its formula is told of the elements or their frames are turned: its
 // traits say of how many elements.
 class EnergyFactory {
@@ -78,7 +157,7 @@ struct WeightedEnergy {
 };
 using EnergySum = std::vector<WeightedEnergy>;
 
-// Whether a summand is made for the elements of one mesh: has face weights, or data, or fibres.
+// True where a summand is made for the elements of one mesh: has face weights, data or fibres.
 bool knows_elements(const EnergySum& energy);
 // The sum on a mesh made of these elements: EnergyFactory::for_elements().
 EnergySum for_elements(const EnergySum& energy, std::span<const Index> elements);
@@ -90,6 +169,26 @@ Barrier barrier_of(const EnergySum& energy);
 // Determined if one summand is, else Collapses if one does, else Arbitrary: one scale is enough,
 // and nothing but a scale withstands a summand that shrinks the map.
 FreeScale free_scale_of(const EnergySum& energy);
+
+// The energies users call by name.
+//
+//   const NamedEnergy* e = find_energy("arap");
+//   options.map.energy = {{e->make, 1.0}, {mips(), 0.1}};
+//
+// Kernels are compiled for several instruction sets and chosen at run time.
+
+struct NamedEnergy {
+  std::string name;
+  std::string summary;  // one line: formula; where it is smallest, and how small
+  EnergyFactory make;   // its traits() say what else is known
+};
+
+std::span<const NamedEnergy> named_energies();
+const NamedEnergy* find_energy(std::string_view name);  // null when there is none
+
+// The two that the library itself asks for.
+EnergyFactory symmetric_dirichlet();
+EnergyFactory mips();
 
 }  // namespace majorant
 

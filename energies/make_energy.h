@@ -16,20 +16,211 @@
 // which may change between steps.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "majorant/energies/density.h"
-#include "majorant/energies/density_term.h"
+#include "majorant/energies/detail/contraction.h"
 #include "majorant/energies/detail/pointwise.h"
-#include "majorant/energies/element_data.h"
+#include "majorant/energies/detail/small_matrix.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/energies/spectral.h"
+#include "majorant/energies/traits.h"
+#include "majorant/framework/curvature.h"
+#include "majorant/framework/dual2.h"
+#include "majorant/framework/types.h"
 
 namespace majorant {
+
+// Data of elements: a formula may take a value of its element beside J, such as a stiffness or a
+// direction.
+//
+//   Vec stiffness = Vec::Ones(mesh->face_count());                 // the formula gets a double
+//   auto soft = density<2, 2>("soft", [](const auto& J, double k) { return k * J.squaredNorm(); },
+//                             stiffness);
+//   RowMatrix fibre(mesh->face_count(), 2);                        // a std::span<const double>
+//   struct Material { double stiffness, limit; };
+//   std::vector<Material> material(to_size(mesh->face_count()));        // a const Material&
+//
+// Rows are those of the elements: for parametrize(), the faces of the mesh. They follow the faces
+// through every degree and rule, and into the charts of unwrap(). Not for what changes while
+// solving: that is TermState.
+
+// Values of any type, one an element; copies share them.
+template <class T>
+class ElementValues {
+ public:
+  explicit ElementValues(std::vector<T> values)
+      : values_(std::make_shared<const std::vector<T>>(std::move(values))) {}
+  Index size() const { return static_cast<Index>(values_->size()); }
+  decltype(auto) operator[](Index e) const { return (*values_)[e]; }
+  // The values of some elements, in their order.
+  ElementValues of(std::span<const Index> elements) const {
+    std::vector<T> part;
+    for (const Index e : elements) part.push_back((*this)[e]);
+    return ElementValues(std::move(part));
+  }
+
+ private:
+  std::shared_ptr<const std::vector<T>> values_;
+};
+
+// As many numbers an element as a matrix has columns.
+class ElementRows {
+ public:
+  explicit ElementRows(RowMatrix rows)
+      : rows_(std::make_shared<const RowMatrix>(std::move(rows))) {}
+  Index size() const { return static_cast<Index>(rows_->rows()); }
+  std::span<const double> operator[](Index e) const {
+    return {rows_->data() + e * rows_->cols(), static_cast<std::size_t>(rows_->cols())};
+  }
+  ElementRows of(std::span<const Index> elements) const;
+
+ private:
+  std::shared_ptr<const RowMatrix> rows_;
+};
+
+extern template class ElementValues<double>;
+
+namespace detail {
+// Throws InvalidArgument for numbers that are not finite; name: of the density.
+ElementValues<double> element_data(const std::string& name, const Vec& numbers);
+ElementRows element_data(const std::string& name, const RowMatrix& rows);
+template <class T>
+ElementValues<T> element_data(const std::string&, std::vector<T> values) {
+  return ElementValues<T>(std::move(values));
+}
+template <class Matrix>
+auto element_data(const std::string& name, const Eigen::MatrixBase<Matrix>& data) {
+  if constexpr (Matrix::ColsAtCompileTime == 1)
+    return element_data(name, Vec(data));
+  else
+    return element_data(name, RowMatrix(data));
+}
+}  // namespace detail
+
+// Data of any of these kinds: a vector or matrix of Eigen, or a std::vector.
+template <class Data>
+concept DataOfElements = requires(const std::string& name, const Data& data) {
+  detail::element_data(name, data);
+};
+
+// A density whose formula is also told of the element: f(..., data[e]).
+template <class Density, class Data>
+class WithData : public Density {
+ public:
+  WithData(Density density, Data data) : Density(std::move(density)), data_(std::move(data)) {}
+  Index element_count() const { return data_.size(); }
+  decltype(auto) data_of(Index element) const { return data_[element]; }
+  WithData of(std::span<const Index> elements) const { return {*this, data_.of(elements)}; }
+
+ private:
+  Data data_;
+};
+
+// Isotropic densities of formulas k(x, y, data) and h(Sigma, sigma, data): spectral.h. Throw
+// InvalidArgument for numbers that are not finite.
+template <class K, DataOfElements Data>
+auto invariant(std::string name, K k, const Data& data, const Traits& traits = {}) {
+  auto rows = detail::element_data(name, data);
+  return WithData(invariant(std::move(name), std::move(k), traits), std::move(rows));
+}
+template <class H, DataOfElements Data>
+auto spectral(std::string name, H h, const Data& data, const Traits& traits = {}) {
+  auto rows = detail::element_data(name, data);
+  return WithData(spectral(std::move(name), std::move(h), traits), std::move(rows));
+}
+
+// Densities of the Jacobian from one line of code: anisotropic, of volumes, of surfaces in space.
+//
+//   auto mips = density<2, 2>("mips", [](const auto& J) {
+//     return J.squaredNorm() / J.determinant();
+//   });
+//   builder.add(make_energy(space, rest, mips), 1.0 / area);
+//
+// J is M by D, both 1 to 3: M unknowns per node, D the dimension of the element, in the frame of
+// the rest shape (RestShapes; turned() turns it). Derivatives come from Dual1 and Dual2 (dual2.h),
+// so the formula may do what these do; branches too. The projected Hessian comes from an
+// eigendecomposition of the MD by MD block at every quadrature point: for isotropic planar energies
+// spectral() and invariant() are faster and know more curvature models.
+
+template <int M, int D, class F>
+class GeneralDensity {
+  static_assert(M >= 1 && M <= 3 && D >= 1 && D <= 3, "J has 1 to 3 rows and columns");
+
+ public:
+  static constexpr int rows = M, dims = D, size = M * D;
+  const Traits traits;
+
+  GeneralDensity(std::string name, F f, const Traits& t)
+      : traits(t), f_(std::move(f)), name_(std::move(name)) {}
+  std::string_view name() const { return name_; }
+  bool supports(Curvature c) const { return c == Curvature::Projected || c == Curvature::Exact; }
+
+  // At J, row by row; data: what the formula takes beside J.
+  template <class... Data>
+  double value(const double (&z)[size], const Data&... data) const {
+    const auto J = matrix<double>([&z](int r) { return z[r]; });
+    return inside_domain(f_(J, data...), z);
+  }
+  // Value, gradient and exact Hessian.
+  template <class... Data>
+  void model(const double (&z)[size], PointModel<double, size>& m, const Data&... data) const {
+    differentiate<Dual2<double, size>>(z, m, data...);
+  }
+  // m.k is left alone.
+  template <class... Data>
+  void slope(const double (&z)[size], PointModel<double, size>& m, const Data&... data) const {
+    differentiate<Dual1<double, size>>(z, m, data...);
+  }
+
+ private:
+  template <class Scalar, class... Data>
+  void differentiate(const double (&z)[size], PointModel<double, size>& m,
+                     const Data&... data) const {
+    const Scalar e = f_(matrix<Scalar>([&z](int r) { return Scalar::variable(z[r], r); }), data...);
+    m.f = inside_domain(e.v, z);
+    for (std::size_t r = 0; r < e.d.size(); ++r) m.g[r] = e.d[r];
+    for (std::size_t p = 0; p != e.h.size(); ++p) m.k[p] = e.h[p];
+  }
+  template <class T, class Entry>
+  static SmallMatrix<T, M, D> matrix(const Entry& entry) {
+    SmallMatrix<T, M, D> J;
+    for (int r = 0; r < size; ++r) J(r / D, r % D) = entry(r);
+    return J;
+  }
+  double inside_domain(double f, const double (&z)[size]) const {
+    bool inside = f == f;
+    if constexpr (M == D)
+      if (traits.domain == Domain::PositiveDeterminant)
+        inside = inside && matrix<double>([&z](int r) { return z[r]; }).determinant() > 0;
+    return inside ? f : std::numeric_limits<double>::infinity();
+  }
+  F f_;
+  std::string name_;
+};
+
+// f(J): J a SmallMatrix<T, M, D>. Domain::PositiveDeterminant means something for M = D alone;
+// convexity and reweighting never do.
+template <int M, int D, class F>
+GeneralDensity<M, D, F> density(std::string name, F f, const Traits& traits = {}) {
+  return {std::move(name), std::move(f), traits};
+}
+
+// f(J, data of the element): see ElementValues and WithData above. Throws InvalidArgument for
+// numbers that are not finite; make_energy() and drivers do so unless there are data for each
+// element.
+template <int M, int D, class F, DataOfElements Data>
+auto density(std::string name, F f, const Data& data, const Traits& traits = {}) {
+  auto rows = detail::element_data(name, data);
+  return WithData(GeneralDensity<M, D, F>(std::move(name), std::move(f), traits), std::move(rows));
+}
 
 namespace detail {
 
@@ -78,7 +269,7 @@ EnergyFactory energy_factory(const Density& density) {
       },
       [](const Density& other) { return energy_factory(other); });
 }
-// With kernels that this density is compiled into (energies/vectorized.h).
+// The same with kernels that this density is compiled into (energies/vectorized.h).
 template <class Density>
 EnergyFactory energy_factory(const Density& density, const DensityKernels& kernels) {
   using Object = detail::CalledItself<Density>;

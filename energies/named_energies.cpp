@@ -1,10 +1,9 @@
-#include "majorant/energies/named_energies.h"
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "majorant/energies/energy_factory.h"
 #include "majorant/energies/internal/builtin_densities.h"
 #include "majorant/energies/internal/instruction_sets.h"
 #include "majorant/energies/make_energy.h"

@@ -8,8 +8,8 @@
 // y = |beta|^2 and is cheaper and exact at similarities (no square roots): prefer it where the
 // density is smooth in x and y. Both are differentiated by Dual2. h must be even under B -> -B,
 // that is symmetric in its arguments: energy_factory() and make_energy() try that at one point. For
-// densities that are not isotropic, or not planar, see density.h; for formulas that are told of the
-// element, element_data.h.
+// densities that are not isotropic, or not planar, see density() in make_energy.h, and
+// for formulas that are told of the element the end of that file.
 #pragma once
 
 #include <string>
@@ -93,7 +93,7 @@ struct SimilarityCoordinates {
   }
 };
 
-// What both forms share: J in the coordinates z = (alpha, beta), traits, curvature models.
+// The common part of both forms: J in the coordinates z = (alpha, beta), traits, curvature models.
 // `Derived` supplies value_of(x, y, data...) and jet(x, y, data...), data being what a formula
 // takes of its element.
 template <class Derived, class Majorant>

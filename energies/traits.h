@@ -1,4 +1,4 @@
-// What a density declares about itself: facts of its formula that no code can find out from it.
+// Traits: the facts of a formula that a density declares because no code can find them out.
 //
 //   Traits steep{.barrier = Barrier::Strong};
 //   steep.free_scale = FreeScale::Arbitrary;   // for spectral("mine", h, steep)
@@ -14,14 +14,15 @@ enum class Domain { PositiveDeterminant, Everywhere };
 enum class Convexity { Convex, Unknown };
 // Separable: h = p(Sigma) + p(sigma) with p'(t) (t - 1) >= 0, what SLIM's weights need.
 enum class Reweighting { Separable, Refused };
-// What keeps det J above 0 beside the line search. None: the energy stays finite at det J = 0.
-// Weak: it becomes infinite, and a run that stops at the limit of injectivity all the same is lent
-// the barrier of symmetric Dirichlet, as without a barrier. Strong: infinite, and nothing is lent,
-// since it would not help: symmetric Dirichlet itself, and what contains a good share of it.
+// The barrier that an energy has at det J = 0, beside the line search. None: the energy stays
+// finite at det J = 0. Weak: it becomes infinite, and a run that stops at the limit of injectivity
+// all the same is lent the barrier of symmetric Dirichlet, as without a barrier. Strong: infinite,
+// and nothing is lent, since it would not help: symmetric Dirichlet itself, and what contains a
+// good share of it.
 enum class Barrier { None, Weak, Strong };
-// What minimizing over maps without a fixed boundary does to their scale. Determined: the minimum
-// has one. Arbitrary: the value does not depend on it. Collapses: the smaller the map, the smaller
-// the value, so that something else must hold the scale.
+// The scale of minimizers among maps without a fixed boundary. Determined: the minimum has one.
+// Arbitrary: the value does not depend on it. Collapses: the smaller the map, the smaller the
+// value, so that something else must hold the scale.
 enum class FreeScale { Determined, Arbitrary, Collapses };
 
 // Without Convex the majorizers are refused, without Separable reweighting is.

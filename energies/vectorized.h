@@ -4,8 +4,8 @@
 //   auto mine = spectral("mine", [](auto S, auto s) { return S / s + s / S; });
 //   options.map.energy = {{energy_factory(mine, vectorized(mine))}};
 //
-// Without it, formulas are called point by point by kernels of the library, which compiles in
-// a fraction of the time. Here the file that asks compiles the whole contraction, with that file's
+// Not the usual way: kernels of the library call formulas point by point, which compiles in a
+// fraction of the time. Here the file that asks compiles the whole contraction, with that file's
 // flags: -march=native or the like makes the difference. The formula sees SIMD batches: no
 // branches, no comparisons; no data of elements. What is gained: docs/energies.md.
 #pragma once

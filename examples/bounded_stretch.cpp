@@ -6,8 +6,8 @@
 //   example_bounded_stretch meshes/creature.obj creature.vtu
 #include <iostream>
 
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "stretch_bound.h"
 

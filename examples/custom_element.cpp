@@ -6,7 +6,7 @@
 //   example_custom_element block.vtk
 #include <iostream>
 
-#include "majorant/constraints/fixed_unknowns.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/energies/make_energy.h"

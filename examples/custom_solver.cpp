@@ -9,8 +9,8 @@
 #include <iostream>
 
 #include "majorant/framework/newton.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
 #include "majorant/majorant.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 

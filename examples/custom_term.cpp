@@ -6,10 +6,10 @@
 #include <cmath>
 #include <iostream>
 
-#include "majorant/framework/derivative_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/newton.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 using namespace majorant;

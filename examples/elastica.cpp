@@ -1,7 +1,7 @@
 // Euler's elastica: a thin rod, clamped at both ends, which are pushed together. Bending couples
 // three points, stretching two: a term of one lambda each. The height of the arc is compared with
 // the closed form, in which K and E are the elliptic integrals of the modulus k.
-#include "majorant/framework/derivative_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/newton.h"
 #include "majorant/terms/local_term.h"
 #include "meshes.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/constraints/fixed_unknowns.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/types.h"
 
 struct ExampleMesh {

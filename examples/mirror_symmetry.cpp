@@ -8,8 +8,8 @@
 #include <iostream>
 #include <map>
 
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 using namespace majorant;

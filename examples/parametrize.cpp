@@ -7,8 +7,8 @@
 
 #include <iostream>
 
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
 
 int main(int argc, char** argv) {
   if (argc < 3) return std::cerr << "usage: " << argv[0] << " IN.obj OUT.vtu\n", 1;

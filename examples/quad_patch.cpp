@@ -6,11 +6,11 @@
 #include <cmath>
 #include <iostream>
 
-#include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/elements/bezier_quad_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/rest_shapes.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"
 #include "write_vtk.h"
 

@@ -7,9 +7,9 @@
 #include <iostream>
 #include <numbers>
 
-#include "majorant/constraints/fixed_unknowns.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/elements/bezier_tetrahedron_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/newton.h"
 #include "majorant/terms/quadratic_penalty.h"

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/barrier_path.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/barrier_path.h"
 #include "majorant/framework/partition.h"
 
 namespace majorant {

@@ -34,14 +34,16 @@ namespace majorant {
 struct BarrierOptions {
   // m mu / max(1, |E|) of the first phase: [NW06] Sec. 19.3 starts near it.
   double first_gap = 0.1;
-  // Of mu, from one phase to the next. [NW06] Sec. 19.3 has 0.2; Newton's method follows further.
+  // The factor of mu from one phase to the next. [NW06] Sec. 19.3 has 0.2; Newton's method follows
+  // a smaller one.
   double fall = 0.1;
   // m mu / max(1, |E|) of the last phase: bounds with multipliers near 1 then end within 1e-8.
   double tolerance = 1e-8;
   // A phase but the last ends with a decrease of at most so many m mu: what the next fall of mu
   // changes is larger.
   double centred = 0.1;
-  // Of every phase; its stopping rules hold in the last one, its iterations count through all.
+  // The options of every phase; the stopping rules hold in the last one, max_iterations counts the
+  // steps of all.
   NewtonOptions newton = {};
 };
 

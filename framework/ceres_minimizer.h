@@ -7,7 +7,7 @@
 // Not for maps that must be injective on the way: Ceres sees a failed evaluation where the energy
 // is not finite or a FeasibilityChecker refuses a point and shortens its step, so that all points
 // it accepts pass the checkers, but nothing certifies the paths between them. No metric either:
-// the number of iterations grows with the condition of the Hessian. lbfgs.h has both.
+// the number of iterations grows with the condition of the Hessian. first_order.h has both.
 //
 // Ceres is told to be silent, but reports restarts of conjugate gradients through glog, to stderr,
 // whatever its options say. glog's level belongs to the process, so the library leaves it alone: a

@@ -12,6 +12,8 @@
 //       rows.begin_row("vertex 12, u"); rows.add(24, 1); rows.end_row(0.5);
 //     }
 //   };
+//
+// Not for inequalities (feasibility.h), nor for what may give way (energies/quadratic_penalty.h).
 #pragma once
 
 #include <cmath>

@@ -11,8 +11,8 @@
 
 namespace majorant {
 
-// Which symmetric matrix stands for the second derivatives. Passed by argument, never stored in an
-// energy. Only Exact may be indefinite.
+// The symmetric matrix that stands for the second derivatives. It is passed by argument, never
+// stored in an energy. Only Exact may be indefinite.
 enum class Curvature {
   Projected,           // exact Hessian per quadrature point, negative eigenvalues set to 0
   Majorizer,           // composite majorizer in the (alpha, beta) frame, method.md section 5
@@ -41,7 +41,7 @@ struct BlendedCurvature {
     blend.projection_weight = projection_weight;
     return blend;
   }
-  // What becomes of an eigenvalue of the exact Hessian; for terms that know theirs.
+  // The eigenvalue of the blend for one of the exact Hessian; for terms that know theirs.
   [[gnu::always_inline]] constexpr double clamped(double eigenvalue) const {
     return eigenvalue < 0 ? (1 - projection_weight) * eigenvalue : eigenvalue;
   }

@@ -1,5 +1,3 @@
-#include "majorant/framework/derivative_check.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,21 +6,21 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/internal/colored_batches.h"
-#include "majorant/framework/internal/curvature_name.h"
-#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 namespace {
 
-// Of the size of an element's unknowns: rounding of the energy, divided by it, and the fourth power
-// of it both stay far below the tolerance.
+// The step of differences, relative to the size of an element's unknowns: rounding of the energy,
+// divided by it, and the fourth power of it both stay far below the tolerance.
 constexpr double kStep = 1e-5;
-// Of the Hessian times the size: what a gradient may be off by without being called wrong, relative
-// to the tolerance. An element at rest has no gradient but that of rounding; with the usual
-// tolerance this is a displacement of 1e-10 of the size.
+// The error that a gradient may have without being called wrong, relative to the Hessian times the
+// size and to the tolerance. An element at rest has no gradient but that of rounding; with the
+// usual tolerance this is a displacement of 1e-10 of the size.
 constexpr double kRest = 1e-5;
 
 struct LocalValues {
@@ -166,7 +164,8 @@ class ElementCheck {
       }
   }
 
-  // How far the nodes lie apart, coordinate by coordinate: what a step has to be small against.
+  // The extent of an element's nodes, coordinate by coordinate: what a step has to be small
+  // against.
   double size_of_unknowns(int block) const {
     const std::vector<Index>& u = probe_.unknowns();
     double size = 0;

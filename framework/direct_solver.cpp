@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/internal/block_graph.h"
 #include "majorant/framework/internal/block_ordering.h"
 #include "majorant/framework/internal/multifrontal.h"
@@ -79,7 +79,7 @@ class DirectSolver final : public LinearSolver {
     fresh_operations_ = tree_->operations();
   }
 
-  // With the last ordering, if that is worth it.
+  // Extends the last ordering, if that is worth it.
   bool extend_last(const SparsePattern& pattern, const BlockGraph& graph) {
     if (!last_graph_ || last_graph_->size() != graph.size()) return false;
     const BlockEdges edges = graph.edges_beyond(*last_graph_);

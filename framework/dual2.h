@@ -3,8 +3,8 @@
 //   auto [S, s] = dual2_variables<double>(1.5, 0.7);
 //   auto h = S * S + s * s + 1.0 / (S * S) + 1.0 / (s * s);   // h.v, h.d[i], h.hess(i, j)
 //
-// What the lambdas of make_term(), density() and spectral() are called with: Dual2 where a Hessian
-// is wanted, Dual1 where the gradient alone is (make_term, density). Inside them write
+// The lambdas of make_term(), density() and spectral() are called with these numbers: Dual2 where a
+// Hessian is wanted, Dual1 where the gradient alone is (make_term, density). Inside them write
 // `using std::sqrt;` and so on, so that the same code works on doubles. T is double or a SIMD
 // batch; comparisons, and with them branches, are for doubles. Small N only (2 for isotropic
 // densities, 12 for the corners of a tetrahedron): a product costs 2 N multiplications in the first
@@ -141,7 +141,7 @@ struct Dual {
   friend Dual operator/(const Dual& a, double b) { return a * (1.0 / b); }
   friend Dual operator/(double b, const Dual& a) { return inverse(a) * b; }
 
-  // Of the values alone.
+  // Comparisons look at the values alone.
   friend auto operator<=>(const Dual& a, const Dual& b) requires is_scalar { return a.v <=> b.v; }
   friend auto operator<=>(const Dual& a, double b) requires is_scalar { return a.v <=> b; }
   friend bool operator==(const Dual& a, const Dual& b) requires is_scalar { return a.v == b.v; }
@@ -176,7 +176,7 @@ struct Dual {
     const T f = pow(T(a), p.v), l = a == 0 ? T(0.0) : T(log(T(a)));
     return p.chain(f, l * f, l * l * f);
   }
-  // Of positive bases.
+  // The base must be positive.
   friend Dual pow(const Dual& a, const Dual& p) {
     using std::log;
     using std::pow;
@@ -204,7 +204,7 @@ struct Dual {
   friend Dual min(const Dual& a, const Dual& b) { return either(b.v < a.v, b, a); }
   friend Dual max(const Dual& a, const Dual& b) { return either(a.v < b.v, b, a); }
 
-  // With a double in place of one of two arguments.
+  // Overloads with a double in place of one of two arguments.
   friend Dual atan2(const Dual& y, double x) { return atan2(y, Dual(x)); }
   friend Dual atan2(double y, const Dual& x) { return atan2(Dual(y), x); }
   friend Dual hypot(const Dual& a, double b) { return hypot(a, Dual(b)); }
@@ -249,7 +249,7 @@ std::array<Dual2<T, 2>, 2> dual2_variables(const T& a, const T& b) {
 
 namespace detail {
 
-// Of asin, without the cancellation of 1 - x^2.
+// The derivative of asin, 1 / sqrt(1 - x^2), without the cancellation of 1 - x^2.
 template <class T>
 T arc_slope(const T& x) {
   using std::sqrt;

@@ -3,7 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <cmath>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {

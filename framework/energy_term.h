@@ -15,13 +15,14 @@
 //
 // A term is immutable and thread-safe: the evaluator calls it for different batches at the same
 // time, each call with its own Workspace and output. What changes between steps is in TermState,
-// which the term receives by argument. check_derivatives() (derivative_check.h) tests an
+// which the term receives by argument. check_derivatives() at the end of this file tests an
 // implementation.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct ElementDofs {
   int local_size() const { return static_cast<int>(nodes.cols()) * block; }
 };
 
+std::string_view curvature_name(Curvature curvature);  // "projected", "paper-majorizer", ...
+
 using RuleId = int;  // a term's own numbering of its quadrature rules; 0 is its default rule
 
 // Elements that one call treats: all use the same rule.
@@ -48,7 +51,7 @@ struct ElementBatch {
   std::span<const Index> elements;  // at most kMaxSize
 };
 
-// What may change between steps without changing unknowns or sparsity pattern.
+// The part of a term that may change between steps without changing unknowns or sparsity pattern.
 struct TermState {
   double weight = 1.0;                    // of the whole term
   Vec element_weight = {};                // #E factors, empty = all 1
@@ -100,6 +103,40 @@ class EnergyTerm {
   virtual void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
                      const TermState& state, Workspace& workspace, LocalSystem& out) const = 0;
 };
+
+// Compares the derivatives of an energy term with finite differences: the first thing to run on a
+// new EnergyTerm.
+//
+//   DerivativeReport report = check_derivatives(*energy, x);
+//   if (!report.ok()) std::cerr << report.message();   // names the element and the block
+//
+// Differences of values() check the gradient, differences of the gradient check the Hessian under
+// Curvature::Exact; the other curvature models the term supports are checked to be positive
+// semidefinite, blends of Exact and Projected to lie between them; local() without a Hessian has to
+// give the same gradient (a term that writes through the null pointer crashes here); elements
+// evaluated together have to give what each gives alone. x must lie inside the domain, away from
+// its boundary and from kinks.
+
+struct DerivativeMismatch {
+  Index element;
+  std::string block;  // "gradient[3]", "hessian(4, 1)", "gradient[3] without hessian", "... among
+                      // others": wrong only where elements are evaluated together
+  double computed, expected;
+};
+
+struct DerivativeReport {
+  double gradient_error = 0;  // largest, relative to the element's largest gradient entry
+  double hessian_error = 0;   // likewise
+  std::vector<DerivativeMismatch> mismatches;  // of each element at most one of every kind
+  bool ok() const { return mismatches.empty(); }
+  std::string message() const;  // one line per mismatch
+};
+
+// tolerance: relative to the largest entry of the element's gradient or Hessian (plus the energy
+// itself divided by the size of the element, plus what 1e-5 of it changes). state: as for the
+// term's evaluation.
+DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double tolerance = 1e-5,
+                                   const TermState& state = {});
 
 }  // namespace majorant
 

@@ -1,5 +1,5 @@
-// What the library throws: one base class, Error, with a kind, so that a program can turn it into
-// an exit code.
+// The exceptions of the library: one base class, Error, with a kind, so that a program can turn it
+// into an exit code.
 //
 //   try {
 //     std::cout << status_name(parametrize(mesh, {}).status) << "\n";

@@ -1,15 +1,14 @@
-#include "majorant/framework/evaluator.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/element_values.h"
-#include "majorant/framework/internal/problem_parts.h"
-#include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/partition.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/problem_parts.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {

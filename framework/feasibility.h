@@ -1,4 +1,5 @@
-// What a line search must hold besides decreasing the energy.
+// Feasibility checkers: conditions that every point of a line search must meet beside decreasing
+// the energy.
 //
 // A checker sees the full unknowns x. It certifies: "feasible" is a proof (up to the documented
 // model of arithmetic), "not feasible" may be mere caution. A checker is immutable and called from
@@ -12,6 +13,8 @@
 //     const TermId barrier = b.add(bound->barrier(), 1.0);
 //     return BarrierMinimizer::of_bounds({{barrier, bound}});
 //   };
+//
+// Not for equations, which are eliminated (constraint.h).
 #pragma once
 
 #include <cstddef>

@@ -1,12 +1,11 @@
-#include "majorant/framework/lbfgs.h"
-
 #include <utility>
 
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/preconditioner.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/stepper.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {

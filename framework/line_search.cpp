@@ -1,26 +1,26 @@
-#include "majorant/framework/line_search.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/backtracking.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/backtracking.h"
-#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/partition.h"
+#include "majorant/framework/problem_parts.h"
+#include "majorant/framework/stepper.h"
 
 namespace majorant {
 namespace {
 
-// Of kResolution: an increase that is taken for rounding, well below what counts as a change.
+// The part of kResolution up to which an increase is taken for rounding: well below what counts as
+// a change.
 constexpr double kRoundingPart = 0.25;
 // Where the minimum of the parabola lies between these multiples of the step, the step stays: a
 // quadratic loses 1/16 of its decrease at most there.
 constexpr double kWorthShortening = 0.8, kWorthGrowing = 1.25;
-// Of the step, per trial of the barrier phase; the parabola asks for 1.455.
+// The growth of the step per trial of the barrier phase; the parabola asks for 1.455.
 constexpr double kStride = 2;
 
 }  // namespace
@@ -72,7 +72,8 @@ StepBound LineSearch::certified(double s) const {
   return bound;
 }
 
-// Whether s passes Armijo and all checkers and beats the best step so far, which it then becomes.
+// Returns whether s passes Armijo and all checkers and beats the best step so far, which it then
+// becomes.
 bool LineSearch::accept(double s) {
   ++trials_;
   const Vec candidate = y_ + s * p_;

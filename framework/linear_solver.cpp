@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/internal/try_shifts.h"
 
 namespace majorant {
 namespace {
 
-// Of a shift that was too small; linear_solver.h documents the series.
+// The growth of a shift that was too small; linear_solver.h documents the series.
 constexpr double kShiftGrowth = 10;
 // Factorizations, the first without a shift: from 1e-14 up to 1e8 times the mean diagonal, where
 // the shift is all there is.

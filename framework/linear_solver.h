@@ -1,9 +1,14 @@
-// Solution of H p = r for symmetric positive definite H of a fixed pattern.
+// Linear solvers: H p = r for symmetric positive definite H of a fixed pattern.
 //
-// Analyse once per pattern, factorize once per matrix, solve as often as needed. The solvers here
-// are direct. One of your own may be iterative: factorize() makes a preconditioner, solve() is
-// asked for no more accuracy than the method needs and says what it reached;
-// docs/choosing_a_solver.md has one.
+//   const std::unique_ptr<LinearSolver> solver = make_direct_solver();
+//   solver->analyze(problem.pattern());                             // once per pattern
+//   const Vec values = Vec::Ones(problem.pattern().nonzeros());     // parallel to pattern().rows
+//   Vec p;
+//   if (solver->factorize(values, 0) == FactorStatus::Ok) solver->solve(y0, p);
+//
+// The solvers here are direct. One of your own may be iterative: factorize() makes a
+// preconditioner, solve() is asked for no more accuracy than the method needs and says what it
+// reached; docs/choosing_a_solver.md has one. Not for indefinite or unsymmetric systems.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +16,52 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/partition.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
+
+// The fixed sparsity pattern of a symmetric matrix: lower triangle, compressed columns, row numbers
+// sorted within a column, every diagonal entry present.
+//
+//   SparsePattern pattern;                  // of  [ 2 -1  . ]
+//   pattern.append_column({1});             //     [-1  2 -1 ]
+//   pattern.append_column({2});             //     [ . -1  2 ]
+//   pattern.append_column({});
+//   pattern.order_in_blocks(1);
+//   Vec values = Vec::Zero(pattern.nonzeros());
+//   values[pattern.slot(0, 1)] = -1;        // the same as slot(1, 0)
+
+struct SparsePattern {
+  Index size = 0;
+  std::vector<Index> column_starts = {0};  // size + 1
+  std::vector<Index> rows;                 // nonzeros
+  std::vector<Index> block_of;             // size: unknowns with equal numbers are ordered together
+  Index nonzeros() const { return static_cast<Index>(rows.size()); }
+
+  // Makes the next column, which gets its diagonal entry and these: rows below the diagonal, in any
+  // order, some maybe several times. Throws Error(Unsupported) where entries become more than an
+  // Index counts.
+  void append_column(const std::vector<Index>& rows_below);
+  // Unknowns 0 .. block - 1 belong together, the next so many, and so on.
+  void order_in_blocks(Index block);
+
+  // The entries of this pattern and of `more`, which has as many columns or more, and the latter's
+  // blocks. places: where this pattern's entries are in the result.
+  SparsePattern joined(const SparsePattern& more, std::vector<Index>& places) const;
+
+  // The place of an entry's value in arrays parallel to `rows`; the entry may be of either
+  // triangle. Throws InvalidArgument for an entry that is not there.
+  Index slot(Index row, Index column) const;
+  Index diagonal_slot(Index column) const { return column_starts[column]; }
+};
+
+// Throws InvalidArgument unless a pattern is what the comment of SparsePattern says, with a block
+// for every unknown, equal numbers next to each other, counted from 0.
+void require_valid(const SparsePattern& pattern);
 
 enum class FactorStatus { Ok, NotPositiveDefinite };
 
@@ -49,7 +94,7 @@ class LinearSolver {
   // Memory that factorize() is going to allocate for the factor and its making, known after the
   // analysis, before any of it is taken; 0: not known.
   virtual std::size_t bytes() const { return 0; }
-  // What the analysis chose, for reports: "supernodal, METIS, 1.2e6 nonzeros".
+  // The choices of the analysis, for reports: "supernodal, METIS, 1.2e6 nonzeros".
   virtual std::string description() const = 0;
 };
 
@@ -61,20 +106,20 @@ using SolverFactory = std::function<std::shared_ptr<LinearSolver>()>;
 // to find, for one or two.
 enum class Ordering { Automatic, Amd, Metis };
 
-// Where a run, rather than a minimizer, makes the solver: it is told what is to be factorized, and
-// which ordering suits the number of factorizations, so that it can choose by size (bytes() of a
-// solver that has analysed the pattern).
+// Makes the solver of a run, as SolveOptions::linear_solver. It is told the pattern to be
+// factorized and the ordering that suits the number of factorizations, so that it can choose by
+// size (bytes() of a solver that has analysed the pattern).
 using PatternSolverFactory =
     std::function<std::shared_ptr<LinearSolver>(const SparsePattern& pattern, Ordering ordering)>;
 
 // Multifrontal Cholesky [DR83] of this library, on the orderings of AMD and METIS: in the widest
 // vector instructions of the machine, on the threads that the caller of analyze() has
-// (thread_count.h). The same bits for any number of them, and on machines with AVX2 and AVX-512.
+// (parallel.h). The same bits for any number of them, and on machines with AVX2 and AVX-512.
 // Needs no BLAS. Every member throws std::bad_alloc when it runs out of memory.
 std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering = Ordering::Automatic);
 
-// What kernels run on here, the direct solver's and those of the built-in energies: "AVX-512",
-// "AVX2" or "baseline".
+// The instruction set that the direct solver and the kernels of built-in energies use on this
+// machine: "AVX-512", "AVX2" or "baseline".
 std::string_view vector_instructions();
 
 // Eigen's simplicial L D L^T with the AMD ordering, on one thread: header-only, no BLAS, the oracle

@@ -7,15 +7,15 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/option_check.h"
-#include "majorant/framework/internal/problem_parts.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/internal/try_shifts.h"
-#include "majorant/framework/lbfgs.h"
 #include "majorant/framework/partition.h"
+#include "majorant/framework/problem_parts.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {
@@ -23,15 +23,17 @@ namespace {
 // Relative decrement below which rounding errors of the gradient matter. Its square root, 1e-5, is
 // the relative distance to the minimum.
 constexpr double kPolish = 1e-10;
-// Of the mean diagonal: ten times kPolish, well above the rounding of the Hessian.
+// The shift of a polished Hessian, relative to the mean diagonal: ten times kPolish, well above the
+// rounding of the Hessian.
 constexpr double kPolishShift = 1e-9;
 // Part of the decrement below which a decrease says that the Hessian misleads: a quadratic
 // decreases by half of it.
 constexpr double kMisleading = 0.1;
-// Of the curvature along a rotation that is made up for; 1 would leave it singular.
+// The multiple of a rotation's negative curvature that is added; 1 would leave the Hessian
+// singular.
 constexpr double kRotationShift = 1.5;
-// What t of a blend rises to when it was too small: by about a factor of 5, so that two failures
-// lead from the exact Hessian to one that is mostly projected.
+// The values that t of a blend rises to when it was too small: by about a factor of 5, so that two
+// failures lead from the exact Hessian to one that is mostly projected.
 constexpr double kRaised[] = {0.1, 0.5, 1};
 
 }  // namespace
@@ -131,7 +133,7 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
     kept_->renew(from, gradient_, partition_of(evaluator_.problem()), r, relative_decrement_);
 }
 
-// Whether the last factor gave a step; if not, y is as it was.
+// Returns whether the last factor gave a step; if not, y is as it was.
 bool NewtonStepper::kept_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   Stopwatch watch;
@@ -184,7 +186,7 @@ double NewtonStepper::mean_diagonal() const {
                                  partition_of(evaluator_.problem()));
 }
 
-// Of hessian_ and gradient_, both as they are.
+// Solves with hessian_ and gradient_ as they are.
 FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record) {
   Stopwatch watch;
   const FactorStatus factors = solver_->factorize(hessian_, shift);
@@ -243,7 +245,7 @@ bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   return f.status == FactorStatus::Ok;
 }
 
-// What the next blend is.
+// Chooses the next blend.
 void NewtonStepper::learn_weight(const Step& step) {
   const IterationRecord& r = step.record;
   const BlendRules& rules = options_.blend;

@@ -22,9 +22,10 @@ namespace majorant {
 // where all terms support both models. t falls by a factor with every step that succeeds, rises
 // when the factorization fails or the Hessian misleads, and is 1 far from a minimum.
 struct BlendRules {
-  // Of |E|: t < 1 where the last -g.p was less; 0: never. Tuned by bench/tune.py blend.below.
+  // t < 1 where the last -g.p was less than this part of |E|; 0: never. Tuned by bench/tune.py
+  // blend.below.
   double below = 1e-3;
-  // Of t, after a step. Tuned by bench/tune.py blend.fall.
+  // The factor of t after a step. Tuned by bench/tune.py blend.fall.
   double fall = 0.2;
   // Below, t is 0: the exact Hessian. Tuned by bench/tune.py blend.least.
   double least = 0.06;
@@ -42,10 +43,10 @@ struct BlendRules {
 // (levels of a multiresolution start, a map that has changed a little). From far away it wastes
 // steps.
 struct LaggedFactorRules {
-  // Of |E|: a factor is kept where -g.p of its own step was less; 0: never. Tuned by bench/tune.py
-  // kept.below.
+  // A factor is kept where -g.p of its own step was less than this part of |E|; 0: never. Tuned by
+  // bench/tune.py kept.below.
   double below = 0;
-  // Pairs of L-BFGS. Tuned by bench/tune.py kept.history.
+  // The number of pairs that L-BFGS keeps. Tuned by bench/tune.py kept.history.
   int history = 8;
   // Steps that a factor serves beside its own; more save little at any degree.
   int steps = 5;
@@ -53,12 +54,13 @@ struct LaggedFactorRules {
   double short_step = 0.05;
 };
 
-// How accurately H p = -g is asked for, of solvers that can save by it (LinearSolver::solve):
+// The accuracy with which H p = -g is solved, for solvers that can save by it
+// (LinearSolver::solve):
 //     |H p + g| <= eta |g|,  eta = min(largest, max(part (|g_k| / |g_k-1|)^2, safeguard)),
 //     safeguard = part eta_k-1^2 where that is above safeguarded, else 0
 // which keeps the convergence quadratic: [EW96], choice 2. Direct solvers do not look at it.
 struct ForcingRules {
-  // Below the 0.9 of [EW96]: -g.p, which stopping rules read, is to be about right, too.
+  // The largest eta. [EW96] has 0.9; stopping rules read -g.p, which has to be about right, too.
   double largest = 0.1;
   // As in [EW96].
   double part = 0.9;

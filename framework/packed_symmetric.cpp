@@ -1,4 +1,4 @@
-#include "majorant/framework/packed_symmetric.h"
+#include "majorant/framework/detail/packed_symmetric.h"
 
 #include "majorant/framework/internal/symmetric_eigen.h"
 

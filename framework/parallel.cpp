@@ -16,7 +16,7 @@ namespace {
 
 using Task = std::function<void(Index, int)>;
 
-// Of a parallel_tasks() that runs, on the stack of its caller.
+// A parallel_tasks() that runs, on the stack of its caller.
 class Loop {
  public:
   Loop(Index count, int threads, const Task& work)

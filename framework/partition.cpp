@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 namespace {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/curvature_name.h"
-#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/partition.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 namespace {
@@ -32,7 +32,7 @@ Index extent(const EnergyTerm& term) {
   return s.nodes.size() ? s.block * (s.nodes.maxCoeff() + 1) : 0;
 }
 
-// Whether elements have the same rules; none given: rule 0.
+// Returns whether elements have the same rules; none given: rule 0.
 bool same_rules(const std::vector<RuleId>& a, const std::vector<RuleId>& b) {
   const auto is_default = [](RuleId rule) { return rule == 0; };
   if (a.empty()) return std::all_of(b.begin(), b.end(), is_default);
@@ -74,7 +74,7 @@ void require_expected_nodes(const ConstraintRows& rows, const Terms& terms) {
 
 }  // namespace
 
-// What the first terms of a problem fill, whatever comes after them.
+// The parts of a problem that its first terms fill, whatever comes after them.
 struct LeadingTerms {
   std::size_t count;
   SparsePattern pattern;  // columns up to their last unknown
@@ -97,7 +97,7 @@ struct LeadingTerms {
 
 namespace {
 
-// Of the unknowns that constraints leave, those of this rank's.
+// The partition of the unknowns that constraints leave.
 Partition reduced_partition(const Partition* full, const Elimination& elimination) {
   if (!full || full->is_whole()) return Partition(elimination.reduced_size());
   bool single = elimination.auxiliary_size() == 0;

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -21,7 +22,9 @@
 #include "majorant/framework/constraint.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/feasibility.h"
-#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/partition.h"
+#include "majorant/framework/stop_check.h"
 
 namespace majorant {
 
@@ -33,7 +36,7 @@ class Partition;
 // structure.
 enum class TermId : std::size_t {};
 
-// What is to be set, term by term.
+// New states of terms.
 using TermChanges = std::vector<std::pair<TermId, TermState>>;
 
 class Problem {
@@ -57,7 +60,7 @@ class Problem {
   // as with() does and ProblemBuilder::add().
   Problem exchanged(const std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>>& terms,
                     std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const;
-  // Whether a factorization analysed for `other` fits this problem.
+  // True where a factorization analysed for `other` fits this problem.
   bool same_structure(const Problem& other) const { return structure_ == other.structure_; }
 
   // Both throw InvalidArgument for another number of unknowns.
@@ -81,7 +84,7 @@ class Problem {
 
 class ProblemBuilder {
  public:
-  // What add() of a term returns: its id, or the builder again where nobody asks for it.
+  // The result of add() of a term: its id, or the builder again where nobody asks for the id.
   //     const TermId energy = builder.add(term, 1.0);
   //     const Problem problem = ProblemBuilder(size).add(term, 1.0).add(pins).build();
   class AddedTerm {
@@ -126,6 +129,73 @@ class ProblemBuilder {
   std::vector<TermState> states_;
   ConstraintRows rows_;
   std::vector<std::shared_ptr<const FeasibilityChecker>> checkers_;
+};
+
+// Evaluates a Problem: energy, gradient and curvature in the reduced unknowns.
+//
+//   Evaluator evaluator(problem);
+//   Vec y = problem.reduce(x), g, h;
+//   double energy = evaluator.value(y);                                 // line searches
+//   energy = evaluator.gradient(y, g);                                  // first-order methods
+//   energy = evaluator.linearize(y, Curvature::Projected, g, h);        // Newton
+//
+// One evaluator per solver: it owns scratch memory, counters and timers. Results do not depend on
+// the number of threads (parallel.h), to the last bit: batches are fixed, batches of one colour
+// touch disjoint unknowns, colours run in order, energies add in batch order. All throw
+// InvalidArgument for another number of unknowns, linearize() for a curvature that a term has not;
+// what a term throws leaves them as it is.
+
+// For one term at x (full unknowns): the unweighted values of its elements here, and its part of
+// the energy of the whole problem, weights included. Both poll the stop check between batches of
+// elements, as all evaluations do, and throw Stopped.
+Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
+double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
+
+class Evaluator {
+ public:
+  explicit Evaluator(const Problem& problem);
+  ~Evaluator();
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  const Problem& problem() const { return problem_; }
+  // Goes on with another problem.
+  void reset(const Problem& problem);
+
+  double value(VecIn y, const StopCheck& stop = {});  // +inf outside the domain
+  // Energy, gradient and curvature at y, which lies in the domain. The Hessian values are parallel
+  // to problem().pattern().rows.
+  double linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec& hessian_values,
+                   const StopCheck& stop = {});
+  // Energy and gradient at y, which lies in the domain: Z^T of the full gradient, size() entries.
+  double gradient(VecIn y, Vec& gradient, const StopCheck& stop = {});
+
+  struct Violation {
+    const FeasibilityChecker* checker = nullptr;
+    Verdict verdict;
+  };
+  // The first of the problem's checkers that does not find x feasible (full unknowns), if any.
+  std::optional<Violation> violation(VecIn x);
+
+  // Since construction, all problems together.
+  struct Counters {
+    long values = 0, gradients = 0, linearizations = 0;
+    std::vector<long> proven;  // Verdict::proven of all violation()s
+    double value_seconds = 0, gradient_seconds = 0, linearize_seconds = 0;
+  };
+  const Counters& counters() const { return counters_; }
+
+ private:
+  struct Scratch;
+  double assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
+                  const StopCheck& stop);
+  void assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
+                     const StopCheck& stop, std::vector<double>& batch_energies);
+
+  Problem problem_;
+  Vec x_;
+  std::vector<std::unique_ptr<Scratch>> scratch_;
+  Counters counters_;
 };
 
 }  // namespace majorant

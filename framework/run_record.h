@@ -1,6 +1,6 @@
-// What a run leaves behind, and what spans it: the record of a step (IterationRecord, StepResult),
-// the trace (a row for each step that was tried, taken or not), what is being done (Activity), who
-// watches it (RunObserver), and RunRecord, the one owner of the trace over degrees and rebuilt
+// The records of a run and what spans it: the record of a step (IterationRecord, StepResult), the
+// trace (a row for each step that was tried, taken or not), the stages of a run (Activity), its
+// watcher (RunObserver), and RunRecord, the one owner of the trace over degrees and rebuilt
 // problems, of the time limit and of interruption.
 //
 //   class Printer final : public RunObserver {
@@ -17,7 +17,7 @@
 //
 // Solvers, starts and measurements announce what they begin and note their steps; progress lines,
 // reports and CSV files show it. No solver is here: who decides from a step whether to go on is
-// StoppingTest (stopping.h).
+// StoppingTest (minimizer.h).
 #pragma once
 
 #include <algorithm>
@@ -79,8 +79,8 @@ struct IterationRecord {
 // value / |energy|, 0 / 0 = 0: energies may vanish at their minimum.
 double relative_to(double energy, double value);
 
-// What refused the last of the trials that were too long, of a step that was shortened or of one
-// that was not found. In this order: of several the last is named.
+// The reason why a line search refused the last of the trials that were too long. Of several
+// reasons the last in this order is named.
 enum class StepLimit {
   None,     // nothing: the first trial was good
   Energy,   // it falls less than its derivatives promise, or not at all
@@ -106,7 +106,7 @@ struct StepResult {
   std::string why_none;  // of a Breakdown, where somebody looked into it: a sentence
 };
 
-// What an iteration minimizes. Minimized energies of different phases do not compare.
+// The energy that an iteration minimizes. Energies of different phases do not compare.
 enum class Phase {
   Newton,     // the energy that was asked for
   Entry,      // one that is finite at the start, where the energy asked for is not
@@ -117,7 +117,7 @@ enum class Phase {
 // "newton", "entry", "soft-start", ... as reports have it.
 std::string_view phase_name(Phase phase);
 
-// What is tried when a run is held at the limit of the feasible set, in this order.
+// The remedies for a run that is held at the limit of the feasible set, tried in this order.
 enum class Remedy {
   Deepen,         // certificates that bisect deeper
   Refine,         // finer quadrature on the elements that block
@@ -128,8 +128,8 @@ inline constexpr std::array<Remedy, 4> kRemedies{Remedy::Deepen, Remedy::Refine,
                                                  Remedy::FollowBarrier};
 std::string_view remedy_name(Remedy remedy);  // "deepen", ..., "follow-barrier"
 
-// How often a remedy ran, and by how much the energy fell from the stalls to where the runs after
-// it ended; what a run ended without a gain has gained 0.
+// The number of times that a remedy ran, and by how much the energy fell from the stalls to the
+// ends of the runs after it; a run without a gain counts 0.
 struct RemedyUse {
   int runs = 0;
   double gained = 0;
@@ -150,12 +150,12 @@ struct TraceEntry {
   double energy = 0;  // after the step, the one asked for: record.energy in Phase::Newton
   std::optional<Remedy> remedy;  // ran just before this iteration
   double elapsed = 0;            // seconds from the start of the run to the end of the step
-  // Of these, since the row before it (in the first one since the start of the run), outside of
-  // record.seconds: the start, problems made and analysed, remedies, scaffolds.
+  // The part of `elapsed` since the row before (in the first row since the start of the run) that
+  // is not in record.seconds: the start, problems made and analysed, remedies, scaffolds.
   double other_seconds = 0;
 };
 
-// Of the mesh asked for: steps that moved the map.
+// The number of steps that moved the map on the mesh asked for, coarser levels left out.
 int steps_taken(const std::vector<TraceEntry>& trace);
 // Seconds of one factorization and one solve at that degree on the mesh asked for, the median over
 // the rows; none where there was no factorization.

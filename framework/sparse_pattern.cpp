@@ -1,11 +1,10 @@
-#include "majorant/framework/sparse_pattern.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 

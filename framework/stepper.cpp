@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/internal/diagnosis.h"
 #include "majorant/framework/internal/option_check.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/partition.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {

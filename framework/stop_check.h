@@ -20,7 +20,7 @@
 
 namespace majorant {
 
-// What a run is told: anything but Continue ends it.
+// The answer to the question whether to go on: anything but Continue ends a run.
 enum class Directive { Continue, TimeLimit, Interrupt };
 
 // Thrown by StopCheck::poll(). Not an error: the user wanted it.

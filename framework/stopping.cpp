@@ -1,5 +1,3 @@
-#include "majorant/framework/stopping.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,24 +5,25 @@
 
 #include "majorant/framework/internal/diagnosis.h"
 #include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/minimizer.h"
 
 namespace majorant {
 namespace {
 
-// Of the start's energy: about what is left of it after cancellation of terms of its size, 100 unit
-// roundoffs.
+// The smallest scale of an energy, relative to that of the start: about what cancellation leaves of
+// terms of its size, 100 unit roundoffs.
 constexpr double kSmallestScale = 1e-14;
 // Times the start's energy, or 1: an energy so far below 0 has no minimum. No sum of terms that has
 // one begins to cancel there; the squares of what is below leave the range of doubles.
 constexpr double kUnbounded = 1e100;
 
-// Of a run that ends near a minimum although its last step promised more.
+// The message of a run that ends near a minimum although its last step promised more.
 std::string near_minimum_at(StepLimit limit) {
   return limit == StepLimit::Checker ? "near a minimum, held at the limit of the feasible set"
                                      : "no further decrease";
 }
 
-// Of a run that ends far from a minimum.
+// The message of a run that ends far from a minimum.
 std::string stalled_at(StepLimit limit) {
   if (limit == StepLimit::Checker) return "held at the limit of the feasible set";
   if (limit == StepLimit::Domain) return "held at the limit of the energy's domain";
@@ -132,7 +131,8 @@ bool StoppingTest::on_plateau() const {
          part * rules_.plateau_factor * rules_.relative_decrease;
 }
 
-// Of the energy, if decreases go on at the rate of the last `window` to those before.
+// The part of the energy that is left if decreases go on at the rate of the last `window` to those
+// before.
 double StoppingTest::remaining(std::ptrdiff_t window) const {
   const auto last = decreases_.end() - window;
   const double now = std::accumulate(last, decreases_.end(), 0.0);

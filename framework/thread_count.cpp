@@ -1,9 +1,7 @@
-#include "majorant/framework/thread_count.h"
-
 #include <fmt/format.h>
 
+#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/available_resources.h"
 #include "majorant/framework/parallel.h"
 
 namespace majorant {

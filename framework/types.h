@@ -1,4 +1,9 @@
-// The few types and words every layer shares.
+// The types that every layer shares: indices, vectors, matrices of rows.
+//
+//   const Points3 V = Points3::Zero(4, 3);         // a row a point
+//   const Cells F = (Cells(2, 3) << 0, 1, 2, 0, 2, 3).finished();
+//   const Vec x = Vec::Zero(2 * 4);                // unknowns, node by node
+//   std::vector<double> area(to_size(static_cast<Index>(F.rows())));
 #pragma once
 
 #include <Eigen/Core>

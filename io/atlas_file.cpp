@@ -1,9 +1,8 @@
-#include "majorant/io/atlas_file.h"
-
 #include <algorithm>
 #include <numeric>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/io.h"
 
 namespace majorant {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "majorant/io/certification.h"
+#include "majorant/io/io.h"
 
 namespace majorant {
 

@@ -1,5 +1,3 @@
-#include "majorant/io/certification.h"
-
 #include <fmt/format.h>
 
 #include <optional>
@@ -7,6 +5,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/refusal.h"
 
@@ -52,7 +51,7 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
     };
     try {
       const MapFile file = read_map(temporary);
-      // What it says to be cut binds it: other edges whose sides differ are tears.
+      // A claim of cuts binds the file: other edges whose sides differ are tears.
       ProofRequest claimed = wanted;
       if (!claimed.cut_edges) claimed.cut_edges = parse_claims(file.claims, path).cuts;
       if (image_of != nullptr) {

@@ -67,8 +67,8 @@ Claims readable_claims(const std::string& text);
 enum class Held { Nothing, Points, Boundary };
 Held held_by(const Claims& claims);
 
-// Whether the boundary of the start was Tutte's, which starts in many resolutions have, too. Files
-// that do not say are of the time when all were.
+// Returns whether the boundary of the start was Tutte's, which starts in many resolutions have,
+// too. Files that do not say are of the time when all were.
 bool starts_at_tutte_boundary(const Claims& claims);
 
 }  // namespace majorant

@@ -14,7 +14,7 @@
 
 namespace majorant {
 
-// Whether the name says that a file is compressed by gzip: .gz, in either case.
+// Returns whether the name says that a file is compressed by gzip: .gz, in either case.
 bool is_compressed(const std::string& path);
 // What the name says of the format: the extension in lower case, with the dot; .obj for
 // mesh.OBJ.gz.

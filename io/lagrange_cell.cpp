@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/rounding.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {

@@ -20,7 +20,7 @@ namespace majorant {
 // Error(Unreadable) for claims that `check` refuses.
 double layout_scale(const MapFile& file);
 
-// Whether layout_scale() is that of equal areas.
+// Returns whether layout_scale() is that of equal areas.
 bool has_assumed_scale(const MapFile& file);
 
 // Area of the image of cell c, uv units squared, exact but for rounding; negative where it is

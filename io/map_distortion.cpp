@@ -1,11 +1,10 @@
-#include "majorant/io/map_distortion.h"
-
 #include <fmt/format.h>
 
 #include <iterator>
 
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/io/io.h"
 #include "majorant/io/layout_scale.h"
 
 namespace majorant {

@@ -10,9 +10,9 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/internal/msh_content.h"
 #include "majorant/io/internal/text_pieces.h"
+#include "majorant/io/io.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
-#include "majorant/io/msh.h"
 
 namespace majorant {
 namespace {

@@ -1,10 +1,9 @@
 #include <algorithm>
 
 #include "majorant/io/input_file.h"
-#include "majorant/io/msh.h"
+#include "majorant/io/io.h"
 #include "majorant/io/pvtu.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
 
 namespace majorant {
 

@@ -11,7 +11,7 @@
 #include "majorant/io/input_file.h"
 #include "majorant/io/internal/mesh_readers.h"
 #include "majorant/io/internal/msh_content.h"
-#include "majorant/io/vtu.h"
+#include "majorant/io/io.h"
 
 namespace majorant {
 

@@ -10,10 +10,10 @@
 //     .ply  ascii, binary of both byte orders; vertex properties x y z, (texture_u, texture_v),
 //           (s, t) or (u, v) as texture coordinates, and red green blue; face property
 //           vertex_indices or vertex_index, texcoord as coordinates of the corners (MeshLab's);
-//           element tristrips with the same, -1 begins a strip; int input_vertex (write_ply.h)
+//           element tristrips with the same, -1 begins a strip; int input_vertex (io.h)
 //     .stl  ascii and binary. STL cannot share vertices: corners with exactly equal coordinates
 //           become one vertex, numbered by first appearance
-//     .vtu  written by majorant (vtu.h): the corner points, uv as texture coordinates
+//     .vtu  written by majorant (io.h): the corner points, uv as texture coordinates
 //     .msh  of gmsh, version 4.1, ascii: the corners of its triangles, of any degree; views u and v
 //           as texture coordinates
 //     .obj.gz .off.gz ...  the same, compressed by gzip
@@ -22,11 +22,13 @@
 // at least three corners, at least one vertex and one polygon. Whether the mesh is a manifold,
 // oriented or connected is for SurfaceMesh to say. Polygons are not triangulated here.
 //
-// Of OBJ, OFF and PLY, what else is broken is left out, each kind with one of `warnings`, unless a
+// Other broken parts of OBJ, OFF and PLY are left out, each kind with one of `warnings`, unless a
 // Strictness refuses: texture coordinates and normals that are no finite numbers, and those of a
 // face of which a corner has an index of none (the whole face is then without); colours (the vertex
 // is then without); a slash behind the last index of a corner; points and lines of vertices that
 // are not there; one line more than the header announces.
+//
+// Not for arrays in memory: SurfaceMesh::from_arrays().
 #pragma once
 
 #include <string>
@@ -37,14 +39,14 @@
 
 namespace majorant {
 
-// Whether the extension of a name is one of these.
+// Returns whether the extension of a name is one of these.
 bool is_mesh_name(const std::string& path);
 
 // "FBX" for model.fbx: what a format is called that is known by its extension and not read. Empty
 // for others.
 std::string foreign_format(const std::string& path);
 
-// What must not be broken in a mesh file.
+// The parts of a mesh file that must not be broken.
 enum class Strictness {
   Shape,       // coordinates and faces
   Texcoords,   // and texture coordinates: for those who need them; faces may be without

@@ -20,10 +20,10 @@
 #include "majorant/io/internal/inflate.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/xml_tree.h"
+#include "majorant/io/io.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
 #include "majorant/io/reading_limit.h"
-#include "majorant/io/vtu.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {

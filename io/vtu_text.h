@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "majorant/io/vtu.h"
+#include "majorant/io/io.h"
 
 namespace majorant {
 

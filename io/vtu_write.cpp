@@ -12,9 +12,9 @@
 
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/base64.h"
+#include "majorant/io/io.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
-#include "majorant/io/vtu.h"
 #include "majorant/io/vtu_text.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 

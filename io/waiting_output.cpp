@@ -22,7 +22,7 @@ std::mutex changing;  // of what follows
 StopCheck current;
 std::optional<Clock::time_point> patient_from;  // since the run is to end, or a piece was taken
 
-// Whether who waits shall wait no more.
+// Returns whether who waits shall wait no more.
 bool is_given_up() {
   const std::lock_guard lock(changing);
   if (current() == Directive::Continue) return false;

@@ -1,5 +1,3 @@
-#include "majorant/io/write_obj.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/internal/material_files.h"
 #include "majorant/io/internal/text_pieces.h"
+#include "majorant/io/io.h"
 #include "majorant/io/map_check.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 

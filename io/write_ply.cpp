@@ -1,5 +1,3 @@
-#include "majorant/io/write_ply.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "majorant/framework/internal/pair_order.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/internal/cones_of.h"
+#include "majorant/io/io.h"
 #include "majorant/io/map_check.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 

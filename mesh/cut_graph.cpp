@@ -75,7 +75,7 @@ class CutGraph {
       if (h >= 0) set_cut(h, 1);
   }
 
-  // Of the other edges, each closes a path between sources. Leaving the longest uncut, as long as
+  // Each of the other edges closes a path between sources. Leaving the longest uncut, as long as
   // the faces that are joined are not joined already, keeps the shortest paths that make a disk.
   void keep_longest_uncut() {
     std::vector<std::pair<double, Index>> edges;  // minus the length of the path: longest first

@@ -1,4 +1,4 @@
-// Where to cut a surface so that it becomes a disk.
+// The cut graph: edges along which a surface is cut so that it becomes a disk.
 #pragma once
 
 #include <vector>

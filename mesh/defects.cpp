@@ -1,5 +1,3 @@
-#include "majorant/mesh/defects.h"
-
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -89,7 +87,7 @@ class PointTree {
     build(middle, last);
   }
 
-  // Whether the segment meets the box, made larger by `reach`.
+  // Returns whether the segment meets the box, made larger by `reach`.
   static bool passes(const Node& node, const Vector3& a, const Vector3& b, double reach) {
     double from = 0, to = 1;
     for (int k = 0; k < 3; ++k) {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/exact_integers.h"
 
 namespace majorant {
@@ -31,7 +31,8 @@ int exact_orientation(const Vector2& a, const Vector2& b, const Vector2& c) {
 }  // namespace
 
 int orientation(const Vector2& a, const Vector2& b, const Vector2& c) {
-  // Of the two products: what four roundings can be off [She97].
+  // The rounding of a determinant, relative to the two products: what four roundings can be off
+  // [She97].
   constexpr double kRounding = (3 + 16 * kUnitRoundoff<double>)*kUnitRoundoff<double>;
   const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
   const double area = left - right;

@@ -13,13 +13,13 @@ namespace majorant {
 // +1 where a, b, c turn left (the triangle is positive), -1 where they turn right, 0 on one line.
 int orientation(const Vector2& a, const Vector2& b, const Vector2& c);
 
-// Whether the closed segment from a to b contains p.
+// Returns whether the closed segment from a to b contains p.
 bool on_segment(const Vector2& a, const Vector2& b, const Vector2& p);
 
-// Whether the closed segments ab and cd have a point in common.
+// Returns whether the closed segments ab and cd have a point in common.
 bool segments_meet(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d);
 
-// Whether the segments ab and bd have more in common than b. a != b, b != d.
+// Returns whether the segments ab and bd have more in common than b. a != b, b != d.
 bool segments_fold(const Vector2& a, const Vector2& b, const Vector2& d);
 
 }  // namespace majorant

@@ -6,13 +6,11 @@
 //
 // * polygon_mesh.h: polygons, positions and texture coordinates, unchecked
 // * surface_mesh.h: a validated triangle mesh, and half-edges as numbers
-// * repair.h: a surface out of polygons that are none yet, with a list of what was changed
-// * defects.h: what is wrong with polygons, and where
+// * repair.h: what is wrong with polygons, a surface out of them, and a list of what was changed
 // * refusal.h: errors that say why a mesh is refused, and what would help
 // * seams.h: where a surface was cut, how the two sides fit, and cones
 #pragma once
 
-#include "majorant/mesh/defects.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/repair.h"

@@ -1,5 +1,5 @@
-// How messages speak of a mesh: of one that was read from a file by its name, with numbers from 1,
-// as those who have files need it; of one that a program made from arrays without a name, with
+// Words of messages about a mesh: of one that was read from a file by its name, with numbers from
+// 1, as those who have files need it; of one that a program made from arrays without a name, with
 // numbers from 0.
 //
 //   const std::string text = message_prefix(*mesh) + std::to_string(user_vertex(*mesh, 7));

@@ -21,7 +21,7 @@
 namespace majorant {
 namespace {
 
-// With what repair() does about it.
+// Refuses a mesh and says what repair() does about it.
 [[noreturn]] void refuse(const PolygonMesh& input, const std::string& place,
                          const std::string& what, std::string_view does) {
   throw Refusal(ErrorKind::Unsupported, input.file, place + what + "; ", Hint::Repair,
@@ -53,8 +53,8 @@ void require_parallel(const PolygonMesh& input, const char* name,
 // Shortest edges must span this many units in the last place of the largest coordinate:
 // leaves an edge eight digits.
 constexpr double kUsableUlps = 1e8;
-// Of edges, the shortest and the longest: their squares, and sums of them, are normal doubles,
-// 1e-308 to 1e308. Meshes of 1e-150 units have shorter edges.
+// The lengths of the shortest and the longest edge that are handled: their squares, and sums of
+// them, are normal doubles, 1e-308 to 1e308. Meshes of 1e-150 units have shorter edges.
 constexpr double kLeastLength = 1e-152, kMostLength = 1e150;
 
 const Vector3& position(const PolygonMesh& m, Index v) { return m.positions[v]; }

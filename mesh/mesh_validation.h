@@ -17,7 +17,7 @@ namespace majorant {
 // Angles of thinner ones have fewer than four digits left.
 inline constexpr double kDegenerateHeight = 1e-12;
 
-// Whether a triangle has a height over its longest edge that is more than rounding.
+// Returns whether a triangle has a height over its longest edge that is more than rounding.
 bool has_area(const Vector3& a, const Vector3& b, const Vector3& c);
 
 // The same, told in few operations: false also for triangles that are nearly degenerate, or of a

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/geometry.h"
 
 namespace majorant {

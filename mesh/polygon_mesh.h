@@ -1,6 +1,14 @@
-// What a mesh file says, before anything is believed: polygons over positions, with the lines they
-// came from. SurfaceMesh (surface_mesh.h) validates it; readers (io/) only guarantee that numbers
-// are finite, every index is in range and every polygon has at least three corners.
+// A mesh file as it is, before anything is believed: polygons over positions, with the lines that
+// they came from.
+//
+//   PolygonMesh quad;
+//   quad.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+//   quad.polygons = {{0, 1, 2, 3}};
+//   const SurfaceMesh mesh = SurfaceMesh::from_polygons(quad);
+//
+// Readers (io/) guarantee that numbers are finite, every index is in range and every polygon has at
+// least three corners, and no more. Not for geometry: SurfaceMesh (surface_mesh.h) validates it,
+// repair() (repair.h) makes a surface of what is none.
 #pragma once
 
 #include <string>
@@ -11,8 +19,8 @@
 
 namespace majorant {
 
-// Of the size of what a file holds: coordinates that differ by less are the same; programs
-// print coordinates with ten digits and more; one digit is lost to sums.
+// Coordinates are the same where they differ by less than this part of the size of a file's
+// contents: programs print ten digits and more, and one digit is lost to sums.
 inline constexpr double kTenDigits = 1e-9;
 
 struct PolygonMesh {
@@ -27,7 +35,7 @@ struct PolygonMesh {
   std::vector<std::vector<Index>> polygon_texcoords;  // #P lists parallel to polygons, or empty;
                                                       // a polygon without vt has an empty list
 
-  // What an OBJ writer gives back unchanged; from OBJ, colours from PLY too.
+  // Contents that an OBJ writer gives back unchanged; from OBJ, colours from PLY too.
   std::vector<Vector3>
       colors;  // #V, red green blue in 0..1, NaN for vertices without; may be empty
   std::vector<Vector3> normals;
@@ -35,7 +43,8 @@ struct PolygonMesh {
   std::vector<std::pair<Index, std::string>>
       directives;  // (polygon it precedes, line): names, groups, materials, points and lines
 
-  // What a reader left out, a sentence each that begins with file and line; for the program to say.
+  // Parts of the file that a reader left out, a sentence each that begins with file and line, for
+  // the program to say.
   std::vector<std::string> warnings;
 };
 

@@ -40,7 +40,7 @@ enum class Hint {
   MapAlone,            // map it by itself
   WriteSurface,        // write it as MshContent::Surface, or compare it with nothing
 };
-// What is behind it above.
+// The words behind each hint above.
 std::string_view words_of(Hint hint);
 
 class Refusal : public Error {
@@ -51,9 +51,9 @@ class Refusal : public Error {
           const std::string& end = {});
   Hint hint() const { return hint_; }
   const std::string& file() const { return file_; }
-  // With other words for the remedy.
+  // The message with other words for the remedy.
   std::string message(std::string_view words) const;
-  // What is wrong alone.
+  // The message without the remedy.
   std::string problem() const { return begin_.substr(0, begin_.rfind("; ")); }
 
  private:
@@ -63,8 +63,8 @@ class Refusal : public Error {
 
 // The message of any error, with other words for the remedy where it is a Refusal.
 std::string message_of(const Error& error, const std::function<std::string(const Refusal&)>& words);
-// What is wrong alone, where it is a Refusal; else all of the message. For those who judge what
-// others have made.
+// The message of any error without the remedy, where it is a Refusal; else all of it. For those who
+// judge what others have made.
 std::string problem_of(const Error& error);
 
 }  // namespace majorant

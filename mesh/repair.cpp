@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 #include "majorant/mesh/internal/place_text.h"
@@ -433,8 +433,8 @@ const FindingText& text_of(RepairKind kind) {
   return kTexts[static_cast<std::size_t>(kind)];
 }
 
-// Where every coordinate is far from 0 for their range, a point from which all differences are
-// exact: half way between the smallest and the largest, of which none is more than twice another.
+// A point from which all differences are exact, where every coordinate is far from 0 for their
+// range: half way between the smallest and the largest, of which none is more than twice another.
 Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vector3 low = Vector3::Constant(kInfinity), high = -low, origin = Vector3::Zero();
@@ -458,7 +458,7 @@ Vector3 origin_of(const PolygonMesh& input, const std::vector<Index>& used) {
 // five digits; polygons that are bent more do not cross themselves in space.
 constexpr double kAside = 1e-4;
 
-// Whether triangles over these corners are in one plane, and some face its other side.
+// Returns whether triangles over these corners are in one plane, and some face its other side.
 bool disagree(const std::vector<Vector3>& corners,
               const std::vector<std::array<int, 3>>& triangles) {
   std::vector<Vector3> areas;

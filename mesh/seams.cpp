@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {

@@ -1,4 +1,8 @@
-// How the sides of a cut surface belong together: what a seamless map is, apart from its positions.
+// Seams: how the sides of a cut surface belong together. With them a map is seamless, whatever its
+// positions.
+//
+//   for (const SeamEdge& seam : map.seams().edges()) std::cout << seam.turns << "\n";
+//   for (const Cone& cone : map.seams().cones()) std::cout << cone.vertex << "\n";
 //
 // A surface is cut open to be mapped; across a seam edge the two images of the edge agree up to a
 // rotation by a multiple of 90 degrees and a translation,

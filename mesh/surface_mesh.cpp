@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/pair_order.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"

@@ -17,6 +17,8 @@
 // and an origin of its own.
 //
 // Half-edge 3 f + k runs from corner k of face f to its corner k + 1 (mod 3): see below.
+//
+// Not for editing: nothing changes once it is made; cut_along() and split() make other meshes.
 #pragma once
 
 #include <array>
@@ -28,7 +30,6 @@
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 #include "majorant/mesh/polygon_mesh.h"
-#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 
@@ -92,16 +93,16 @@ struct Topology {
   Index euler_characteristic() const { return vertices - edges + faces; }
 };
 
-// Whether a mesh may fall into several components: what is solved must be one, what is judged may
-// be the layout of an atlas.
+// Any: a mesh may fall into several components, as the layout of an atlas does that is judged. A
+// mesh that is solved on must be one.
 enum class Components { One, Any };
 
-// Whether faces may be without an area, and coordinates without the digits that edges need: what is
-// solved must be Proper, of what is judged only the image counts. Corners are three vertices
-// always.
+// Any: faces may have no area, and coordinates too few digits for their edges, since of a map that
+// is judged only the image counts. A mesh that is solved on must be Proper. Corners are three
+// vertices always.
 enum class Shapes { Proper, Any };
 
-// What stands for the shape of a face that has no area, or hardly one: a triangle in the plane, in
+// A rest triangle, the shape of a face that has no area, or hardly one: a triangle in the plane, in
 // model units, counterclockwise. Maps are measured against it
 // (parametrization/maps/rest_shapes_of.h).
 struct RestTriangle {
@@ -109,7 +110,8 @@ struct RestTriangle {
   std::array<Vector2, 3> corners;
 };
 
-// What a SurfaceMesh is made of, by those who know that it is one: see its members of these names.
+// The parts of a SurfaceMesh, for those who know that they make one: see its members of these
+// names.
 struct SurfaceParts {
   std::string file;
   Vector3 origin = Vector3::Zero();
@@ -150,8 +152,8 @@ class SurfaceMesh {
 
   const std::string& file() const { return file_; }
   const Points3& positions() const { return positions_; }  // #V by 3, model units
-  // Where the file has it: positions() are those of the file minus an origin, zero unless repair()
-  // chose one so that the difference is exact.
+  // The position in the file: positions() are those of the file minus an origin, zero unless
+  // repair() chose one so that the difference is exact.
   Vector3 input_position(Index v) const;
   const Vector3& origin() const { return origin_; }
   const Cells& faces() const { return faces_; }  // #F by 3, counterclockwise
@@ -180,7 +182,7 @@ class SurfaceMesh {
   std::vector<char> boundary_flags() const;  // #V: 1 on the boundary
   const Topology& topology() const { return topology_; }
   double area() const { return area_; }  // faces with a rest triangle: of that
-  // Of the faces that have one, ordered by face; empty unless repair() made some.
+  // The rest triangles of faces that have one, ordered by face; empty unless repair() made some.
   const std::vector<RestTriangle>& rest_triangles() const { return rest_triangles_; }
 
   // Texture coordinates per face corner (#F by 6: u, v of each) and their numbers in the file (#F

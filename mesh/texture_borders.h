@@ -1,4 +1,4 @@
-// Where the texture coordinates of a file are cut into islands.
+// The edges along which the texture coordinates of a file are cut into islands.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace majorant {
 
-// Whether the corners of a face have texture coordinates: all of them or none.
+// Returns whether the corners of a face have texture coordinates: all of them or none.
 bool is_textured(const SurfaceMesh& mesh, Index face);
 // Polygons of the file without.
 Index untextured_polygons(const SurfaceMesh& mesh);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/triangulate_polygon.h"
@@ -16,7 +16,7 @@ namespace {
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-// Whether all triangles of a polygon turn the same way in the plane, be it the wrong one.
+// Returns whether all triangles of a polygon turn the same way in the plane, be it the wrong one.
 bool agree(const Triangles& triangles, const std::vector<Vector2>& corners) {
   int sum = 0;
   for (const auto& t : triangles) sum += orientation(corners[t[0]], corners[t[1]], corners[t[2]]);

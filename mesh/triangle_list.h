@@ -1,4 +1,4 @@
-// Which triangles the polygons of a file become.
+// The triangles that the polygons of a file become.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct TriangleList {
   std::vector<std::array<int, 3>> corners;  // by triangle: corner numbers within the polygon
 };
 
-// What becomes of a polygon of thousands of corners that crosses itself (triangulate_polygon).
+// The treatment of a polygon of thousands of corners that crosses itself (triangulate_polygon).
 enum class Crossing { Refused, Fanned };
 
 // Triangles of polygon p, corner numbers: those of its shape in space, unless its texture
@@ -27,7 +27,7 @@ enum class Crossing { Refused, Fanned };
 std::vector<std::array<int, 3>> triangles_of(const PolygonMesh& input, Index p, Crossing crossing,
                                              const StopCheck& stop);
 
-// Of all polygons, in their order.
+// The triangles of all polygons, in their order.
 TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const StopCheck& stop);
 
 // Texture coordinates of the corners of the triangles, which are the faces of `parts`; nothing

@@ -8,7 +8,8 @@
 
 namespace majorant {
 
-// Whether no polygon shares a vertex with another, of two or more: STL files, exported soups.
+// Returns whether no polygon shares a vertex with another, of two or more: STL files, exported
+// soups.
 bool is_soup(const PolygonMesh& mesh);
 
 // Vertices, ascending, that lie exactly where a smaller one does; of those that a polygon uses.

@@ -1,4 +1,5 @@
-// Which colour a number has, in every picture of every map: so that pictures can be compared.
+// Colour scales: the colour of a number is the same in every picture of every map, so that pictures
+// can be compared.
 //
 //   const ColorScale area = color_scale(Quantity::Area, {});
 //   const std::string twice = area.color(2.0).hex();            // the same in every picture
@@ -34,6 +35,7 @@
 #include <vector>
 
 #include "majorant/energies/energy_factory.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 
@@ -43,17 +45,8 @@ struct Color {  // sRGB
   bool operator==(const Color&) const = default;
 };
 
-// Of cells that are turned over, or of no area: no scale has it.
+// The colour of cells that are turned over, or have no area: no scale has it.
 inline constexpr Color kFlippedColor{214, 0, 190};
-
-// Pointwise, of singular values sigma_1 >= sigma_2 of the map from the surface to the plane, in
-// units in which an isometry has 1 and 1: density of an energy, area sigma_1 sigma_2, angle sigma_1
-// / sigma_2, and the two themselves.
-enum class Quantity { Density, Area, Angle, SigmaMax, SigmaMin };
-inline constexpr std::array kQuantities{Quantity::Density, Quantity::Area, Quantity::Angle,
-                                        Quantity::SigmaMax, Quantity::SigmaMin};
-// "density", "area", "angle", "sigma-max", "sigma-min".
-std::string_view quantity_name(Quantity quantity);
 
 class ColorScale {
  public:

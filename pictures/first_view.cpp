@@ -33,7 +33,7 @@ Vector3 front_of(const MapFile& map) {
   return sum.norm() > kOneSided * area ? Vector3(sum / sum.norm()) : Vector3::Zero();
 }
 
-// Of the shares that cells have of the picture: bits.
+// The entropy of the shares that cells have of the picture: bits.
 double entropy(const MapFile& map, const Vector3& view) {
   constexpr PixelSize kSize{kSide, kSide};
   constexpr std::size_t kRow = kSide * kSamplesPerPixel;

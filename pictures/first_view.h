@@ -1,4 +1,5 @@
-// Where a surface is seen from where nobody says: a page when it opens, a PNG with a bare --view.
+// The direction from which a surface is seen where nobody names one: a page when it opens, a PNG
+// with a bare --view.
 #pragma once
 
 #include "majorant/parametrization/maps/map_file.h"

@@ -22,7 +22,7 @@ struct PixelImage {
 // The bytes of a file, the same for the same pixels. Throws Error(Usage) where libpng fails.
 std::string encode_png(const PixelImage& image);
 
-// Of any colours and depths, made 8-bit RGB, what is transparent on white. Throws
+// Reads a PNG of any colours and depths as 8-bit RGB, transparent parts on white. Throws
 // Error(Unreadable), naming the file, for what is no .png or too large.
 PixelImage read_png(const std::string& path);
 

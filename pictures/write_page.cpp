@@ -1,5 +1,3 @@
-#include "majorant/pictures/write_page.h"
-
 #include <algorithm>
 
 #include "embedded/map_page_css.h"
@@ -10,6 +8,7 @@
 #include "majorant/parametrization/maps/map_file.h"
 #include "majorant/pictures/internal/page_data.h"
 #include "majorant/pictures/page_text.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 

@@ -1,5 +1,3 @@
-#include "majorant/pictures/write_png.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,12 +21,13 @@
 #include "majorant/pictures/internal/pixel_font.h"
 #include "majorant/pictures/internal/raster_scene.h"
 #include "majorant/pictures/internal/rasterizer.h"
+#include "majorant/pictures/pictures.h"
 #include "majorant/pictures/png_file.h"
 
 namespace majorant {
 namespace {
 
-// What a picture of pixels says of its colours.
+// The legend of a picture of pixels.
 
 constexpr Color kInk{51, 51, 51};
 constexpr int kWideEnough = 900;  // for letters of twice the size
@@ -89,7 +88,7 @@ void draw_legend(PixelImage& image, const Legend& legend) {
             cut_off(legend.note, room));
 }
 
-// What the samples of a picture of pixels look like.
+// The painters of a picture of pixels.
 
 using FloatColor = Eigen::Vector3d;  // sRGB, 0 to 255
 
@@ -122,7 +121,8 @@ Square square_around(const MapFile& map) {
   return {0.5 * low + 0.5 * high, side > 0 ? side : 1};
 }
 
-// Where textures lie: the unit square of layouts that were made for one, the square around others.
+// The square that a texture lies on: the unit square of layouts that were made for one, the square
+// around others.
 Square texture_square(const MapFile& map) {
   if (readable_claims(map.claims).normalized || has_assumed_scale(map)) return {{0.5, 0.5}, 1};
   return square_around(map);
@@ -136,7 +136,7 @@ class PlainPainter final : public Painter {
   }
 };
 
-// What depends on uv alone.
+// Paints what depends on uv alone.
 class TexturePainter : public Painter {
  public:
   explicit TexturePainter(const MapFile& map) : image_(map, 1) {}
@@ -265,7 +265,8 @@ void require_usable(const PngOptions& options) {
     throw Error(ErrorKind::Usage, "an image and a heat map lie on top of each other; choose one");
 }
 
-// What is shown as a heat map: what was asked for, or the density on a layout that has one.
+// The quantity that is shown as a heat map: what was asked for, or the density on a layout that has
+// one.
 std::optional<Quantity> heat_of(const MapFile& map, const PngOptions& options) {
   if (options.quantity || options.view || options.image) return options.quantity;
   if (claimed_energy(map).name.empty()) return {};

@@ -1,5 +1,3 @@
-#include "majorant/pictures/write_svg.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,18 +10,19 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/io/io.h"
 #include "majorant/io/map_check.h"
-#include "majorant/io/map_distortion.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 #include "majorant/pictures/internal/legend.h"
 #include "majorant/pictures/internal/svg_layout.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 namespace {
 
-// What a vector drawing says of its colours.
+// The legend of a vector drawing.
 
 constexpr double kSvgLegendHeight = 130.0;
 
@@ -84,7 +83,7 @@ void add_color_legend(SvgLayout& layout, const Legend& legend, double top) {
   layout.add("</g>\n");
 }
 
-// What is drawn over the cells of a layout: grid lines, charts, seams and cones.
+// Marks over the cells of a layout: grid lines, charts, seams and cones.
 
 constexpr double kMostLines = 4000;  // in each direction; nothing could be seen of more
 constexpr const char* kGridColor = "#14327a";
@@ -165,7 +164,7 @@ std::pair<std::size_t, std::size_t> count_cones(const MapFile& map) {
   return {positive.size(), negative.size()};
 }
 
-// Where the name of a chart goes: the middle of the cell that is closest to the chart's.
+// The place of a chart's name: the middle of the cell that is closest to the chart's.
 struct ChartRoom {
   double area = 0;  // drawing units squared
   Vector2 middle = Vector2::Zero(), place = Vector2::Zero();
@@ -204,7 +203,7 @@ void add_dot(SvgLayout& layout, const Vector2& center, int quarter_turns) {
   layout.add("\" r=\"{}\" fill=\"{}\"/>\n", kConeRadius, cone_color(quarter_turns));
 }
 
-// Whether the map is an atlas: has pieces of different numbers in `chart`.
+// Returns whether the map is an atlas: has pieces of different numbers in `chart`.
 bool has_charts(const MapFile& map) {
   return map.chart.size() > 0 && map.chart.minCoeff() != map.chart.maxCoeff();
 }
@@ -251,8 +250,8 @@ void add_chart_names(SvgLayout& layout) {
 // of length 1, was turned to (1, 0). Throws Error(Usage) for a spacing that
 // is not positive or gives more than some thousand lines.
 void add_grid(SvgLayout& layout, double spacing, const Vector2& direction) {
-  // Of the file's u and v, in the turned layout: the unit vectors along which they grow, and the
-  // values they have over the box.
+  // The axes of the file's u and v in the turned layout: the unit vectors along which they grow,
+  // and the values they have over the box.
   Eigen::Matrix2d axes;
   axes << direction.x(), direction.y(), -direction.y(), direction.x();
   Eigen::Matrix<double, 2, 4> corners;
@@ -414,8 +413,8 @@ Heat heat_of(const MapFile& map, Quantity quantity, const Vec& cells, const SvgO
   return {make_legend(map, quantity, scale, values, "triangle means"), colors};
 }
 
-// What was asked for; else the density, where the cells have one and something says of which
-// energy.
+// The heat map that was asked for; else the density, where the cells have one and something says of
+// which energy.
 std::optional<Heat> heat_of(const MapFile& map, const SvgOptions& options) {
   if (options.quantity && options.quantity != Quantity::Density)
     return heat_of(map, *options.quantity, cell_values(map, *options.quantity), options);

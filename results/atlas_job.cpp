@@ -6,8 +6,7 @@
 
 #include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
-#include "majorant/io/atlas_file.h"
-#include "majorant/io/map_distortion.h"
+#include "majorant/io/io.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/write_map.h"
 

@@ -34,7 +34,8 @@ struct AtlasJob {
   void solve();  // cut where repairs have cut, too
   // Into the unit square. False where it cannot be proven in there; the atlas is as it was then.
   bool place();
-  // Whether charts overlap, as they lie now; each for itself does not, and packed ones do not.
+  // Proves whether charts overlap, as they lie now; each for itself does not, and packed ones do
+  // not.
   void prove();
 
   RunRecord& record;
@@ -54,14 +55,14 @@ struct AtlasJob {
 
 // Units of the surface per unit of uv in the file.
 double scale_of(const AtlasJob& job);
-// Of all cuts, those of repair() included.
+// The length of all cuts, those of repair() included.
 double seam_length(const AtlasJob& job);
 
 // All charts side by side: with what was measured, and with its claims. table (may be null)
 // receives the distortion of every face, also where it is no part of the file: where it is not
 // finite, and where who reads the file could not measure the same.
 MapFile atlas_file(const AtlasJob& job, FaceDistortion* table = nullptr);
-// What a data file must be when it is read back.
+// The properties that a data file must have when it is read back.
 ProofRequest promise(const AtlasJob& job, const std::string& path);
 // Whole but for what writing adds to it: "outputs", their seconds and the total.
 Json atlas_report(const AtlasJob& job);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/io.h"
 #include "majorant/io/layout_scale.h"
-#include "majorant/io/map_distortion.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/maps/energy_text.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
@@ -27,7 +27,7 @@ EnergySum energy_of(const Claims& claims, Findings& findings) {
   return {{symmetric_dirichlet(), 1.0}};
 }
 
-// What was measured tells a scale as claims do.
+// Measures in a file tell a scale as claims do.
 bool says_nothing_of_scale(const MapFile& file) {
   return has_assumed_scale(file) && file.distortion.size() == 0 && file.min_det.size() == 0 &&
          file.face_distortion.rows() == 0;
@@ -111,8 +111,8 @@ void add_energy(const CheckedEnergy& energy, Json& section) {
 
 namespace {
 
-// Whether nothing says where a map is cut: files that claim nothing, and atlases of the time before
-// there was the claim `cuts`.
+// Returns whether nothing says where a map is cut: files that claim nothing, and atlases of the
+// time before there was the claim `cuts`.
 bool is_untold(const MapFile& file, const Claims& claims) {
   const bool says_nothing = !claims.version && !claims.seams;
   return !claims.cuts && (says_nothing || file.chart.size() > 0);
@@ -165,7 +165,8 @@ Json measured_distortion(const MapFile& file) {
   return section;
 }
 
-// Whether the file is what a map makes of the plane, as `.msh` has it: the identity of itself.
+// Returns whether the file is what a map makes of the plane, as `.msh` has it: the identity of
+// itself.
 bool is_image(const MapFile& file) {
   const auto corners = file.cells.leftCols(3).reshaped();
   return file.points(corners, 2).isZero(0) &&
@@ -201,7 +202,7 @@ void add_proofs(MapCheck& check) {
                           {"told_from_tears", !check.has_untold_cuts}};
 }
 
-// What there is a map of, and what is claimed of that.
+// Adds measures of the map that there is, and of its claims.
 void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& request,
                   const StopCheck& stop) {
   if (!check.proof.map()) return;

@@ -42,15 +42,15 @@ CheckedEnergy measure_as_claimed(const MapFile& file, const BezierMap& map, cons
 // "symmetric-dirichlet 4.003 at the best scale, uv times 57.6", "... infinite, since 1 face has no
 // area (4.003 over the others)".
 std::string describe(const CheckedEnergy& energy);
-// What a report says otherwise of the energy than measures_section(), into that section.
+// Adds to measures_section() what a report says of the energy beyond it.
 void add_energy(const CheckedEnergy& energy, Json& measures_section);
 
 struct CheckRequest {
   std::string name;  // of the file: for messages; its extension says what its labels mean
   const PolygonMesh* surface = nullptr;  // that it should be a map of
-  // Whether inner edges may have sides that differ. Auto: those that the file claims to be cut; if
-  // it claims nothing, any, which are told from tears by nobody then. Seams of a seamless map are
-  // no cuts for any of these.
+  // The rule for inner edges whose sides differ. Auto: those that the file claims to be cut; if it
+  // claims nothing, any, which are told from tears by nobody then. Seams of a seamless map are no
+  // cuts for any of these.
   enum class Cuts { Auto, None, Free } cuts = Cuts::Auto;
   bool certify = false;   // overlaps are violations, also where the file claims nothing
   bool seamless = false;  // likewise, seams are none

@@ -1,4 +1,4 @@
-// What `check` finds wrong with a result, in words.
+// Findings of `check`, in words.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Whether a map is injective as a whole, in words and in reports: the proof from its boundary.
+// The verdict on overlaps of a map, in words and in reports: the proof from its boundary.
 //
 //   const GlobalInjectivity proof = check_boundary(map);
 //   overlap_words(proof, image_of(map));   // "locally injective, overlaps itself near (0.25, 1.5)"
@@ -11,9 +11,9 @@
 
 namespace majorant {
 
-// What the boundary is the boundary of. CutAtSeams: a map with cones winds around them, and the
-// image of the surface cut open at the seams overlaps itself as a rule; what was asked for is that
-// it does so nowhere locally. Charts: each of them is proven by itself, and none was put aside.
+// The image whose boundary it is. CutAtSeams: a map with cones winds around them, and the image of
+// the surface cut open at the seams overlaps itself as a rule; what was asked for is that it does
+// so nowhere locally. Charts: each of them is proven by itself, and none was put aside.
 enum class ImageOf { Surface, CutAtSeams, Charts };
 ImageOf image_of(const BezierMap& map);
 

@@ -16,8 +16,8 @@ namespace majorant {
 // who names it, for the message.
 Index used_vertex(const std::string& source, const SurfaceMesh& mesh, Index input_vertex);
 
-// Of a vertex with several copies, on a cut or where sheets were split, every one is held. Throws
-// as used_vertex().
+// Points of the input as pins: every copy of a vertex is held, on a cut or where sheets were split.
+// Throws as used_vertex().
 std::vector<Pin> points_of(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
                            const std::string& source);
 

@@ -3,25 +3,26 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/framework/internal/assembly.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/framework/assembly.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 namespace {
 
-// What cg-hypre takes: PETSc itself, and its matrix and multigrid for every entry of the pattern.
-// Origin: bench/linear_solvers.py, its peak beyond that of direct without the factor: nefertiti cut
-// finer, 10K faces at degrees 1 to 3 and 40K at degree 1, from 105 to 125 bytes for each entry.
+// The memory of cg-hypre: PETSc itself, and its matrix and multigrid for every entry of the
+// pattern. Origin: bench/linear_solvers.py, its peak beyond that of direct without the factor:
+// nefertiti cut finer, 10K faces at degrees 1 to 3 and 40K at degree 1, from 105 to 125 bytes for
+// each entry.
 constexpr std::size_t kMultigridBytes = 35000000, kMultigridBytesOfEntry = 115;
 
-// What a problem takes for every entry of its pattern, its tables among them. Origin: the process
+// The bytes of a problem for every entry of its pattern, its tables among them. Origin: the process
 // at the analysis of degrees 2 and 3 of nefertiti_10000, over that at degree 1.
 constexpr std::size_t kProblemBytesOfEntry = 33;
 
-// Of a factor and its making, for every entry of the Hessians of faces, from degree 2 on: at most.
-// Origin: nefertiti_10000 takes 35 at degree 3 and 38 at degree 2, and 10 and 12 more for every
-// fourfold number of faces: 87 and 110 where patterns end.
+// The bytes of a factor and its making for every entry of the Hessians of faces, from degree 2 on:
+// at most. Origin: nefertiti_10000 takes 35 at degree 3 and 38 at degree 2, and 10 and 12 more for
+// every fourfold number of faces: 87 and 110 where patterns end.
 constexpr std::size_t kFactorBytesOfEntry = 120;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What linear solvers would take of the memory that is left: by which a run chooses one.
+// The part of the memory that is left that linear solvers would take: by which a run chooses one.
 //
 //   const SolverMemory memory = solver_memory(FactorSize{5000, 200}, available_memory());
 //   const bool multigrid = memory.prefers_multigrid();
@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <optional>
 
-#include "majorant/framework/internal/available_resources.h"
+#include "majorant/framework/available_resources.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 
-// What a direct solver needs for the matrices of a pattern.
+// The memory of a direct solver for the matrices of a pattern.
 struct FactorSize {
   std::size_t bytes = 0;    // of the factor and of what making it takes (LinearSolver::bytes())
   std::size_t entries = 0;  // of the pattern
@@ -24,7 +24,7 @@ FactorSize factor_size_at_most(const SurfaceMesh& mesh, int degree);
 // The same of a map that nothing holds, about: costs an analysis.
 FactorSize factor_size(const SurfaceMesh& mesh, int degree);
 
-// What the solvers of one process take, and what there is: bytes.
+// The memory that the solvers of one process take, and that there is: bytes.
 struct SolverMemory {
   std::size_t direct = 0, multigrid = 0;  // with all that they need besides the matrix
   std::optional<std::size_t> available;   // none: nobody says, and all fits
@@ -36,7 +36,8 @@ struct SolverMemory {
 
 // The environment's MAJORANT_MULTIGRID_BYTES, for tests, replaces the estimate for multigrid.
 SolverMemory solver_memory(const FactorSize& needed, std::optional<std::size_t> available);
-// Of a problem that is not made yet, and will have taken a part of what is available by then.
+// The same for a problem that is not made yet, and will have taken a part of what is available by
+// then.
 SolverMemory foreseen_memory(const FactorSize& needed, std::optional<std::size_t> available);
 
 }  // namespace majorant

@@ -4,9 +4,9 @@
 
 #include "majorant/certify/cut_map.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/map_distortion.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
-#include "majorant/parametrization/solve/deform.h"
+#include "majorant/io/io.h"
+#include "majorant/parametrization/initialization/start.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/input_points.h"
 #include "majorant/results/write_map.h"
@@ -41,7 +41,7 @@ Json normalized_section(const MapJob& job) {
   return {{"origin", {p.origin.x(), p.origin.y()}}, {"size", p.size}};
 }
 
-// What the start was made from: where nobody brought one, what parametrize() chose.
+// The start that a report names: the one that was brought, else the one that parametrize() chose.
 std::string_view start_taken(const MapJob& job) {
   if (job.result.start != StartMethod::Given) return start_name(job.result.start);
   // Seams of texture coordinates need not be asked for twice.
@@ -231,7 +231,7 @@ ProofRequest promise(const MapJob& job, const std::string& path) {
 
 MapFile map_file(const MapJob& job) {
   MapFile file = to_map_file(*job.result.map);
-  // Of an energy without a name nobody else could tell.
+  // Only an energy with a name can be told by others.
   if (!job.result.measures.cut_short && !job.energy.empty())
     file.distortion = job.result.measures.face_value;
   file.min_det = job.result.measures.min_det;

@@ -22,26 +22,25 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/certify/moved_layout.h"
-#include "majorant/parametrization/initialization/make_seamless.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/pictures/write_page.h"
+#include "majorant/pictures/pictures.h"
 #include "majorant/results/report.h"
 
 namespace majorant {
 
-// What is solved for: a map of a surface; one with seams, from a start that is made; a plane mesh
+// The task of a job: a map of a surface; one with seams, from a start that is made; a plane mesh
 // moved by its handles.
 enum class MapTask { Parametrize, Seamless, Deform };
 // "parametrize", "seamless", "deform"
 std::string_view task_name(MapTask task);
 
-// By its method_name(); Automatic where no method is called so.
+// The method of this method_name(); Automatic where no method has it.
 SeamlessMethod method_called(std::string_view name);
 
-// Whether the result may be turned: it is held as it is, may be turned where that is possible, or
-// has to be.
+// Held: the result stays as it is. Free: it may be turned where that is possible. Required: it has
+// to be turned.
 enum class Turned { Held, Free, Required };
 
 // Filled in this order: open(), a start where there is one, `options`, solve(), place(), prove().
@@ -55,10 +54,10 @@ struct MapJob {
   // The surface of the polygons. Throws as SurfaceMesh::from_polygons(), at the limits of the run's
   // start.
   void open(std::shared_ptr<const PolygonMesh> input);
-  // What the map starts from, in place of a map of the surface as it is: the seams of its texture
-  // coordinates; a seamless map that is made, its cones by vertex of the input (source: who names
-  // them, for messages); the plane mesh itself; Tutte's map of the surface cut open, one piece or
-  // Error(Unsupported) - pieces: what to say of several. Throw as seamless_from_texture(),
+  // These set the start of the map, in place of a map of the surface as it is: the seams of its
+  // texture coordinates; a seamless map that is made, its cones by vertex of the input (source: who
+  // names them, for messages); the plane mesh itself; Tutte's map of the surface cut open, one
+  // piece or Error(Unsupported) - pieces: what to say of several. Throw as seamless_from_texture(),
   // make_seamless(), planar_map(), choose_cuts() and initial_map().
   void start_from_texture();
   void start_seamless(SeamlessOptions how, const std::string& source);
@@ -75,10 +74,10 @@ struct MapJob {
   // Moves the result: turned along its longer side, or into the unit square, and proven anew. Where
   // it cannot be proven in there, the status is Failed, the message says so, and it returns false.
   bool place(Turned turn, bool into_square);
-  // Whether the map is injective as a whole, as it is now: after all that moves it. Takes
-  // milliseconds, a second or so where curves run along each other; limits do not end it.
+  // Proves that the map is injective as a whole, as it is now: after everything that moves it.
+  // Takes milliseconds, a second or so where curves run along each other; limits do not end it.
   void prove();
-  // Whether there is a map to write: the run did not fail, and was feasible.
+  // True where there is a map to write: the run did not fail, and was feasible.
   bool has_result() const;
 
   MapTask task;
@@ -105,9 +104,9 @@ struct MapJob {
 
 // Units of the surface per unit of uv in the file.
 double scale_of(const MapJob& job);
-// Of a job that has a result: with what was measured, and with its claims.
+// The file of a job that has a result: with its measures and claims.
 MapFile map_file(const MapJob& job);
-// What a data file of that name must be when it is read back.
+// The properties that a data file of that name must have when it is read back.
 ProofRequest promise(const MapJob& job, const std::string& path);
 // Whole but for what writing adds to it: "outputs" and their seconds.
 Json map_report(const MapJob& job);

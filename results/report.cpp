@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <numbers>
 
-#include "majorant/framework/internal/curvature_name.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/mesh/geometry.h"
 

@@ -33,7 +33,7 @@ Json measures_section(const BezierMap& map, const MapMeasures& measures, const s
 Json distortion_section(const std::vector<const MapDistortion*>& parts, double scale);
 // {"seam_length": ..., ...}: what reports say of cuts. area: of the surface.
 Json cuts_section(const SurfaceCuts& cuts, double area);
-// Of a repaired surface: with the edges that repair cut, which are in the sums.
+// The section of cuts of a repaired surface: with the edges that repair cut, which are in the sums.
 Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface);
 // What a line that sums up says of that section's seams, ", ..."; empty when there are none.
 std::string seam_summary(const Json& measures_section);

@@ -4,7 +4,7 @@
 //   auto record = std::make_shared<LadderRecord>();
 //   const Json section = linear_solver_section("mumps", OwnSolver::Unused, *record);
 //
-// What rungs are and when they fail: distributed/petsc_solver.h.
+// The rungs of the ladder, and when they fail: distributed/petsc_solver.h.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ enum class Rung { Amg, Gamg, Icc, Mumps };
 inline constexpr std::array<std::string_view, 4> kRungNames{"cg-hypre", "cg-gamg", "cg-icc",
                                                             "mumps"};
 
-// What the solvers of a run did, rung by rung.
+// The record of the solvers of a run, rung by rung.
 struct LadderRecord {
   struct Use {
     long set_ups = 0, solves = 0, iterations = 0, falls = 0;  // falls: what failed there

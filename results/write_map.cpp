@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "majorant/io/claims.h"
-#include "majorant/io/write_ply.h"
+#include "majorant/io/io.h"
 #include "majorant/pictures/first_view.h"
 
 namespace majorant {

@@ -10,14 +10,10 @@
 #include <vector>
 
 #include "majorant/certify/map_proof.h"
-#include "majorant/io/msh.h"
-#include "majorant/io/vtu.h"
-#include "majorant/io/write_obj.h"
+#include "majorant/io/io.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/pictures/write_page.h"
-#include "majorant/pictures/write_png.h"
-#include "majorant/pictures/write_svg.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 
@@ -28,17 +24,18 @@ std::string extension(const std::string& path);
 bool is_map_data(const std::string& path);
 bool is_straight_map_data(const std::string& path);
 
-// Whether a format says which vertices and faces of the input its own are.
+// Compared for formats that say which vertices and faces of the input their own are.
 ProofRequest::FaceLabels labels_in(const std::string& path);
 
-// What data files made from a map are to be, when they are read back: maps of `surface`, as cut and
-// as free of overlaps as this one is or claims to be. One that is cut elsewhere than it claims is
-// torn: no file of it will do. Throws Error as parse_claims() and MapProof.
+// The properties that data files made from a map must have when they are read back: maps of
+// `surface`, as cut and as free of overlaps as this one is or claims to be. One that is cut
+// elsewhere than it claims is torn: no file of it will do. Throws Error as parse_claims() and
+// MapProof.
 ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name);
 // In formats without curves, a map that is injective as a whole stays so.
 Overlap allowed_overlap(const ProofRequest& promise);
 
-// How single formats are written.
+// Options of single formats.
 struct MapFormats {
   TessellationOptions tessellation;  // of OBJ and PLY
   VtuCells vtu = VtuCells::Bezier;

@@ -16,7 +16,7 @@
 // it moves the minimum away from where g = 0; minimized by BarrierMinimizer
 // (framework/barrier_minimizer.h) its weight falls to 0. The penalty min(g, 0)^2 starts anywhere
 // and ends outside by about |multiplier| / (2 weight). Scale g to size about 1. For g = 0 rather
-// than >= 0, make_least_squares() is the penalty; for a bound on a single unknown bounds.h is exact
+// than >= 0, make_least_squares() is the penalty; for a bound on a single unknown Bounds is exact
 // and faster.
 //
 // The lambda: as in local_term.h.
@@ -62,7 +62,7 @@ class InequalityChecker final : public BarrierChecker {
       return -log(g(e, z) + slack);
     });
   }
-  // By a tenth of the size of g, which is about 1, and of what x violates.
+  // The slack is a tenth of the size of g, which is about 1, beyond what x violates.
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
     const double violated = std::max(0.0, slack_ - check(x).margin);
     const double slack = std::max(slack_, violated + 0.1 * (1 + violated));
@@ -116,6 +116,45 @@ template <int N, int Block = 1, class F>
 Inequality<N, Block, F> inequality(std::string name, Cells nodes, F g) {
   return {std::move(name), std::move(nodes), std::move(g)};
 }
+
+// Bounds lower <= x <= upper on single unknowns: a barrier, and a checker that limits steps.
+//
+//   const double none = std::numeric_limits<double>::infinity();
+//   Vec lower = Vec::Zero(60), upper = Vec::Constant(60, none);
+//   const Bounds bounds(lower, upper);
+//   const TermId barrier = builder.add(bounds.barrier(), 1.0);
+//   builder.add(bounds.checker());
+//   problem = builder.build();
+//   y0 = problem.reduce(bounds.interior(x));
+//   SolveResult result = BarrierMinimizer({barrier}).minimize(problem, y0, {});
+//
+// Every accepted point is inside; BarrierMinimizer (framework/barrier_minimizer.h) ends at the
+// bounds where they hold the minimum, to its tolerance. parametrize() takes checker() as well
+// (MapExtension::add()), and leads a start inside that does not meet it. Not for unknowns that are
+// fixed: those are eliminated (constraints/constraints.h).
+
+class Bounds {
+ public:
+  // One for each of the full unknowns, -inf or +inf where there is none. Throws
+  // Error unless lower < upper and both have the same size.
+  Bounds(Vec lower, Vec upper);
+
+  const Vec& lower() const { return lower_; }
+  const Vec& upper() const { return upper_; }
+
+  // -log(x - lower), -log(upper - x): an element for each finite bound. Supports every curvature:
+  // all are the exact one, which is positive.
+  std::shared_ptr<const EnergyTerm> barrier() const;
+  // Feasible: strictly inside. Blocking "elements" are unknowns. Steps are limited exactly, but for
+  // rounding. Its members throw InvalidArgument for another number of unknowns.
+  std::shared_ptr<const BarrierChecker> checker() const;
+  // x moved inside where it is not: at least `margin` away from a single bound, that part of the
+  // gap between two. 0 < margin <= 1/2.
+  Vec interior(Vec x, double margin = 0.1) const;
+
+ private:
+  Vec lower_, upper_;
+};
 
 }  // namespace majorant
 

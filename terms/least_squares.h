@@ -28,6 +28,8 @@
 // A loss is rho(s) with its first and second derivative, s = |r|^2 the squared residual of one
 // element, rho(s) = s where s is small; the energy is rho(|r|^2) / 2. `width` is the |r| from which
 // a residual counts as an outlier, in its units. Formulas are those of Ceres.
+//
+// Not for energies of maps: densities (energies/make_energy.h) are several times faster.
 #pragma once
 
 #include <algorithm>

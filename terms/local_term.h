@@ -31,8 +31,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
 
-#include "majorant/framework/packed_symmetric.h"
+#include "majorant/framework/detail/packed_symmetric.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/terms/detail/element_term.h"
 
 namespace majorant {
@@ -95,6 +98,18 @@ std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) 
   return std::make_shared<const detail::ElementTerm<Model>>(std::move(name), std::move(nodes),
                                                             Model{std::move(f)});
 }
+
+// A linear energy c.x: loads, gravity, prices.
+//
+//   Vec pull = Vec::Zero(3 * 20);
+//   pull[3 * 19 + 2] = -9.81;                          // at node 19, against z
+//   builder.add(linear_term("weight", -pull), 1.0);    // the energy of a load is -f.x
+//
+// By itself it is unbounded below: something else has to hold x.
+
+// coefficients: one for each of the full unknowns; those that are 0 cost nothing. Throws
+// Error where one is not finite. Supports every curvature: it has none.
+std::shared_ptr<const EnergyTerm> linear_term(std::string name, Vec coefficients);
 
 }  // namespace majorant
 

@@ -7,18 +7,14 @@
 //   });
 //
 // Its headers:
-//     local_term.h                make_term(): any function of few unknowns an element
+//     local_term.h                make_term(): any function of few unknowns an element; loads
 //     least_squares.h             residuals, Gauss-Newton; robust losses
-//     linear_term.h               loads
 //     quadratic_penalty.h         soft constraints
-//     inequality.h                g(x) > 0 for an element, and its barrier
-//     bounds.h                    lower and upper bounds of unknowns
+//     inequality.h                g(x) > 0 for an element, and its barrier; bounds of unknowns
 #pragma once
 
-#include "majorant/terms/bounds.h"
 #include "majorant/terms/inequality.h"
 #include "majorant/terms/least_squares.h"
-#include "majorant/terms/linear_term.h"
 #include "majorant/terms/local_term.h"
 #include "majorant/terms/quadratic_penalty.h"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "random.h"
 #include "rational.h"
 

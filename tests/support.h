@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/types.h"
 #include "random.h"
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kDefaultVerb = "unwrap";
 
-// What other tools call it.
+// Names that other tools have for an option of ours.
 constexpr std::array<std::pair<const char*, const char*>, 6> kOtherNames = {{
     {"flatten", kDefaultVerb},
     {"unfold", kDefaultVerb},
@@ -77,7 +77,7 @@ std::vector<std::string> verbs_with(const CLI::App& app, const std::string& opti
   return names;
 }
 
-// What is wrong with a word that the verb has no place for.
+// The message about a word that the verb has no place for.
 std::string about_extra(const CLI::App& app, const CLI::App& verb, const std::string& word) {
   if (!is_option(word)) return fmt::format("one word too many: '{}'", word);
   const std::string option = word.substr(0, word.find('='));

@@ -1,4 +1,4 @@
-// What was meant by a command line, and what to say where that cannot be known.
+// Guesses what a command line means, and says what is wrong where that cannot be known.
 //
 //   CLI::App command;
 //   std::vector<std::string> words = meant_words(command, {"in.obj", "out.obj"});

@@ -1,4 +1,4 @@
-// What was meant by a word that nothing is called: for options, choices and verbs.
+// Guesses which word was meant by one that nothing is called: for options, choices and verbs.
 //
 //   std::string boundary = nearest("frea", {"free", "fixed"});    // "free"
 //   verb.add_option("--boundary", boundary, "...")->check(one_of({"free", "fixed"}));

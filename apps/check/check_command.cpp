@@ -20,8 +20,8 @@
 #include "apps/streams.h"
 #include "apps/within_memory.h"
 #include "majorant/certify/map_proof.h"
-#include "majorant/framework/thread_count.h"
-#include "majorant/io/map_distortion.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/waiting_output.h"
 #include "majorant/results/check_map.h"
@@ -63,7 +63,8 @@ std::string in_words(const MapCheck& check) {
                      open);
 }
 
-// What a page says of a cell that is not proven to be positive: det J at the points of a lattice.
+// The text of a page for a cell that is not proven to be positive: det J at the points of a
+// lattice.
 std::string describe_fault(const MapProof& proof, Index cell) {
   if (!proof.map()) return "det J is not proven to be positive";
   constexpr int kSteps = 8;

@@ -1,4 +1,4 @@
-// What `majorant compare` takes from libmajorant_ceres.so.
+// The functions that `majorant compare` takes from libmajorant_ceres.so.
 #pragma once
 
 #include <memory>

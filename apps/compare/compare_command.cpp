@@ -37,10 +37,9 @@
 #include "apps/progress.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
-#include "majorant/framework/thread_count.h"
 #include "majorant/io/waiting_output.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/normalized_start.h"
@@ -347,7 +346,7 @@ std::vector<LinearSolverRun> measure_linear_solvers(const Request& request,
   return runs;
 }
 
-// Whether what the method needs can be loaded; asked for by name it must.
+// Returns whether what the method needs can be loaded; asked for by name it must.
 bool can_be_had(const Method& method, const Request& request) {
   if (!method.load) return true;
   try {

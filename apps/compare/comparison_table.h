@@ -9,10 +9,10 @@
 
 namespace majorant {
 
-// How near the best energy counts as "there": 1 % and 0.01 %.
+// Relative distances from the best energy that count as "there": 1 % and 0.01 %.
 constexpr std::array<double, 2> kComparisonFractions = {1e-2, 1e-4};
 
-// What to read in a row; "-" stands for what does not exist or was never reached.
+// The columns of a row; "-" stands for what does not exist or was never reached.
 struct ComparisonRow {
   std::string method, status, message;
   std::string iterations, seconds, energy, min_det;  // of the last point

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/problem_parts.h"
 #include "majorant/framework/stepper.h"
-#include "majorant/framework/thread_count.h"
 
 namespace majorant {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <memory>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/framework/minimizer.h"
 

@@ -7,11 +7,10 @@
 #include "apps/compare/ceres_plugin.h"
 #include "apps/parts.h"
 #include "apps/plugins/plugin.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/energies/named_energies.h"
-#include "majorant/framework/gradient_flow.h"
-#include "majorant/framework/internal/curvature_name.h"
-#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/energy_term.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant::app {

@@ -5,7 +5,7 @@
 //   std::unique_ptr<LinearSolver> solver = cholmod.make_solver();
 //
 // Looked for beside the program and where `make install` puts them, by absolute path, nowhere else
-// (docs/security.md). Each exports one name, `majorant_plugin`, a struct that begins with the
+// (docs/files.md). Each exports one name, `majorant_plugin`, a struct that begins with the
 // version that it was built as. The program defines OPENBLAS_NUM_THREADS first (process.h).
 #pragma once
 
@@ -19,7 +19,7 @@ namespace majorant::app {
 
 struct PluginFile {
   const char* name;
-  // What to do where it is missing, and where what it needs is; words after "; ".
+  // The remedies where it is missing, and where a library that it needs is; words after "; ".
   const char *missing, *broken;
   ErrorKind kind = ErrorKind::Unreadable;  // of that error
 };

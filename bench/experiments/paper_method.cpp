@@ -26,10 +26,9 @@
 
 #include "../unit_fe.h"
 #include "majorant/framework/newton.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure.h"
 

@@ -32,9 +32,10 @@ struct CurveContact {
   Vector2 where = Vector2::Zero();          // where they do or may, approximately
 };
 
-// What may be spent on comparing curves, over any number of calls, and what was: pieces of curves
-// cut in two, those in quadruple precision counted by their cost. Of what was done it depends on
-// the curves alone, but for `stopped`, which is asked every few microseconds (empty: never).
+// The number of subdivisions that comparing curves may take, over any number of calls, and that it
+// took: pieces of curves cut in two, those in quadruple precision counted by their cost. The number
+// depends on the curves alone, but for `stopped`, which is asked every few microseconds (empty:
+// never).
 class SubdivisionBudget {
  public:
   explicit SubdivisionBudget(long limit, std::function<bool()> stopped = {})
@@ -63,7 +64,7 @@ CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b,
 // Any point that the curve passes twice.
 CurveContact contact_with_itself(const PlanarCurve& a, SubdivisionBudget& budget);
 
-// With nothing but the limit of a single pair.
+// The same with the limit of a single pair only.
 CurveContact contact_between(const PlanarCurve& a, const PlanarCurve& b);
 CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b);
 CurveContact contact_with_itself(const PlanarCurve& a);

@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "majorant/certify/internal/curve_contact.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant::curve_piece {
 

@@ -1,10 +1,10 @@
-// How near places of files must be to count as the same.
+// The distance below which places of files count as the same.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {
@@ -19,7 +19,7 @@ inline double match_tolerance(const Eigen::AlignedBox3d& box) {
   return kTenDigits * box.sizes().maxCoeff() + 16 * kUnitRoundoff<double> * farthest;
 }
 
-// Of the vertices that polygons have.
+// The bounding box of the vertices that polygons have.
 inline Eigen::AlignedBox3d box_of(const PolygonMesh& surface) {
   Eigen::AlignedBox3d box;
   for (const auto& polygon : surface.polygons)

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 
 namespace majorant {
 

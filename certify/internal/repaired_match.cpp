@@ -57,7 +57,7 @@ class Triangle {
     return sum;
   }
 
-  // Whether it has no area, as far as places tell.
+  // Returns whether it has no area, as far as places tell.
   bool is_flat() const { return 2 * area_.norm() <= close_ * length(); }
 
   bool contains(const Vector3& p) const {
@@ -71,7 +71,7 @@ class Triangle {
     return true;
   }
 
-  // Whether one of its sides has both.
+  // Returns whether one of its sides has both.
   bool has_on_a_side(const Vector3& p, const Vector3& q) const {
     for (std::size_t k = 0; k < 3; ++k)
       if (is_on(k, p) && is_on(k, q)) return true;

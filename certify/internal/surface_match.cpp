@@ -320,8 +320,8 @@ class Matcher {
     return box.sizes().maxCoeff();
   }
 
-  // Whether no cell is turned over in the polygon: cells are those that SurfaceMesh makes of it, of
-  // its shape or of its texture coordinates, or all of them face its side.
+  // Returns whether no cell is turned over in the polygon: cells are those that SurfaceMesh makes
+  // of it, of its shape or of its texture coordinates, or all of them face its side.
   bool is_unfolded(const Patch& patch) const {
     const auto& polygon = surface_.polygons[patch.faces.front()];
     if (polygon.size() == 3) return true;

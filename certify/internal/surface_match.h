@@ -22,8 +22,8 @@ namespace majorant {
 
 struct SurfaceMatch {
   std::string defect;  // one line naming a face, edge or vertex of the surface (from 0); or empty
-  // Of what is compared: faces of the surface that are single cells or triangulated polygons, and
-  // faces that were cut into pieces or joined with others of their plane.
+  // Counts of what is compared: faces of the surface that are single cells or triangulated
+  // polygons, and faces that were cut into pieces or joined with others of their plane.
   Index same = 0, changed = 0;
 };
 

@@ -12,8 +12,8 @@
 namespace majorant {
 namespace {
 
-// Of what is computed without error bounds: a wrong description is wrong by whole numbers;
-// chosen, not tuned.
+// The tolerance of numbers that are computed without error bounds: a wrong description is wrong by
+// whole numbers; chosen, not tuned.
 constexpr double kPartitionTolerance = 1e-9;
 
 [[noreturn]] void refuse(const BernsteinElement& element, const std::string& what) {
@@ -72,7 +72,7 @@ void check_bisections(const BernsteinElement& element) {
   }
 }
 
-// By the closed formulas, which are exact for small integers.
+// The determinant by the closed formulas, which are exact for small integers.
 double determinant(const Eigen::MatrixXd& j) {
   return j.rows() == 2 ? Eigen::Matrix2d(j).determinant() : Eigen::Matrix3d(j).determinant();
 }

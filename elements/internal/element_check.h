@@ -1,9 +1,9 @@
-// What a space asks of the description of its element when it is made: once per space, not per
+// Checks of the description of an element, made when its space is made: once per space, not per
 // cell, so that a wrong description is refused where it is written and not believed by a proof.
 #pragma once
 
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/det_coefficients.h"
 
 namespace majorant {
 
@@ -12,8 +12,9 @@ namespace majorant {
 // BernsteinElement::basis() checks the rest, that node orders name every function once.
 void check_description(const BernsteinElement& element);
 
-// Of the tables: the identity and an affine map must give their determinant in every coefficient,
-// a curved map its own at a point inside. Throws InvalidArgument with what it gives instead.
+// Checks of the tables: the identity and an affine map must give their determinant in every
+// coefficient, a curved map its own at a point inside. Throws InvalidArgument with what it gives
+// instead.
 void check_determinants(const BernsteinElement& element, const DetCoefficients& det);
 
 }  // namespace majorant

@@ -10,8 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/pair_order.h"
 
 namespace majorant {

@@ -34,8 +34,8 @@ struct BatchView {
   int rest_rows_per_point;  // 0: constant
 };
 
-// What a density says about one Jacobian.
-// Value, gradient and packed lower triangle of the curvature by N coordinates of J.
+// A density at one Jacobian: value, gradient and packed lower triangle of the curvature by N
+// coordinates of J.
 template <class T, int N>
 struct PointModel {
   T f;
@@ -73,13 +73,14 @@ struct DensityKernels {
   // f: measure * mean density per element.
   void (*values)(const void* density, const ContractionView&, const BatchView&, double* scratch,
                  double* f);
-  // Without `hessian` (null) the curvature is not looked at.
+  // Where `hessian` is null the curvature is not looked at.
   void (*local)(const void* density, const ContractionView&, const BatchView&,
                 BlendedCurvature curvature, double* scratch, double* f, double* gradient,
                 double* hessian);
   // Doubles of scratch that either kernel needs.
   int (*scratch_size)(const ContractionView&);
-  // Of densities of planar maps (2 by 2), with the exact Hessian; null for others.
+  // The kernel for stars, of densities of planar maps (2 by 2), with the exact Hessian; null for
+  // others.
   void (*star)(const void* density, const StarView&, double vx, double vy, StarModel&) = nullptr;
   // `local` under models for_comparisons(), where `local` itself has no code for them: the library
   // compiles them for the baseline instruction set alone. Null where `local` knows all models.

@@ -11,7 +11,7 @@
 //                                                         t: BlendedCurvature::projection_weight
 //     slope(z, PointModel&)                              without curvature; where it is a saving
 //     to_coordinates, gradient_to_jacobian, curvature_to_jacobian
-// as energies/spectral.h and energies/density.h have them.
+// as energies/spectral.h and energies/make_energy.h have them.
 //
 // Everything here is a template on Arch, needed or not, or always inlined: a function that several
 // instruction sets define would be merged by the linker, possibly to one the machine cannot run.
@@ -24,8 +24,8 @@
 
 namespace majorant::kernel {
 
-// Of the two products of a 2 by 2 determinant of differences: more than their rounding; 3
-// unit roundoffs and a little.
+// The part of the two products of a 2 by 2 determinant of differences that bounds their rounding:
+// somewhat more than 3 unit roundoffs.
 inline constexpr double kStarRounding = 4e-16;
 
 // The density on a batch of elements: the object itself, or, where the object is a function that is
@@ -117,7 +117,7 @@ template <class Arch, class Density, Curvature C>
   }
 }
 
-// Which curvature models kernels have code for: all, or those that are not for comparisons.
+// The curvature models that kernels have code for: all, or those that are not for comparisons.
 enum class Models { All, Usual };
 
 template <class Arch, class Density, Models models>

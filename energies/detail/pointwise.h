@@ -126,8 +126,8 @@ DensityKernels point_kernels() {
   return kernels;
 }
 
-// Where a formula of singular values is tried in both orders: two of no special place; well
-// inside the domain of energies of maps.
+// The singular values at which a formula is tried in both orders: no special ones, well inside the
+// domain of energies of maps.
 inline constexpr double kTriedS = 1.25, kTriedLess = 0.75;
 // Relative difference of the two that is no rounding: far above the rounding of a formula.
 inline constexpr double kAsymmetry = 1e-9;

@@ -1,4 +1,4 @@
-// The energies the library ships, as one list: their names for users (named_energies.h) and their
+// The energies the library ships, as one list: their names for users (energy_factory.h) and their
 // kernels for every instruction set (kernels/builtin_kernels.cpp) come from it. A new file in
 // densities/ becomes a named energy by its #include and its line here (docs/energies.md).
 #pragma once

@@ -1,4 +1,4 @@
-// The built-in energies for one instruction set each. named_energies.h offers the widest that the
+// The built-in energies for one instruction set each. energy_factory.h offers the widest that the
 // machine runs; what compares them, or wants the same bits on every machine, chooses.
 //
 //   for (const InstructionSet set : instruction_sets())
@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 
 namespace majorant {
 

@@ -12,12 +12,12 @@
 namespace majorant {
 
 // Small symmetric matrices, one in each lane of SIMD batches, made semidefinite all at once by
-// make_semidefinite_batch(): what framework/packed_symmetric.h does for one of them. Lanes do not
-// see each other: what comes out of one does not depend on the others.
+// make_semidefinite_batch(): what framework/detail/packed_symmetric.h does for one of them. Lanes
+// do not see each other: what comes out of one does not depend on the others.
 
 // Entries, in parts of the largest one, that are 0: as kZeroPivot.
 inline constexpr double kZeroEntry = 1e-14;
-// Of all pairs of rows: rotations converge quadratically, in 6 or 7 sweeps.
+// The number of sweeps over all pairs of rows: rotations converge quadratically, in 6 or 7 sweeps.
 inline constexpr int kMostSweeps = 30;
 
 template <int N, class T>

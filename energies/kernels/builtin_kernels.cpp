@@ -16,7 +16,7 @@ DensityKernels at(int index, const std::tuple<Energies...>*) {
 
 }  // namespace
 
-// Of the density with this position in BuiltinEnergies.
+// The kernels of the density with this position in BuiltinEnergies.
 DensityKernels MAJORANT_KERNEL_NAME(int index) {
   return at(index, static_cast<const BuiltinEnergies*>(nullptr));
 }

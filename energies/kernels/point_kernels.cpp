@@ -20,7 +20,7 @@ DensityKernels of_jacobian() {
 
 }  // namespace
 
-// Of M by D Jacobians at 3 (M - 1) + D - 1; of isotropic planar densities at 9.
+// The kernels of M by D Jacobians are at 3 (M - 1) + D - 1; of isotropic planar densities at 9.
 DensityKernels MAJORANT_KERNEL_NAME(int index) {
   const DensityKernels table[] = {
       of_jacobian<1, 1>(),

@@ -11,9 +11,9 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/diagnosis.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/stepper.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {
@@ -44,7 +44,7 @@ struct Run {
   }
   // After an exception or a stop every trial point is refused, until Ceres gives up.
   bool is_over() const { return error || directive != Directive::Continue; }
-  // Whether result.y is stationary as far as Ceres was asked for.
+  // Returns whether result.y is stationary as far as Ceres was asked for.
   bool is_flat() {
     Vec gradient;
     evaluator.gradient(result.y, gradient);
@@ -134,8 +134,8 @@ class Callback final : public ceres::IterationCallback {
 // Above the rounding of energies that are sums over thousands of elements.
 constexpr double kLeastGain = 1e-12;
 
-// Whether some step along the negative gradient gains `least`, from where the linear model of the
-// energy reaches 0 down to the rounding of y.
+// Returns whether some step along the negative gradient gains `least`, from where the linear model
+// of the energy reaches 0 down to the rounding of y.
 bool gains_along_gradient(Evaluator& evaluator, const Vec& y, double energy, double least) {
   Vec gradient;
   evaluator.gradient(y, gradient);

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/cholmod/internal/cholmod_matrix.h"
 #include "majorant/framework/cholmod/internal/one_blas_thread.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/block_graph.h"
 #include "majorant/framework/internal/block_ordering.h"
 

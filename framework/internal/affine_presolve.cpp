@@ -244,7 +244,7 @@ class RealRows {
     for (const auto& [unknown, c] : from.terms) add(to, unknown, factor * c);
     to.constant += factor * from.constant;
   }
-  // What cancels to within rounding is gone.
+  // Coefficients that cancel to within rounding are left out.
   static void add(AffineExpression& to, Index unknown, double c) {
     const auto [it, fresh] = to.terms.try_emplace(unknown, 0);
     const double size = std::max(std::abs(it->second), std::abs(c));
@@ -331,7 +331,7 @@ class RealRows {
                             rows_.label(r), others, left));
   }
 
-  // Of the larger of two numbers that cancel: some roundings of it.
+  // A sum below this part of the larger of two numbers counts as 0: some roundings of it.
   static constexpr double kCancelled = 1e-15;
 
   Index full_size_;

@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <type_traits>
 
-#include "majorant/framework/internal/argument_check.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/internal/metis_scope.h"
 
 namespace majorant {

@@ -7,8 +7,8 @@
 
 #include <vector>
 
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/energy_term.h"
-#include "majorant/framework/internal/elimination.h"
 
 namespace majorant {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/partition.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 namespace {
@@ -33,7 +33,7 @@ const double* not_finite(const double* values, std::size_t count, std::size_t p)
   return nullptr;
 }
 
-// Of a term's gradients and Hessians at x, "" where all are finite.
+// Names the first of a term's gradients and Hessians at x that is not finite; "" where all are.
 std::string not_finite_derivative(const Problem& problem, TermId id, VecIn x) {
   const EnergyTerm& term = problem.term(id);
   const TermState& state = problem.state(id);
@@ -60,7 +60,7 @@ std::string not_finite_derivative(const Problem& problem, TermId id, VecIn x) {
   return {};
 }
 
-// Of vectors of 1e154 and more.
+// The norm, also of vectors of 1e154 and more.
 double stable_norm(const Partition& partition, VecIn v) {
   if (partition.is_whole()) return v.stableNorm();
   const double largest = partition.max(v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0);
@@ -86,7 +86,7 @@ std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy
   return before;
 }
 
-// Whether a curvature model is all zeros.
+// Returns whether a curvature model is all zeros.
 bool is_flat(Evaluator& evaluator, VecIn y, Curvature curvature) {
   Vec gradient, hessian;
   evaluator.linearize(y, curvature, gradient, hessian);

@@ -4,15 +4,15 @@
 
 #include <string>
 
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/problem.h"
 
 namespace majorant {
 
-// Of a point (full unknowns) where the energy is not finite: "value is NaN in element 7 of term
-// 'mine'".
+// The reason why the energy is not finite at a point (full unknowns): "value is NaN in element 7 of
+// term 'mine'".
 std::string why_not_finite(const Problem& problem, VecIn x);
 
-// Of a point of finite energy where no Hessian of that model gave a direction.
+// The reason why no Hessian of that model gave a direction at a point of finite energy.
 std::string why_no_direction(Evaluator& evaluator, VecIn y, double energy, Curvature curvature);
 
 // "unbounded below: ..." where the energy falls faster and faster along its negative gradient, as

@@ -1,6 +1,6 @@
-// What L-BFGS [LN89] remembers: the last pairs s = change of y, q = change of g, and the inverse
-// Hessian B that they and a metric define. One for L-BFGS itself (lbfgs.h) and for the steps of
-// Newton's method on a kept factor (newton.h).
+// The history of L-BFGS [LN89]: the last pairs s = change of y, q = change of g, and the inverse
+// Hessian B that they and a metric define. One for L-BFGS itself (first_order.h) and for the steps
+// of Newton's method on a kept factor (newton.h).
 //
 //   History history(8, 1e-10);
 //   Vec y, last_y, g, last_g, p;

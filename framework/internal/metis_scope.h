@@ -1,4 +1,4 @@
-// What METIS does to a process, held in bounds around calls of it:
+// A scope around calls of METIS that undoes what it does to the process:
 //
 //   const MetisScope metis;
 //

@@ -1,14 +1,15 @@
-// What minimizers ask of their options. Each throws InvalidArgument with the name of the option.
+// Checks that minimizers make of their options. Each throws InvalidArgument with the name of the
+// option.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string_view>
 
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/line_search.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/stopping.h"
+#include "majorant/framework/minimizer.h"
+#include "majorant/framework/stepper.h"
 
 namespace majorant {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/problem_parts.h"
-#include "majorant/framework/internal/stopwatch.h"
 #include "majorant/framework/internal/try_shifts.h"
 #include "majorant/framework/partition.h"
+#include "majorant/framework/problem_parts.h"
 #include "majorant/framework/stepper.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 namespace {

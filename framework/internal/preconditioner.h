@@ -13,8 +13,8 @@
 #include <optional>
 #include <string>
 
-#include "majorant/framework/evaluator.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/problem.h"
 #include "majorant/framework/run_record.h"
 
 namespace majorant {
@@ -31,7 +31,7 @@ class Preconditioner {
   // The same at the first call alone, whose costs `record` gets; curvature and shift it gets at
   // every call. false: there is no metric.
   bool factorize_once(VecIn y, IterationRecord& record, const StopCheck& stop);
-  // Of a factorization that failed, in words. Collective.
+  // The reason why a factorization failed, in words. Collective.
   std::string why_none() const;
   // p = M^-1 r, size() entries each; only after one of them returned true.
   void solve(const Vec& r, Vec& p) { solver_->solve(r, p, kPreconditionerTolerance); }

@@ -106,8 +106,8 @@ struct Supernode {
   Index end() const { return first + columns; }
 };
 
-// Whether a supernode of which the one after it has the parent is better eliminated together with
-// it.
+// Returns whether a supernode of which the one after it has the parent is better eliminated
+// together with it.
 bool worth_merging(const Supernode& supernode, const Supernode& after, double new_zeros) {
   const Index columns = supernode.columns + after.columns;
   if (columns <= kRelaxedBlocks[0] || new_zeros == 0) return true;

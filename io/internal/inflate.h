@@ -30,7 +30,7 @@ class GunzipStream {
 
   // Appends what the next bytes of the file stand for; false if they are damaged or no gzip.
   bool append(std::string_view bytes, std::string& content);
-  // Whether the file may end here: after a member.
+  // Returns whether the file may end here: after a member.
   bool complete() const { return members_ > 0 && !in_member_; }
 
  private:
@@ -44,7 +44,7 @@ class GunzipStream {
   bool in_member_ = false;
 };
 
-// Whether a zlib stream may be that of so many bytes: by its length alone.
+// Returns whether a zlib stream may be that of so many bytes: by its length alone.
 bool can_stand_for(std::string_view stream, std::size_t size);
 // Appends the `size` bytes that a zlib stream stands for; false if it is damaged or of another
 // size.

@@ -82,8 +82,8 @@ class LineCursor {
   std::size_t steps_ = 0;  // lines and tokens, for polling
 };
 
-// Whether a decimal is exactly this double, its nearest. Says false for decimals of more than 19
-// digits, or powers of ten beyond 22, that it does not look into.
+// Returns whether a decimal is exactly this double, its nearest. Says false for decimals of more
+// than 19 digits, or powers of ten beyond 22, that it does not look into.
 bool is_exact(std::string_view decimal, double nearest);
 
 // The whole token as a double, independent of the locale. "nan", "inf" and overflow are NotFinite;

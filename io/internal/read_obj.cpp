@@ -18,7 +18,6 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/framework/thread_count.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/line_cursor.h"

@@ -111,7 +111,7 @@ class OffReader {
         begins_with_line && lines == vertices_ + faces_ ? Layout::Lines : Layout::StreamWithColors;
   }
 
-  // Whether the rest of the file is all vertices and faces without colours.
+  // Returns whether the rest of the file is all vertices and faces without colours.
   bool fits_stream() const {
     LineCursor ahead = cursor_;
     const auto next = [&ahead] {

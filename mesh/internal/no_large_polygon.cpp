@@ -1,4 +1,4 @@
-// What there is of large_polygon.h without CGAL.
+// The functions of large_polygon.h in builds without CGAL.
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"

@@ -11,21 +11,43 @@
 #include <mutex>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "majorant/certify/proven_distance.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/singular_values.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/framework/thread_count.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/model_unit.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 
 namespace majorant {
 namespace {
+
+// Points inside a face, all of the same weight. 10 points a face; for reports alone.
+constexpr int kLattice = 6;
+
+std::vector<Barycentric> sample_points(int degree) {
+  if (degree == 1) return {Barycentric::Constant(1.0 / 3)};
+  std::vector<Barycentric> points;
+  for (int i = 1; i < kLattice; ++i)
+    for (int j = 1; j < kLattice - i; ++j)
+      points.push_back(Barycentric(i, j, kLattice - i - j) / kLattice);
+  return points;
+}
+
+Stretch normalized(Stretch s) {
+  const double scale = s.image_area / s.surface_area;
+  s.l2 = std::sqrt(s.square / s.surface_area * scale);
+  s.max = s.largest * std::sqrt(scale);
+  return s;
+}
 
 // Faces from which on a chart has all threads for itself. Below, loops over elements are
 // too short for more than one thread to pay.
@@ -86,7 +108,7 @@ class Unwrapping {
     }
   }
 
-  // Of every vertex of the input that is to go to a target.
+  // Requires that every vertex of the input with a target has one place.
   void require_one_place(const std::vector<Index>& surface_vertex,
                          const std::vector<Pin>& points) const {
     std::vector<Index> copies(to_size(surface_.vertex_count()), 0);
@@ -169,7 +191,7 @@ class Unwrapping {
     atlas_.charts[k] = std::move(chart);
   }
 
-  // Those of different charts that pins put on top of each other.
+  // Refuses charts that pins put on top of each other.
   void require_pinned_apart(const std::vector<BezierMap>& maps) const {
     std::vector<std::size_t> pinned;
     for (std::size_t k = 0; k < maps.size(); ++k)
@@ -221,7 +243,7 @@ void scale_points(double factor, std::vector<Pin>& points) {
     if (p.target) *p.target *= factor;
 }
 
-// Whether it has all its digits.
+// Returns whether it has all its digits.
 bool is_in_range(double size) {
   return size >= std::numeric_limits<double>::min() && std::isfinite(size);
 }
@@ -233,7 +255,8 @@ void to_model_units(double unit, Packing& packing) {
   packing.distance *= unit;
 }
 
-// Of an atlas of the surface in these units. Both surfaces fall into the same pieces.
+// Scales an atlas of the surface in these units back to model units. Both surfaces fall into the
+// same pieces.
 void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
   atlas.cuts.length *= unit;
   atlas.cuts.added_length *= unit;
@@ -260,6 +283,36 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
 
 }  // namespace
 
+Stretch Stretch::joined(const Stretch& other) const {
+  Stretch s;
+  s.surface_area = surface_area + other.surface_area;
+  s.image_area = image_area + other.image_area;
+  s.square = square + other.square;
+  s.largest = std::max(largest, other.largest);
+  return s.surface_area > 0 ? normalized(s) : s;
+}
+
+Stretch measure_stretch(const BezierMap& map) {
+  const RestShapes rest = rest_shapes(map.mesh());
+  Stretch s;
+  const std::vector<Barycentric> points = sample_points(map.degree());
+  for (const Barycentric& xi : points) {
+    const Eigen::MatrixX2d gradients = bernstein_gradients(map.degree(), xi);
+    for (Index f = 0; f < map.mesh().face_count(); ++f) {
+      Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
+      for (Index q = 0; q < gradients.rows(); ++q)
+        j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * gradients.row(q);
+      j *= rest.inverse_of(f);
+      const double det = j.determinant(), area = rest.measure[f] / double(points.size());
+      s.surface_area += area;
+      s.image_area += det * area;
+      s.square += area * 0.5 * j.squaredNorm() / (det * det);
+      s.largest = std::max(s.largest, singular_values(j).first / det);  // 1 / sigma
+    }
+  }
+  return normalized(s);
+}
+
 std::vector<BezierMap> maps_of(const Atlas& atlas) {
   std::vector<BezierMap> maps;
   for (const Chart& chart : atlas.charts) maps.push_back(*chart.map);
@@ -273,7 +326,7 @@ std::string_view start_name(ChartStart start) {
 }
 
 Status Atlas::status() const {
-  // What is worse than what.
+  // Statuses from the best to the worst.
   constexpr std::array kOrder = {Status::Converged, Status::Stalled,     Status::MaxIterations,
                                  Status::TimeLimit, Status::Interrupted, Status::Infeasible,
                                  Status::Failed};

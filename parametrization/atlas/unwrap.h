@@ -10,11 +10,13 @@
 // a whole -> packing (pack.h). Charts are solved at the same time, and independently: each is what
 // parametrize() gives for its piece alone, whatever the number of threads.
 //
-// The record's Progress is told every step of charts of some thousand faces, and of smaller ones
+// The record's RunObserver is told every step of charts of some thousand faces, and of smaller ones
 // the last step, one thread at a time: they are solved side by side, in any order.
 //
 // Every chart has a valid map in the end: where a solve does not end with one, the chart keeps the
 // best valid map there was, the start if need be, and its status says so.
+//
+// Not for the best map of one disk: parametrize().
 #pragma once
 
 #include <memory>
@@ -25,17 +27,40 @@
 
 #include "majorant/certify/moved_layout.h"
 #include "majorant/framework/run_record.h"
-#include "majorant/parametrization/atlas/stretch.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {
 
-// Where the map of a chart came from. Tutte: tutte_map(). Unfolded: the faces laid side by side in
-// their own shapes (strips, where Tutte's map led to overlaps). Texture: the file's coordinates,
-// turned and mirrored as they lie. Untangled: those, after triangles were turned over. Anew: one of
-// the first two, because the file's coordinates overlap or have no area, or could not be untangled.
+// The stretch of a texture on the surface [SSGH01]: the measure of those who texture.
+//
+//     L2^2(chart) = mean over the surface of (Gamma^2 + gamma^2) / 2,  Linf = max of Gamma,
+//
+// where Gamma >= gamma are the singular values of the map from the plane to the surface, in units
+// in which image and surface have the same area: an isometry has 1, everything else more. [SSGH01]
+
+struct Stretch {
+  double l2 = 1, max = 1;
+  // The parts that both are made of, so that those of several charts can be joined: areas of
+  // surface and image, the integral of (Gamma^2 + gamma^2) / 2, the largest Gamma, in the units of
+  // the map.
+  double surface_area = 0, image_area = 0, square = 0, largest = 0;
+
+  // The stretch of both charts together, at one scale.
+  Stretch joined(const Stretch& other) const;
+};
+
+// Sampled at the points (i, j, k) / 6 inside the faces, one point at degree 1, which is exact. The
+// map is locally injective.
+Stretch measure_stretch(const BezierMap& map);
+
+// The start that the map of a chart came from. Tutte: tutte_map(). Unfolded: the faces laid side by
+// side in their own shapes (strips, where Tutte's map led to overlaps). Texture: the file's
+// coordinates, turned and mirrored as they lie. Untangled: those, after triangles were turned over.
+// Anew: one of the first two, because the file's coordinates overlap or have no area, or could not
+// be untangled.
 enum class ChartStart { Tutte, Unfolded, Texture, Untangled, Anew };
 // "tutte", "unfolded", "texture", "untangled", "anew"
 std::string_view start_name(ChartStart start);
@@ -53,8 +78,9 @@ struct Chart {
 };
 
 struct UnwrapOptions {
-  // Of every chart: degree, energy, ... Vertices of pins and handles are those of the surface, cuts
-  // keep off them; the injectivity is always Global, `initial` is not looked at. A chart minimizes
+  // The options of every chart: degree, energy and so on. Vertices of pins and handles are those of
+  // the surface, cuts keep off them; the injectivity is always Global, `initial` is not looked at.
+  // A chart minimizes
   //     mean density + handle_weight * (sum of squared distances of its handles) / its area
   // so that all charts together, weighted by area, minimize the same of the whole surface: a weight
   // means the same in every chart.
@@ -84,7 +110,7 @@ struct Atlas {
 Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
              RunRecord& record);
 
-// Of its charts, where they are now.
+// The maps of its charts, where they are now.
 std::vector<BezierMap> maps_of(const Atlas& atlas);
 
 // Moves the maps of all charts at one scale: the packing's square becomes the unit square, without

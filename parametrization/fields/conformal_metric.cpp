@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
+#include "majorant/framework/backtracking.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/fields/edge_laplacian.h"
@@ -22,7 +22,8 @@ namespace {
 // Below this error of the angle sums (radians) only full steps that leave less than a part of it
 // are taken: a few steps of polishing down to rounding; a thousand roundings of 2 pi.
 constexpr double kPolishedAngle = 1e-12;
-// That part: Newton's steps leave far less until rounding is all there is.
+// The part of the error that such a step may leave: Newton's steps leave far less until rounding is
+// all there is.
 constexpr double kPolishedPart = 0.5;
 // Per minimization; at most 29 in both together were seen on the public meshes: three times
 // what was seen.
@@ -91,7 +92,8 @@ class ConformalNewton {
     start_at(Vec::Zero(mesh.vertex_count()));
   }
 
-  // With the surface's own edges, and where that breaks triangles, again with Delaunay edges.
+  // Solves with the surface's own edges, and where that breaks triangles, again with Delaunay
+  // edges.
   void run() {
     minimize();
     if (!triangulation().has_broken_triangles(u_)) return;
@@ -141,7 +143,7 @@ class ConformalNewton {
     }
   }
 
-  // Of the Newton step (#V); steepest descent when nothing can be factorized.
+  // The direction of the Newton step (#V); steepest descent when nothing can be factorized.
   Vec direction() {
     Vec r(laplacian_->pattern().size);
     for (std::size_t v = 0; v < row_of_.size(); ++v)

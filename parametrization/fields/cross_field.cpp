@@ -90,8 +90,8 @@ const std::vector<char> kNoneFixed;
 constexpr int kMostConeSweeps = 20;
 // A sweep takes a solve for each; chosen, not tuned.
 constexpr Index kMostCones = 1000;
-// Of energy; rounding shall not move cones: far above the rounding of the solves, far below
-// the gain of a move that matters.
+// The least gain of energy by which a cone moves; rounding shall not move cones: far above the
+// rounding of the solves, far below the gain of a move that matters.
 constexpr double kLeastConeGain = 1e-6;
 
 class Cleanup {
@@ -142,7 +142,7 @@ class Cleanup {
     if (boundary(v)) return 0;
     return turns(v) < 1 ? turns(v) - 1 : std::max(0, turns(v) - most_turns(v));
   }
-  // What a quarter turn less at `from` and one more at `to` does to the number of cones.
+  // The change of the number of cones by a quarter turn less at `from` and one more at `to`.
   int change(Index from, Index to) const {
     const auto cost = [&](Index v, int step) {
       return boundary(v) ? 0 : std::abs(turns(v) + step - 4) - std::abs(turns(v) - 4);
@@ -289,7 +289,7 @@ constexpr double kNotAligned = 10;  // no angle in (-pi, pi]
 // Inverse iteration: the shift as a part of 1 / area, far below the eigenvalues that curvature
 // causes; it makes the matrix of a flat surface definite; chosen, not tuned.
 constexpr double kShift = 1e-5;
-// Of inverse iteration: a bound; chosen, not tuned.
+// The iterations of inverse iteration: a bound; chosen, not tuned.
 constexpr int kMaxIterations = 60;
 // 1 - cosine of two iterates: angles are then good to its square root; the field is relaxed
 // afterwards.

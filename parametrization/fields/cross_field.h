@@ -7,6 +7,8 @@
 //
 // The branches of a face are numbered 0..3 counterclockwise; `angle` is branch 0. All of this is
 // intrinsic: rotating or scaling the mesh changes nothing but rounding.
+//
+// Not for fields of other symmetries than four directions.
 #pragma once
 
 #include <vector>
@@ -40,7 +42,8 @@ struct CrossFieldOptions {
   // 3 #F or empty: half-edges that the field follows, one branch along the edge, on both of its
   // sides (flagging one is enough). A face with several follows the longest.
   std::vector<char> aligned = {};
-  // Without curvature and alignment, cones are cancelled and moved as long as that lowers
+  // Where neither curvature nor alignment is asked for, cones are cancelled and moved as long as
+  // that lowers
   //     1/2 int |rotation of the branches|^2 + cone_cost * sum |quarter_turns - 4|.
   // The first is also 1/2 int |grad log scale|^2 of a conformal map with these cones: the
   // distortion they leave. 0: cancels only what makes the field smoother; chosen,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "majorant/framework/internal/pattern_of_pairs.h"
+#include "majorant/framework/pattern_of_pairs.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {

@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {

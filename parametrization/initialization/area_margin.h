@@ -1,4 +1,4 @@
-// Whether a map leaves its triangles more room than rounding takes.
+// Tests that a map leaves its triangles more room than rounding takes.
 #pragma once
 
 #include "majorant/framework/types.h"

@@ -1,5 +1,3 @@
-#include "majorant/parametrization/initialization/make_seamless.h"
-
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -10,12 +8,12 @@
 #include <optional>
 #include <utility>
 
+#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/cut_surface.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/constraints/seamless_constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/mesh/cut_graph.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
@@ -23,7 +21,7 @@
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/fields/conformal_metric.h"
 #include "majorant/parametrization/fields/cross_field.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/initialization/untangle.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -184,7 +182,7 @@ BezierMap conformal_start(const SurfaceMesh& mesh, const CutField& cut,
       .map;
 }
 
-// What is wrong with a map: faces without a proof of det > 0, vertices covered several times.
+// The defects of a map: faces without a proof of det > 0, vertices covered several times.
 struct Defects {
   std::vector<Index> faces, vertices;
   bool none() const { return faces.empty() && vertices.empty(); }
@@ -272,7 +270,7 @@ class Maker {
                        near.size() > 1 ? "ices" : "ex", list);
   }
 
-  // By vertex, the source reached first in a breadth-first search.
+  // By vertex the source that is reached first in a breadth-first search.
   std::vector<Index> nearest_of(const std::vector<Index>& sources) const {
     std::vector<std::vector<Index>> neighbours(to_size(mesh_.vertex_count()));
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {

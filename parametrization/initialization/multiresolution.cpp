@@ -8,13 +8,13 @@
 #include <memory>
 #include <utility>
 
-#include "majorant/framework/internal/rounding.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {

@@ -1,5 +1,3 @@
-#include "majorant/parametrization/initialization/texture_seams.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,12 +6,13 @@
 #include <utility>
 
 #include "majorant/constraints/cut_surface.h"
-#include "majorant/constraints/internal/sector_angle.h"
+#include "majorant/constraints/sector_angle.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/texture_borders.h"
+#include "majorant/parametrization/initialization/start.h"
 
 namespace majorant {
 namespace {
@@ -68,7 +67,7 @@ struct Transitions {
   double residual = 0;     // largest mismatch
 };
 
-// Of all cut edges.
+// The transitions of all cut edges.
 Transitions snap_rotations(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
                            const CornerView& view) {
   Transitions out{std::vector<int>(is_cut.size(), 0)};

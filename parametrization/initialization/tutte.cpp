@@ -1,24 +1,23 @@
-#include "majorant/parametrization/initialization/tutte.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "majorant/framework/internal/sparse_spd.h"
+#include "majorant/framework/sparse_spd.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/filled_holes.h"
 #include "majorant/parametrization/initialization/internal/weighted_tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/initialization/tutte_system.h"
 
 namespace majorant {
 namespace {
 
-// How the boundary is spaced on its circle: as on the surface, or, halfway to equal angles, so that
-// edges that are tiny there get room.
+// The spacing of the boundary on its circle: as on the surface, or, halfway to equal angles, so
+// that edges that are tiny there get room.
 enum class Spacing { ArcLength, Halfway };
 
 void place_boundary(const SurfaceMesh& mesh, Spacing spacing, Vec& x) {

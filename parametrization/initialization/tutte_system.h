@@ -5,7 +5,7 @@
 //     const Vec values = means.values(laplacian);            // of laplacian.pattern()
 //     const Vec rhs = means.right_hand_side(x, 0);           // x: u, v by vertex, where it is held
 //
-// Of a part of the faces it is what they add to the whole.
+// For a part of the faces it is their contribution to the whole.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ class MeanOfNeighbours {
   const std::vector<Index>& vertices() const { return vertices_; }  // by row
   EdgeLaplacian laplacian() const { return {faces_, row_of_}; }
   Vec values(const EdgeLaplacian& laplacian) const;  // of the matrix
-  // Of coordinate c: sums over the neighbours that are held.
+  // The right-hand side of coordinate c: sums over the neighbours that are held.
   Vec right_hand_side(const Vec& x, int c) const;
 
  private:

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "majorant/energies/internal/untangling.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/energies/untangling.h"
 #include "majorant/energies/vectorized.h"
 #include "majorant/framework/newton.h"
 

@@ -4,7 +4,7 @@
 //   UntangleResult r = untangle(spec, space, start, record);
 //   if (r.inverted.empty()) ...   // r.x is a start for parametrize()
 //
-// Minimizes the untangling energy (energies/internal/untangling.h) by projected Newton while its
+// Minimizes the untangling energy (energies/untangling.h) by projected Newton while its
 // eps shrinks, after [GKKPRS21]. What it reaches is valid, not good: optimize it afterwards. It may
 // fail: the constraints may leave no injective map of the given triangulation.
 #pragma once

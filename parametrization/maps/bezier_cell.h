@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/singular_values.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/singular_values.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
@@ -120,6 +120,18 @@ BezierMap::Refinement BezierMap::refine(int k) const {
       }
   }
   return r;
+}
+
+BezierMesh bezier_mesh(int degree, const Cells& faces, const Cells& cells, VecIn x) {
+  BezierMesh mesh;
+  mesh.degree = degree;
+  mesh.faces = faces;
+  mesh.opposite = opposite_half_edges(faces);
+  mesh.points.resize(cells.rows(), 2 * cells.cols());
+  for (Index f = 0; f < cells.rows(); ++f)
+    for (Index l = 0; l < cells.cols(); ++l)
+      mesh.points.row(f).segment<2>(2 * l) = x.segment<2>(2 * cells(f, l));
+  return mesh;
 }
 
 }  // namespace majorant

@@ -1,5 +1,5 @@
-// Where the extremes that reports, legends and pages name are looked for: the same places, so that
-// it is the same number everywhere.
+// The points at which the extremes of reports, legends and pages are looked for: the same places,
+// so that it is the same number everywhere.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What a caller adds to the problem that parametrize() builds for each degree: terms, constraints,
-// checkers, bounds and observers of its own.
+// Extensions of the problem that parametrize() builds for each degree: terms, constraints,
+// checkers, bounds and observers of the caller.
 //
 //   ParametrizationOptions options;
 //   options.extend = [](MapExtension& map) {
@@ -64,7 +64,7 @@ class MapExtension {
   // The same with these checkers alone.
   MapExtension with(std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const;
 
-  // What was added, in this order.
+  // The additions, in their order.
   struct Term {
     std::shared_ptr<const EnergyTerm> term;
     double weight;

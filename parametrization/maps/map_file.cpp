@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/pair_order.h"
 #include "majorant/mesh/exact_predicates.h"

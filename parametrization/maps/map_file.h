@@ -1,4 +1,8 @@
-// A finished map as files hold it: the currency of readers, writers and `check`.
+// A finished map as files hold it: what readers give, writers take and `check` judges.
+//
+//   const MapFile file = to_map_file(map);
+//   write_vtu("bunny.vtu", file);
+//   const BezierMap again = to_bezier_map(read_map("bunny.vtu"), "bunny.vtu");
 //
 // Cells are Bezier triangles of one degree n over shared points, local control points in VTK order
 // (corners, edges 01, 12, 20, interior recursively). It is deliberately weaker than BezierMap: a
@@ -12,8 +16,7 @@
 #include "majorant/framework/types.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/bezier_mesh.h"
-#include "majorant/parametrization/maps/measure_distortion.h"
+#include "majorant/parametrization/maps/distortion.h"
 
 namespace majorant {
 
@@ -37,8 +40,8 @@ struct MapFile {
   std::vector<std::string> warnings;  // what a reader left out, as in PolygonMesh; never written
 };
 
-// What is measured (distortion, min_det, face_distortion) and claims are left empty, cone and
-// seam_edges too unless the map has seams or cones.
+// Measures (distortion, min_det, face_distortion) and claims are left empty, cone and seam_edges
+// too unless the map has seams or cones.
 MapFile to_map_file(const BezierMap& map);
 // A mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair; input_vertex
 // and input_face are the file's own. Polygons are triangulated, so that the triangles are positive

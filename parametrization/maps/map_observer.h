@@ -19,7 +19,7 @@
 
 namespace majorant {
 
-// Where a run is; valid during the call.
+// The state of a run; valid during the call.
 struct MapView {
   const std::shared_ptr<const BezierTriangleSpace>& space;  // of the row's degree
   VecIn x;  // control points as they are minimized: MapExtension::scale() * (u, v)

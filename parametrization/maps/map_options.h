@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "majorant/energies/energy_factory.h"
-#include "majorant/energies/named_energies.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
@@ -34,10 +33,10 @@ enum class BoundaryAngles { Free, AtMostFullTurn };  // sector sums at boundary 
 // space around the image.
 enum class MapInjectivity { Local, Global };
 
-// Where a map starts that is not given. Automatic: Multiresolution for large surfaces, unless
-// points are pulled or held where the initial map has them. Multiresolution: multiresolution_map(),
-// but Tutte where that does not know what is asked. Tutte: tutte_map(). Given: MapOptions::initial,
-// or the start that a caller brings.
+// The start of a map. Automatic: Multiresolution for large surfaces, unless points are pulled or
+// held where the initial map has them. Multiresolution: multiresolution_map(), but Tutte where that
+// does not know what is asked. Tutte: tutte_map(). Given: MapOptions::initial, or the start that a
+// caller brings.
 enum class StartMethod { Automatic, Tutte, Multiresolution, Given };
 
 struct Pin {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/partition.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure.h"

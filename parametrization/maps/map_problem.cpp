@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/constraints/seamless_constraint.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/element_values.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/element_values.h"
+#include "majorant/framework/problem.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/maps/map_part.h"

@@ -10,9 +10,7 @@
 #include <memory>
 #include <vector>
 
-#include "majorant/constraints/axis_alignment.h"
-#include "majorant/constraints/fixed_points.h"
-#include "majorant/constraints/fixed_unknowns.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/stop_check.h"

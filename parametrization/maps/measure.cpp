@@ -7,13 +7,13 @@
 #include <numeric>
 #include <utility>
 
+#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/element_space.h"
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/elements/internal/singular_values.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/element_values.h"
+#include "majorant/elements/singular_values.h"
+#include "majorant/framework/element_values.h"
+#include "majorant/framework/problem.h"
 #include "majorant/parametrization/maps/extreme_samples.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
@@ -21,7 +21,8 @@
 namespace majorant {
 namespace {
 
-// Of the total, spread over the elements: ten times finer than energies are compared.
+// The agreement of rules, relative to the total, spread over the elements: ten times finer than
+// energies are compared.
 constexpr double kEnergyAgreement = 1e-6;
 
 // A weighted sum of energies on the same rules.

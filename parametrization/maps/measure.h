@@ -1,11 +1,17 @@
-// What a finished map is worth: energies from a rule fine enough to be trusted, extremes, proofs.
+// Measures of a finished map: energies from a rule fine enough to be trusted, extremes, proofs.
+//
+//   const MapMeasures measures = measure_map(map, {{symmetric_dirichlet()}});
+//   if (measures.locally_injective) std::cout << measures.value << "\n";    // 4: an isometry
+//
+// Not for steps of a solver: Evaluator (problem.h) has its energies, on the solver's own rules. Nor
+// for overlaps: check_boundary() (global_injectivity.h).
 #pragma once
 
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/measure_distortion.h"
+#include "majorant/parametrization/maps/distortion.h"
 
 namespace majorant {
 
@@ -21,7 +27,7 @@ struct MapMeasures {
   Vec min_det;  // #F certified lower bound of det J (<= 0: not proven positive)
   // All min_det > 0 and interior angle sums 2 pi, at cones their angle.
   bool locally_injective = false;
-  double seam_residual = 0;           // seamless_constraint.h, model units
+  double seam_residual = 0;           // constraints.h, model units
   double max_boundary_angle = 0;      // radians, largest sector sum at a boundary vertex
   Index boundary_over_full_turn = 0;  // boundary vertices whose sum exceeds 2 pi
 };
@@ -34,13 +40,13 @@ double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySu
 // After a stop, or when it comes meanwhile, only what is needed to judge the map. Throws
 // InvalidArgument for energies of another number of faces.
 MapMeasures measure_map(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});
-// Of a map whose control points were divided by `scale` after it was made, in the units of before.
-// What is proven (min_det, angles, local injectivity) is proven of the control points as they are.
+// Measures a map whose control points were divided by `scale` after it was made, in the units of
+// before. Proofs (min_det, angles, local injectivity) are of the control points as they are.
 MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergySum& energy,
                                const StopCheck& stop = {});
 
-// Of a map that was moved after it was measured, which rounds its control points: what is proven,
-// of the points as they are now; where that tells another map, all of it.
+// Measures of a map that was moved after it was measured, which rounds its control points: proofs
+// are made anew for the points as they are; where these tell another map, everything is.
 MapMeasures measures_once_moved(MapMeasures before, const BezierMap& moved,
                                 const EnergySum& energy);
 

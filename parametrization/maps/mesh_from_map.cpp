@@ -16,7 +16,7 @@ namespace {
 constexpr long long kUnsuspicious = 1LL << 22;
 constexpr long long kUnsuspiciousTimes = 4;
 
-// Whether the numbers of the input mesh are known for every corner of every cell.
+// Returns whether the numbers of the input mesh are known for every corner of every cell.
 bool knows_input_vertices(const MapFile& map) {
   if (map.input_vertex.size() != map.points.rows()) return false;
   for (const Index point : map.cells.leftCols<3>().reshaped()) {

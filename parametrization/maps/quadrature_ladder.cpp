@@ -10,11 +10,11 @@ namespace {
 constexpr int kGrading = 2;
 // Guard points along an edge: bounds their number, 153; chosen, not tuned.
 constexpr int kMostGuards = 16;
-// Of the rules that measure, along an edge: each rule has four times the points of the one
-// before, so that two of them tell how good they are; 1,792 points in the fourth.
+// The pieces along an edge of the rules that measure: each rule has four times the points of the
+// one before, so that two of them tell how good they are; 1,792 points in the fourth.
 constexpr std::array<int, 4> kMeasuringPieces{2, 4, 8, 16};
-// Of the last of them, and how often its corners are halved: the next of these; corners as
-// much finer again.
+// The pieces of the last of them, and how often its corners are halved: the next of these; corners
+// as much finer again.
 constexpr int kFinestPieces = 32, kFinestGrading = 4;
 
 }  // namespace

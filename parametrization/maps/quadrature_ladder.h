@@ -1,4 +1,5 @@
-// Which quadrature the optimizer uses, and how it gets finer where that is not enough.
+// The quadrature rules of the optimizer, from the usual one to those for elements where it is not
+// enough.
 //
 // The paper's lattices let det J run to 0 at element corners unseen (method.md N12). Ours: Radon's
 // rule on subtriangles, plus guard points of small total weight on the element's boundary, which
@@ -12,7 +13,7 @@
 
 namespace majorant {
 
-// How an optimizer integrates.
+// The rules by which an optimizer integrates.
 struct QuadratureRules {
   // Total weight of guard points at the corners, level 0; measured by bench/tune.py
   // quadrature.corner_guard.
@@ -22,7 +23,8 @@ struct QuadratureRules {
   double boundary_guard = 3e-3;
   // Levels above 0, each halves the subtriangles; measured by bench/tune.py quadrature.refinements.
   int refinements = 4;
-  // Of the energy, all elements of a result together; measured by bench/tune.py quadrature.error.
+  // The error that is allowed, relative to the energy, over all elements of a result together;
+  // measured by bench/tune.py quadrature.error.
   double error = 3e-5;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "majorant/elements/internal/tangent_part.h"
+#include "majorant/elements/tangent_part.h"
 #include "majorant/framework/error.h"
 
 namespace majorant {

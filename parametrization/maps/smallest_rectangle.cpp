@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant {
 namespace {
@@ -17,7 +17,8 @@ struct Extents {
   double area() const { return along * across; }
 };
 
-// Of the hull, seen along the unit vector d, by the four corners farthest in its directions.
+// The rectangle around the hull along the unit vector d, by the four corners farthest in its
+// directions.
 class Calipers {
  public:
   explicit Calipers(const std::vector<Vector2>& hull) : hull_(hull) {}

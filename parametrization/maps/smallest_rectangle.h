@@ -18,8 +18,9 @@ struct SmallestRectangle {
   double along = 0, across = 0;  // its extents that way and perpendicular to it
 };
 
-// By rotating calipers: one of its sides holds an edge of the hull [FS75]. The box along the axes
-// where that is as small but for a part in a million. Areas must not overflow or underflow.
+// The smallest rectangle, by rotating calipers: one of its sides holds an edge of the hull [FS75].
+// The box along the axes where that is as small but for a part in a million. Areas must not
+// overflow or underflow.
 SmallestRectangle smallest_rectangle(const std::vector<Vector2>& points);
 
 // The unit vector along the longer side of the smallest rectangle around the control points of the

@@ -39,10 +39,10 @@ constexpr int kCoarseCells = 1024, kFineCells = 2048;
 constexpr std::size_t kFew = 200;
 // More than these are not nested. Measured by bench/packing.cpp, seconds.
 constexpr std::size_t kMostNested = 40;
-// Of raster and nesting, after the square is known to within 8 %. The side to 0.5 %.
+// The tries of raster and nesting, after the square is known to within 8 %. The side to 0.5 %.
 constexpr int kTries = 4;
-// Of the raster where charts are more than kMany. 1,000 charts are packed in the time that
-// their solves take.
+// The tries of the raster where charts are more than kMany. 1,000 charts are packed in the time
+// that their solves take.
 constexpr int kFewTries = 1;
 constexpr std::size_t kMany = 500;
 

@@ -11,15 +11,15 @@
 #include <optional>
 #include <vector>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/energy_factory.h"
+#include "majorant/framework/backtracking.h"
 #include "majorant/framework/curvature.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/backtracking.h"
-#include "majorant/framework/internal/element_values.h"
+#include "majorant/framework/problem.h"
 #include "majorant/mesh/half_edge_flip.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
@@ -71,7 +71,7 @@ class PairEnergy {
 
 // Newton steps of a pair: three times what they need.
 constexpr int kMostPairSteps = 30;
-// Of the energy: the predicted decrease that ends a pair; a fifth of
+// The predicted decrease, relative to the energy, that ends a pair: a fifth of
 // LineSearch::kResolution, since a pair's energy is a sum of few terms.
 constexpr double kConverged = 1e-13;
 // Steps of a line search: the last one is a millionth of the first.
@@ -256,7 +256,7 @@ constexpr double kSine = 1e-8;
 constexpr double kGain = 1e-9;
 // Of a pair's energy: ten times what ends its minimization.
 constexpr double kSameEnergy = 1e-12;
-// Of the measuring rules: good to 1e-5 on mild maps.
+// The place of the rule among the measuring ones: good to 1e-5 on mild maps.
 constexpr std::size_t kRuleOfMaps = 1;
 
 // A pair of faces on its own, as it is and with its other diagonal: vertices a, b, c, d are 0, 1,

@@ -7,10 +7,10 @@
 #include <map>
 #include <utility>
 
-#include "majorant/constraints/fixed_points.h"
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/elements/quadrature.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
@@ -19,9 +19,10 @@
 namespace majorant {
 namespace {
 
-// Of the frame's smaller extent: closer images make it grow; a new frame begins at 1/3.
+// The clearance, relative to the frame's smaller extent: closer images make it grow; a new frame
+// begins at 1/3.
 constexpr double kClearance = 0.25;
-// Of the quadrature points on the edges of a triangle: as much as those inside.
+// The total weight of the quadrature points on the edges of a triangle: as much as those inside.
 constexpr double kEdgeWeight = 0.5;
 // A new frame's distance, in larger extents of what it encloses: three times the size each
 // time, so that few are needed.

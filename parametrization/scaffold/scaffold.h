@@ -15,9 +15,9 @@
 #include <memory>
 
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/rest_shapes.h"
-#include "majorant/energies/density_term.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/scaffold/internal/edge_flip.h"
 

@@ -28,12 +28,74 @@
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/seams/internal/cut_tree.h"
-#include "majorant/parametrization/seams/internal/edge_costs.h"
 #include "majorant/parametrization/seams/internal/flattening_strain.h"
 #include "majorant/parametrization/seams/internal/pieces.h"
 
 namespace majorant {
 namespace {
+
+// Degrees: edges below the first are not sharp, those above the second fully; a smooth
+// surface of some 1000 faces bends by up to 30 degrees at its edges, a box by 90.
+constexpr double kSharpFrom = 40, kSharpTo = 70;
+// The cost of a sharp edge, relative to its length: a seam along it may be twice as long.
+constexpr double kSharpCost = 0.75;
+// The cost of an edge inside a polygon, relative to its length: more than any way around.
+constexpr double kInnerCost = 1e6;
+// The factor of an edge's cost at a vertex that is to stay whole: more than ways around such
+// vertices, less than through a polygon.
+constexpr double kWholeCost = 1e4;
+// The least length of an edge, relative to the mean one: no way is free; far below any usable edge.
+constexpr double kLeastLength = 1e-9;
+
+Vector3 area_vector(const SurfaceMesh& mesh, Index face) {
+  const Vector3 a = mesh.positions().row(mesh.faces()(face, 0)),
+                b = mesh.positions().row(mesh.faces()(face, 1)),
+                c = mesh.positions().row(mesh.faces()(face, 2));
+  return (b - a).cross(c - a);
+}
+
+bool is_inner(const SurfaceMesh& mesh, Index h) {
+  return mesh.input_face(face_of(h)) == mesh.input_face(face_of(mesh.opposite(h)));
+}
+
+// 3 #F, radians in 0..pi: the angle between the normals of the two faces; 0 at the boundary and
+// inside polygons of the file.
+Vec dihedral_angles(const SurfaceMesh& mesh) {
+  Vec angle = Vec::Zero(mesh.half_edge_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index o = mesh.opposite(h);
+    if (o < h || is_inner(mesh, h)) continue;  // the boundary has -1
+    const Vector3 a = area_vector(mesh, face_of(h)), b = area_vector(mesh, face_of(o));
+    angle[h] = angle[o] = std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  return angle;
+}
+
+// The cost of a cut along each half-edge (3 #F, positive, both sides of an edge the same): its
+// length, less where a seam is hidden by a sharp edge, a million times as much inside polygons of
+// the file.
+Vec cut_costs(const SurfaceMesh& mesh) {
+  Vec cost(mesh.half_edge_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) cost[h] = mesh.edge_length(h);
+  const double least = kLeastLength * cost.mean();
+  const Vec angle = dihedral_angles(mesh);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index o = mesh.opposite(h);
+    const double degrees = angle[h] * 180 / std::numbers::pi;
+    const double sharp = std::clamp((degrees - kSharpFrom) / (kSharpTo - kSharpFrom), 0.0, 1.0);
+    const double factor = o >= 0 && is_inner(mesh, h) ? kInnerCost : 1 - (1 - kSharpCost) * sharp;
+    cost[h] = factor * std::max(cost[h], least);
+  }
+  return cost;
+}
+
+// The same, ten thousand times as much at vertices with is_whole (#V).
+Vec cut_costs(const SurfaceMesh& mesh, const std::vector<char>& is_whole) {
+  Vec cost = cut_costs(mesh);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_whole[mesh.from_vertex(h)] || is_whole[mesh.to_vertex(h)]) cost[h] *= kWholeCost;
+  return cost;
+}
 
 // Edges named by the vertices of a file.
 
@@ -182,23 +244,23 @@ struct AutomaticCut {
   std::vector<Index> ends;   // vertices inside the surface where it ends
 };
 
-// What a cut that leaves no curvature at all may be longer than the one chosen otherwise, in square
-// roots of the area: a box,
-// a tin and a square tube are unfolded whole.
+// The length, in square roots of the area, by which a cut that leaves no curvature at all may
+// exceed the one chosen otherwise: a box, a tin and a square tube are unfolded whole.
 constexpr double kDevelopableWorth = 1;
 constexpr double kCurved = 1e-3;  // radians: an angle defect; files with 4 digits are flat
 // Cuts are routed anew through the ends and the cones that are left as long as they become shorter.
 // Large ones only once: 50,000 faces are cut in ten seconds, and the third route of small
 // ones is the last that changes anything.
 constexpr Index kMostRoutes = 3, kRouteWork = 20000;
-// How many branches a cut is divided into: one for each two edges of a small mesh, and such that
-// one solve for each takes as long on all large ones: a second or two; on public meshes the strains
-// expected and found then agree within 10 %.
+// The numbers of branches that a cut is divided into: one for each two edges of a small mesh, and
+// such that one solve for each takes as long on all large ones: a second or two; on public meshes
+// the strains expected and found then agree within 10 %.
 constexpr Index kMostBranches = 150, kFewestBranches = 40, kBranchSolves = 600000;
 // Corrections, in proportion, where what branches are worth was estimated too low: one or two
 // are enough, coarse meshes take five.
 constexpr int kMostCorrections = 8;
-// Without a field: as many vertices of the largest angle defects; as many as fields have.
+// The number of defects at most, where there is no field: as many vertices of the largest angle
+// defects; as many as fields have.
 constexpr std::size_t kMostDefects = 40;
 
 class Cutter {
@@ -351,8 +413,8 @@ AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
   return Cutter(mesh, edge_cost, is_whole, strain_of_stretch(max_stretch), stop).run();
 }
 
-// Of a piece, of the area of all: squares of areas, and what remains of them after many
-// factors, must be doubles; 1e-80 of the size is mapped.
+// The least area of a piece, relative to that of all: squares of areas, and what remains of them
+// after many factors, must be doubles; 1e-80 of the size is mapped.
 constexpr double kLeastArea = 1e-160;
 
 void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
@@ -377,7 +439,7 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
         Hint::AutomaticCuts);
 }
 
-// What is asked for: flags of both sides.
+// The cuts that are asked for: flags of both sides.
 std::vector<char> asked_cuts(const SurfaceMesh& mesh, const CutOptions& options) {
   std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
   if (options.method == CutMethod::Texture) is_cut = texture_borders(mesh);
@@ -438,8 +500,8 @@ void take_apart_if_flat(const SurfacePiece& part, double max_stretch, std::vecto
     if (mesh.opposite(h) >= 0) is_cut[3 * part.face[face_of(h)] + corner_of(h)] = 1;
 }
 
-// Which of the pieces that are left so far. NotByTexture: those that are closed, as no coordinates
-// cut them (all zero, say), and those whose faces have none.
+// The pieces that are meant, of those that are left so far. NotByTexture: those that are closed, as
+// no coordinates cut them (all zero, say), and those whose faces have none.
 enum class Pieces { All, NotByTexture };
 
 // Cuts them, each to one chart.

@@ -1,5 +1,5 @@
-// Where to cut a surface so that every piece can be mapped onto the plane: as little as possible,
-// and where it helps most.
+// Chooses cuts of a surface so that every piece can be mapped onto the plane: as short as possible,
+// where they help most.
 //
 //   SurfaceCuts cuts = choose_cuts(*mesh, {});
 //   SurfaceMesh charts = mesh->cut_along(cuts.is_cut, nullptr);   // disks, some with holes
@@ -44,7 +44,7 @@ struct CutOptions {
   std::vector<char> given = {};  // 3 #F flags, one side is enough, or empty: cut in any case
 };
 
-// Of one component of the surface.
+// The cuts of one component of the surface.
 struct ComponentCuts {
   Index first_face = 0, faces = 0;
   Index genus = 0, boundary_loops = 0;  // before it is cut

@@ -1,22 +1,21 @@
-#include "majorant/parametrization/solve/deform.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
 #include "majorant/parametrization/solve/pin_homotopy.h"
 
 namespace majorant {
 namespace {
 
-// Of the mesh's size: deviation from a plane.
+// The distance from the plane that counts as 0, relative to the mesh's size.
 constexpr double kFlat = kTenDigits;
 // Towards the targets. Chosen so that a right angle is turned by 9 degrees at a time.
 constexpr int kDeformSteps = 10;

@@ -21,7 +21,7 @@ namespace majorant {
 class DegreeSchedule {
  public:
   using State = DegreeSolver::State;
-  // Of all degrees, or of the last one that was optimized.
+  // Counts over all degrees, or of the last one that was optimized.
   struct Counts {
     std::vector<long> injectivity_tests;  // elements proven, by depth of bisection; of this rank
     RemedyUses remedies{};                // of the last degree
@@ -35,7 +35,7 @@ class DegreeSchedule {
   DegreeSchedule(const DegreeSolver::Setup& setup, MapDomain& domain, BezierMap map, int degree,
                  RunRecord& record, std::function<void(const BezierMap&)> prepare = {});
 
-  // Where map() came from, for the next solver of its degree.
+  // Sets the state that map() came with, for the next solver of its degree.
   void resume(State state) { state_ = std::move(state); }
   // For a start of degree 1 at which the energy asked for is not finite (an exponential of Tutte's
   // map): to the minimum of one that is finite on every injective map.
@@ -49,8 +49,8 @@ class DegreeSchedule {
   const BezierMap& map() const { return map_; }
   const Counts& counts() const { return counts_; }
   bool entering() const { return entering_; }  // or stopped on that way
-  // What another run needs to go on from map(), or from x of a row that setup.watch is shown: none
-  // on the way around a stall.
+  // The state with which another run goes on from map(), or from x of a row that setup.watch is
+  // shown; none on the way around a stall.
   std::optional<State> state() const;
 
  private:

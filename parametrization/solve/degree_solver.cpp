@@ -9,13 +9,13 @@
 
 #include "majorant/elements/jacobian_net.h"
 #include "majorant/energies/densities/symmetric_dirichlet.h"
+#include "majorant/framework/element_values.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/curvature_name.h"
-#include "majorant/framework/internal/element_values.h"
-#include "majorant/framework/internal/problem_parts.h"
-#include "majorant/framework/internal/projection.h"
-#include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/problem_parts.h"
+#include "majorant/framework/projection.h"
+#include "majorant/framework/stopwatch.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/solve/solver_rules.h"
 
@@ -110,10 +110,10 @@ std::span<const TermId> DegreeSolver::barriers() const {
 
 namespace {
 
-// Of a unit edge's stiffness, that a unit displacement costs: displacements that no edge feels stay
-// small. Far below what edges cost, far above rounding.
+// The stiffness of a displacement, relative to that of a unit edge: displacements that no edge
+// feels stay small. Far below what edges cost, far above rounding.
 constexpr double kAnchor = 1e-6;
-// How near a start comes. It needs no more digits, and takes more steps, since nothing
+// The accuracy of a projected start. It needs no more digits, and takes more steps, since nothing
 // preconditions it.
 constexpr ProjectionRules kRough{.enough = 1e-16, .most_steps = 2000};
 
@@ -152,7 +152,7 @@ Vec meet_constraints(const Problem& problem, const BezierTriangleSpace& space, V
 
 }  // namespace
 
-// What was added may hold nowhere yet.
+// Moves the start to where it meets added constraints, which may hold nowhere yet.
 void DegreeSolver::meet_added_constraints() {
   x_ = meet_constraints(built_.problem, *space_, x_);
   const Verdict faces = injectivity_->check(x());
@@ -202,7 +202,7 @@ void DegreeSolver::renew_states() {
   follow();
 }
 
-// Whether the domain has states that follow x; the stepper does not know them yet.
+// Returns whether the domain has states that follow x; the stepper does not know them yet.
 bool DegreeSolver::follow() {
   TermChanges changes = domain_.before_step(built_, x_);
   if (changes.empty()) return false;
@@ -217,12 +217,13 @@ void DegreeSolver::return_to(const Checkpoint& checkpoint) {
   rebuild();
 }
 
-// Of the map alone, on the rules of now, all elements with their full weight, and what was added.
+// The energy of the map alone on the present rules, all elements at their full weight, and of the
+// terms that were added.
 double DegreeSolver::own_energy(VecIn x) const {
   return energy_of_map(setup_.map, terms_, levels_.of_faces(), x.head(2 * space_->node_count()));
 }
 
-// What the problem's energy at x_ has that nobody asked for.
+// The part of the problem's energy at x_ that nobody asked for.
 double DegreeSolver::foreign_energy() const {
   double sum = domain_.foreign_energy(built_.problem, x_);
   for (const TermId id : barriers()) sum += term_energy(built_.problem, id, x_);
@@ -679,7 +680,7 @@ double DegreeSolver::barrier_size() const {
   return sum;
 }
 
-// Whether x_ is inside.
+// Leads x_ inside the bounds; returns whether it is there.
 bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
   const BoundRules& rules = setup_.rules.bounds;
   double weight = 0;

@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "majorant/framework/internal/barrier_path.h"
+#include "majorant/framework/barrier_path.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/run_record.h"
@@ -42,8 +42,8 @@ class DegreeSolver {
     MapObserver watch = {};  // in_model_units is empty there; may be empty
   };
 
-  // With x() what another solver of the same degree needs to go on from there; what Newton's method
-  // has learned of late, it learns again.
+  // Together with x() the state from which another solver of the same degree goes on. Newton's
+  // method learns again what it has learned of late.
   struct State {
     bool soft_started = false;        // soft_start() is through
     int stalls = 0, refinements = 0;  // remedies tried, times the quadrature was refined
@@ -74,7 +74,7 @@ class DegreeSolver {
   std::optional<State> state() const;
   // Before any step. Throws InvalidArgument for levels that the setup's quadrature does not have.
   void resume(State state);
-  // What a step from here costs; it is not taken, and in no trace.
+  // The record of a step from here, for its cost; the step is not taken, and in no trace.
   IterationRecord try_step();
 
   Vec x() const { return x_.head(2 * space_->node_count()); }

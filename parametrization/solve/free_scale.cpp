@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/maps/map_problem.h"

@@ -1,5 +1,5 @@
-// What holds the scale of a map whose energy does not: energies such as ASAP are smallest for a map
-// shrunk to a point (FreeScale::Collapses), and a free boundary lets them.
+// Tests that something holds the scale of a map whose energy does not: energies such as ASAP are
+// smallest for a map shrunk to a point (FreeScale::Collapses), and a free boundary lets them.
 //
 //   const bool bad = collapses(options.map, map.space(), map.seams());
 //   require_scale(options.map, map);   // throws if so
@@ -13,10 +13,10 @@
 
 namespace majorant {
 
-// Whether minimizing asked.energy shrinks the map to a point: the sum collapses, and neither a
-// fixed boundary nor two points (pins, soft handles) of one piece of the surface at different
-// places withstand. space: the (cut) surface's, of any degree; its vertices are those of the
-// points, which must exist. A surface without a boundary has none to fix.
+// Returns whether minimizing asked.energy shrinks the map to a point: the sum collapses, and
+// neither a fixed boundary nor two points (pins, soft handles) of one piece of the surface at
+// different places withstand. space: the (cut) surface's, of any degree; its vertices are those of
+// the points, which must exist. A surface without a boundary has none to fix.
 bool collapses(const MapOptions& asked, const BezierTriangleSpace& space, const Seams& seams);
 
 // Throws Error(Usage) with file, energy and remedy where it does.

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/initialization/multiresolution.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
@@ -18,12 +18,12 @@ namespace {
 // bench/multiresolution: at 2,500 it saves 2 to 4 fe of 20 on easy disks and costs some on hard
 // ones.
 constexpr Index kLargeSurface = 5000;
-// Of the energy, from a level to one that is not coarse, beyond which Tutte's map is taken after
-// all. Where other minima wait it was 0.51, on all other public disks at most 0.07.
+// The relative drop of the energy, from a level to one that is not coarse, beyond which Tutte's map
+// is taken after all. Where other minima wait it was 0.51, on all other public disks at most 0.07.
 constexpr double kLargestDrop = 0.25;
 
-// Whether an automatic start is made in many resolutions. Points that are to stay where the initial
-// map has them, or are pulled, mean Tutte's: it does not depend on the energy.
+// Returns whether an automatic start is made in many resolutions. Points that are to stay where the
+// initial map has them, or are pulled, mean Tutte's: it does not depend on the energy.
 bool pays(const SurfaceMesh& mesh, const MapOptions& asked) {
   return mesh.face_count() >= kLargeSurface && asked.handles.empty() &&
          std::all_of(asked.pins.begin(), asked.pins.end(),

@@ -8,14 +8,13 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/constraints/axis_alignment.h"
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/elimination.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/map_part.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/solve/free_scale.h"

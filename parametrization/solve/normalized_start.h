@@ -7,7 +7,6 @@
 #pragma once
 
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/bezier_mesh.h"
 #include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
@@ -20,8 +19,8 @@ void require_face_data(const SurfaceMesh& mesh, const MapOptions& asked);
 // Three of the sixteen digits are lost there.
 inline constexpr double kLargestOffset = 1000;
 
-// Where the origin is: where coordinates have most digits, or where the start has it, because
-// somebody else knows the coordinates.
+// Free: the origin is where coordinates have most digits. Kept: it is where the start has it,
+// because somebody else knows the coordinates.
 enum class Origin { Free, Kept };
 
 // The coordinates that a map is optimized in: (uv - origin) scale.
@@ -31,7 +30,7 @@ struct NormalFrame {
   // that is so far from 0 that coordinates would lose digits. Model units.
   Vector2 origin = Vector2::Zero(), destination = Vector2::Zero();
 
-  // With a fixed boundary a map comes back to where it was, however far.
+  // A map with a fixed boundary comes back to where it was, however far.
   void move_origin(const Vector2& to, BoundaryCondition boundary);
   void normalize(std::vector<FixedPoint>& points) const;
   Vec normalized(const Vec& uv) const;
@@ -54,7 +53,7 @@ class NormalizedStart {
 
   double scale() const { return frame_.scale; }
   const BezierMap& map() const { return map_; }  // (uv - origin) * scale
-  // How far aligning edges moved the start, at most; model units.
+  // The largest distance by which aligning edges moved the start; model units.
   double moved() const { return moved_; }
   const MapSpecification& specification() const { return specification_; }
   BezierMap in_model_units(const BezierMap& normalized) const;

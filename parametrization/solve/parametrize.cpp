@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "majorant/certify/global_injectivity.h"
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
-#include "majorant/framework/internal/element_values.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/framework/partition.h"
-#include "majorant/framework/thread_count.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/scaffold/improve_mesh.h"
@@ -137,7 +137,7 @@ class Run {
     setup_.map.added = extension_;
   }
 
-  // What an observer has said once, holds.
+  // The first answer of an observer that ends the run holds.
   Directive observe(const TraceEntry& row, const MapView& at) {
     const MapView view{at.space, at.x,
                        [&] { return start_.in_model_units(map_.with(at.space, at.x)); }};
@@ -288,7 +288,7 @@ class Run {
     return "angle sums at inner vertices are not full turns";
   }
 
-  // What was held by the scaffold, proven once more from the boundary of what is returned.
+  // Proves once more, from the boundary of the map that is returned, what the scaffold has held.
   void prove_no_overlaps() {
     record_.begin(Activity::Proving);
     const double started = record_.seconds();

@@ -9,6 +9,9 @@
 //
 // Tutte start (or the caller's), Newton on the energy with det J > 0 held by the line search, the
 // degree raised step by step. [MC20], method.md.
+//
+// Not for closed surfaces, which are cut open first: unwrap() (unwrap.h), make_seamless()
+// (start.h).
 #pragma once
 
 #include <cstdint>
@@ -20,7 +23,6 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/bezier_mesh.h"
 #include "majorant/parametrization/maps/map_extension.h"
 #include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -35,7 +37,8 @@ struct ParametrizationOptions {
   MapExtender extend = {};  // what else: terms, constraints, checkers of one's own; may be empty
 };
 
-// What became of what MapOptions does not know, in the order it was added for the last degree.
+// The outcome of terms and checkers that a MapExtension added, in the order in which they were
+// added for the last degree.
 struct AddedTerm {
   std::string name;
   double weight;
@@ -72,7 +75,8 @@ struct ParametrizationResult {
   std::optional<GlobalInjectivity> boundary;  // likewise: the proof that `map` does not overlap
   double initialize_seconds = 0, optimize_seconds = 0, measure_seconds = 0;
   double scaffold_seconds = 0;  // of these: the scaffold, its problems, their analyses
-  // Of one factorization and one solve at the degree asked for, median (SolveOptions::factor_cost).
+  // The time of one factorization and one solve at the degree asked for, the median
+  // (SolveOptions::factor_cost).
   std::optional<double> factor_solve_seconds;
 };
 
@@ -105,9 +109,32 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options);
 // From a map of degree 1 instead, of a disk or of any cut surface whose seams then hold exactly
-// (texture_seams.h); options.map.initial is ignored. The start must satisfy its seams to rounding.
+// (start.h); options.map.initial is ignored. The start must satisfy its seams to rounding.
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
                                   RunRecord& record);
+
+// Deformation of a planar mesh by point handles: the map of the mesh onto itself, moved.
+//
+//   BezierMap rest = planar_map(mesh);                 // every point where it is
+//   ParametrizationOptions options;
+//   options.map.handles = {{12, Vector2(0.5, 1)}};          // soft; pins are hard
+//   options.map.injectivity = MapInjectivity::Global;
+//   ParametrizationResult bent = deform(rest, options, record);
+//
+// Targets are approached in steps at degree 1, so that the mesh bends on its way as it does at the
+// end. Pins are pulled by springs until they can be held exactly, as parametrize() does without
+// these steps; the degree is raised after that. Meanwhile soft handles are
+// pulled as hard as pins.
+
+// The identity of a mesh in a plane z = const, seen from the side from which its faces are
+// counterclockwise: (x, y), or (-x, y) where they are clockwise. Any number of boundary loops.
+// Throws Error(Unsupported) naming a vertex that is off the plane, or a face that is turned over.
+BezierMap planar_map(std::shared_ptr<const SurfaceMesh> mesh);
+
+// start: of degree 1, locally (for MapInjectivity::Global also globally) injective. options: as for
+// parametrize(). Throws as parametrize().
+ParametrizationResult deform(const BezierMap& start, const ParametrizationOptions& options,
+                             RunRecord& record);
 
 }  // namespace majorant
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "majorant/certify/global_injectivity.h"
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/elimination.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
@@ -32,7 +32,7 @@ constexpr int kSteps = 10, kSmallSteps = 40;
 // Orders in which pins go one after the other, and steps of each. Measured by bench/pins.py, seeds
 // 1 to 3: the eighth order reaches the last set, and ten steps reach no more than two.
 constexpr int kMostOrders = 8, kStepsInTurn = 2;
-// Of its way: what a pin may be short of its target while it is held softly. Chosen;
+// The part of its way that a pin may be short of its target while it is held softly. Chosen;
 // stiffer springs do the rest.
 constexpr double kArrived = 1e-2;
 // Sizes of the map by which a target may be away from it. Coordinates there have seven
@@ -56,7 +56,7 @@ std::string no_way(const BezierMap& map) {
 // Nothing but pins holds the map: it may be turned, and is worth optimizing before.
 bool may_move(const MapOptions& asked) { return asked.boundary == BoundaryCondition::Free; }
 
-// How a map of degree 1 is solved that only leads to another one.
+// Options of the solve of a map of degree 1 that only leads to another one.
 SolveOptions roughly(SolveOptions how) {
   how.tolerance = kRoughly;
   how.triangles = Triangles::Kept;

@@ -12,8 +12,8 @@
 namespace majorant {
 namespace {
 
-// Of the largest coordinate: pins this close to where the start has their vertex are there.
-// targets in files have ten digits.
+// The distance at which a pin is met, relative to the largest coordinate: pins this close to where
+// the start has their vertex are there. targets in files have ten digits.
 constexpr double kPinned = 1e-9;
 
 void require_vertex(const SurfaceMesh& mesh, const Pin& pin) {

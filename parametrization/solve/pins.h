@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/map_options.h"
 
@@ -24,7 +24,7 @@ double pin_tolerance(VecIn start);
 // The same of a start in parts, of which this is the largest coordinate.
 double pin_tolerance(double largest_coordinate);
 
-// Whether all pins are where the start has them. They must have targets and exist.
+// Returns whether all pins are where the start has them. They must have targets and exist.
 bool meets_pins(const BezierMap& start, const std::vector<Pin>& pins);
 
 // Throws Error(Unsupported) for a vertex that is pinned twice.

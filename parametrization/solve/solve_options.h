@@ -21,7 +21,7 @@ enum class ScaffoldFlips { Performed, Omitted };
 // energy; the result's faces are not those of the input then.
 enum class Triangles { Kept, Flipped };
 
-// Whether a run that ends without a factorization at its degree makes one, to know what it costs
+// Measured: a run that ends without a factorization at its degree makes one, to know its cost
 // (ParametrizationResult::factor_solve_seconds). Its time counts nowhere.
 enum class FactorCost { IfKnown, Measured };
 
@@ -41,7 +41,7 @@ struct SolveOptions {
   // Makes what solves Newton's systems, once for every degree; empty: make_direct_solver(), which
   // is the fastest up to some millions of faces. The scaffold's relaxation keeps that.
   PatternSolverFactory linear_solver = {};
-  int threads = 0;  // 0: as many as the caller has (thread_count.h); results do not depend on it
+  int threads = 0;  // 0: as many as the caller has (parallel.h); results do not depend on it
 };
 
 }  // namespace majorant

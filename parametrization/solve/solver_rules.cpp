@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
 namespace {
 
-// Of the plane: what energies of maps do not see, but for points that are held.
+// The translations of the plane: what energies of maps do not see, but for points that are held.
 Eigen::MatrixXd translations(const Problem& problem) {
   Eigen::MatrixXd vectors(problem.size(), 2);
   for (const Index c : {0, 1}) {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "majorant/elements/element_space.h"
-#include "majorant/framework/internal/barrier_path.h"
+#include "majorant/framework/barrier_path.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
@@ -36,15 +36,16 @@ struct RemedyRules {
   double excluded_tolerance = 1e-3;
   // Remedies of a degree. Measured by bench/tune.py remedies.stall_rounds.
   int stall_rounds = 60;
-  // Of the barrier to follow, relative to the energy. Measured by bench/tune.py
-  // remedies.barrier_rounds, which leaves them out.
+  // The weights of the barrier that a run follows, relative to the energy. Measured by
+  // bench/tune.py remedies.barrier_rounds, which leaves them out.
   BarrierWeights barrier_weights{.first = 0.1, .most_phases = 6};
   // Relative decrease that ends a weight. Measured by bench/tune.py remedies.barrier_tolerance.
   double barrier_tolerance = 1e-4;
   // Ways along the barrier. A second one helps where the first did, a third one has not been
   // seen to.
   int barrier_rounds = 3;
-  // Of the energy, gained by a way along the barrier. A hundred times the final decrease.
+  // The part of the energy that a way along the barrier has to gain for another round: a hundred
+  // times the final decrease.
   double worth_another_round = 1e-4;
 };
 
@@ -77,11 +78,11 @@ struct ScaffoldRules {
   double short_bound = 0.5;
   // Newton steps that relax it. Measured by bench/tune.py scaffold.relax_steps.
   int relax_steps = 5;
-  // Of the tolerance asked for, where the first small step ends a run. Newton steps never
-  // become exact (the image of a scaffolded map may not turn freely, so the exact Hessian is
-  // indefinite), and the small steps at the end add up: penguin_500 at degree 2 ends 2e-5 above its
-  // minimum at a decrease of 1e-6. Two small steps of half the tolerance end no lower, on no disk
-  // of 500 faces, but need 1227 iterations in place of 1115 (39 runs).
+  // The part of the tolerance asked for at which the first small step ends a run. Newton steps
+  // never become exact (the image of a scaffolded map may not turn freely, so the exact Hessian is
+  // indefinite), and the small steps at the end add up: at the tolerance itself runs end 2e-5 above
+  // their minimum. Two small steps of half the tolerance end no lower and take a tenth more
+  // iterations.
   double part_of_tolerance = 0.25;
   // StoppingRules::tail_steps. Measured by bench/tune.py scaffold.tail_steps.
   int tail_steps = 1;
@@ -89,7 +90,7 @@ struct ScaffoldRules {
 
 // Bounds with a barrier (degree_solver.cpp).
 struct BoundRules {
-  // Of the energy: the first weight times the absolute values of the barrier's elements.
+  // The first weight times the absolute values of the barrier's elements, relative to the energy:
   // strong enough to lead away from the bound, weak enough to leave the energy its say.
   double first_share = 0.1;
   // Mean density: where the map's vanishes, a barrier has a weight.
@@ -124,7 +125,7 @@ void require_curvature(const DensityTerms& terms, Curvature asked);
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
                              Ordering ordering, const SolverFactory& linear_solver = {});
 
-// Whether a limit or Ctrl-C ended a solve.
+// Returns whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);
 // `result` with what ended a run in the middle of something else.
 SolveResult stopped(SolveResult result, Directive why);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/curvature_name.h"
 
 namespace majorant {
 namespace {

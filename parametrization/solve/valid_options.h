@@ -1,4 +1,4 @@
-// What can be asked for at all, whatever the surface: the same of one process and of several.
+// Checks of options that hold whatever the surface: the same for one process and for several.
 #pragma once
 
 #include "majorant/parametrization/maps/map_options.h"

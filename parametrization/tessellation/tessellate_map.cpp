@@ -19,7 +19,7 @@
 namespace majorant {
 namespace {
 
-// Whether the edges of a closed polygon meet in its corners only.
+// Returns whether the edges of a closed polygon meet in its corners only.
 bool is_simple(const std::vector<Vector2>& corners) {
   const std::size_t n = corners.size();
   std::vector<Box2> boxes;
@@ -44,7 +44,7 @@ bool is_simple(const std::vector<Vector2>& corners) {
   throw Error(ErrorKind::Invalid, problem + "; give the mesh the map was made from");
 }
 
-// What the cells of a map are of the mesh that it was made from.
+// The faces of the mesh that the cells of a map were made from.
 struct InputFaces {
   // Those of a polygon follow each other: of polygon p first[p] to first[p + 1] - 1.
   std::vector<Index> first;
@@ -193,7 +193,7 @@ class PolygonTransfer {
     if (has_normals()) result_.polygon_normals.push_back(keep(input_.polygon_normals[face]));
   }
 
-  // Whether the map has the face with the other side up: its cells run backwards around it.
+  // Returns whether the map has the face with the other side up: its cells run backwards around it.
   bool is_turned(std::size_t face) const {
     const auto& [a, b, c] = faces_.corners[faces_.first[face]];
     return (a < b) + (b < c) + (c < a) == 1;

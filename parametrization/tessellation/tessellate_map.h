@@ -8,6 +8,8 @@
 // around every inner vertex turn once, proven on the doubles of the result. Its
 // surface is that of the map: new vertices lie on the flat triangles, the two sides of an edge
 // share them, also along cuts. In the plane there are no T-junctions but where the map is cut.
+//
+// Not for formats that keep curves: write_vtu() loses nothing.
 #pragma once
 
 #include "majorant/mesh/polygon_mesh.h"
@@ -25,13 +27,13 @@ struct TessellationOptions {
   Overlap overlap = Overlap::Allowed;  // Excluded: for maps that are injective as a whole
 };
 
-// With `input`, the mesh that the map was made from: its vertices (also unreferenced ones), then
-// new ones; its polygons in their order, with groups, materials, normals and colours. A polygon
-// stays as it is where none of its cells is cut, no cut of the surface crosses it and its image is
-// a simple polygon; otherwise its triangles take its place, in the order of cells. Normals and
-// colours at new vertices are interpolated. A polygon whose cells run backwards around it (the map
-// has its other side up) is written as they run. Without `input` (null): the triangles of
-// mesh_from_map in their order.
+// `input`: the mesh that the map was made from, or null. The result has its vertices (also
+// unreferenced ones), then new ones; its polygons in their order, with groups, materials, normals
+// and colours. A polygon stays as it is where none of its cells is cut, no cut of the surface
+// crosses it and its image is a simple polygon; otherwise its triangles take its place, in the
+// order of cells. Normals and colours at new vertices are interpolated. A polygon whose cells run
+// backwards around it (the map has its other side up) is written as they run. Without `input`
+// (null): the triangles of mesh_from_map in their order.
 //
 // Texture coordinates: one per corner point of the map in the order of the map's points, then those
 // of new vertices. A map of degree 1 with refine = 1 is taken as it is, whether positive or not.

@@ -7,7 +7,7 @@
 namespace majorant {
 namespace {
 
-// Whether something held the layout where it is, or nothing says that nothing did.
+// Returns whether something held the layout where it is, or nothing says that nothing did.
 bool is_placed(const MapFile& map) {
   const Claims claims = readable_claims(map.claims);
   const bool is_told =

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/pictures/picture_options.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/maps/distortion.h"

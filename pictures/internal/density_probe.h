@@ -4,7 +4,8 @@
 //   const DensityProbe probe({{symmetric_dirichlet(), 1.0}});
 //   probe.at(1, 1);                                            // 4
 //
-// By the kernels that solve, 128 Jacobians at a time. Not for what can use a DensityTerm itself.
+// It uses the kernels that solve, for 128 Jacobians at a time. Not for what can use a DensityTerm
+// itself.
 #pragma once
 
 #include <memory>
@@ -34,7 +35,7 @@ class DensityProbe {
   std::vector<Summand> summands_;
 };
 
-// Of any quantity; probe: of the density.
+// Evaluates any quantity; probe: of the density.
 void evaluate(Quantity quantity, const DensityProbe& probe, std::span<const Vector2> sigma,
               std::span<double> values);
 

@@ -28,7 +28,7 @@ struct Extremes {
   double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
 };
 
-// Where map values vary inside of faces.
+// The note of legends for values that vary inside of faces.
 std::string how_sampled(int degree) {
   const std::size_t points = extreme_samples(degree).size();
   return points == 1 ? "" : fmt::format(" ({} points a face)", points);

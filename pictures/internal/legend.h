@@ -1,11 +1,11 @@
-// What the legend of a coloured map says, however it is drawn.
+// The text of the legend of a coloured map, however it is drawn.
 #pragma once
 
 #include <cstdint>
 #include <string>
 
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/pictures/picture_options.h"
+#include "majorant/pictures/color_scale.h"
 
 namespace majorant {
 

@@ -74,7 +74,7 @@ class PageOrder {
   }
 
  private:
-  // By rising numbers of the map.
+  // Adds cells by rising numbers of the map.
   void add(const Cells& cells) {
     std::vector<char> is_new(number_.size(), 0);
     for (const Index point : cells.reshaped()) is_new[point] = number_[point] < 0;
@@ -189,7 +189,7 @@ Json scale_of(Quantity quantity, const ColorScale& scale) {
 
 Quantity shown_first(const MapPage& page) { return page.quantity.value_or(Quantity::Density); }
 
-// Of every quantity; the density only where the claims name an energy.
+// The scales of every quantity; the density only where the claims name an energy.
 Json scales_of(const MapPage& page, const Json& claims) {
   std::optional<EnergySum> energy;
   const auto named = claims.find("energy");

@@ -1,11 +1,11 @@
-// What a page of a map holds, as docs/pictures.md describes it: the map's arrays in base64, little
+// The data of a page, as docs/pictures.md describes them: the map's arrays in base64, little
 // endian, and the rest in words.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
-#include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/pictures/write_page.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 

@@ -7,8 +7,8 @@
 
 namespace majorant {
 
-// Of text at zoom 1, in pixels: from one character to the next, and of a line, 2 of them below the
-// letters' foot.
+// The size of a glyph at zoom 1, in pixels: from one character to the next, and of a line, 2 of
+// them below the letters' foot.
 inline constexpr int kGlyphAdvance = 6, kGlyphHeight = 9;
 
 // Every dot of a letter zoom by zoom pixels, the upper left corner at (x, y); cut off at the edges.

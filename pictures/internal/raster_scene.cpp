@@ -29,7 +29,7 @@ Eigen::Matrix3d view_axes(const Vector3& view) {
   return axes;
 }
 
-// What is between low and high, in the middle of the picture, as large as it fits.
+// Shows the box between low and high in the middle of the picture, as large as it fits.
 struct Frame {
   Vector2 middle;
   double scale;  // pixels a unit
@@ -48,7 +48,8 @@ struct Frame {
   }
 };
 
-// How far the control points of cells are from the lattice of the straight triangle, pixels.
+// The largest distance of a cell's control points from the lattice of its straight triangle, in
+// pixels.
 double curvature_of(const MapFile& map, double scale) {
   double most = 0;
   const auto indices = bezier_multi_indices(map.degree);
@@ -70,7 +71,8 @@ int pieces(const MapFile& map, double scale) {
   return static_cast<int>(std::clamp(std::min(wanted, most), 1.0, double{kMostPieces}));
 }
 
-// Of a corner on the surface: what tells corners of several cells that they are one point.
+// The place of a corner on the surface: what tells corners of several cells that they are one
+// point.
 using Place = std::array<double, 3>;
 Place place_of(const MapFile& map, Index c, Index k) {
   const Vector3 p = map.points.row(map.cells(c, k));

@@ -8,11 +8,12 @@
 
 namespace majorant {
 
-// Of the surface seen from `view` (write_png.h has the camera), one a cell.
+// The triangles of the surface seen from `view` (pictures.h has the camera), one a cell.
 std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3& view,
                                               PixelSize size);
 
-// Of the layout: cells cut until their chords are a fraction of a pixel from the curves.
+// The triangles of the layout: cells cut until their chords are a fraction of a pixel from the
+// curves.
 std::vector<RasterTriangle> layout_triangles(const MapFile& map, PixelSize size);
 
 // Interpolated between those of corners, which are means of the faces around them by area.

@@ -69,7 +69,7 @@ class Band {
   std::vector<double> depth_;
 };
 
-// Of every band the triangles that reach it, in order.
+// For every band the triangles that reach it, in order.
 std::vector<std::vector<Index>> by_band(const std::vector<RasterTriangle>& triangles,
                                         PixelSize size) {
   std::vector<std::vector<Index>> bands(to_size((size.height + kBand - 1) / kBand));

@@ -32,7 +32,7 @@ struct Fragment {
   Barycentric xi;
 };
 
-// Of a pixel, at the middles of as many squares.
+// The samples of a pixel, at the middles of as many squares.
 inline constexpr int kSamplesPerSide = 3, kSamplesPerPixel = kSamplesPerSide * kSamplesPerSide;
 
 // Calls paint for every row of pixels, from several threads, with the samples of its pixels, one

@@ -1,5 +1,5 @@
-// Where the parts of a layout are in a vector drawing, and the text they become: shared by what
-// write_svg draws. See write_svg.h for the conventions.
+// The places of a layout's parts in a vector drawing, and their text: shared by what write_svg
+// draws. See write_svg.h for the conventions.
 #pragma once
 
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include "arrays.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
-#include "majorant/pictures/write_svg.h"
+#include "majorant/pictures/pictures.h"
 #include "majorant/results/write_map.h"
 #include "mesh.h"
 #include "run.h"

@@ -5,10 +5,10 @@
 
 #include "check.h"
 #include "errors.h"
-#include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/stopping.h"
+#include "majorant/framework/minimizer.h"
 #include "majorant/parametrization/maps/energy_text.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/solve/parametrize.h"

@@ -4,8 +4,8 @@
 
 #include "arrays.h"
 #include "density.h"
-#include "majorant/energies/named_energies.h"
-#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/results/input_points.h"
 
 namespace majorant::python {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/framework/energy_term.h"
 
 namespace majorant::python {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "arrays.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/results/map_job.h"
 #include "majorant/results/solver_ladder.h"
 #include "map_file.h"

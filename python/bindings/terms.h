@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/mesh/surface_mesh.h"
 

@@ -8,20 +8,19 @@
 #include <map>
 #include <utility>
 
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/refusal.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 
 namespace majorant {
 namespace {
 
-// What `check` demands of the claims of maps with seams: cones, marks and cuts are those that were
-// claimed or given. That the seams fit is proven elsewhere (certify/map_proof.h).
+// The demands of `check` on the claims of maps with seams: cones, marks and cuts are those that
+// were claimed or given. That the seams fit is proven elsewhere (certify/map_proof.h).
 
 // From and to, vertices of the input.
 using InputEdge = std::pair<Index, Index>;
@@ -106,9 +105,9 @@ void check_cut(const BezierMap& map, const SurfaceMesh& surface, Findings& findi
           false, fmt::format("the map is cut at {}, the surface's texture is not", place(edge)));
 }
 
-// Whether the cut of the map should be that of the texture coordinates of the surface: results of
-// `parametrize --seamless`, and files that do not say where they come from. Those of `seamless`
-// name the method that made their start as `init`.
+// Returns whether the cut of the map should be that of the texture coordinates of the surface:
+// results of `parametrize --seamless`, and files that do not say where they come from. Those of
+// `seamless` name the method that made their start as `init`.
 bool keeps_texture_cuts(const CheckedMap& checked) {
   if (checked.surface == nullptr || checked.surface->polygon_texcoords.empty()) return false;
   const Claims& claims = checked.claims;
@@ -168,10 +167,11 @@ void check_fixed_texture_boundary(const CheckedMap& checked, Findings& findings)
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
-// What reported energies are good to. A hundred times kEnergyAgreement of measure.cpp,
+// The relative accuracy of reported energies. A hundred times kEnergyAgreement of measure.cpp,
 // since rounded control points are measured anew.
 constexpr double kEnergyClose = 1e-4;
-// Of faces. What rounding does to tiny ones is less; chosen, not tuned.
+// The relative accuracy of distortions of faces. What rounding does to tiny ones is less; chosen,
+// not tuned.
 constexpr double kDistortionClose = 1e-2;
 // Energies may vanish at isometries. As kTenDigits.
 constexpr double kZeroEnergy = 1e-9;
@@ -212,8 +212,8 @@ void check_pins(const MapFile& file, const Claims& claims, Findings& findings) {
   }
 }
 
-// Of a map without seams: Tutte's boundary, recomputed from the surface in the file, or that of the
-// texture coordinates of the input, for which the input is needed.
+// Checks the boundary of a map without seams: Tutte's boundary, recomputed from the surface in the
+// file, or that of the texture coordinates of the input, for which the input is needed.
 void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
   const BezierMap& map = checked.map;
   Vec start;
@@ -242,9 +242,9 @@ void check_fixed_boundary(const CheckedMap& checked, Findings& findings) {
                    fmt::format("the boundary is off the initial map's by {:g}", worst));
 }
 
-// How far control points of a cell may be from those that were measured, in the units of the run:
-// uv was rounded after turning and normalizing, and again as values of Lagrange cells, whose errors
-// grow by `amplification`.
+// A bound on the distance of a cell's control points from those that were measured, in the units of
+// the run: uv was rounded after turning and normalizing, and again as values of Lagrange cells,
+// whose errors grow by `amplification`.
 double rounding_of_uv(const CheckedMap& checked, Index cell, double amplification) {
   constexpr double kEpsilon = 2 * kUnitRoundoff<double>;
   const MapFile& file = checked.file;
@@ -259,7 +259,7 @@ double rounding_of_uv(const CheckedMap& checked, Index cell, double amplificatio
   return unit + size * amplification * kEpsilon * largest;
 }
 
-// What that may have changed of det J: steps between control points are off by at most `unit`,
+// A bound on the change of det J by that: steps between control points are off by at most `unit`,
 // twice n of them make a derivative.
 double rounding_of_det(const CheckedMap& checked, Index cell, double amplification) {
   const double unit = rounding_of_uv(checked, cell, amplification);

@@ -1,4 +1,4 @@
-// What all terms made of a lambda share: gathering an element's unknowns, as numbers or as
+// The common base of all terms made of a lambda: gathering an element's unknowns, as numbers or as
 // variables to differentiate by, and writing what became of them. Not for inclusion: local_term.h.
 #pragma once
 
@@ -10,9 +10,40 @@
 #include <string>
 #include <utility>
 
-#include "majorant/framework/dual2_eigen.h"
+#include "majorant/framework/dual2.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
+
+// Dual numbers as the scalars of Eigen's small matrices, mixed with doubles. Norms, products,
+// determinants and inverses up to 4 by 4 work; decompositions do not.
+namespace Eigen {
+
+template <int N, int Order>
+struct NumTraits<majorant::Dual<double, N, Order>> : NumTraits<double> {
+  using Real = majorant::Dual<double, N, Order>;
+  using NonInteger = Real;
+  using Nested = Real;
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = Order == 2 ? N * N / 2 : N,
+    AddCost = ReadCost,
+    MulCost = Order == 2 ? 3 * N * N : 2 * N
+  };
+};
+
+template <int N, int Order, class Operation>
+struct ScalarBinaryOpTraits<majorant::Dual<double, N, Order>, double, Operation> {
+  using ReturnType = majorant::Dual<double, N, Order>;
+};
+template <int N, int Order, class Operation>
+struct ScalarBinaryOpTraits<double, majorant::Dual<double, N, Order>, Operation> {
+  using ReturnType = majorant::Dual<double, N, Order>;
+};
+
+}  // namespace Eigen
 
 namespace majorant {
 

@@ -17,7 +17,7 @@
 
 #include "expected_error.h"
 #include "majorant/adapters/eigen.h"
-#include "majorant/parametrization/initialization/make_seamless.h"
+#include "majorant/parametrization/initialization/start.h"
 
 namespace majorant {
 namespace {

@@ -6,12 +6,11 @@
 
 #include "io/cube_map.h"
 #include "io/io_test_helpers.h"
-#include "majorant/constraints/seamless_constraint.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
-#include "majorant/io/write_obj.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/measure.h"
 
 namespace majorant {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "certify/valley.h"
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/error.h"
 
 namespace majorant {

@@ -7,10 +7,9 @@
 
 #include "io/io_test_helpers.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
-#include "majorant/io/write_obj.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/map_file.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 

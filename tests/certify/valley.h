@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant::test {

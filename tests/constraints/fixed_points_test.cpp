@@ -1,10 +1,9 @@
 // Pins and held boundaries.
-#include "majorant/constraints/fixed_points.h"
-
 #include <gtest/gtest.h>
 
+#include "majorant/constraints/constraints.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/elimination.h"
 #include "support.h"
 
 namespace majorant {

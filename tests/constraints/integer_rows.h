@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
 
 namespace majorant {
 

@@ -7,7 +7,7 @@
 
 #include "exact_polynomials.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "support.h"
 
 namespace majorant {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "distributed/processes.h"
+#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/partition.h"
-#include "majorant/framework/sparse_pattern.h"
 
 namespace majorant::test {
 

@@ -120,7 +120,7 @@ def compile_text(text, *flags):
 
 def headers():
     """Of the modules, internal ones included, and of the command."""
-    folders = [SOURCE, *(SOURCE / module / part for module in include_graph.LAYER for part in ('.', 'internal', 'detail'))]
+    folders = [SOURCE, SOURCE / 'parametrization', *(SOURCE / module / part for module in include_graph.LAYER for part in ('.', 'internal', 'detail'))]
     return sorted(path.resolve() for folder in folders for path in folder.glob('*.h'))
 
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "majorant/energies/named_energies.h"
-#include "majorant/framework/internal/curvature_name.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/framework/energy_term.h"
 
 namespace majorant {
 namespace {

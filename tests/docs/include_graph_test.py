@@ -80,7 +80,7 @@ class PlantedFaults(unittest.TestCase):
         self.append('mesh/seams.cpp', '#include "majorant/parametrization/solve/parametrize.h"\n')
         self.assert_found('does not go down: mesh/seams.cpp -> parametrization/solve/parametrize.h', 'a circle: ')
 
-    def test_an_include_of_the_same_floor(self):
+    def test_an_include_of_the_same_layer(self):
         self.append('elements/quadrature.cpp', '#include "majorant/mesh/seams.h"\n')
         self.assert_found('does not go down: elements/quadrature.cpp -> mesh/seams.h')
 
@@ -88,17 +88,19 @@ class PlantedFaults(unittest.TestCase):
         self.append('io/read_obj.cpp', '#include "apps/outputs.h"\n')
         self.assert_found('does not go down: io/read_obj.cpp -> apps/outputs.h')
 
-    def test_a_room_without_a_floor(self):
+    def test_a_module_without_a_layer(self):
         self.append('parametrization/attic/box.h', '#pragma once\n')
         self.assert_found('parametrization/attic: no layer')
 
-    def test_a_room_that_is_gone(self):
+    def test_a_module_that_is_gone(self):
         shutil.rmtree(self.root / 'mesh')
         self.assert_found('no module mesh')
 
-    def test_what_is_internal_to_a_closed_room(self):
+    def test_what_is_internal_to_another_module(self):
         self.append('results/report.cpp', '#include "majorant/io/internal/xml_tree.h"\n')
-        self.assert_found('io/internal/xml_tree.h is internal: results/report.cpp -> ')
+        self.append('mesh/seams.cpp', '#include "majorant/framework/internal/multifrontal.h"\n')
+        self.assert_found('io/internal/xml_tree.h is internal: results/report.cpp -> ',
+                          'framework/internal/multifrontal.h is internal: mesh/seams.cpp -> ')
 
     def test_a_second_proof(self):
         self.assertEqual(proofs_outside(self.root), [])

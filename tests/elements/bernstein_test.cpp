@@ -1,5 +1,5 @@
 // Bernstein algebra: order, basis functions, elevation, products.
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 
 #include <gtest/gtest.h>
 

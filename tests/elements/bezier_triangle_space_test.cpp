@@ -1,11 +1,10 @@
 // Numbering of shared control points: counts, continuity, elevation.
-#include "majorant/elements/bezier_triangle_space.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/internal/node_lattice.h"
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/framework/error.h"

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "framework/quadratic_term.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/problem_parts.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/problem_parts.h"
 #include "support.h"
 
 namespace majorant {

@@ -2,7 +2,7 @@
 // combinations of first and gradient_product rows.
 #include <gtest/gtest.h>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "support.h"
 
 namespace majorant {

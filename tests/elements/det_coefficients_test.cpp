@@ -1,6 +1,6 @@
 // Bernstein coefficients of det J against exact rational arithmetic, and their error bounds, for
 // every element.
-#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/det_coefficients.h"
 
 #include <gtest/gtest.h>
 

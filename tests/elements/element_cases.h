@@ -15,9 +15,7 @@
 #include <ostream>
 
 #include "exact_polynomials.h"
-#include "majorant/elements/bezier_quad_space.h"
-#include "majorant/elements/bezier_tetrahedron_space.h"
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "product_elements.h"
 #include "support.h"
 

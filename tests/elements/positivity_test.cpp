@@ -1,5 +1,5 @@
 // Certificates of positivity: never wrong, and strong enough to be useful.
-#include "majorant/elements/internal/positivity.h"
+#include "majorant/elements/positivity.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <map>
 
 #include "exact_polynomials.h"
-#include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/elements/internal/det_coefficients.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/elements/det_coefficients.h"
 #include "support.h"
 
 namespace majorant {

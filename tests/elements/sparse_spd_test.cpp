@@ -1,5 +1,5 @@
 // Patterns made column by column and systems made of entries, against dense matrices.
-#include "majorant/framework/internal/sparse_spd.h"
+#include "majorant/framework/sparse_spd.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "element_maps.h"
-#include "majorant/elements/internal/positivity.h"
+#include "majorant/elements/positivity.h"
 
 namespace majorant {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
-#include "majorant/framework/derivative_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 
 namespace majorant {

@@ -3,10 +3,9 @@
 
 #include "energies/density_fixture.h"
 #include "energies/linear_tetrahedra.h"
-#include "majorant/elements/bezier_quad_space.h"
-#include "majorant/elements/bezier_tetrahedron_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/problem.h"
 
 namespace majorant {
 namespace {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "majorant/energies/energy_factory.h"
 #include "majorant/energies/internal/instruction_sets.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/energies/named_energies.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
 #include "support.h"
 

@@ -1,15 +1,14 @@
 // Densities that are told of the element: each element by its own row, whatever the kind of data,
 // the order and the number of elements of a batch; and refusals of what does not fit.
-#include "majorant/energies/element_data.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 
 #include "energies/density_fixture.h"
-#include "majorant/elements/bezier_tetrahedron_space.h"
-#include "majorant/framework/derivative_check.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/energies/make_energy.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 
 namespace majorant {

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "energies/density_fixture.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/element_values.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/problem.h"
 
 namespace majorant {
 namespace {

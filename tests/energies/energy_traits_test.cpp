@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
-#include "majorant/energies/internal/untangling.h"
+#include "majorant/energies/untangling.h"
 
 namespace majorant {
 namespace {

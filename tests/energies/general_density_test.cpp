@@ -3,9 +3,9 @@
 
 #include "energies/builtin_formulas.h"
 #include "energies/linear_tetrahedra.h"
-#include "majorant/framework/derivative_check.h"
+#include "majorant/framework/detail/packed_symmetric.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/packed_symmetric.h"
 
 namespace majorant {
 namespace {

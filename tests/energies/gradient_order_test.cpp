@@ -5,10 +5,9 @@
 #include <atomic>
 
 #include "energies/density_fixture.h"
-#include "majorant/elements/bezier_tetrahedron_space.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/gradient_flow.h"
-#include "majorant/framework/lbfgs.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/framework/first_order.h"
+#include "majorant/framework/problem.h"
 
 namespace majorant {
 namespace {

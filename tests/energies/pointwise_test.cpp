@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/energies/spectral.h"
 #include "majorant/framework/error.h"
 

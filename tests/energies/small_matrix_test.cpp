@@ -3,7 +3,7 @@
 
 #include "energies/density_fixture.h"
 #include "majorant/energies/internal/point_densities.h"
-#include "majorant/framework/packed_symmetric.h"
+#include "majorant/framework/detail/packed_symmetric.h"
 
 namespace majorant {
 namespace {

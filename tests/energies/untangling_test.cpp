@@ -1,6 +1,6 @@
 // The untangling energy against an oracle in long double, on both sides of det J = 0 and down to
 // the smallest eps.
-#include "majorant/energies/internal/untangling.h"
+#include "majorant/energies/untangling.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include "framework/quadratic_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 namespace {

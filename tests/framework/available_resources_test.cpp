@@ -1,4 +1,4 @@
-#include "majorant/framework/internal/available_resources.h"
+#include "majorant/framework/available_resources.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>

@@ -1,5 +1,5 @@
 // The steps that backtrack() tries, and how it ends.
-#include "majorant/framework/internal/backtracking.h"
+#include "majorant/framework/backtracking.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,8 @@
 // The derivative checker finds each kind of mistake and names it.
-#include "majorant/framework/derivative_check.h"
-
 #include <gtest/gtest.h>
 
 #include "framework/barrier_chain.h"
+#include "majorant/framework/energy_term.h"
 
 namespace majorant {
 namespace {

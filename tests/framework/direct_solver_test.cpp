@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "framework/random_matrix.h"
+#include "majorant/framework/argument_check.h"
 #include "majorant/framework/cholmod_solver.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/argument_check.h"
 #include "majorant/framework/internal/front_kernels.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
 #include "majorant/framework/linear_solver.h"

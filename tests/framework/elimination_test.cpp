@@ -1,5 +1,5 @@
 // Exactness of the elimination x = Z y + c: rank, null space, consistency.
-#include "majorant/framework/internal/elimination.h"
+#include "majorant/framework/elimination.h"
 
 #include <gtest/gtest.h>
 

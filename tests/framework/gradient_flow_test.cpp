@@ -1,9 +1,8 @@
 // Gradient flow in a metric: the cases of all minimizers, rates, metrics of other problems.
-#include "majorant/framework/gradient_flow.h"
-
 #include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/first_order.h"
 
 namespace majorant {
 namespace {

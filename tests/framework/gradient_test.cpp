@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "framework/barrier_chain.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/problem.h"
 
 namespace majorant {
 namespace {

@@ -10,8 +10,7 @@
 #include "framework/barrier_chain.h"
 #include "framework/scalar_terms.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/gradient_flow.h"
-#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {

@@ -1,9 +1,8 @@
 // L-BFGS in a factored metric: the cases of all minimizers, and what history and metric do.
-#include "majorant/framework/lbfgs.h"
-
 #include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/internal/preconditioner.h"
 #include "majorant/framework/newton.h"
 

@@ -1,9 +1,8 @@
 // The feasible line search alone.
-#include "majorant/framework/line_search.h"
-
 #include <gtest/gtest.h>
 
 #include "framework/scalar_terms.h"
+#include "majorant/framework/stepper.h"
 
 namespace majorant {
 namespace {

@@ -15,10 +15,10 @@
 
 #include "framework/barrier_chain.h"
 #include "framework/scalar_terms.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/problem_parts.h"
 #include "majorant/framework/minimizer.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant::test {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "framework/random_matrix.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant {
 namespace {

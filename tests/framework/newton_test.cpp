@@ -8,7 +8,7 @@
 #include "framework/counting_solver.h"
 #include "framework/minimizer_cases.h"
 #include "framework/scalar_terms.h"
-#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant {
 

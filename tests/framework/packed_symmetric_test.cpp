@@ -1,5 +1,5 @@
 // Eigenvalues of packed symmetric matrices, clamped.
-#include "majorant/framework/packed_symmetric.h"
+#include "majorant/framework/detail/packed_symmetric.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant {
 namespace {

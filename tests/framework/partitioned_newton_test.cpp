@@ -9,7 +9,7 @@
 #include "framework/thread_ranks.h"
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant {

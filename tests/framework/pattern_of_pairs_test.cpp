@@ -1,5 +1,5 @@
 // A pattern from the places of entries, whatever their order and number.
-#include "majorant/framework/internal/pattern_of_pairs.h"
+#include "majorant/framework/pattern_of_pairs.h"
 
 #include <gtest/gtest.h>
 

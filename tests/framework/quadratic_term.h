@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/energy_term.h"
-#include "majorant/framework/internal/elimination.h"
 #include "random.h"
 
 namespace majorant::test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/quadratic_term.h"
-#include "majorant/framework/internal/assembly.h"
+#include "majorant/framework/assembly.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant::test {

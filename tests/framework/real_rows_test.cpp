@@ -10,9 +10,9 @@
 #include <string>
 
 #include "expected_error.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/affine_presolve.h"
-#include "majorant/framework/internal/elimination.h"
 #include "random.h"
 
 namespace majorant {

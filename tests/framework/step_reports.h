@@ -1,4 +1,4 @@
-// Reports of steps as StoppingTest (stopping.h) gets them, and what it answers.
+// Reports of steps as StoppingTest (minimizer.h) gets them, and what it answers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "majorant/framework/stopping.h"
+#include "majorant/framework/minimizer.h"
 
 namespace majorant::test {
 

@@ -11,12 +11,10 @@
 #include "counted_stop.h"
 #include "framework/barrier_chain.h"
 #include "majorant/framework/ceres_minimizer.h"
-#include "majorant/framework/gradient_flow.h"
-#include "majorant/framework/internal/problem_parts.h"
-#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/problem_parts.h"
 
 namespace majorant::test {
 namespace {

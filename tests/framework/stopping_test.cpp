@@ -1,5 +1,3 @@
-#include "majorant/framework/stopping.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 
 #include "framework/scalar_terms.h"
 #include "framework/step_reports.h"
+#include "majorant/framework/minimizer.h"
 #include "majorant/framework/newton.h"
 
 namespace majorant::test {

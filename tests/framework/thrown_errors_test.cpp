@@ -9,10 +9,9 @@
 
 #include "framework/scalar_terms.h"
 #include "majorant/framework/ceres_minimizer.h"
-#include "majorant/framework/gradient_flow.h"
-#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant {
 namespace {

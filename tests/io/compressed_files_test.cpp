@@ -6,8 +6,8 @@
 #include "io_test_helpers.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/internal/inflate.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
 #include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "majorant/mesh/polygon_mesh.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/parametrization/initialization/start.h"
 
 namespace majorant {
 

@@ -3,8 +3,8 @@
 #include "majorant/io/internal/dropped_parts.h"
 
 #include "io_test_helpers.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/write_obj.h"
 
 namespace majorant {
 namespace {

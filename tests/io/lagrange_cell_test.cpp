@@ -4,7 +4,7 @@
 
 #include "io_test_helpers.h"
 #include "majorant/certify/map_proof.h"
-#include "majorant/io/vtu.h"
+#include "majorant/io/io.h"
 #include "rational.h"
 
 namespace majorant {

@@ -2,8 +2,8 @@
 // what of an OBJ is kept.
 #include "io_test_helpers.h"
 #include "majorant/io/internal/material_files.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/write_obj.h"
 
 namespace majorant {
 namespace {

@@ -1,9 +1,8 @@
-#include "majorant/io/msh.h"
-
 #include <algorithm>
 
 #include "io_test_helpers.h"
 #include "majorant/certify/map_proof.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant {

@@ -4,12 +4,10 @@
 #include <random>
 
 #include "io_test_helpers.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/base64.h"
-#include "majorant/io/msh.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/vtu.h"
-#include "majorant/io/write_obj.h"
 
 namespace majorant {
 namespace {

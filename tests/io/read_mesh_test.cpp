@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "io_test_helpers.h"
-#include "majorant/io/vtu.h"
+#include "majorant/io/io.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "public_data.h"
 

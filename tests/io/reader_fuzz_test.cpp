@@ -5,11 +5,9 @@
 
 #include "compressed_helpers.h"
 #include "io_test_helpers.h"
-#include "majorant/io/msh.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/io/vtu.h"
-#include "majorant/io/write_ply.h"
 
 namespace majorant {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "io_test_helpers.h"
-#include "majorant/io/vtu.h"
+#include "majorant/io/io.h"
 
 namespace majorant {
 namespace {

@@ -1,11 +1,10 @@
-#include "majorant/io/vtu.h"
-
 #include <bit>
 #include <cstdint>
 #include <limits>
 
 #include "io_test_helpers.h"
 #include "majorant/io/base64.h"
+#include "majorant/io/io.h"
 
 namespace majorant {
 namespace {

@@ -1,10 +1,9 @@
-#include "majorant/io/write_obj.h"
-
 #include <Eigen/Geometry>
 #include <limits>
 #include <map>
 
 #include "io_test_helpers.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant {

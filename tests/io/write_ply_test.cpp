@@ -1,5 +1,3 @@
-#include "majorant/io/write_ply.h"
-
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "cube_map.h"
 #include "io_test_helpers.h"
 #include "majorant/certify/map_proof.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant {

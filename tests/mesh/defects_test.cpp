@@ -1,7 +1,6 @@
 // Every defect by name, count and place; what is no defect is not named.
-#include "majorant/mesh/defects.h"
-
 #include "expected_error.h"
+#include "majorant/mesh/repair.h"
 #include "mesh/surfaces_of_any_genus.h"
 
 namespace majorant {

@@ -2,18 +2,13 @@
 #include <limits>
 #include <memory>
 
-#include "majorant/constraints/axis_alignment.h"
-#include "majorant/constraints/fixed_points.h"
-#include "majorant/constraints/fixed_unknowns.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/constraints/seamless_constraint.h"
-#include "majorant/elements/bezier_quad_space.h"
-#include "majorant/elements/bezier_tetrahedron_space.h"
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/energies/named_energies.h"
-#include "majorant/framework/evaluator.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/problem.h"
 #include "misuse/outcome.h"
 
 namespace majorant::misuse {

@@ -3,7 +3,6 @@
 #include <limits>
 #include <memory>
 
-#include "majorant/mesh/defects.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/seams.h"
 #include "majorant/mesh/surface_mesh.h"

@@ -5,11 +5,10 @@
 
 #include "framework/scalar_terms.h"
 #include "majorant/framework/cholmod_solver.h"
-#include "majorant/framework/derivative_check.h"
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
-#include "majorant/framework/thread_count.h"
 #include "majorant/terms/quadratic_penalty.h"
 #include "misuse/outcome.h"
 

@@ -5,10 +5,9 @@
 
 #include "framework/scalar_terms.h"
 #include "majorant/framework/ceres_minimizer.h"
-#include "majorant/framework/gradient_flow.h"
-#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
-#include "majorant/terms/bounds.h"
+#include "majorant/terms/inequality.h"
 #include "misuse/outcome.h"
 
 namespace majorant::misuse {

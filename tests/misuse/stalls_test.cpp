@@ -6,11 +6,9 @@
 #include "framework/scalar_terms.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/spectral.h"
-#include "majorant/framework/gradient_flow.h"
-#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/terms/linear_term.h"
 #include "majorant/terms/local_term.h"
 #include "misuse/outcome.h"
 

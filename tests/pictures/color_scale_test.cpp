@@ -1,7 +1,7 @@
 #include "majorant/pictures/color_scale.h"
 
 #include "expected_error.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/pictures/internal/density_probe.h"
 
 namespace majorant {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/pictures/write_page.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 namespace {

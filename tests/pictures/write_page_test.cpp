@@ -1,5 +1,3 @@
-#include "majorant/pictures/write_page.h"
-
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +7,7 @@
 #include "majorant/io/layout_scale.h"
 #include "majorant/pictures/internal/page_data.h"
 #include "majorant/pictures/page_text.h"
+#include "majorant/pictures/pictures.h"
 
 namespace majorant {
 namespace {

@@ -1,13 +1,13 @@
-#include "majorant/pictures/write_png.h"
-
 #include <random>
 
 #include "io/io_test_helpers.h"
-#include "majorant/energies/named_energies.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/internal/bezier_image.h"
 #include "majorant/pictures/internal/pixel_font.h"
+#include "majorant/pictures/pictures.h"
 #include "majorant/pictures/png_file.h"
 #include "singular_values.h"
 

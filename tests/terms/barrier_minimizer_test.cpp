@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "majorant/framework/derivative_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/terms/inequality.h"
-#include "majorant/terms/linear_term.h"
+#include "majorant/terms/local_term.h"
 #include "random.h"
 
 namespace majorant {

@@ -1,6 +1,4 @@
 // Bounds on unknowns: barrier, step limit, minima on the boundary against Ceres and closed forms.
-#include "majorant/terms/bounds.h"
-
 #include <ceres/ceres.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +6,8 @@
 #include <limits>
 
 #include "majorant/framework/barrier_minimizer.h"
-#include "majorant/framework/derivative_check.h"
+#include "majorant/framework/energy_term.h"
+#include "majorant/terms/inequality.h"
 #include "majorant/terms/least_squares.h"
 #include "majorant/terms/local_term.h"
 #include "random.h"

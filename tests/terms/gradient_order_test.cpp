@@ -1,8 +1,8 @@
 // Gradients of terms of lambdas: by numbers of the first order, and right.
 #include <gtest/gtest.h>
 
-#include "majorant/framework/derivative_check.h"
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/energy_term.h"
+#include "majorant/framework/problem.h"
 #include "majorant/terms/inequality.h"
 #include "majorant/terms/least_squares.h"
 #include "random.h"

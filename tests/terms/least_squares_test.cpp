@@ -4,7 +4,7 @@
 #include <ceres/ceres.h>
 #include <gtest/gtest.h>
 
-#include "majorant/framework/derivative_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/newton.h"
 #include "random.h"
 #include "terms/ceres_options.h"

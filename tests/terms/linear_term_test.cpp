@@ -1,11 +1,9 @@
 // Loads.
-#include "majorant/terms/linear_term.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "majorant/framework/derivative_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/newton.h"
 #include "majorant/terms/local_term.h"
 #include "random.h"

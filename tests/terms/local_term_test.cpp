@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "majorant/framework/derivative_check.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 #include "random.h"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "energies/density_fixture.h"
-#include "majorant/constraints/fixed_points.h"
-#include "majorant/framework/derivative_check.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 #include "majorant/parametrization/maps/map_problem.h"

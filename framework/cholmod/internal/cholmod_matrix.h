@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "majorant/framework/sparse_pattern.h"
+#include "majorant/framework/linear_solver.h"
 
 namespace majorant {
 

@@ -21,7 +21,7 @@ bool has_proven_boundary(const BezierMap& map) {
   return check_boundary(map).result == ProofStatus::Proven;
 }
 
-// Whether its faces are larger than what moving it and writing it down rounds.
+// Returns whether its faces are larger than what moving it and writing it down rounds.
 bool has_area_margin(const BezierMap& map) {
   const SurfaceMesh& mesh = map.mesh();
   return faces_without_area_margin(mesh.faces(),
@@ -92,8 +92,8 @@ void ChartSolver::try_tutte(RunRecord& record) {
     attempt(tutte(), MapInjectivity::Global, record);
 }
 
-// Of strips much longer than wide Tutte's map is so far from what they end as that they wind over
-// themselves on the way, though they need not. Those that lie side by side unfolded are nearly
+// Starts from strips that are laid out: Tutte's map of a strip much longer than wide is so far from
+// its minimum that it winds over itself on the way. Those that lie side by side unfolded are nearly
 // done.
 bool ChartSolver::try_unfolded(RunRecord& record) {
   const Vec start = unfolded(*mesh_);
@@ -166,7 +166,7 @@ void ChartSolver::keep_start(const RunRecord& record) {
   chart_.map = std::move(map);
 }
 
-// Where the energy does not say how large the chart is, the surface does.
+// Scales the chart to the area of the surface where the energy does not determine its size.
 void ChartSolver::to_area_of_surface() {
   if (free_scale_of(options_.map.energy) != FreeScale::Arbitrary || !chart_.pins.empty()) return;
   const Stretch stretch = measure_stretch(*chart_.map);

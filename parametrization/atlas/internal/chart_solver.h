@@ -4,11 +4,11 @@
 //   RunRecord record;
 //   Chart chart = solver.solve(record);    // chart.map is there, and proven injective
 //
-// What is tried, until the image is proven to be free of overlaps and its faces are larger than
-// rounding: the file's texture coordinates (untangled if need be), Tutte's map and the unfolded
-// faces as starts, each first without a scaffold, which most charts do not need and which costs
-// several times as much, then with one (Tutte's last). At the end Tutte's map as it is. Overlaps
-// are looked for after the solve: of a free boundary only the boundary tells.
+// The attempts at a chart, until the image is proven to be free of overlaps and its faces are
+// larger than rounding: the file's texture coordinates (untangled if need be), Tutte's map and the
+// unfolded faces as starts, each first without a scaffold, which most charts do not need and which
+// costs several times as much, then with one (Tutte's last). At the end Tutte's map as it is.
+// Overlaps are looked for after the solve: of a free boundary only the boundary tells.
 //
 // The file's texture coordinates of a chart as a start of its map, as good as they can be made.
 #pragma once

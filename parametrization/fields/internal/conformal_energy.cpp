@@ -29,8 +29,8 @@ ConformalDerivatives ConformalEnergy::derivatives(const Vec& log_factor) const {
     out.gradient[static_cast<Index>(v)] = 0;
     closed = false;
   }
-  // By Gauss-Bonnet; left over is the rounding of pi and of the angles, spread here lest all of it
-  // be found at one vertex.
+  // The gradient has mean 0 by Gauss-Bonnet; left over is the rounding of pi and of the angles,
+  // spread here lest all of it be found at one vertex.
   if (closed) out.gradient.array() -= out.gradient.mean();
   return out;
 }

@@ -1,5 +1,5 @@
-// What a direction field needs to know of a triangle mesh: how directions of one face continue in
-// the next. Intrinsic: nothing here changes when the surface is bent or moved.
+// The geometry of a triangle mesh that direction fields need: how directions of one face continue
+// in the next. Intrinsic: nothing here changes when the surface is bent or moved.
 //
 // A direction in a face is an angle, counterclockwise from the edge corner 0 -> corner 1. Unfolding
 // two neighbours into one plane takes angle a of the face of half-edge h to a + transport[h] in the
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "majorant/framework/internal/sparse_spd.h"
+#include "majorant/framework/sparse_spd.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {

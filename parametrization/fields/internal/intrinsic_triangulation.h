@@ -49,7 +49,7 @@ class IntrinsicTriangulation {
   // triangle f with such lengths. Both sides of an edge have the same length to rounding.
   Vec log_lengths(const Vec& log_factor) const;
   static TriangleShape shape(const Vec& log_lengths, Index f);
-  // Whether the triangle inequality fails somewhere with these log factors.
+  // Returns whether the triangle inequality fails somewhere with these log factors.
   bool has_broken_triangles(const Vec& log_factor) const;
 
   // Flips edges until all inside are Delaunay with these log factors (#V); then, but for rounding,

@@ -99,8 +99,8 @@ Vec TurningLoops::close(const Vec& loop_values) const {
   return form;
 }
 
-// Of the energy of a loop; rounding shall not turn the field: far above rounding, far below
-// what a turn changes.
+// The least gain, relative to the energy of a loop; rounding shall not turn the field: far above
+// rounding, far below what a turn changes.
 constexpr double kLeastTurnGain = 1e-9;
 // Over the loops; a few suffice: a bound; chosen, not tuned.
 constexpr int kMostLoopSweeps = 100;

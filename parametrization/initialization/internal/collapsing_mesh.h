@@ -66,10 +66,11 @@ class CollapsingMesh {
 
   // Which end of a half-edge leaves.
   enum class End { Start, Target };
-  // Whether the result is a surface of the same topology, with boundary loops of three vertices at
-  // least (the link condition), and has at most `most` neighbours at the vertex that stays. Never
-  // of an inner vertex with one of the boundary: where the image of that has more than a full turn
-  // around it, there would be no way back. Not const: it works in memory of this object.
+  // Returns whether the result is a surface of the same topology, with boundary loops of three
+  // vertices at least (the link condition), and has at most `most` neighbours at the vertex that
+  // stays. Never of an inner vertex with one of the boundary: where the image of that has more than
+  // a full turn around it, there would be no way back. Not const: it works in memory of this
+  // object.
   bool may_collapse(Index h, End leaves, int most);
   void collapse(Index h, End leaves);
 

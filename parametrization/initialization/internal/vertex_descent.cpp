@@ -6,10 +6,10 @@
 #include <complex>
 #include <limits>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/quadrature.h"
+#include "majorant/framework/backtracking.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/backtracking.h"
 
 namespace majorant {
 namespace {

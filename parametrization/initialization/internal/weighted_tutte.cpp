@@ -56,8 +56,9 @@ class Layers {
   }
 
  private:
-  // Of the nearer neighbours. As many as can be are parents of one child only: where two vertices
-  // of a ring lean to one, ring after ring, and one to none, the ring closes up.
+  // The parents of a vertex: its neighbours nearer to the boundary. As many as can be are parents
+  // of one child only: where two vertices of a ring lean to one, ring after ring, and one to none,
+  // the ring closes up.
   class Parents {
    public:
     explicit Parents(Layers& layers)

@@ -35,7 +35,7 @@ enum class Turn { Tightest, None };
 ChartOutline chart_outline(const BezierMap& chart, double unit, double reach,
                            Turn turn = Turn::Tightest);
 
-// Of the image, in units squared.
+// The area of the image, in units squared.
 double chart_area(const BezierMap& chart, double unit);
 
 }  // namespace majorant

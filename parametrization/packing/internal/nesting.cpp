@@ -23,7 +23,8 @@ inline bool operator!=(const Radians& a, const Radians& b) {
 namespace majorant {
 namespace {
 
-// Of the polygons that are nested. No-fit polygons cost the product of their corners.
+// The largest number of corners of the polygons that are nested. No-fit polygons cost the product
+// of their corners.
 constexpr std::size_t kCorners = 24;
 // Integers along the square. Clipper takes products in 64 bits for coordinates below 2^30,
 // and items start outside of the square.

@@ -1,4 +1,4 @@
-// What there is of nesting.h without libnest2d: pack() keeps what its raster found.
+// The functions of nesting.h in builds without libnest2d: pack() keeps what its raster found.
 #include "majorant/parametrization/packing/internal/nesting.h"
 
 namespace majorant {

@@ -61,7 +61,7 @@ class Reducer {
     return Shortcut{cross(tip - b, c - b) / 2, tip};
   }
 
-  // Whether no other side meets what is added.
+  // Returns whether no other side meets what is added.
   bool is_free(std::size_t k, const Shortcut& cut) const {
     const std::size_t n = points_.size(), before = (k + n - 1) % n;
     const Vector2 &a = point(before), &b = point(k), &c = point(k + 1);

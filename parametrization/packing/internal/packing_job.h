@@ -1,4 +1,4 @@
-// What every packer is given: the charts as charts, in units.
+// The input of every packer: the charts as charts, in units.
 //
 //   const std::vector<BezierMap> charts{map, map};
 //   const std::vector<AllowedRotations> freedom(charts.size(), AllowedRotations::Any);

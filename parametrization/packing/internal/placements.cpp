@@ -6,7 +6,7 @@
 namespace majorant {
 namespace {
 
-// Of the side: sums of sizes may be rounded so much. Some thousand roundings.
+// The slack, relative to the side: sums of sizes may be rounded so much. Some thousand roundings.
 constexpr double kSlack = 1e-12;
 
 // A square that does not do whatever the packer: of less area, or smaller than a chart.

@@ -1,4 +1,5 @@
-// Where charts are put in a square, whoever finds it; and how the smallest square is looked for.
+// Placements: where charts are put in a square, whichever packer finds it; and how the smallest
+// square is looked for.
 //
 //   const auto job = packing_job({map}, {AllowedRotations::Any}, 0.01);
 //   const auto strip = [&](double width) { return skyline_strip(job, width); };

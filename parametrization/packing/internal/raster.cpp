@@ -347,7 +347,7 @@ class Raster {
     }
   }
 
-  // What is inside by parity at the middle of cells: right for those that nothing drawn meets.
+  // Fills the cells whose middle is inside by parity: right for those that nothing drawn meets.
   void fill_inside(const std::vector<std::vector<Vector2>>& loops) {
     std::vector<std::vector<double>> crossings(rows_.size());
     for (const std::vector<Vector2>& loop : loops)

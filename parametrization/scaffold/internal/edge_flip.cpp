@@ -6,9 +6,9 @@
 #include <deque>
 #include <limits>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/element_space.h"
-#include "majorant/elements/internal/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/half_edge_flip.h"
 #include "majorant/mesh/surface_mesh.h"
@@ -18,7 +18,7 @@
 namespace majorant {
 namespace {
 
-// What flips of one degree share.
+// The tables that all flips of one degree share.
 class FlipTables {
  public:
   static const FlipTables& of_degree(int n) {
@@ -66,7 +66,8 @@ void require_degree(const BezierMesh& mesh) {
                                       BezierTriangleSpace::kMaxDegree, mesh.degree));
 }
 
-// Whether an edge joins these vertices, by going around v from the half-edge that leaves it.
+// Returns whether an edge joins these vertices, by going around v from the half-edge that leaves
+// it.
 bool are_joined(const BezierMesh& mesh, Index leaving, Index other) {
   Index h = leaving;
   do {

@@ -14,7 +14,7 @@
 #include <functional>
 #include <vector>
 
-#include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/framework/internal/backtracking.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/framework/backtracking.h"
 
 namespace majorant {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kGoodEnough = 1e-2;
 constexpr double kWidestGap = 0.1;
 // The same, where it stays: closer barriers make F too stiff to get any further.
 constexpr double kSmallestGap = 1e-3;
-// Of Newton's: what a shorter one may gain is below kGoodEnough by far.
+// The shortest part of a Newton step: what a shorter one may gain is below kGoodEnough by far.
 constexpr double kShortestStep = 1e-6;
 
 double factorial(int k) { return k < 2 ? 1.0 : k * factorial(k - 1); }

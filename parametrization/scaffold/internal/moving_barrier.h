@@ -19,7 +19,7 @@
 #include <array>
 #include <vector>
 
-#include "majorant/elements/bezier_triangle_space.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {

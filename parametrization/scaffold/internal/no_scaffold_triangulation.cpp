@@ -1,4 +1,4 @@
-// What there is of scaffold_triangulation.h without CGAL.
+// The functions of scaffold_triangulation.h in builds without CGAL.
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 

@@ -7,14 +7,14 @@
 // Tolerances are sines of angles: what does not exceed them counts as 0, whatever the scale.
 #pragma once
 
-#include "majorant/framework/internal/rounding.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
 
 struct Quadrilateral {
-  // What differences and products of coordinates may add to the sine of an angle: 32 unit
-  // roundoffs, more than the operations of wants_delaunay_flip() on one path.
+  // The rounding that differences and products of coordinates may add to the sine of an angle: 32
+  // unit roundoffs, more than the operations of wants_delaunay_flip() on one path.
   static constexpr double kRounding = 32 * kUnitRoundoff<double>;
   // The same where the corners come from unfolding two triangles in space: that rounds more
   // than the plane does; 300 times kRounding leaves its distances room.

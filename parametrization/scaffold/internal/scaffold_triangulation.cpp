@@ -20,8 +20,9 @@
 namespace majorant {
 namespace {
 
-// Of a side. A frame of few pieces needs few triangles; pieces about as long as the frame is far
-// from the image fit the triangles between them: bounds of that rule for extreme images.
+// The least and the largest number of pieces of a side of the frame. A frame of few pieces needs
+// few triangles; pieces about as long as the frame is far from the image fit the triangles between
+// them: bounds of that rule for extreme images.
 constexpr double kLeastFramePieces = 4, kMostFramePieces = 64;
 // Refinement ends by itself; this bounds its cost: common boundaries take a point an edge.
 constexpr Index kInsertionsPerEdge = 6, kLeastInsertions = 2000;
@@ -47,8 +48,8 @@ struct Edge {
 
 Vector2 vector_of(const Point& p) { return {p.x(), p.y()}; }
 
-// Whether two edges have a point in common, other than the one where an edge ends and the next one
-// starts. Exact.
+// Returns whether two edges have a point in common, other than the one where an edge ends and the
+// next one starts. Exact.
 bool edges_meet(const std::vector<Point>& points, const Edge& e, const Edge& f) {
   const auto point = [&](Index v) { return vector_of(points[v]); };
   const Vector2 a = point(e.from), b = point(e.to), c = point(f.from), d = point(f.to);
@@ -153,7 +154,7 @@ Point circumcentre(const std::array<VertexHandle, 3>& p) {
           p[0]->point().y() + scale * (b.x() * cc - c.x() * bb)};
 }
 
-// Whether p is to the right of the edge ab or so close that it sees it at a large angle.
+// Returns whether p is to the right of the edge ab or so close that it sees it at a large angle.
 bool encroaches(const Point& a, const Point& b, const Point& p) {
   const Vector2 to_a = between(p, a), to_b = between(p, b);
   return CGAL::right_turn(a, b, p) ||

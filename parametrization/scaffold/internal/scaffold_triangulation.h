@@ -12,7 +12,7 @@
 // The triangulation is constrained Delaunay, made with exact predicates, and refined by
 // circumcentres of badly shaped triangles [Rup95] wherever they do not come close to an edge of
 // boundary or frame [Che93]. Triangles are small at short boundary edges and grow away from them.
-// What is computed depends on the boundary's points and edges only, not on where a loop starts.
+// The result depends on the boundary's points and edges only, not on where a loop starts.
 #pragma once
 
 #include <vector>
@@ -55,9 +55,9 @@ ScaffoldTriangulation triangulate_scaffold(const std::vector<Points2>& loops,
 // positions: first the old frame's points in order, then new ones. Throws as triangulate_scaffold.
 ScaffoldTriangulation enlarge_frame(const Points2& frame, double margin);
 
-// Whether a point of the image (#P by 2: of Bezier triangles, the control points) is outside the
-// frame (#P by 2, a convex polygon, counterclockwise) or closer to it than `clearance` times the
-// smaller extent of its bounding box.
+// Returns whether a point of the image (#P by 2: of Bezier triangles, the control points) is
+// outside the frame (#P by 2, a convex polygon, counterclockwise) or closer to it than `clearance`
+// times the smaller extent of its bounding box.
 bool frame_is_tight(const Points2& frame, const Points2& image, double clearance);
 
 }  // namespace majorant

@@ -11,12 +11,12 @@
 namespace majorant {
 namespace {
 
-// Of the diagonal of G, what is added to it: far below what a branch is worth, far above the
-// rounding of G, whose rows are nearly the same at neighbouring branches.
+// The part of the diagonal of G that is added to it: far below what a branch is worth, far above
+// the rounding of G, whose rows are nearly the same at neighbouring branches.
 constexpr double kSoftness = 1e-9;
 
-// Of so many ends of a cut one more is shortened at a time: those next to each other are
-// rarely among the best; cuts have ten to thirty ends, those of 70 handles hundreds.
+// The number of ends of a cut for each one more that is shortened at a time: those next to each
+// other are rarely among the best; cuts have ten to thirty ends, those of 70 handles hundreds.
 constexpr std::size_t kOffersPerStep = 30;
 
 }  // namespace
@@ -121,7 +121,7 @@ std::vector<Index> CutTree::middle_edges() const {
   return {h};  // not of a cut that opens the surface
 }
 
-// What is left of the cut when everything is taken away that ends somewhere.
+// The cycles of the cut: what is left when every branch with an end is taken away.
 std::vector<Index> CutTree::cycles() const {
   const Edges leaving = cut_edges();
   std::vector<std::size_t> degree(leaving.size());

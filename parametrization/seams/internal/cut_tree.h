@@ -1,7 +1,7 @@
 // A cut as a tree, and what each of its branches is worth.
 //
 //   const std::vector<char> is_terminal(mesh->vertex_count(), 0);
-//   const Vec edge_cost = cut_costs(*mesh);
+//   const Vec edge_cost = Vec::Ones(mesh->half_edge_count());
 //   CutTree tree(*mesh, is_cut, is_terminal, edge_cost, 150, {});
 //   tree.peel(FlatteningStrain(mesh->cut_along(is_cut, nullptr)).strain(), 0.02, {});
 //   is_cut = tree.after(tree.steps_within(0.02)).is_cut;
@@ -10,7 +10,7 @@
 // handles are the root; otherwise it is the longest boundary loop, or two edges in the middle of
 // the cut of a closed surface. The rest hangs from it, divided into branches of about equal length.
 //
-// What branches are worth: on the surface cut along the root alone, the stress function chi
+// The worth of branches: on the surface cut along the root alone, the stress function chi
 // (flattening_strain.h) is held with its slope at the ends of all branches, which is nearly what
 // cuts do. With C the rows that say so, G = C A^-1 C^T, P = G^-1, x = P C chi: letting go of some
 // of them (rows R) adds

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "majorant/framework/internal/pattern_of_pairs.h"
+#include "majorant/framework/pattern_of_pairs.h"
 #include "majorant/mesh/geometry.h"
 
 namespace majorant {

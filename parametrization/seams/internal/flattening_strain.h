@@ -1,5 +1,5 @@
-// How much a piece of a surface is distorted in the plane, at best: estimated by one linear solve,
-// without a map.
+// The least distortion of a piece of a surface in the plane: estimated by one linear solve, without
+// a map.
 //
 //   const FlatteningStrain sheet(*mesh);
 //   const double energy = 4 + 4 * sheet.strain();   // about, symmetric Dirichlet, degree 1
@@ -42,7 +42,7 @@ class FlatteningStrain {
   double apply(const Functional& functional, const Vec& chi) const;
   const Vec& chi() const { return chi_; }            // by unknown, for apply()
   bool is_zero(const Functional& functional) const;  // for all chi
-  // What chi becomes when the curvature is `functional`, which is not zero.
+  // The response chi to the curvature `functional`, which is not zero.
   Vec response(const Functional& functional) const;
 
  private:

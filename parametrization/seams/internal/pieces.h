@@ -13,7 +13,7 @@ std::vector<std::vector<Index>> component_faces(const std::vector<Index>& opposi
 // Genus of a connected surface.
 Index genus(const SurfaceMesh& mesh);
 
-// Whether the surface, which is connected, is a disk with or without holes.
+// Returns whether the surface, which is connected, is a disk with or without holes.
 bool is_planar(const SurfaceMesh& mesh);
 
 // Cuts pieces that are closed or have handles along planar_cut. is_cut: 3 #F flags, both sides of

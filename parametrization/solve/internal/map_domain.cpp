@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/stopwatch.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/stopwatch.h"
 
 namespace majorant {
 ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
@@ -131,7 +131,7 @@ bool ScaffoldedDomain::hold() {
 StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) const {
   usual.relative_decrease *= rules_.part_of_tolerance;
   usual.tail_steps = rules_.tail_steps;
-  // What the sum promises is not what is left of the map's energy: lambda follows that.
+  // The decrement of the sum does not bound what is left of the map's energy, which lambda follows.
   usual.last_factor = std::numeric_limits<double>::infinity();
   return usual;
 }

@@ -1,5 +1,6 @@
-// Where the map of one degree is optimized: on its own nodes (PlainDomain), or with the space
-// around its image as a part of the problem (ScaffoldedDomain), which keeps it free of overlaps.
+// The domain on which the map of one degree is optimized: its own nodes (PlainDomain), or with the
+// space around its image as a part of the problem (ScaffoldedDomain), which keeps it free of
+// overlaps.
 //
 //     PlainDomain domain;
 //     DegreeSolver solver(setup, domain, map.shared_space(), map.control_points());
@@ -12,7 +13,9 @@
 #include <optional>
 #include <vector>
 
+#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/barrier_path.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/stepper.h"
@@ -51,21 +54,21 @@ class MapDomain {
   virtual DomainChange after_step(Vec& /*x*/, const StepResult& /*step*/, int /*depth*/) {
     return DomainChange::None;
   }
-  // What the problem's energy at x has that is not the map's own.
+  // The part of the problem's energy at x that is not the map's own.
   virtual double foreign_energy(const Problem&, VecIn /*x*/) const { return 0; }
 
   // The surroundings follow a barrier of their own: weight relative to the map's energy, 0 as ever.
-  // Whether that changes anything.
+  // Returns whether that changes anything.
   virtual bool strengthen(double /*weight*/) { return false; }
 
-  // Where a run stalls whose surroundings had yielded because the image rested: they do so no more
-  // at this degree. Whether they had.
+  // Called where a run stalls: surroundings that had yielded because the image rested do so no more
+  // at this degree. Returns whether they had.
   virtual bool hold() { return false; }
 
-  // How unknowns are to be ordered for factorizations.
+  // The ordering of unknowns for factorizations.
   virtual Ordering ordering() const { return Ordering::Automatic; }
 
-  // Of the rules by which a run ends at the tolerance asked for: those that the domain needs.
+  // The rules by which a run ends at the tolerance asked for, as this domain needs them.
   virtual StoppingRules final_rules(StoppingRules usual) const { return usual; }
 
   virtual void elevate(const std::shared_ptr<const BezierTriangleSpace>& /*higher*/) {}

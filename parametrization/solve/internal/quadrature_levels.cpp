@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-// Of the largest error, in halvings: how well a threshold is found; the bits of a float; a
+// The number of halvings of the largest error by which a threshold is found: the bits of a float; a
 // few faces more or less do not count.
 constexpr int kBisections = 24;
 

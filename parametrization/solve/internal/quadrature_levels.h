@@ -1,4 +1,4 @@
-// Which rule of a quadrature ladder each face uses: most stay on level 0 for good; a face that
+// The level of each face in a quadrature ladder: most faces stay on level 0 for good; a face that
 // blocks a run, or whose integral its rule gets wrong, is refined.
 #pragma once
 

@@ -24,14 +24,14 @@ using Piece = MapPieces::Piece;
 // Two halvings halve the edges. After 26 of these the area of a piece is 2^-52 of its cell's, which
 // is what doubles of the cell's size resolve. The 53 bits of a double.
 constexpr int kDeepestCut = 52;
-// Of a cell, more than there are in the beginning: as many as a lattice of 64 pieces an edge has. A
-// map that is not locally injective would take any number. Chosen, not tuned.
+// The number of pieces of a cell beyond those of the beginning: as many as a lattice of 64 pieces
+// an edge has. A map that is not locally injective would take any number. Chosen, not tuned.
 constexpr std::size_t kMostPieces = 64 * 64;
 constexpr std::size_t kMostNamedCells = 8;  // cells in a message; then the search ends
 // A diagonal leaves no piece with less than this part of the two. Chosen, not tuned.
 constexpr double kThinnest = 1.0 / 64;
-// Of pieces that were halved more often, diagonals and edges are not chosen by what they repair:
-// the shapes that halving longest edges makes are bounded. Chosen, not tuned.
+// The number of halvings beyond which diagonals and edges of a piece are not chosen by what they
+// repair: the shapes that halving longest edges makes are bounded. Chosen, not tuned.
 constexpr int kTriedDepth = 12;
 // Edges whose lengths differ by less are equally long: an edge seen from another cell is evaluated
 // in another order. Far above the rounding of a length.
@@ -156,7 +156,7 @@ class Cutter {
                             cells.size() >= kMostNamedCells ? " and others" : ""));
   }
 
-  // Whether the other diagonal of two pieces of the cell made both positive.
+  // Returns whether the other diagonal of two pieces of the cell made both positive.
   bool flip_edge_of(Index c, int first) {
     const std::vector<Piece>& all = pieces_.pieces(c);
     if (all[first].depth > kTriedDepth) return false;
@@ -223,7 +223,7 @@ class Cutter {
     return choice;
   }
 
-  // Of the curve, by its middle; the longest of its images along a cut.
+  // The length of the curve, by its middle; the longest of its images along a cut.
   double length(const Edge& edge) const {
     const std::vector<Edge> sides = pieces_.sides(edge);
     const std::vector<Vector2> middles = pieces_.middles(sides);
@@ -291,7 +291,7 @@ void visit_edges(const MapPieces& pieces, const Visit& visit) {
       }
 }
 
-// Whether the direction from p to q is in [0, pi).
+// Returns whether the direction from p to q is in [0, pi).
 bool is_above(const Vector2& p, const Vector2& q) {
   return q.y() > p.y() || (q.y() == p.y() && q.x() > p.x());
 }

@@ -17,7 +17,7 @@
 // halving longest edges keeps the angles of their images from below; so pieces are positive in the
 // end wherever the map is locally injective.
 //
-// Where the pieces of a map meet each other in the plane though each of them is positive: around a
+// Finds pieces of a map that meet each other in the plane though each of them is positive: around a
 // vertex, and along the boundary. Exact.
 #pragma once
 

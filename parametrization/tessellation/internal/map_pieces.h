@@ -30,7 +30,7 @@ class MapPieces {
     std::array<int, 3> corners;  // points of its cell, counterclockwise in the cell
     int depth = 0;               // how often it was halved
   };
-  // Of a piece of `cell`, between points i and j of that cell.
+  // An edge of a piece of `cell`, between points i and j of that cell.
   struct Edge {
     Index cell;
     int i, j;
@@ -75,7 +75,7 @@ class MapPieces {
   struct Cell {
     std::vector<Point> points;  // corners first
     std::vector<Piece> pieces;
-    // Of its three edges: by nodes, by v, by control points.
+    // The numbers of its three edges: by nodes, by v, by control points.
     std::array<Index, 3> edge, space_edge, plane_edge;
   };
   struct CellEdge {

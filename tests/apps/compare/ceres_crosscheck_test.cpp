@@ -8,7 +8,7 @@
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/cholmod_solver.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"

@@ -5,7 +5,6 @@
 
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/newton.h"
-#include "majorant/terms/linear_term.h"
 #include "majorant/terms/local_term.h"
 
 using namespace majorant;

@@ -1,12 +1,10 @@
 // Edges held parallel to an axis: ranks, values shared along lines, seams and pins.
-#include "majorant/constraints/axis_alignment.h"
-
 #include <gtest/gtest.h>
 
 #include "expected_error.h"
-#include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/elimination.h"
 #include "parametrization/initialization/seamless_cases.h"
 #include "support.h"
 

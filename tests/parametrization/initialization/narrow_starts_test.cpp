@@ -7,8 +7,8 @@
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/internal/weighted_tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/initialization/strip_unfolding.h"
-#include "majorant/parametrization/initialization/tutte.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {

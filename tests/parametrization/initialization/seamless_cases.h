@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/constraints/seamless_constraint.h"
-#include "majorant/parametrization/initialization/texture_seams.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {

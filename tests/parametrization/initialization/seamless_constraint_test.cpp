@@ -1,18 +1,16 @@
 // Seams held by elimination: exact null space, known ranks, small integers, redundant, conflicting
 // and composed constraints.
-#include "majorant/constraints/seamless_constraint.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "constraints/integer_rows.h"
 #include "expected_error.h"
-#include "majorant/constraints/fixed_points.h"
-#include "majorant/energies/named_energies.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/problem_parts.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/problem_parts.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "parametrization/initialization/seamless_cases.h"
 #include "parametrization/maps/test_maps.h"

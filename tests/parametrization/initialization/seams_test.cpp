@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "majorant/constraints/cut_surface.h"
-#include "majorant/framework/internal/elimination.h"
+#include "majorant/framework/elimination.h"
 #include "parametrization/initialization/seamless_cases.h"
 #include "support.h"
 

@@ -1,10 +1,9 @@
 // Tutte's start is what its definition says (method.md N7).
-#include "majorant/parametrization/initialization/tutte.h"
-
 #include <set>
 
 #include "expected_error.h"
 #include "majorant/parametrization/initialization/filled_holes.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 

@@ -7,7 +7,7 @@
 
 #include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/parametrization/initialization/make_seamless.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
 

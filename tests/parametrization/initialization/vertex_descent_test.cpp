@@ -2,11 +2,10 @@
 // lowers it without turning a triangle over.
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
 
-#include "majorant/energies/density.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/energies/named_energies.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/framework/problem.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "mesh/obj_file.h"

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/maps/test_maps.h"
 #include "singular_values.h"

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "energies/density_fixture.h"
-#include "majorant/constraints/fixed_points.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/terms/quadratic_penalty.h"
 
 namespace majorant {

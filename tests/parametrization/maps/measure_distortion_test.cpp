@@ -1,13 +1,12 @@
 // Distortion of whole maps against exact values of affine maps and sums over many points.
-#include "majorant/parametrization/maps/measure_distortion.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <limits>
 
 #include "majorant/elements/quadrature.h"
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/parametrization/maps/distortion.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/maps/test_maps.h"
 

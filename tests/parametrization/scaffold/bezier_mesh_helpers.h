@@ -8,9 +8,9 @@
 #include <array>
 #include <numeric>
 
-#include "majorant/elements/bezier_triangle_space.h"
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/parametrization/maps/bezier_mesh.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {

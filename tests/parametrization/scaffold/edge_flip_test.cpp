@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"
 

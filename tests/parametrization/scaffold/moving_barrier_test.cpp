@@ -1,7 +1,7 @@
 // Determinant coefficients of both halves of a quadrilateral, and derivatives of the barrier.
 #include "majorant/parametrization/scaffold/internal/moving_barrier.h"
 
-#include "majorant/elements/internal/bernstein.h"
+#include "majorant/elements/bernstein.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
 #include "parametrization/maps/test_maps.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"

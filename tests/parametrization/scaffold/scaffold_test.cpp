@@ -6,8 +6,8 @@
 #include <set>
 
 #include "expected_error.h"
-#include "majorant/constraints/seamless_constraint.h"
-#include "majorant/framework/evaluator.h"
+#include "majorant/constraints/constraints.h"
+#include "majorant/framework/problem.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"
 
 namespace majorant {

@@ -1,6 +1,4 @@
 // Bounds with a barrier, in parametrize(): the constrained minimum, bracketed from both sides.
-#include "majorant/terms/bounds.h"
-
 #include <algorithm>
 #include <vector>
 

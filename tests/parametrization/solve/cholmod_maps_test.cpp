@@ -1,7 +1,7 @@
 // Maps by CHOLMOD are those of the library's own factorization: the same path but for rounding.
 #include <cmath>
 
-#include "majorant/parametrization/initialization/make_seamless.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "parametrization/fields/closed_surfaces.h"
 #include "parametrization/solve/parametrize_expectations.h"
 

@@ -1,8 +1,7 @@
 // Planar meshes moved by handles and pins.
-#include "majorant/parametrization/solve/deform.h"
-
 #include "expected_error.h"
 #include "majorant/certify/global_injectivity.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "parametrization/solve/parametrize_expectations.h"
 
 namespace majorant {

@@ -3,7 +3,7 @@
 
 #include "energies/density_fixture.h"
 #include "expected_error.h"
-#include "majorant/framework/evaluator.h"
+#include "majorant/framework/problem.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/obj_file.h"
 #include "parametrization/solve/parametrize_expectations.h"

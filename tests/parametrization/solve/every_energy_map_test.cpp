@@ -2,7 +2,7 @@
 // degree, and independent of threads and units.
 #include <gtest/gtest.h>
 
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"

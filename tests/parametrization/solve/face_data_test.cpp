@@ -6,10 +6,10 @@
 
 #include "expected_error.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/evaluator.h"
-#include "majorant/framework/internal/element_values.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/framework/problem.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "parametrization/solve/parametrize_expectations.h"

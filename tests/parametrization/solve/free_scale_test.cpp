@@ -7,7 +7,7 @@
 
 #include "expected_error.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/parametrization/solve/deform.h"
+#include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/surfaces_of_any_genus.h"
 
 namespace majorant {

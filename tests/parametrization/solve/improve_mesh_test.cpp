@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 #include <set>
 
-#include "majorant/constraints/seamless_constraint.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/maps/measure.h"
 #include "majorant/parametrization/solve/parametrize.h"

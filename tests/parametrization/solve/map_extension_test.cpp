@@ -4,10 +4,9 @@
 #include <limits>
 
 #include "expected_error.h"
-#include "majorant/constraints/fixed_points.h"
-#include "majorant/constraints/fixed_unknowns.h"
+#include "majorant/constraints/constraints.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/terms/quadratic_penalty.h"
 #include "mesh/obj_file.h"
 #include "parametrization/solve/parametrize_expectations.h"

@@ -5,9 +5,9 @@
 
 #include <Eigen/LU>
 
-#include "majorant/elements/internal/bernstein.h"
-#include "majorant/energies/named_energies.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/obj_file.h"

@@ -7,7 +7,7 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "mesh/obj_file.h"
 #include "parametrization/solve/parametrize_expectations.h"
 #include "public_data.h"

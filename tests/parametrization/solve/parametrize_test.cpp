@@ -5,7 +5,7 @@
 #include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "parametrization/solve/parametrize_expectations.h"
 
 namespace majorant {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "majorant/certify/global_injectivity.h"
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
 #include "parametrization/solve/parametrize_expectations.h"
 

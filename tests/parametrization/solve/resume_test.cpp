@@ -1,7 +1,7 @@
 // A solver goes on from the state of another one: at any step, to the same minimum.
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/initialization/tutte.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/degree_solver.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "parametrization/solve/parametrize_expectations.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "majorant/energies/named_energies.h"
+#include "majorant/energies/energy_factory.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
 #include "parametrization/solve/parametrize_expectations.h"
 

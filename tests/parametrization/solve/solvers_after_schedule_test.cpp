@@ -2,7 +2,7 @@
 // parametrize()'s schedule gives, they reach the same minimum.
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/ceres_minimizer.h"
-#include "majorant/framework/lbfgs.h"
+#include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"

@@ -1,10 +1,9 @@
 // Texture coordinates as a plain start and as a seamless map: what is found, what is refused.
-#include "majorant/parametrization/initialization/texture_seams.h"
-
 #include <gtest/gtest.h>
 
 #include "expected_error.h"
 #include "majorant/constraints/local_injectivity.h"
+#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "parametrization/initialization/seamless_cases.h"
 

@@ -8,8 +8,8 @@
 
 #include "certify/exact_curves.h"
 #include "io/io_test_helpers.h"
+#include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/io/write_obj.h"
 #include "majorant/parametrization/tessellation/internal/cut_pieces.h"
 #include "majorant/parametrization/tessellation/internal/map_pieces.h"
 

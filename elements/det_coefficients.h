@@ -1,0 +1,134 @@
+// Bernstein coefficients of det J of one element, and what floating point may have done to them.
+//
+// Derivatives of the map are differences of control points, times the degree n. In the plane det J
+// is bilinear in them ([MC20] Sec. 5.2 with the factor of method.md E6), in space it goes through
+// the cofactors D1 x D2 of the first derivative, so that the cost is a sum of two products rather
+// than a triple one.
+//
+// A derivative in the direction of one factor of the cell has degree n - 1 in that factor and n in
+// the others, so a factor of dimension k contributes degree D n - k: 2(n-1) on triangles, 3(n-1) on
+// tetrahedra, (2n-1, 2n-1) on squares, (3n-2, 3n-1) on wedges. Directions of different factors have
+// different numbers of coefficients.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/elements/internal/step_polynomial.h"
+
+namespace majorant {
+
+// The product of two Bernstein polynomials: entry (r, s) adds scale * weight * a_r * b_s to
+// coefficient `target`. Entries are stored by r, then s.
+class ProductTable {
+ public:
+  struct Entry {
+    int target;
+    double weight;  // numerator / denominator, rounded
+  };
+  struct Fraction {
+    double numerator, denominator;  // integers
+  };
+  ProductTable() = default;
+  // Throws InvalidArgument where a numerator or denominator does not fit a double exactly.
+  ProductTable(const BernsteinBasis& a, const BernsteinBasis& b, const BernsteinBasis& product,
+               double scale);
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+  int target_count() const { return target_count_; }
+  const std::vector<Entry>& entries() const { return entries_; }
+  const std::vector<Fraction>& fractions() const { return fractions_; }  // one per entry
+
+ private:
+  int rows_ = 0, columns_ = 0, target_count_ = 0;
+  std::vector<Entry> entries_;
+  std::vector<Fraction> fractions_;
+};
+
+class DetCoefficients {
+ public:
+  // element: one that check_description() accepts (element_check.h). Throws InvalidArgument
+  // for what BernsteinElement::basis() and ProductTable refuse.
+  explicit DetCoefficients(const BernsteinElement& element);
+
+  const BernsteinBasis& basis() const { return basis_; }
+  int count() const { return basis_.count(); }
+
+  // Coefficients for control points c (D numbers per node) and a rigorous bound of the absolute
+  // error of each, for finite c without overflow. out, error: count() numbers.
+  void at_with_error(const double* c, double* out, double* error) const;
+  // The same in quadruple precision, rounded to double; error bounds accordingly smaller.
+  void at_with_error_quad(const double* c, double* out, double* error) const;
+  // The same in the plane without rounding, for control points that are integers: coefficients
+  // times a positive integer, the same for all.
+  template <class Integer>
+  std::vector<Integer> scaled(const std::vector<Integer>& c) const;
+  // An affine map of the plane has one coefficient, a 2 by 2 determinant: the same numbers as
+  // at_with_error() and along_line() have, without tables.
+  bool is_one_minor() const { return dim_ == 2 && minors_.entries().size() == 1; }
+  void minor_with_error(const double* c, double* out, double* error) const;
+  StepPolynomial<2> minor_along_line(const StepPolynomial<1>* c) const;
+  // Coefficients as polynomials of degree D in t for control points that are linear in t.
+  void along_line(const StepPolynomial<1>* c, StepPolynomial<2>* out) const;
+  void along_line(const StepPolynomial<1>* c, StepPolynomial<3>* out) const;
+
+ private:
+  // Control value of a derivative, without the factor n: c[plus] - c[minus].
+  struct Difference {
+    int plus, minus;
+  };
+  static std::vector<Difference> differences(const BernsteinElement& element, int direction);
+  template <class First, class Number>
+  auto only_minor(const Number* c) const;
+  template <class Number, class First>
+  void differentiate(const Number* c, First* out) const;
+  template <class Real, class First, class Second>
+  void expand_in_plane(const First* derivatives, Second* out) const;
+  template <class Real, class First, class Second, class Third>
+  void expand_in_space(const First* derivatives, Second* cofactors, Third* out) const;
+  template <class Real>
+  void with_error(const double* c, double unit, double* out, double* error) const;
+  int derivative_count(int direction) const {  // coefficients of one component of it
+    const auto d = to_size(direction);
+    return starts_[d + 1] - starts_[d];
+  }
+  // The place of the derivative of a component in the output of differentiate().
+  int derivative_start(int direction, int component) const {
+    return dim_ * starts_[direction] + component * derivative_count(direction);
+  }
+  std::size_t derivative_size() const { return to_size(dim_) * differences_.size(); }
+
+  int dim_, degree_;
+  BernsteinBasis basis_;
+  std::vector<Difference> differences_;  // of the directions, one after the other
+  std::array<int, 4> starts_{};          // of each direction in differences_, and the end
+  std::array<int, 4> matrix_{};          // in the plane: starts of the four derivatives, by rows
+  ProductTable minors_;                  // of the last two directions; in the plane det J itself
+  ProductTable products_;                // in space: of the first direction and a cofactor
+};
+
+// Coefficient t has the denominator weight(t) = (sum of exponents)! / (product of their factorials)
+// in every factor of the cell, so that the product of the factorials is what is missing.
+template <class Integer>
+std::vector<Integer> DetCoefficients::scaled(const std::vector<Integer>& c) const {
+  std::vector<std::array<Integer, 2>> derivatives;
+  for (const Difference& w : differences_)
+    derivatives.push_back({c[2 * w.plus] - c[2 * w.minus], c[2 * w.plus + 1] - c[2 * w.minus + 1]});
+  std::vector<Integer> out(to_size(count()));
+  for (std::size_t e = 0; e < minors_.entries().size(); ++e) {
+    const auto& a = derivatives[e / to_size(minors_.columns())];
+    const auto& b = derivatives[to_size(starts_[1]) + e % to_size(minors_.columns())];
+    out[minors_.entries()[e].target] +=
+        static_cast<std::int64_t>(minors_.fractions()[e].numerator) * (a[0] * b[1] - a[1] * b[0]);
+  }
+  for (int t = 0; t < count(); ++t)
+    for (const int exponent : basis_.exponents(t))
+      for (int k = 2; k <= exponent; ++k) out[t] *= k;
+  return out;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,42 @@
+// Shortening of a step until it is good enough: the loop of all searches along a line.
+//
+//     const auto good = [&](double s) { return value(s) <= value(0) + kArmijo * s * slope; };
+//     const auto next = [&](double s) { return good(s) ? kTake : kHalve; };
+//     std::optional<double> s = backtrack(1, {.smallest = 1e-6}, next);
+//
+// Not for growing a step: LineSearch (stepper.h) does that.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "majorant/framework/stepper.h"
+
+namespace majorant {
+
+// Answers of an attempt: the part of the step to try next. 1 takes it, 0 gives up.
+inline constexpr double kTake = 1, kHalve = 0.5, kGiveUp = 0;
+
+struct Backtracking {
+  double smallest = 0;  // steps below are not tried
+  int most_trials = std::numeric_limits<int>::max();
+};
+
+// The first step that is taken, from `first` > 0 on; none where the rules or the attempt end it.
+// attempt(step): part of the step to try next, see above.
+template <class Attempt>
+std::optional<double> backtrack(double first, const Backtracking& rules, const Attempt& attempt) {
+  double step = first;
+  for (int k = 0; k < rules.most_trials && step >= rules.smallest; ++k) {
+    const double part = attempt(step);
+    if (part == kTake) return step;
+    if (part == kGiveUp) break;
+    step *= part;
+  }
+  return std::nullopt;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,123 @@
+#include "majorant/framework/elimination.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "majorant/framework/internal/affine_presolve.h"
+#include "majorant/framework/projection.h"
+
+namespace majorant {
+
+Elimination::Elimination(Index full_size, const ConstraintRows& rows)
+    : auxiliary_size_(rows.auxiliary_count()) {
+  rows.require_ended();
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (auto e = rows.begin(r); e != rows.end(r); ++e)
+      if (e->unknown < -auxiliary_size_ || e->unknown >= full_size)
+        throw InvalidArgument(
+            fmt::format("constraint row '{}': unknown {} does not exist, there "
+                        "are {} and {} auxiliary ones",
+                        rows.label(r), e->unknown, full_size, auxiliary_size_));
+  const SolvedUnknowns solved = solve_rows(full_size, rows);
+  const Index all = full_size + auxiliary_size_;
+  std::vector<Index> reduced(to_size(all), -1);
+  for (Index i = 0; i < all; ++i) {
+    if (solved.fixed[i] || solved.others.count(i)) continue;
+    reduced[i] = static_cast<Index>(free_.size());
+    free_.push_back(i);
+  }
+  offset_ = Vec::Zero(full_size);
+  starts_.push_back(0);
+  starts_.reserve(to_size(full_size) + 1);
+  entries_.reserve(to_size(full_size));
+  for (Index i = 0; i < full_size; ++i) {
+    if (solved.fixed[i]) {
+      offset_[i] = solved.fixed_to[i];
+    } else if (const auto it = solved.others.find(i); it != solved.others.end()) {
+      for (const auto& [unknown, c] : it->second.terms) entries_.push_back({reduced[unknown], c});
+      offset_[i] = it->second.constant;
+    } else {
+      entries_.push_back({reduced[i], 1.0});
+    }
+    starts_.push_back(entries_.size());
+  }
+  define_auxiliaries(rows);
+}
+
+void Elimination::define_auxiliaries(const ConstraintRows& rows) {
+  std::vector<char> known(to_size(auxiliary_size_), 0);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const ConstraintRows::Entry* open = nullptr;
+    int open_count = 0;
+    for (auto e = rows.begin(r); e != rows.end(r); ++e)
+      if (e->unknown < 0 && !known[-1 - e->unknown]) {
+        open = e;
+        ++open_count;
+      }
+    if (open_count != 1 || open->coefficient == 0) continue;
+    const double scale = open->coefficient;
+    Definition d{-1 - open->unknown, rows.rhs(r) / scale, {}};
+    for (auto e = rows.begin(r); e != rows.end(r); ++e)
+      if (e != open)
+        d.terms.push_back({row_position(e->unknown, full_size()), -e->coefficient / scale});
+    known[d.auxiliary] = 1;
+    definitions_.push_back(std::move(d));
+  }
+}
+
+bool Elimination::begins_like(const Elimination& other, Index full_unknowns) const {
+  if (full_unknowns > full_size() || full_unknowns > other.full_size()) return false;
+  const auto rows = full_unknowns + 1;
+  return std::equal(starts_.begin(), starts_.begin() + rows, other.starts_.begin()) &&
+         std::equal(begin(0), begin(full_unknowns), other.begin(0));
+}
+
+void Elimination::expand(VecIn y, Vec& x) const {
+  x = offset_;
+  for (Index i = 0; i < full_size(); ++i)
+    for (auto e = begin(i); e != end(i); ++e) x[i] += e->coefficient * y[e->reduced];
+}
+
+void Elimination::expand_direction(VecIn dy, Vec& dx) const {
+  dx.setZero(full_size());
+  for (Index i = 0; i < full_size(); ++i)
+    for (auto e = begin(i); e != end(i); ++e) dx[i] += e->coefficient * dy[e->reduced];
+}
+
+void Elimination::restrict_gradient(VecIn gx, Vec& gy) const {
+  gy.setZero(reduced_size());
+  for (Index i = 0; i < full_size(); ++i)
+    for (auto e = begin(i); e != end(i); ++e) gy[e->reduced] += e->coefficient * gx[i];
+}
+
+Vec Elimination::reduce(VecIn x, double* residual) const {
+  Vec auxiliary = Vec::Zero(auxiliary_size_);
+  const auto value = [&](Index i) { return i < full_size() ? x[i] : auxiliary[i - full_size()]; };
+  for (const Definition& d : definitions_) {
+    auxiliary[d.auxiliary] = d.constant;
+    for (const Entry& e : d.terms) auxiliary[d.auxiliary] += e.coefficient * value(e.reduced);
+  }
+  Vec y(reduced_size());
+  for (Index j = 0; j < reduced_size(); ++j) y[j] = value(full_index(j));
+  if (residual) {
+    Vec back;
+    expand(y, back);
+    *residual = full_size() ? (back - x).cwiseAbs().maxCoeff() : 0.0;
+  }
+  return y;
+}
+
+// Preconditioned by the columns' lengths: Z is well conditioned.
+Vec Elimination::project(VecIn x) const {
+  Vec lengths = Vec::Zero(reduced_size());
+  for (const Entry& e : entries_) lengths[e.reduced] += e.coefficient * e.coefficient;
+  return projection(*this, x, Identity(), lengths);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
