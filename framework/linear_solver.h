@@ -18,7 +18,6 @@
 #include <string_view>
 #include <vector>
 
-#include "majorant/framework/partition.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 
@@ -82,9 +81,9 @@ class LinearSolver {
   virtual ~LinearSolver() = default;
   // Chooses an ordering and allocates. `pattern` must outlive the solver's use of it.
   virtual void analyze(const SparsePattern& pattern) = 0;
-  // What the matrices to come hardly see, one vector a column (the translations of a map, say), on
-  // the unknowns of the next analysis: multigrid that is made of matrices alone converges sooner
-  // for it. Others do not look.
+  // The near null space of the matrices to come (the translations of a map, say), one vector a
+  // column, on the unknowns of the next analysis. Algebraic multigrid converges sooner for it;
+  // other solvers ignore it.
   virtual void hint_near_null_space(Eigen::MatrixXd /*vectors*/) {}
   // Factorizes H + shift * I; `values` parallel to pattern.rows.
   virtual FactorStatus factorize(const Vec& values, double shift) = 0;
@@ -98,8 +97,8 @@ class LinearSolver {
   virtual std::string description() const = 0;
 };
 
-// Makes one, or hands out one that is kept for minimizers that follow each other: it knows the last
-// one's ordering. Minimizers call it once. May be empty where they have one of their own.
+// Makes a solver, or hands out one that is kept for minimizers that follow each other: it knows the
+// last one's ordering. Minimizers call it once. May be empty where they have one of their own.
 using SolverFactory = std::function<std::shared_ptr<LinearSolver>()>;
 
 // Automatic: what costs least over the factorizations of a Newton run, ten and more. Amd: cheaper

@@ -10,6 +10,8 @@
 //   Problem other = problem.with({{id, TermState{.weight = 2}}});  // everything else the same
 //
 // A Problem is immutable and cheap to copy. Solvers see the reduced unknowns y of x = Z y + c.
+//
+// Not for sums whose every element has many unknowns: matrices are sparse, local ones dense.
 #pragma once
 
 #include <memory>
@@ -23,7 +25,6 @@
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/partition.h"
 #include "majorant/framework/stop_check.h"
 
 namespace majorant {

@@ -10,7 +10,6 @@
 #include "arrays.h"
 #include "kept.h"
 #include "majorant/framework/detail/packed_symmetric.h"
-#include "majorant/framework/internal/symmetric_eigen.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"

@@ -13,9 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "majorant/constraints/constraints.h"
 #include "majorant/constraints/local_injectivity.h"
-#include "majorant/framework/barrier_path.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/stepper.h"
@@ -27,7 +25,7 @@
 
 namespace majorant {
 
-// What happened to the unknowns between two steps.
+// The change of the unknowns between two steps.
 enum class DomainChange {
   None,
   Values,     // they are elsewhere: energies are others
