@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/pair_order.h"
+#include "majorant/framework/pair_order.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/io.h"

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/pair_order.h"
+#include "majorant/framework/pair_order.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
@@ -108,7 +108,7 @@ std::size_t first_duplicate(const PolygonMesh& input, const TriangleList& list) 
   return to_size(first);
 }
 
-// Whether flipping some faces makes the orientation consistent: two-colour the dual graph.
+// Returns whether flipping some faces makes the orientation consistent: two-colour the dual graph.
 bool orientable(const TriangleList& list, const std::vector<HalfEdge>& edges) {
   const auto n = static_cast<Index>(list.triangles.size());
   UnionFind sheets(2 * n);  // t: kept, n + t: flipped

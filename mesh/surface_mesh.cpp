@@ -14,7 +14,7 @@
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/pair_order.h"
+#include "majorant/framework/pair_order.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/mesh_validation.h"

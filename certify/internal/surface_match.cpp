@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "majorant/certify/internal/match_tolerance.h"
-#include "majorant/framework/internal/pair_order.h"
+#include "majorant/framework/pair_order.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/triangle_list.h"
 #include "majorant/mesh/triangulate_polygon.h"

@@ -12,7 +12,7 @@
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/pair_order.h"
+#include "majorant/framework/pair_order.h"
 
 namespace majorant {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/pair_order.h"
+#include "majorant/framework/pair_order.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/triangulate_polygon.h"
 

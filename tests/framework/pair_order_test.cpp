@@ -1,5 +1,5 @@
 // Pairs in order by counting, beside std::sort and std::map.
-#include "majorant/framework/internal/pair_order.h"
+#include "majorant/framework/pair_order.h"
 
 #include <gtest/gtest.h>
 

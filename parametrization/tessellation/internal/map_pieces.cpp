@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/pair_order.h"
+#include "majorant/framework/pair_order.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
