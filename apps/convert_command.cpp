@@ -99,7 +99,7 @@ void measure(const ConvertRequest& request, MapFile& map, WrittenFiles& written)
   written.write(path, [&] { write_distortion(path, map, measured.faces); });
 }
 
-// Of what the file that is converted holds.
+// The parts of the converted file that the output does not hold.
 std::vector<std::string> left_out_of(const std::string& path, const MapFile& map,
                                      const MapFormats& formats) {
   std::vector<std::string> what = left_out(path, map, formats);

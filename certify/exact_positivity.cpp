@@ -80,7 +80,7 @@ std::array<DeterminantPiece, 2> halves(const DeterminantPiece& p) {
     for (int j = 0; j <= d; ++j) row.push_back(p.c[p.at(j, k)]);
     for (int r = 0; r <= d; ++r) {
       const auto scale = static_cast<unsigned>(n - r);
-      // By (old corner 0, middle, old 2) the coefficient has exponents (d - r, r, k); by (middle,
+      // On (old corner 0, middle, old 2) the coefficient has exponents (d - r, r, k); by (middle,
       // old 1, old 2) it has (r, d - r, k).
       half[0].c[half[0].at(d - r, r)] = row.front() << scale;
       half[1].c[half[1].at(k, r)] = row[d - r] << scale;

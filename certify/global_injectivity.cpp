@@ -185,7 +185,7 @@ class Contacts {
   }
 
  private:
-  // What the sweep finds is one contact, and not the end of what is to be said.
+  // The sweep finds one contact; others may remain.
   bool are_simple_polygons() {
     const SweepResult swept = sweep_segments(boundary_, budget_);
     out_.pairs_tested += swept.pairs_tested;

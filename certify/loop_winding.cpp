@@ -15,7 +15,8 @@ using curve_piece::Piece;
 
 // ---- Sense ----
 
-// Of the polygon of the vertices, if that is simple: the turn at its lexicographically first one.
+// The sense of the polygon of the vertices, if that is simple: the turn at its lexicographically
+// first one.
 int sense_of_polygon(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
   const auto first = boundary.curves.begin() + loop.first,
              last = boundary.curves.begin() + loop.last;

@@ -6,7 +6,7 @@
 //   builder.add(SeamlessConstraint(space, map.shared_seams()));
 //   builder.add(std::make_shared<const LocalInjectivity>(space, 2 * rest.measure));
 //
-// Not for what may give way: QuadraticPenalty (energies/quadratic_penalty.h) makes any of these
+// Not for what may give way: QuadraticPenalty (terms/quadratic_penalty.h) makes any of these
 // constraints soft.
 #pragma once
 

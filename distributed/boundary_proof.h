@@ -1,4 +1,4 @@
-// Whether a map in parts is injective as a whole: proven by rank 0 from the boundary curves of all
+// Proves that a map in parts is injective as a whole: rank 0 does, from the boundary curves of all
 // ranks (certify/global_injectivity.h), which are O(sqrt #F) of them.
 //
 //     const BoundaryOrder order(whole_mesh, rank_of_face);       // rank 0; default elsewhere
@@ -12,7 +12,7 @@
 
 namespace majorant {
 
-// Where rank 0 finds the boundary half-edges of the surface, loop by loop.
+// The places where rank 0 finds the boundary half-edges of the surface, loop by loop.
 class BoundaryOrder {
  public:
   struct Place {

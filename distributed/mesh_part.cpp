@@ -43,7 +43,7 @@ class Reader {
   std::vector<double>::const_iterator next_;
 };
 
-// What rank 0 makes for one rank.
+// The arrays that rank 0 makes for one rank.
 struct Piece {
   std::vector<Index> faces;     // of the surface
   std::vector<Index> vertices;  // of the cut surface, by vertex of the surface
@@ -72,7 +72,7 @@ class Division {
     share_edges();
   }
 
-  // Of the faces of this rank: face, corners.
+  // The rest triangles of a rank's faces: face, corners.
   std::vector<double> rest_triangles(int rank) const {
     std::vector<double> list;
     for (const RestTriangle& t : mesh_.rest_triangles()) {

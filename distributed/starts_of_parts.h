@@ -1,4 +1,4 @@
-// Where a map in parts starts: Tutte's map (parametrization/initialization/start.h), solved by all
+// The starts of a map in parts: Tutte's map (parametrization/initialization/start.h), solved by all
 // ranks together, and its way to pins that are elsewhere.
 //
 //     TutteOfParts tutte = tutte_of_parts(part, whole_mesh, linear_solver);
@@ -13,8 +13,8 @@ namespace majorant {
 
 struct TutteOfParts {
   Vec uv;  // 2 numbers per vertex of the part
-  // Where its faces would have no room in doubles, rank 0 makes the start alone, as one process
-  // does: exact signs decide there, and other convex combinations may be needed.
+  // True where its faces would have no room in doubles: rank 0 makes the start alone, as one
+  // process does: exact signs decide there, and other convex combinations may be needed.
   bool on_one_rank = false;
 };
 

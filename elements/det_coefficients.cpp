@@ -233,7 +233,7 @@ void DetCoefficients::with_error(const double* c, double unit, double* out, doub
     SmallBuffer<Bounded<Real>, 128> cofactor(to_size(minors_.target_count()));
     expand_in_space<Real>(derivatives.data(), cofactor.data(), sums.data());
     roundings = 16.0 + 4 * most;
-    // What underflowed in a cofactor was multiplied by the first derivative.
+    // The underflow in a cofactor was multiplied by the first derivative.
     double largest = 0;
     for (int k = 0; k < derivative_start(1, 0); ++k)
       largest = std::max(largest, static_cast<double>(magnitude(derivatives.data()[k])));

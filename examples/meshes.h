@@ -93,7 +93,7 @@ inline ExampleMesh bar(int length, int width) {
   return m;
 }
 
-// Of a triangle or a tetrahedron, as columns; the third one of a triangle is 0.
+// The edges of a triangle or a tetrahedron, as columns; the third one of a triangle is 0.
 inline Eigen::Matrix3d edges_from_first_corner(const ExampleMesh& m, majorant::Index cell) {
   Eigen::Matrix3d edges = Eigen::Matrix3d::Zero();
   for (majorant::Index k = 1; k < m.cells.cols(); ++k)

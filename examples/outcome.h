@@ -1,4 +1,4 @@
-// How the examples about terms end: what came out, beside what has to.
+// The end of the examples about terms: prints the result beside the expected one.
 #pragma once
 
 #include <cmath>

@@ -46,7 +46,7 @@ SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
     const auto with = elements_of(c);
     below.clear();
     if (c > 0 && !with.empty() && std::ranges::equal(with, elements_of(c - 1))) {
-      // Of one node: the rows of the unknown before it, but that one's and its own.
+      // The next unknown of a node has the rows of the one before it, but that one's and its own.
       below.assign(p.rows.begin() + p.diagonal_slot(c - 1) + 2, p.rows.end());
     } else {
       for (const std::size_t e : with)

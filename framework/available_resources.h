@@ -17,7 +17,8 @@ namespace majorant {
 // The least of what Linux calls MemAvailable and of what the limits of the control groups leave,
 // file caches that give way counted as free. None where nobody says.
 std::optional<std::size_t> free_memory(const std::string& root = "");
-// That of a solver: the environment's MAJORANT_MEMORY_BYTES, for tests, replaces it.
+// The memory that a solver may count on: the environment's MAJORANT_MEMORY_BYTES, for tests,
+// replaces it.
 std::optional<std::size_t> available_memory(const std::string& root = "");
 
 // The least of the processors of its affinity, of the CPU quota of its control groups, rounded up,

@@ -13,7 +13,7 @@
 //     }
 //   };
 //
-// Not for inequalities (feasibility.h), nor for what may give way (energies/quadratic_penalty.h).
+// Not for inequalities (feasibility.h), nor for what may give way (terms/quadratic_penalty.h).
 #pragma once
 
 #include <cmath>

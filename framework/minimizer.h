@@ -51,8 +51,8 @@ class Minimizer {
 //       if (advice.fallback) best = y;
 //     }
 //
-// That loop is Stepper::descend(). The test sees reports of steps only, no solver and no unknowns:
-// the same reports give the same advice.
+// The loop of descents is Stepper::descend(). The test sees reports of steps only, no solver and no
+// unknowns: the same reports give the same advice.
 
 // Stopping formulas, with E_k the energy after iteration k, p the Newton direction, g the gradient:
 //     decrement:   -g.p <= decrement |E_{k-1}|                                Converged, no step

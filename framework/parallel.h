@@ -1,5 +1,5 @@
-// How many threads the work of a block may use, and loops on them: one pool for the process, whose
-// threads sleep while there is nothing to do.
+// The number of threads that the work of a block may use, and loops on them: one pool for the
+// process, whose threads sleep while there is nothing to do.
 //
 //   const ThreadCount two(2);          // until the end of this block, for what this thread calls
 //   std::vector<double> y(1000);

@@ -1,5 +1,5 @@
-// What evaluators and line searches need of a problem and nobody else: the elimination behind
-// x = Z y + c, how each term is evaluated and assembled, how processes share it (partition.h).
+// The parts of a problem that only evaluators and line searches need: the elimination behind x = Z
+// y + c, how each term is evaluated and assembled, how processes share it (partition.h).
 //
 //   const Elimination& z = ProblemParts::elimination(problem);
 //   const ColoredBatches& plan = ProblemParts::plan(problem, problem.terms().front());

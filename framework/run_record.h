@@ -242,9 +242,9 @@ class RunRecord {
   // Loops that run in step end together: from here on directive(), note() and iterations_left()
   // answer what `agreed` makes of their own answers, the same for all of them.
   void agree(std::function<int(int own)> agreed) { agreed_ = std::move(agreed); }
-  // Of one part of the run that is solved by itself, perhaps on another thread: the same limits
-  // (iterations count from 0), a trace of its own; what it begins is not announced, its steps are
-  // told the observer.
+  // A record for one part of the run that is solved by itself, perhaps on another thread: the same
+  // limits (iterations count from 0) and a trace of its own. Its activities are not announced, its
+  // steps are told the observer.
   RunRecord part(RunObserver* observer = nullptr) const {
     RunRecord part;
     part.max_iterations_ = max_iterations_;

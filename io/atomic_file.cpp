@@ -46,7 +46,7 @@ std::string extension_of(const std::string& path) {
   return std::filesystem::path(path).extension().string();
 }
 
-// Where the last name of `path` leads, also if nothing is there yet.
+// The file that the last name of `path` leads to, also if nothing is there yet.
 std::string follow_links(const std::string& path) {
   constexpr int kMostLinks = 40;  // as the kernel
   std::filesystem::path target = path;

@@ -54,7 +54,7 @@ class PendingFile {
 // and removes it. Only the disk may still be full. Throws Error(Usage) as above.
 void require_writable_file(const std::string& path);
 
-// What all names of one file have in common: links, hard links, `./`.
+// The identity that all names of one file share: links, hard links, `./`.
 struct FileIdentity {
   std::uint64_t device = 0, inode = 0;  // of the file; of its folder if it does not exist yet
   std::string name;                     // in that folder; empty if the file exists

@@ -17,8 +17,8 @@ namespace {
 
 using nlohmann::json;
 
-// How far a direction may be from length 1. Origin: rounding of a vector of length 1 and of its
-// digits is far below.
+// The largest distance of a direction from length 1. Origin: rounding of a vector of length 1 and
+// of its digits is far below.
 constexpr double kUnitLength = 1e-12;
 
 // A value and where it is: "bunny.vtu: majorant_claims.pins[3].vertex".

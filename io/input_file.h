@@ -16,8 +16,7 @@ namespace majorant {
 
 // Returns whether the name says that a file is compressed by gzip: .gz, in either case.
 bool is_compressed(const std::string& path);
-// What the name says of the format: the extension in lower case, with the dot; .obj for
-// mesh.OBJ.gz.
+// The format that the name says: the extension in lower case, with the dot; .obj for mesh.OBJ.gz.
 std::string format_of(const std::string& path);
 
 // All bytes of `path`, decompressed if its name says so. Throws Error(Unreadable) if it does not

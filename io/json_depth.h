@@ -1,5 +1,5 @@
-// How deep JSON may nest. Parsers and copies of parsed values recurse, so a text of brackets alone
-// ends a process that believes it; files are asked before they are parsed.
+// The largest depth of JSON. Parsers and copies of parsed values recurse, so a text of brackets
+// alone ends a process that believes it; files are asked before they are parsed.
 //
 //   require_shallow_json("pins.json", text);
 //   const auto document = nlohmann::json::parse(text);

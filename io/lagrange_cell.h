@@ -28,7 +28,8 @@ void require_lagrange_degree(const std::string& path, const MapFile& map);
 // has keep their uv. Degree at most kHighestLagrangeDegree; Stopped.
 Points2 lagrange_nodes(const MapFile& map, const StopCheck& stop = {});
 
-// How much errors of values grow in control points, at most: 1 at degree 1, some hundred at 8.
+// The factor by which errors of values grow in control points, at most: 1 at degree 1, some hundred
+// at 8.
 double lagrange_amplification(int degree);
 
 // Replaces uv, which are such values, exact to uv_rounding, by control points; uv_rounding says how

@@ -14,9 +14,9 @@
 
 namespace majorant {
 
-// What uv is multiplied by before it is compared with the surface. `normalized.size` of the claims;
-// 1 for claims without it; sqrt(area of the surface / area of the layout) for files without claims,
-// the areas of inverted cells counted as positive, and 1 where that is not finite. Throws
+// The factor of uv before it is compared with the surface: `normalized.size` of the claims; 1 for
+// claims without it; sqrt(area of the surface / area of the layout) for files without claims, the
+// areas of inverted cells counted as positive, and 1 where that is not finite. Throws
 // Error(Unreadable) for claims that `check` refuses.
 double layout_scale(const MapFile& file);
 

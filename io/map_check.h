@@ -1,5 +1,5 @@
-// Whether a MapFile holds together: what readers demand of a file and writers of their input. This
-// is bookkeeping only; injectivity and continuity are for `check` to judge.
+// Checks that a MapFile holds together, as readers demand of a file and writers of their input.
+// This is bookkeeping only; injectivity and continuity are for `check` to judge.
 #pragma once
 
 #include <string>

@@ -26,7 +26,7 @@ namespace {
 //
 //     const MapFile map = merged(pieces, names, "all.pvtu");
 
-// What a point is on the whole surface: an input vertex, or the k-th point on the edge from the
+// The name of a point on the whole surface: an input vertex, or the k-th point on the edge from the
 // smaller vertex to the larger one.
 using NodeName = std::array<Index, 3>;
 

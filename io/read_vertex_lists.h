@@ -1,5 +1,5 @@
-// What users say of vertices, in JSON files: pins and handles (where they are to go), cones (the
-// angles around them), seams (edges along which a surface is to be cut).
+// JSON files in which users say something of vertices: pins and handles (where they are to go),
+// cones (the angles around them), seams (edges along which a surface is to be cut).
 //
 //     {"handles": [{"vertex": 12, "target": [0.1, 0.2]}, {"vertex": 3, "target": "initial"}]}
 //     {"cones": [{"vertex": 12, "quarter_turns": 3}, {"vertex": 3, "index": -0.25}]}

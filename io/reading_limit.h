@@ -1,6 +1,6 @@
-// How much of a file may come into memory: what is free, and of compressed data what they may stand
-// for. A few bytes can stand for millions, and what the system takes back by killing the process
-// has no message.
+// The limit of what a file may bring into memory: the memory that is free, and for compressed data
+// a multiple of their bytes. A few bytes can stand for millions, and what the system takes back by
+// killing the process has no message.
 //
 //   const ReadingLimit limit("mesh.obj.gz");
 //   limit.require(text.size() + 65536);
@@ -15,8 +15,9 @@ namespace majorant {
 
 class ReadingLimit {
  public:
-  // Of every compressed byte, and on top. Deflate makes at most 1,032 of one; files that
-  // programs write stay below 100, arrays of zeros apart, which fit into what is on top.
+  // The largest number of bytes that a compressed one may stand for, and those on top. Deflate
+  // makes at most 1,032 of one; files that programs write stay below 100, arrays of zeros apart,
+  // which fit into what is on top.
   static constexpr std::size_t kMostOfAByte = 1000, kOnTop = std::size_t{64} << 20;
 
   // Asks what is free now. The environment's MAJORANT_READING_BYTES, for tests, replaces it.
@@ -32,7 +33,7 @@ class ReadingLimit {
   std::size_t free_;
 };
 
-// What the process may take for files, as above; none where nobody says.
+// The memory that the process may take for files, as above; none where nobody says.
 std::optional<std::size_t> reading_memory();
 
 }  // namespace majorant

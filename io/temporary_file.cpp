@@ -20,7 +20,7 @@ namespace {
 
 enum SlotState { kFree, kFilling, kArmed };
 
-// What a signal handler can read: no allocation, no lock.
+// A record that a signal handler can read: no allocation, no lock.
 struct Slot {
   std::atomic<int> state{kFree};
   char path[PATH_MAX];

@@ -1,4 +1,4 @@
-// What write_vtu() writes, where several files are to appear together (atomic_file.h).
+// The text that write_vtu() writes, for callers whose files are to appear together (atomic_file.h).
 #pragma once
 
 #include <string>

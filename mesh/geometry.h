@@ -25,7 +25,8 @@ double extent(const Eigen::MatrixBase<Points>& points) {
   return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
 }
 
-// Of a triangle, times the lengths of the two edges: the sine is twice the area.
+// Sine and cosine of a corner of a triangle, times the lengths of the two edges: the sine is twice
+// the area.
 struct CornerAngle {
   double sine, cosine;
   double radians() const { return std::atan2(sine, cosine); }

@@ -14,7 +14,7 @@ namespace {
 
 // Clipping takes time in the square of the corners: 0.1 s for so many.
 constexpr std::size_t kMostClipped = 2048;
-// Of fewer corners, whole polygons are the pieces of work between two polls.
+// Polygons of at most so many corners are clipped without a poll.
 constexpr std::size_t kSmall = 64;
 
 // Corners projected along the polygon's area vector (Newell).

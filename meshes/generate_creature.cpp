@@ -53,7 +53,7 @@ struct Mesh {
 
 // ---- 1. Meshing ---------------------------------------------------------------------------------
 
-// Where the mesh is finer: 1 on the back, 0.4 at the face.
+// The relative length of edges: 1 on the back, 0.4 at the face.
 double relative_size(const Vec& p) { return 1.0 - 0.60 * creature::bump(p, {0, 1.47, 0.62}, 0.42); }
 
 // A triangle is bad if its surface Delaunay ball is larger than the local size, or if its
@@ -78,7 +78,7 @@ class LocalSizeCriterion : public CGAL::Surface_mesher::Refine_criterion<Triangu
   double size_;
 };
 
-// Where the ray from an inner point leaves the animal.
+// The point where the ray from an inner point leaves the animal.
 Point exit_point(Vec inside, const Vec& direction) {
   Vec outside = inside;
   while (creature::field(outside) <= 0.0) outside += 0.02 * direction;

@@ -7,9 +7,9 @@
 //
 // What is asked for:
 //     solve/parametrize.h           parametrize(), one map; deform(), a planar mesh by handles
-//     solve/map_options.h           what a map shall be: degree, energy, pins
+//     maps/map_options.h            what a map shall be: degree, energy, pins
 //     solve/solve_options.h         how it is looked for
-//     solve/map_extension.h         terms, constraints and checkers of one's own
+//     maps/map_extension.h          terms, constraints and checkers of one's own
 //     atlas/unwrap.h                unwrap(): any surface as charts in one square
 //     seams/choose_cuts.h           where a surface is cut
 //     packing/pack.h                charts side by side

@@ -35,7 +35,8 @@ Json distortion_section(const std::vector<const MapDistortion*>& parts, double s
 Json cuts_section(const SurfaceCuts& cuts, double area);
 // The section of cuts of a repaired surface: with the edges that repair cut, which are in the sums.
 Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface);
-// What a line that sums up says of that section's seams, ", ..."; empty when there are none.
+// The words with which a line that sums up tells of that section's seams, ", ..."; empty when there
+// are none.
 std::string seam_summary(const Json& measures_section);
 // {"deepen": {"runs": 2, "gained": 0.01}, ...} of every remedy, energies as in the trace.
 Json remedies_section(const RemedyUses& uses);

@@ -39,7 +39,7 @@ struct LadderOptions {
   GlobalIndex direct_below = 0;
 };
 
-// Whether the library's own factorization solved anything.
+// Used: the library's own factorization has solved something.
 enum class OwnSolver { Unused, Used };
 
 // "linear_solver" of reports: {"asked", "used"} and, where PETSc solved anything, what each rung of
@@ -58,7 +58,7 @@ struct PetscPlugin {
   // with the program.
   SolverFactory (*ladder)(const LadderOptions&, std::shared_ptr<LadderRecord>,
                           const std::vector<std::string>& petsc_words);
-  // Of the options among these words those that nothing has asked for until now.
+  // The options among these words that nothing has asked for until now.
   std::vector<std::string> (*unused_options)();
 };
 

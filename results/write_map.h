@@ -50,8 +50,8 @@ struct MapFormats {
 FileVerification proof_of_file(const std::string& path, const ProofRequest& promise,
                                const MapFile& map, const MapFormats& formats);
 
-// What a data file of that name does not hold of the geometry: "the surface", "curves, but straight
-// pieces of them".
+// The parts of the geometry that a data file of that name does not hold: "the surface", "curves,
+// but straight pieces of them".
 std::vector<std::string> left_out(const std::string& path, const MapFile& map,
                                   const MapFormats& formats);
 

@@ -63,7 +63,7 @@ class FaceResiduals final : public ceres::CostFunction {
   Vec scale_;
 };
 
-// Which unknowns the problem fixes; only that kind of constraint fits parameter blocks.
+// Flags of the unknowns that the problem fixes; only that kind of constraint fits parameter blocks.
 std::vector<char> fixed_unknowns(const Problem& problem) {
   const Elimination& z = ProblemParts::elimination(problem);
   std::vector<char> fixed(to_size(z.full_size()), 0);

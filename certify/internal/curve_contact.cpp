@@ -289,7 +289,7 @@ bool touches(const PlanarCurve& curve, const Vector2& p) {
   return p == curve.front() || p == curve.back();
 }
 
-// Of segments; none of their ends lies on the other.
+// The contact of two segments of which no end lies on the other one.
 CurveContact contact_of_lines(const PlanarCurve& a, const PlanarCurve& b) {
   if (!segments_meet(a.front(), a.back(), b.front(), b.back())) return {};
   const Vector2 u = a.back() - a.front(), v = b.back() - b.front(), w = b.front() - a.front();

@@ -1,7 +1,7 @@
 // Continuous numbering of the nodes of cells that share vertices, edges and faces.
 //
-// Whether two cells mean the same node is decided by the weights of its straight position on the
-// vertices of the cells, so that it does not matter how either of them is turned.
+// Two cells mean the same node if the weights of its straight position agree on the vertices of the
+// cells, so that it does not matter how either of them is turned.
 #pragma once
 
 #include <cstddef>

@@ -127,8 +127,8 @@ void local(const void* object, const ContractionView& t, const BatchView& c,
   const double projection_weight = hessian ? curvature.projection_weight : 0;
   const auto run = [&](auto model) {
     constexpr Curvature C = decltype(model)::value;
-    // What a density does not define is not compiled; DensityTerm::supports() keeps it from being
-    // asked for.
+    // A curvature that a density does not define is not compiled; DensityTerm::supports() keeps it
+    // from being asked for.
     constexpr bool known = Density::defines(C) && (models == Models::All || !for_comparisons(C));
     constexpr Curvature defined = known ? C : Curvature::Exact;
     local_with<Arch, Density, defined>(object, t, c, projection_weight, scratch, f, gradient,

@@ -109,7 +109,7 @@ class CholmodSolver final : public LinearSolver {
     return lower_triangle(pattern_->size, pattern_->column_starts, pattern_->rows, values);
   }
 
-  // Of L. CHOLMOD lets numbers that are not finite pass.
+  // The diagonal of L. CHOLMOD lets numbers that are not finite pass.
   bool has_positive_diagonal() const {
     const auto* const x = static_cast<const double*>(factor_->x);
     const auto good = [](double d) { return d > 0 && std::isfinite(d); };

@@ -110,7 +110,7 @@ bool has_integers_only(const ConstraintRows& rows, std::size_t r) {
 
 using Expressions = std::unordered_map<Index, AffineExpression>;
 
-// Whether a row is +-x = number, and nothing else is said of x.
+// Finds rows +-x = number whose x no other row has.
 class SingletonRows {
  public:
   SingletonRows(Index full_size, const ConstraintRows& rows) : full_size_(full_size), rows_(rows) {

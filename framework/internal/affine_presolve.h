@@ -20,14 +20,14 @@
 
 namespace majorant {
 
-// Of the largest product that a coefficient is a sum of; of the largest right-hand side, what a row
-// of integers that follows from others may be off. Thousands of roundings, whose number grows with
-// the rows that are subtracted.
+// The error of a row of integers that follows from others, relative to the largest product that a
+// coefficient is a sum of, and to the largest right-hand side. Thousands of roundings, whose number
+// grows with the rows that are subtracted.
 inline constexpr double kFollows = 1e-12;
 // Below the square root of the unit roundoff half of the digits are lost.
 inline constexpr double kNearlyFollows = 1e-8;
-// Of the largest numbers in it: a residual of a row that follows from others. Larger than kFollows
-// by the digits that right-hand sides may have lost before they came here.
+// The residual of a row that follows from others, relative to the largest numbers in it. Larger
+// than kFollows by the digits that right-hand sides may have lost before they came here.
 inline constexpr double kSameTarget = 1e-9;
 
 // sum coefficient * x[unknown] + constant.
@@ -36,7 +36,7 @@ struct AffineExpression {
   double constant = 0;
 };
 struct SolvedUnknowns {
-  // By row_position(): that fixed_to holds the value of an unknown that one row alone fixes.
+  // Flags by row_position(): fixed_to holds the value of an unknown that one row alone fixes.
   std::vector<char> fixed;
   Vec fixed_to;
   std::unordered_map<Index, AffineExpression> others;
@@ -47,8 +47,8 @@ inline Index row_position(Index unknown, Index full_size) {
   return unknown >= 0 ? unknown : full_size - 1 - unknown;
 }
 
-// By row_position(). Throws Error(Unsupported), naming rows, where they contradict each other, one
-// nearly follows from others, or exact coefficients leave 64 bits.
+// Returns the solved unknowns by row_position(). Throws Error(Unsupported), naming rows, where they
+// contradict each other, one nearly follows from others, or exact coefficients leave 64 bits.
 SolvedUnknowns solve_rows(Index full_size, const ConstraintRows& rows);
 
 }  // namespace majorant

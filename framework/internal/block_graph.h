@@ -29,7 +29,7 @@ class BlockGraph {
   std::span<const Index> larger(Index node) const {
     return {larger_.data() + starts_[node], larger_.data() + starts_[node + 1]};
   }
-  // That another graph of as many nodes does not have.
+  // The edges that another graph of as many nodes does not have.
   BlockEdges edges_beyond(const BlockGraph& other) const;
 
  private:

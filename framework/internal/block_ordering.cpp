@@ -59,7 +59,7 @@ std::vector<Index> minimum_degree_order(const BlockGraph& graph) {
   const std::size_t room = near.nodes.size() + near.nodes.size() / 2 + to_size(n);  // to work in
   counted("numbers that AMD works on", room);
   near.nodes.resize(room);
-  // What it needs besides: six arrays, what they are for is AMD's own.
+  // Six arrays of scratch memory; their use is AMD's own.
   std::vector<Index> scratch(6 * to_size(n));
   const auto array = [&](std::size_t k) { return scratch.data() + k * to_size(n); };
   double info[AMD_INFO];

@@ -21,7 +21,7 @@ std::vector<Index> nested_dissection_order(const BlockGraph& graph);
 
 // Automatic: Amd, for large graphs Metis. Others stay.
 Ordering chosen_ordering(Ordering asked, const BlockGraph& graph);
-// By AMD or METIS, as chosen.
+// An order of little fill-in by AMD or METIS, as chosen.
 std::vector<Index> fill_reducing_order(const BlockGraph& graph, Ordering chosen);
 
 }  // namespace majorant

@@ -39,7 +39,7 @@ struct FrontKernels {
   // Solves with the panel's triangle, in place: x[0 .. columns), and takes the result out of the
   // rows below: x[columns .. rows). x has `stride` entries.
   void (*forward)(const double* panel, Stride stride, Index columns, double* x);
-  // With its transpose; x[columns .. rows) is known.
+  // Solves with its transpose; x[columns .. rows) is known.
   void (*backward)(const double* panel, Stride stride, Index columns, double* x);
 };
 

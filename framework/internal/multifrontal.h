@@ -10,7 +10,7 @@
 //   Vec p;
 //   if (factor.factorize(Vec::Ones(1), 0.0)) factor.solve(Vec::Ones(1), p);
 //
-// With several threads (thread_count.h: as many as the constructor's caller has) subtrees are
+// With several threads (parallel.h: as many as the constructor's caller has) subtrees are
 // worked on at the same time, then large fronts in parts; solving goes up and down the tree
 // likewise. Every number comes from the same operations in the same order whatever the number of
 // threads.

@@ -18,7 +18,7 @@ void require_in(std::string_view what, double value, double least, double limit)
 void require_valid(const LineSearchOptions& options);
 void require_valid(const StoppingRules& rules);
 
-// Of the options of `who`, where a function must be given and must give a solver.
+// Makes the solver of the options of `who`; throws where the function is empty or gives none.
 std::shared_ptr<LinearSolver> make_solver(std::string_view who, const SolverFactory& linear_solver);
 
 }  // namespace majorant

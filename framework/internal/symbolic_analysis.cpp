@@ -15,13 +15,13 @@ namespace {
 constexpr std::array<Index, 3> kRelaxedBlocks{4, 8, 16};
 constexpr std::array<double, 3> kRelaxedZeros{0.8, 0.1, 0.05};
 
-// By position in an order.
+// The elimination tree, by position in an order.
 struct Tree {
   std::vector<Index> parent;  // -1: none
   std::vector<Index> count;   // positions that are structure, its own included
 };
 
-// Of every position, those before it that are joined with it.
+// For every position those before it that are joined with it.
 struct Earlier {
   std::vector<Index> starts, positions;
 
@@ -118,7 +118,7 @@ bool worth_merging(const Supernode& supernode, const Supernode& after, double ne
          (columns <= kRelaxedBlocks[2] && share < kRelaxedZeros[1]) || share < kRelaxedZeros[2];
 }
 
-// Those that touch the same, then merged from the root down.
+// Columns that touch the same rows make a supernode; supernodes are then merged from the root down.
 std::vector<Supernode> supernodes_of(const Tree& tree) {
   const auto size = static_cast<Index>(tree.parent.size());
   std::vector<Index> children(tree.parent.size(), 0);
@@ -150,8 +150,8 @@ std::vector<Supernode> supernodes_of(const Tree& tree) {
   return merged;
 }
 
-// What supernodes touch: what is joined with their blocks, and what their children leave. As many
-// positions as the supernodes have rows.
+// Adds the positions that supernodes touch: those joined with their blocks, and those that their
+// children leave. As many positions as the supernodes have rows.
 void add_structure(const BlockGraph& graph, const std::vector<Supernode>& supernodes,
                    BlockElimination& out) {
   out.structure_starts.assign(1, 0);

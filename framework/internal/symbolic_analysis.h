@@ -1,5 +1,5 @@
-// What an order of elimination leads to: which blocks every block touches in the end, and which of
-// them are eliminated together (supernodes, relaxed [AG89]).
+// The consequences of an order of elimination: the blocks that every block touches in the end, and
+// those that are eliminated together (supernodes, relaxed [AG89]).
 //
 //   SparsePattern pattern;
 //   pattern.append_column({});

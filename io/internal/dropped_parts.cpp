@@ -27,7 +27,7 @@ const char* consequence(DroppedPart part) {
   return "left out";
 }
 
-// That some corners have none is no damage to those that have.
+// Corners without coordinates are no damage to those that have some.
 bool must_stay(DroppedPart part, Strictness strictness) {
   if (strictness != Strictness::Texcoords) return strictness == Strictness::Everything;
   return part == DroppedPart::Texcoord || part == DroppedPart::FaceTexcoords;

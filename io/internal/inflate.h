@@ -18,8 +18,8 @@
 
 namespace majorant {
 
-// What a gzip file says, as it comes in. Several members make one content, and zeros at the end are
-// padding, as for gunzip; checksums are compared.
+// The content of a gzip file, as it comes in. Several members make one content, and zeros at the
+// end are padding, as for gunzip; checksums are compared.
 class GunzipStream {
  public:
   // limit: of content, what append throws beyond it.

@@ -102,7 +102,7 @@ class BinaryPlySource {
     }
     return cursor_.next<double>();
   }
-  // That `count` pieces of at least `size` bytes can still follow.
+  // Requires that `count` pieces of at least `size` bytes can still follow.
   void require_count(long long count, std::size_t size) {
     if (static_cast<std::size_t>(count) > cursor_.remaining() / size) {
       fail(fmt::format("{} entries announced, {} bytes left; truncated", count,
@@ -187,7 +187,7 @@ class PlyReader {
   }
 
  private:
-  // Those that were read as NaN.
+  // Drops texture coordinates that were read as NaN.
   void drop_unusable_texcoords() {
     std::vector<Vector2> nothing;
     drop_unusable(mesh_.texcoords, nothing, mesh_.polygon_texcoords,
@@ -254,7 +254,7 @@ class PlyReader {
     }
   }
 
-  // What write_ply marks copies of a vertex with.
+  // Finds the properties that mark copies of a vertex in files of write_ply.
   void locate_copies(const PlyElement& element) {
     const int found = element.find({"input_vertex"});
     if (found < 0) return;
@@ -327,7 +327,7 @@ class PlyReader {
     });
   }
 
-  // What is no finite number stays NaN for now: a colour that a vertex has not.
+  // A number that is not finite stays NaN for now: a colour that a vertex has not.
   void add_vertex(const PlyRecord& record) {
     const Vector3 position = values_of(record, coordinates_);
     if (!position.allFinite())

@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-// Of elements. VTK needs five; chosen, not tuned.
+// The largest depth of elements. VTK needs five; chosen, not tuned.
 constexpr std::size_t kDeepestElement = 64;
 constexpr std::string_view kSpace = " \t\r\n";
 

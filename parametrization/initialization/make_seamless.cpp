@@ -270,7 +270,7 @@ class Maker {
                        near.size() > 1 ? "ices" : "ex", list);
   }
 
-  // By vertex the source that is reached first in a breadth-first search.
+  // For each vertex the source that is reached first in a breadth-first search.
   std::vector<Index> nearest_of(const std::vector<Index>& sources) const {
     std::vector<std::vector<Index>> neighbours(to_size(mesh_.vertex_count()));
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {

@@ -24,9 +24,10 @@
 
 namespace majorant {
 
-// Whether the energy and the boundary that are asked for are ones that multiresolution_map() knows:
-// energies with a barrier that do not know single faces (knows_elements()), since coarse surfaces
-// have others; sector sums at boundary vertices may not be held.
+// Returns whether the energy and the boundary that are asked for are ones that
+// multiresolution_map() knows: energies with a barrier that do not know single faces
+// (knows_elements()), since coarse surfaces have others; sector sums at boundary vertices may not
+// be held.
 bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked);
 
 // How multiresolution_map() works. Nobody but measurements changes this.

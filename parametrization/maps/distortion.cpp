@@ -247,7 +247,7 @@ std::array<double, kPercentiles.size()> percentiles(
       below += v.weight;
       while (p < wanted.size() && below >= wanted[p]) found[p++] = v.value;
     }
-    // What rounding left over belongs to the next value; at the end, to the last one.
+    // The remainder of rounding belongs to the next value; at the end, to the last one.
     while (is_last && p < wanted.size()) found[p++] = inside.back().value;
   }
   return found;

@@ -6,7 +6,7 @@
 //   map.pins = {{0, {}}};                          // stays where the initial map has it
 //   map.handles = {{12, Vector2(0.5, 1)}};         // pulled there
 //
-// How such a map is looked for is another matter: solve_options.h. What solvers make of it is the
+// Not for how such a map is looked for: that is solve_options.h. What solvers make of it is the
 // normalised problem: map_problem.h.
 #pragma once
 

@@ -43,11 +43,11 @@ TermState state_of(const MapSpecification& spec, const WeightedEnergy& summand, 
   return state;
 }
 
-// Of the size of the surface, about 1: the translation that terms are asked about. Chosen;
-// any that is no rounding error of the coordinates.
+// The translation that terms are asked about, where the surface has a size of about 1. Chosen: any
+// length will do that is no rounding error of the coordinates.
 constexpr double kTranslation = 0.5;
-// Of the largest number that they are sums of: what is no change of a term's value, and no
-// coefficient of a translation. Far above rounding, far below what a term means.
+// Changes of a term's value and coefficients of a translation that count as 0, relative to the
+// largest number that they are sums of: far above rounding, far below what a term means.
 constexpr double kNoChange = 1e-9;
 
 // A checker of the map's unknowns in a problem with more. Its elements are its own: the remedies

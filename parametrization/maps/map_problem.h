@@ -39,14 +39,14 @@ struct MapSpecification {
   std::vector<AlignedEdge> aligned;    // stay parallel to an axis
   std::vector<FixedPoint> pins;        // hard, vertices
   std::vector<FixedPoint> handles;     // soft, vertices
-  // Null: the whole map. Else all of the above is that of a part of it (map_part.h); seams, aligned
+  // Null: the whole map. Else all of the above is that of a part of it; seams, aligned
   // edges and angles at the boundary cannot be asked for.
   std::shared_ptr<const MapPart> part;
   // What a caller adds, of the degree of the problem; null: nothing.
   std::shared_ptr<const MapExtension> added;
 };
 
-// Of the whole map.
+// The area of the whole map.
 double whole_area(const MapSpecification& spec);
 // Nodes on the boundary of the uncut surface, sorted.
 std::vector<Index> boundary_of(const MapSpecification& spec, const BezierTriangleSpace& space);

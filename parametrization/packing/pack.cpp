@@ -176,7 +176,7 @@ class Packer {
     const double c = outline.cosine, s = outline.sine;
     const Vector2 directions[4] = {{c, -s}, {-s, -c}, {-c, s}, {s, c}};
     LayoutMotion there{directions[pose.quarters & 3]};
-    // Where the origin of the turned chart comes to lie.
+    // The place of the origin of the turned chart.
     there.origin = -job.unit * (quarter_turned(-outline.low, pose.quarters, outline.size) +
                                 pose.low + job.corner);
     const auto nodes =

@@ -313,7 +313,7 @@ class DegreeSolver::SoftStart final : public MapDescent {
   SoftStart(DegreeSolver& solver, RunRecord& record)
       : MapDescent(solver, Phase::SoftStart, record) {}
 
-  // Whether the start is to be a soft one.
+  // Returns whether the start is to be a soft one.
   bool weigh() {
     std::optional<Vec> weight = solver_.soft_weights();
     if (!weight) return false;

@@ -36,8 +36,8 @@ class DegreeSolver {
     SolveOptions solve;
     StopCheck stop;
     SolverRules rules;
-    // Of a map, 2 numbers per node, for the trace: where another energy is minimized than the one
-    // asked for. Empty: that of `map`.
+    // The energy asked for, at 2 numbers per node, for the trace, where another energy is
+    // minimized. Empty: that of `map`.
     std::function<double(VecIn)> asked_energy;
     MapObserver watch = {};  // in_model_units is empty there; may be empty
   };
@@ -94,14 +94,14 @@ class DegreeSolver {
   DegreeSolver(const Setup& setup, MapDomain& domain,
                std::shared_ptr<const BezierTriangleSpace> space, const Vec& x, Bounds bounds);
 
-  // Where a run can come back to.
+  // A point that a run can come back to.
   struct Checkpoint {
     Vec x;
     std::optional<Scaffold> surroundings;
   };
   class MapDescent;
   class SoftStart;
-  // What came of a remedy: nothing that could help, something to go on from, or the end of the run.
+  // The outcome of a remedy: it could not help, the run goes on from a new point, or it has ended.
   enum class RemedyOutcome { None, GoOn, Ended };
 
   const Partition& partition() const { return partition_of(built_.problem); }
@@ -136,7 +136,7 @@ class DegreeSolver {
 
   // Remedies.
   const RemedyRules& rules() const { return setup_.rules.remedies; }
-  // How often something was tried at this degree.
+  // The number of times that remedies were tried at this degree.
   struct RemedyCounts {
     int stalls = 0, refinements = 0;
   };

@@ -50,8 +50,8 @@ void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
                     message_prefix(mesh), 1 / kLargestFactor, kLargestFactor));
 }
 
-// Of the normalized map: as it is solved, whatever the size of the mesh. asked: what the map would
-// have started from says what helps.
+// Requires that the normalized map is injective, as it is solved, whatever the size of the mesh.
+// asked: what the map would have started from says what helps.
 void require_injective(const BezierMap& map, const RestShapes& rest, const MapOptions& asked) {
   const auto refuse = [&](const std::string& what) {
     throw Refusal(

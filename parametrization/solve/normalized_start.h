@@ -26,8 +26,8 @@ enum class Origin { Free, Kept };
 // The coordinates that a map is optimized in: (uv - origin) scale.
 struct NormalFrame {
   double scale = 1;  // a power of two
-  // Where a free map's held vertex is, else 0, and where it is put back to: the same place unless
-  // that is so far from 0 that coordinates would lose digits. Model units.
+  // The place of a free map's held vertex, else 0, and the place that it is put back to: the same
+  // one unless that is so far from 0 that coordinates would lose digits. Model units.
   Vector2 origin = Vector2::Zero(), destination = Vector2::Zero();
 
   // A map with a fixed boundary comes back to where it was, however far.

@@ -31,8 +31,8 @@ void require_valid(const ParametrizationOptions& o) {
   require_valid(o.map, o.solve, static_cast<bool>(o.extend));
 }
 
-// What is around the degree schedule of a map, or of the part of one that a rank has: additions, a
-// scaffold, proofs, measures.
+// A run of parametrize() or parametrize_part(): the degree schedule of a map, or of the part of one
+// that a rank has, with additions, a scaffold, proofs and measures around it.
 class Run {
  public:
   Run(const SolverRules& rules, std::shared_ptr<const MapPart> part, const BezierMap& start,

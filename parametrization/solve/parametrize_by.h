@@ -19,7 +19,7 @@ namespace majorant {
 ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
                                      const ParametrizationOptions& options, RunRecord& record);
 
-// Where a run is, to go on from there later, also on another number of processes.
+// The state of a run, to go on from later, also on another number of processes.
 struct RunState {
   std::shared_ptr<const BezierTriangleSpace> space;  // over the faces of this process
   Vec x;                  // its control points, as NormalizedStart has them
@@ -47,7 +47,7 @@ ParametrizationResult parametrize_part(std::shared_ptr<const MapPart> part, cons
                                        const Keeping& keeping = {},
                                        const std::optional<RunState>& from = {});
 
-// What leads starts to their pins (pin_homotopy.h). record outlives it.
+// The solver that leads starts to their pins (pin_homotopy.h). record outlives it.
 PinSolver pin_solver(RunRecord& record, const SolverRules& rules = {});
 
 }  // namespace majorant

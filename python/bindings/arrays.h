@@ -1,4 +1,4 @@
-// What numpy arrays and the library's matrices are to each other.
+// Conversions between numpy arrays and the library's matrices.
 //
 //     view(self, file.uv)          an array over the matrix, which lives as long as `self` does
 //     moved(std::move(x))          an array that owns what it is given
@@ -52,7 +52,7 @@ py::array moved(Matrix matrix) {
   return array_over(owner, here);
 }
 
-// Of one or two dimensions; a Matrix with fixed columns must fit.
+// An array of one or two dimensions; a Matrix with fixed columns must fit.
 template <class Matrix>
 Matrix matrix(const py::array_t<typename Matrix::Scalar, py::array::c_style>& array) {
   const auto columns = array.ndim() > 1 ? array.shape(1) : 1;

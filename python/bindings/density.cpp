@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kSize = 4;  // entries of J, 2 by 2
 
-// What the kernels come by, in the order in which they do: the same in all of them.
+// The points that the kernels come by, in their order: the same in all kernels.
 struct Points {
   std::vector<double> J;            // #q by 4
   std::vector<double> value, g, H;  // #q, #q by 4, #q by 4 by 4

@@ -13,10 +13,10 @@ namespace majorant::python {
 
 using SharedMap = std::shared_ptr<MapFile>;
 
-// What a file that is made of a map must be proven to be, in a form that can be pickled: which cuts
-// it may have (CutRule), whether it is injective as a whole, whether the surface and the labels of
-// vertices and faces are compared with those of the mesh, whether defects of the mesh are repaired
-// with Orientation::AsGiven.
+// The properties that a file made of a map must be proven to have, in a form that can be pickled:
+// the cuts it may have (CutRule), whether it is injective as a whole, whether the surface and the
+// labels of vertices and faces are compared with those of the mesh, whether defects of the mesh are
+// repaired with Orientation::AsGiven.
 using Promise = std::tuple<int, bool, bool, bool, bool>;
 Promise promise_from(const ProofRequest& request);
 

@@ -36,7 +36,7 @@ std::vector<std::pair<std::optional<std::string>, std::string>> split_energy(
   return words;
 }
 
-// What the package assumes where nothing is said, and the largest weight.
+// The defaults of the package, and the largest weight.
 py::dict defaults() {
   const ParametrizationOptions options;
   const PackOptions packing;

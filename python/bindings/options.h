@@ -1,4 +1,4 @@
-// What Python asks of a map, as options of the library.
+// Turns the options that Python asks of a map into those of the library.
 //
 // The dictionary is made by majorant/_options.py, which has checked names, types and ranges: all
 // keys are there. Only what needs the surface is checked here.

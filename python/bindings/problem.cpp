@@ -42,7 +42,8 @@ class Rows final : public Constraint {
   const Doubles &values_, &targets_;
 };
 
-// What is added is eliminated and ordered when it is first needed.
+// A problem whose terms and constraints come one by one: they are eliminated and ordered when it is
+// first needed.
 class PythonProblem {
  public:
   explicit PythonProblem(Index size) : builder_(size), size_(size) {}

@@ -7,7 +7,7 @@
 namespace majorant::python {
 namespace {
 
-// Of the innermost run on the main thread.
+// The flag of the innermost run on the main thread.
 std::atomic<std::atomic<bool>*> interrupted_run{nullptr};
 static_assert(std::atomic<std::atomic<bool>*>::is_always_lock_free);
 struct sigaction handler_of_python;

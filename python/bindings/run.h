@@ -24,7 +24,7 @@ namespace majorant::python {
 
 namespace py = pybind11;
 
-// What is to be raised once the work has ended: the first exception of any callback, from any
+// The exception to be raised once the work has ended: the first exception of any callback, from any
 // thread.
 class Raised {
  public:
@@ -59,7 +59,7 @@ class Run final : public RunObserver {
  public:
   // callback: called with a Step after every step, or None; what it returns is true ends the run.
   Run(double time_limit, int max_iterations, py::object callback);
-  // That of programs without limits.
+  // The run of programs without limits.
   Run();
 
   RunRecord& record() { return record_; }

@@ -117,7 +117,7 @@ FieldConnection trivial_connection(const SurfaceMesh& mesh, const FieldGeometry&
   };
   for (const Index h : loops.face_tree())
     field.angle[face_of(mesh.opposite(h))] = std::remainder(branch_beyond(h), 4 * kQuarter);
-  // Where the tree does not pass, the branches that meet may differ, up to quarter turns.
+  // At edges that the tree does not pass, the branches that meet may differ, up to quarter turns.
   Vec gaps(static_cast<Index>(loops.loops().size()));
   for (Index k = 0; k < gaps.size(); ++k) {
     const Index h = loops.loops()[k];

@@ -15,15 +15,14 @@ using Vertex3 = Eigen::Vector3d;
 // Neighbours that a vertex may collapse onto: so many of the nearest; chosen, not
 // tuned.
 constexpr int kNearest = 3;
-// Of the cost: squared length of the edge that goes, times the area around, against the volume
-// between the surfaces; chosen, not tuned; it decides
-// where the surface is flat.
+// The share of the cost: squared length of the edge that goes, times the area around, against the
+// volume between the surfaces; chosen, not tuned; it decides where the surface is flat.
 constexpr double kLengthShare = 1e-3;
 // Cosine between the normals of a triangle before and after: some 78 degrees.
 constexpr double kLeastTurn = 0.2;
 // Neighbours of a vertex after a collapse; chosen; more make slow stars.
 constexpr int kMostNeighbours = 16;
-// Of the vertices that could leave, part that may in one round; chosen, not tuned.
+// The part of the vertices that could leave which may do so in one round; chosen, not tuned.
 constexpr double kPartOfRound = 0.6;
 
 struct Candidate {
@@ -140,9 +139,9 @@ class Decimation {
     return count;
   }
 
-  // Of moving the vertex onto its k-th neighbour: the volume between the planes of its faces and
-  // there, squared over their areas, and what is left of its boundary; times the square of how far
-  // the worst new triangle is from equilateral.
+  // The cost of moving the vertex onto its k-th neighbour: the volume between the planes of its
+  // faces and there, squared over their areas, and what is left of its boundary; times the square
+  // of how far the worst new triangle is from equilateral.
   double cost_onto(std::size_t k) const {
     const Vertex3& u = edge_[k];
     double volume = 0, worst = 1;
@@ -254,7 +253,7 @@ void CollapsingMesh::rename_corners(Index v, Index name) {
 }
 
 void CollapsingMesh::collapse(Index h, End leaves) {
-  // With the removed face on its left.
+  // The half-edge with the removed face on its left.
   const Index away = leaves == End::Start ? h : opposite(h);
   const Index back = leaves == End::Start ? opposite(h) : h;
   const Index v = leaves == End::Start ? from(h) : to(h),

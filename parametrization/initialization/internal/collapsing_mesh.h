@@ -11,7 +11,7 @@
 // surface_mesh.h. Not for closed surfaces with fewer than five vertices: nothing may collapse
 // there.
 //
-// Which vertices of a surface leave, in which order, until few faces are left.
+// Decimates a surface: chooses the vertices that leave, and their order, until few faces are left.
 //
 //   CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
 //   decimate(left, mesh->positions(), {400, mesh->boundary_flags()});   // the boundary stays
@@ -64,7 +64,7 @@ class CollapsingMesh {
   // on the boundary. Replaces what `ring` holds.
   void ring(Index v, std::vector<Index>& ring) const;
 
-  // Which end of a half-edge leaves.
+  // The end of a half-edge that leaves.
   enum class End { Start, Target };
   // Returns whether the result is a surface of the same topology, with boundary loops of three
   // vertices at least (the link condition), and has at most `most` neighbours at the vertex that

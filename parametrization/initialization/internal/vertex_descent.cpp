@@ -19,7 +19,7 @@ constexpr int kMostLengths = 12;
 // Part of the star's energy: a smaller decrement is the end of a vertex's steps; a
 // tenth of what a level is solved to.
 constexpr double kSmallDecrement = 1e-5;
-// Of the larger eigenvalue of a 2 by 2 Hessian: the smaller is raised to it; chosen; it
+// The smaller eigenvalue of a 2 by 2 Hessian is raised to this part of the larger one; chosen; it
 // bounds the step where the energy is concave.
 constexpr double kLeastEigenvalue = 0.05;
 

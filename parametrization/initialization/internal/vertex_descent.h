@@ -9,8 +9,7 @@
 // and lowers the energy, so that a map without inverted triangles never gets any. The triangles are
 // those that a CollapsingMesh has left, measured against themselves in space.
 //
-// Where a vertex that comes back to a map is put: always a place that leaves its triangles
-// positive.
+// The place of a vertex that comes back to a map: always one that leaves its triangles positive.
 //
 //     const auto back = mesh.restore();
 //     descent.measure_star(back.vertex);
@@ -43,7 +42,7 @@ class VertexDescent {
   void measure_star(Index v);
 
   bool has_area_margin(Index v);
-  // Of the faces around v: integral of the energy, and the mean of it.
+  // The mean of the energy over the faces around v: its integral, divided by their area.
   double mean_energy(Index v);
   // At most `steps` Newton steps. Returns the mean energy of the star afterwards.
   double improve(Index v, int steps);

@@ -73,7 +73,7 @@ class Reducer {
         if (!at_b && segments_meet(b, *cut.tip, p, q)) return false;
         if (!at_c && segments_meet(c, *cut.tip, p, q)) return false;
       } else if (l != before && l != k && l != (k + 1) % n) {
-        // Of the triangle a, c, b, clockwise: nothing in it.
+        // The triangle a, c, b is clockwise and has nothing in it.
         if (orientation(a, b, p) <= 0 && orientation(b, c, p) <= 0 && orientation(c, a, p) <= 0)
           return false;
       }

@@ -14,7 +14,7 @@ namespace {
 
 // Towards positive B_l: bounds the cost; failing flips stop long before.
 constexpr int kMostBarrierSteps = 40;
-// With all B_l positive: mostly two are enough.
+// Steps with all B_l positive: mostly two are enough.
 constexpr int kQualitySteps = 12;
 // Relative decrease of F below which steps stop to pay: F only has to be good, not minimal;
 // a scaffold's triangles are relaxed anyhow.
