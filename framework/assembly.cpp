@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <span>
 
+#include "majorant/framework/parallel.h"
+
 namespace majorant {
 namespace {
+
+constexpr Index kElementsOfATask = 1024;  // fewer are not worth waking a thread for
 
 // Appends the reduced unknowns of an element, some maybe several times.
 void append_reduced_unknowns(const ElementDofs& s, const Elimination& z, Index e,
@@ -85,27 +89,32 @@ ScatterMap::ScatterMap(const ElementDofs& element_dofs, const Elimination& elimi
   direct_.assign(to_size(count) * to_size(packed_size_), -1);
   reduced_.assign(to_size(count) * to_size(local_size_), -1);
   general_of_.assign(to_size(count), -1);
-  std::vector<int> order;
-  for (Index e = 0; e < count; ++e) {
-    Index* reduced = reduced_.data() + to_size(e) * to_size(local_size_);
-    bool simple = true;
-    for (int i = 0; i < local_size_; ++i) {
-      const Index x = element_dofs.block * element_dofs.nodes(e, i / element_dofs.block) +
-                      i % element_dofs.block;
-      const auto first = elimination.begin(x), last = elimination.end(x);
-      if (first == last) continue;
-      simple = simple && last - first == 1 && first->coefficient == 1.0;
-      reduced[i] = first->reduced;
+  std::vector<char> is_simple(to_size(count));
+  const auto place = [&](Index task, int) {
+    std::vector<int> order;
+    const Index last = std::min(count, (task + 1) * kElementsOfATask);
+    for (Index e = task * kElementsOfATask; e < last; ++e) {
+      Index* reduced = reduced_.data() + to_size(e) * to_size(local_size_);
+      bool simple = true;
+      for (int i = 0; i < local_size_; ++i) {
+        const Index x = element_dofs.block * element_dofs.nodes(e, i / element_dofs.block) +
+                        i % element_dofs.block;
+        const auto first = elimination.begin(x), last_entry = elimination.end(x);
+        if (first == last_entry) continue;
+        simple = simple && last_entry - first == 1 && first->coefficient == 1.0;
+        reduced[i] = first->reduced;
+      }
+      // An unknown that occurs twice in an element needs both off-diagonal copies: general path.
+      for (int i = 0; i < local_size_; ++i)
+        for (int j = 0; j < i; ++j) simple = simple && (reduced[i] < 0 || reduced[i] != reduced[j]);
+      is_simple[e] = simple;
+      if (simple)
+        find_slots(reduced, pattern, order, direct_.data() + to_size(e) * to_size(packed_size_));
     }
-    // An unknown that occurs twice in an element needs both off-diagonal copies: general path.
-    for (int i = 0; i < local_size_; ++i)
-      for (int j = 0; j < i; ++j) simple = simple && (reduced[i] < 0 || reduced[i] != reduced[j]);
-    if (!simple) {
-      build_general(e, element_dofs, elimination, pattern);
-      continue;
-    }
-    find_slots(reduced, pattern, order, direct_.data() + to_size(e) * to_size(packed_size_));
-  }
+  };
+  parallel_tasks((count + kElementsOfATask - 1) / kElementsOfATask, place);
+  for (Index e = 0; e < count; ++e)
+    if (!is_simple[e]) build_general(e, element_dofs, elimination, pattern);
 }
 
 // Each column is read but once: its rows and the element's unknowns are both ascending.

@@ -174,6 +174,21 @@ TEST(Multifrontal, TheSameBitsFromAnyNumberOfThreads) {
   }
 }
 
+// Threads share the memory of updates that wait: each has a stack that is as large as its largest
+// task needs, and tasks leave no more than the updates of their roots.
+TEST(Multifrontal, ThreadsTakeLittleMemory) {
+  const SparsePattern pattern = grid(150);
+  const auto bytes = [&](int threads) {
+    const ThreadCount count(threads);
+    const auto solver = make_direct_solver(Ordering::Metis);
+    solver->analyze(pattern);
+    return static_cast<double>(solver->bytes());
+  };
+  const double alone = bytes(1);
+  EXPECT_LT(bytes(2), 1.12 * alone);
+  EXPECT_LT(bytes(4), 1.25 * alone);
+}
+
 }  // namespace
 }  // namespace majorant
 

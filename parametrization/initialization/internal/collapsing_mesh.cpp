@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "majorant/framework/parallel.h"
+
 namespace majorant {
 namespace {
 
@@ -25,60 +27,18 @@ constexpr int kMostNeighbours = 16;
 // The part of the vertices that could leave which may do so in one round; chosen, not tuned.
 constexpr double kPartOfRound = 0.6;
 
+// Vertices that a task looks at: fewer are not worth waking a thread for.
+constexpr Index kVerticesOfATask = 1024;
+
 struct Candidate {
   double cost = std::numeric_limits<double>::infinity();
   Index vertex = -1, half_edge = -1;  // which the vertex starts or ends
 };
 
-class Decimation {
+// What a vertex costs that leaves; of a mesh at rest.
+class Star {
  public:
-  Decimation(CollapsingMesh& mesh, const Points3& positions, const DecimationGoal& goal,
-             const StopCheck& stop)
-      : mesh_(mesh), positions_(positions), goal_(goal), stop_(stop) {
-    for (Index v = 0; v < mesh.vertex_count(); ++v)
-      if (mesh.is_present(v) && (goal.held.empty() || !goal.held[v])) free_.push_back(v);
-    last_change_.assign(to_size(mesh.vertex_count()), -1);
-  }
-
-  void run() {
-    while (mesh_.faces_left() > goal_.faces && round() > 0) ++round_;
-  }
-
- private:
-  // Vertices that left.
-  int round() {
-    std::vector<Candidate> candidates;
-    candidates.reserve(free_.size());
-    for (const Index v : free_) {
-      stop_.poll_at(candidates.size());
-      const Candidate c = best_of(v);
-      if (c.half_edge >= 0) candidates.push_back(c);
-    }
-    const auto cheaper = [](const Candidate& a, const Candidate& b) {
-      return a.cost < b.cost || (a.cost == b.cost && a.vertex < b.vertex);
-    };
-    const auto middle =
-        candidates.begin() + static_cast<std::ptrdiff_t>(
-                                 std::ceil(kPartOfRound * static_cast<double>(candidates.size())));
-    std::nth_element(candidates.begin(), middle, candidates.end(), cheaper);
-    std::sort(candidates.begin(), middle, cheaper);
-    int left = 0;
-    for (auto c = candidates.begin(); c != middle && mesh_.faces_left() > goal_.faces; ++c)
-      left += try_collapse(*c) ? 1 : 0;
-    std::erase_if(free_, [&](Index v) { return !mesh_.is_present(v); });
-    return left;
-  }
-
-  bool try_collapse(const Candidate& c) {
-    if (last_change_[c.vertex] == round_) return false;
-    const auto end = mesh_.from(c.half_edge) == c.vertex ? CollapsingMesh::End::Start
-                                                         : CollapsingMesh::End::Target;
-    if (!mesh_.may_collapse(c.half_edge, end, kMostNeighbours)) return false;
-    mesh_.ring(c.vertex, ring_);
-    for (const Index w : ring_) last_change_[w] = round_;
-    mesh_.collapse(c.half_edge, end);
-    return true;
-  }
+  Star(const CollapsingMesh& mesh, const Points3& positions) : mesh_(mesh), positions_(positions) {}
 
   Candidate best_of(Index v) {
     gather(v);
@@ -98,6 +58,7 @@ class Decimation {
     return best;
   }
 
+ private:
   // The star of v: vectors to its neighbours, normals (twice the areas) of its faces.
   void gather(Index v) {
     spokes_.clear();
@@ -173,16 +134,84 @@ class Decimation {
            (a.norm() + b.norm()) * (a.norm() + b.norm());
   }
 
-  CollapsingMesh& mesh_;
+  const CollapsingMesh& mesh_;
   const Points3& positions_;
-  const DecimationGoal& goal_;
-  const StopCheck& stop_;
-  std::vector<Index> free_, ring_, spokes_;
-  std::vector<int> last_change_;  // by vertex: the round in which its star changed
-  int round_ = 0;
+  std::vector<Index> spokes_;
   std::vector<Vertex3> edge_, normal_;
   double area_ = 0;
   bool closed_ = false;
+};
+
+class Decimation {
+ public:
+  Decimation(CollapsingMesh& mesh, const Points3& positions, const DecimationGoal& goal,
+             const StopCheck& stop)
+      : mesh_(mesh),
+        goal_(goal),
+        stop_(stop),
+        stars_(to_size(ThreadCount::current()), Star(mesh, positions)) {
+    for (Index v = 0; v < mesh.vertex_count(); ++v)
+      if (mesh.is_present(v) && (goal.held.empty() || !goal.held[v])) free_.push_back(v);
+    last_change_.assign(to_size(mesh.vertex_count()), -1);
+  }
+
+  void run() {
+    while (mesh_.faces_left() > goal_.faces && round() > 0) ++round_;
+  }
+
+ private:
+  // Of every free vertex, as they come.
+  std::vector<Candidate> candidates() {
+    const auto count = static_cast<Index>(free_.size());
+    std::vector<Candidate> all(free_.size());
+    const auto look = [&](Index task, int thread) {
+      stop_.poll();
+      const Index last = std::min(count, (task + 1) * kVerticesOfATask);
+      for (Index k = task * kVerticesOfATask; k < last; ++k)
+        all[k] = stars_[thread].best_of(free_[k]);
+    };
+    parallel_tasks((count + kVerticesOfATask - 1) / kVerticesOfATask, look,
+                   static_cast<int>(stars_.size()));
+    std::erase_if(all, [](const Candidate& c) { return c.half_edge < 0; });
+    return all;
+  }
+
+  // Vertices that left.
+  int round() {
+    std::vector<Candidate> candidates = this->candidates();
+    const auto cheaper = [](const Candidate& a, const Candidate& b) {
+      return a.cost < b.cost || (a.cost == b.cost && a.vertex < b.vertex);
+    };
+    const auto middle =
+        candidates.begin() + static_cast<std::ptrdiff_t>(
+                                 std::ceil(kPartOfRound * static_cast<double>(candidates.size())));
+    std::nth_element(candidates.begin(), middle, candidates.end(), cheaper);
+    std::sort(candidates.begin(), middle, cheaper);
+    int left = 0;
+    for (auto c = candidates.begin(); c != middle && mesh_.faces_left() > goal_.faces; ++c)
+      left += try_collapse(*c) ? 1 : 0;
+    std::erase_if(free_, [&](Index v) { return !mesh_.is_present(v); });
+    return left;
+  }
+
+  bool try_collapse(const Candidate& c) {
+    if (last_change_[c.vertex] == round_) return false;
+    const auto end = mesh_.from(c.half_edge) == c.vertex ? CollapsingMesh::End::Start
+                                                         : CollapsingMesh::End::Target;
+    if (!mesh_.may_collapse(c.half_edge, end, kMostNeighbours)) return false;
+    mesh_.ring(c.vertex, ring_);
+    for (const Index w : ring_) last_change_[w] = round_;
+    mesh_.collapse(c.half_edge, end);
+    return true;
+  }
+
+  CollapsingMesh& mesh_;
+  const DecimationGoal& goal_;
+  const StopCheck& stop_;
+  std::vector<Star> stars_;  // by thread
+  std::vector<Index> free_, ring_;
+  std::vector<int> last_change_;  // by vertex: the round in which its star changed
+  int round_ = 0;
 };
 
 }  // namespace

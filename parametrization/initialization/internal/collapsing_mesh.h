@@ -19,8 +19,8 @@
 // In rounds: every vertex is given its best neighbour to collapse onto, by how far the surface
 // moves and how flat the new triangles are, and of the better half of them, in the order of that
 // cost, all leave that have no neighbour which left in the same round. So a round looks at every
-// vertex once, needs no queue, and depends on no order but that of the vertices. Not for
-// rendering: features are not looked for.
+// vertex once, on all threads, needs no queue, and depends on no order but that of the vertices.
+// Not for rendering: features are not looked for.
 #pragma once
 
 #include <vector>

@@ -10,6 +10,8 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/backtracking.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/backtracking.h"
+#include "majorant/framework/parallel.h"
 
 namespace majorant {
 namespace {
@@ -22,6 +24,9 @@ constexpr double kSmallDecrement = 1e-5;
 // The smaller eigenvalue of a 2 by 2 Hessian is raised to this part of the larger one; chosen; it
 // bounds the step where the energy is concave.
 constexpr double kLeastEigenvalue = 0.05;
+
+// Faces that a task measures: fewer are not worth waking a thread for.
+constexpr Index kFacesOfATask = 4096;
 
 // A term of the energy on one triangle, for its density.
 std::shared_ptr<const DensityTerm> density_of(const EnergyFactory& make) {
@@ -160,8 +165,9 @@ double VertexDescent::weight_of(Index f) const {
 }
 
 void VertexDescent::measure_all() {
-  for (Index f = 0; f < mesh_.face_slots(); ++f)
+  parallel_for(mesh_.face_slots(), kFacesOfATask, [&](Index f) {
     if (mesh_.has_face(f)) measure(f);
+  });
 }
 
 void VertexDescent::measure_star(Index v) {

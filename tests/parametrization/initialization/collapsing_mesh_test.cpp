@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "majorant/framework/thread_count.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
@@ -137,6 +138,24 @@ TEST(Decimation, KeepsWhatIsHeld) {
   const std::vector<char> held = mesh->boundary_flags();
   for (Index v = 0; v < mesh->vertex_count(); ++v) EXPECT_TRUE(left.is_present(v) || !held[v]) << v;
   EXPECT_LT(left.vertices_left(), mesh->vertex_count() / 2);
+}
+
+TEST(Decimation, IsTheSameOnAnyNumberOfThreads) {
+  const auto mesh = surface(grid(60, bumpy));
+  const auto collapses = [&](int threads) {
+    const ThreadCount count(threads);
+    CollapsingMesh left = collapsing(*mesh);
+    decimate(left, mesh->positions(), {100, {}});
+    std::vector<std::pair<Index, Index>> all;
+    for (Index k = 0; k < left.vertex_count() - left.vertices_left(); ++k) {
+      const CollapsingMesh::Restored gone = left.collapsed(k);
+      all.emplace_back(gone.vertex, gone.onto);
+    }
+    return all;
+  };
+  const auto alone = collapses(1);
+  EXPECT_GT(alone.size(), 3000u);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(collapses(threads), alone) << threads;
 }
 
 }  // namespace
