@@ -100,7 +100,8 @@ void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* i
   } catch (const Error& error) {
     throw Error(error.kind(), fmt::format("cannot write {}: {}", path, error.what()));
   }
-  write_file_atomically(path, cone_comments(map) + text, verify);
+  text.insert(0, cone_comments(map));
+  write_file_atomically(path, text, verify);
 }
 
 }  // namespace majorant
