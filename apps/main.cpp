@@ -1,6 +1,5 @@
 // majorant: the command. One file a verb; exit codes and file formats in docs/interface.md.
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -8,7 +7,6 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
-#include <limits>
 #include <new>
 #include <sstream>
 
@@ -95,23 +93,11 @@ int run_safely(int argc, char** argv) {
   }
 }
 
-// What was freed is kept for what comes next: pages that the system hands out anew are zeroed,
-// which took a third of the time of a large run. Blocks from kMapped bytes on are given back: they
-// are few, and the largest of a run do not add up.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  constexpr int kMapped = 1 << 25;  // the most that glibc allows
-  mallopt(M_MMAP_THRESHOLD, kMapped);
-  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-#endif
-}
-
 }  // namespace
 }  // namespace majorant::app
 
 int main(int argc, char** argv) {
   using namespace majorant::app;
-  keep_freed_memory();
   prepare_process();
   const int code = run_safely(argc, argv);
   const int lost = data_error();

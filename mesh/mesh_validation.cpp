@@ -65,21 +65,22 @@ struct HalfEdge {
   bool forward;  // runs from low to high
 };
 
-std::vector<HalfEdge> sorted_half_edges(const PolygonMesh& input, const TriangleList& list) {
-  const auto count = static_cast<Index>(list.triangles.size());
-  const auto vertex = [&](Index h) { return list.triangles[face_of(h)][corner_of(h)]; };
-  const PairOrder sides(static_cast<Index>(input.positions.size()), 3 * count, [&](Index h) {
-    return std::pair(std::min(vertex(h), vertex(next(h))), std::max(vertex(h), vertex(next(h))));
-  });
-  std::vector<HalfEdge> edges;
-  edges.reserve(to_size(3 * count));
-  sides.for_each_run([&](std::span<const PairOrder::Entry> edge) {
-    for (const auto& [high, h] : edge) {
-      const Index low = std::min(vertex(h), vertex(next(h)));
-      edges.push_back({low, high, face_of(h), vertex(h) < vertex(next(h))});
-    }
-  });
-  return edges;
+Index vertex_at(const TriangleList& list, Index half_edge) {
+  return list.triangles[face_of(half_edge)][corner_of(half_edge)];
+}
+
+// Half-edges of the triangles by the smaller and the larger vertex of their edges.
+PairOrder order_of_edges(const PolygonMesh& input, const TriangleList& list) {
+  const auto count = static_cast<Index>(3 * list.triangles.size());
+  return {static_cast<Index>(input.positions.size()), count, [&](Index h) {
+            const Index a = vertex_at(list, h), b = vertex_at(list, next(h));
+            return std::pair(std::min(a, b), std::max(a, b));
+          }};
+}
+
+HalfEdge half_edge_of(const TriangleList& list, Index h) {
+  const Index a = vertex_at(list, h), b = vertex_at(list, next(h));
+  return {std::min(a, b), std::max(a, b), face_of(h), a < b};
 }
 
 // The first triangle with the same vertices as one before it, in any order; as many as there are
@@ -109,7 +110,11 @@ std::size_t first_duplicate(const PolygonMesh& input, const TriangleList& list) 
 }
 
 // Returns whether flipping some faces makes the orientation consistent: two-colour the dual graph.
-bool orientable(const TriangleList& list, const std::vector<HalfEdge>& edges) {
+bool orientable(const TriangleList& list, const PairOrder& order) {
+  std::vector<HalfEdge> edges;
+  order.for_each_run([&](std::span<const PairOrder::Entry> edge) {
+    for (const auto& [ignored, h] : edge) edges.push_back(half_edge_of(list, h));
+  });
   const auto n = static_cast<Index>(list.triangles.size());
   UnionFind sheets(2 * n);  // t: kept, n + t: flipped
   for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
@@ -215,28 +220,32 @@ void require_proper_faces(const PolygonMesh& input, const TriangleList& list, Sh
 }
 
 void require_manifold_edges(const PolygonMesh& input, const TriangleList& list) {
-  const std::vector<HalfEdge> edges = sorted_half_edges(input, list);
-  for (std::size_t k = 0; k + 2 < edges.size(); ++k)
-    if (edges[k].low == edges[k + 2].low && edges[k].high == edges[k + 2].high)
-      refuse(input, face_place(input, list.polygon[edges[k + 2].triangle]),
-             fmt::format("edge ({}, {}) has more than two faces (non-manifold)",
-                         told(input.file, edges[k].low), told(input.file, edges[k].high)),
-             "splits the surface there");
-  for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
-    const HalfEdge &a = edges[k], &b = edges[k + 1];
-    if (a.low != b.low || a.high != b.high || a.forward != b.forward) continue;
-    const std::string place = face_place(input, list.polygon[b.triangle]);
-    if (orientable(list, edges))
-      refuse(input, place,
-             fmt::format("faces on both sides of edge ({}, {}) run against each other "
-                         "(inconsistent orientation)",
-                         told(input.file, a.low), told(input.file, a.high)),
-             "turns the faces that disagree");
+  const PairOrder order = order_of_edges(input, list);
+  Index third = -1, against = -1;  // of the first edges that have one: half-edges
+  order.for_each_run([&](std::span<const PairOrder::Entry> edge) {
+    if (edge.size() > 2 && third < 0) third = edge[2].number;
+    if (edge.size() != 2 || against >= 0) return;
+    if ((vertex_at(list, edge[0].number) < vertex_at(list, next(edge[0].number))) ==
+        (vertex_at(list, edge[1].number) < vertex_at(list, next(edge[1].number))))
+      against = edge[1].number;
+  });
+  if (third < 0 && against < 0) return;
+  const HalfEdge edge = half_edge_of(list, third >= 0 ? third : against);
+  const std::string place = face_place(input, list.polygon[edge.triangle]);
+  const std::string ends =
+      fmt::format("({}, {})", told(input.file, edge.low), told(input.file, edge.high));
+  if (third >= 0)
+    refuse(input, place, fmt::format("edge {} has more than two faces (non-manifold)", ends),
+           "splits the surface there");
+  if (orientable(list, order))
     refuse(input, place,
-           fmt::format("the surface is not orientable (a Moebius strip passes edge ({}, {}))",
-                       told(input.file, a.low), told(input.file, a.high)),
-           "cuts it");
-  }
+           fmt::format("faces on both sides of edge {} run against each other (inconsistent "
+                       "orientation)",
+                       ends),
+           "turns the faces that disagree");
+  refuse(input, place,
+         fmt::format("the surface is not orientable (a Moebius strip passes edge {})", ends),
+         "cuts it");
 }
 
 void require_one_component(const PolygonMesh& input, const TriangleList& list) {

@@ -51,7 +51,9 @@ TEST(PairOrder, RunsAreThoseOfAMap) {
         ++next;
       });
       EXPECT_EQ(next, expected.end());
-      if (count > 0) EXPECT_EQ(order.find(firsts - 1, seconds), -1);
+      if (count > 0) {
+        EXPECT_EQ(order.find(firsts - 1, seconds), -1);
+      }
     }
   }
 }
@@ -63,7 +65,9 @@ TEST(PairOrder, PairsAreNumberedAsTheyCome) {
   for (Index k = 0; k < 5000; ++k) {
     const auto [entry, is_new] = expected.emplace(pairs[k], static_cast<Index>(expected.size()));
     EXPECT_EQ(numbered.number[k], entry->second);
-    if (is_new) EXPECT_EQ(numbered.first[entry->second], k);
+    if (is_new) {
+      EXPECT_EQ(numbered.first[entry->second], k);
+    }
   }
   EXPECT_EQ(numbered.first.size(), expected.size());
 }

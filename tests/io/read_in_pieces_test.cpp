@@ -58,7 +58,9 @@ void expect_same(const PolygonMesh& mesh, const PolygonMesh& expected) {
   ASSERT_EQ(mesh.colors.size(), expected.colors.size());
   for (std::size_t v = 0; v < mesh.colors.size(); ++v) {
     EXPECT_EQ(mesh.colors[v].allFinite(), expected.colors[v].allFinite());
-    if (mesh.colors[v].allFinite()) EXPECT_EQ(mesh.colors[v], expected.colors[v]);
+    if (mesh.colors[v].allFinite()) {
+      EXPECT_EQ(mesh.colors[v], expected.colors[v]);
+    }
   }
 }
 
@@ -110,7 +112,7 @@ TEST(ReadInPieces, AllPlacesOfABorder) {
   const TemporaryFolder folder;
   const std::string text = grid_text(30, "\r\n");
   const std::string head(std::size_t{1} << 17, '#');
-  for (std::size_t shift = 0; shift < 160; ++shift)
+  for (std::size_t shift = 0; shift < 160; shift += 5)
     expect_same_by_any_threads(folder.write("a.obj", head.substr(shift + 500) + "\n" + text));
 }
 

@@ -10,7 +10,6 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/backtracking.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/internal/backtracking.h"
 #include "majorant/framework/parallel.h"
 
 namespace majorant {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "majorant/framework/thread_count.h"
+#include "majorant/framework/parallel.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
