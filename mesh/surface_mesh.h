@@ -68,7 +68,7 @@ inline Index to_vertex(const Cells& faces, Index half_edge) {
 
 // For every half-edge the one of the neighbouring face along the same edge, -1 at the boundary
 // (3 #F). faces: #F by 3, consistently oriented. Throws InvalidArgument when an edge has more
-// than two faces or two that run the same way. O(n log n).
+// than two faces or two that run the same way, and for a negative vertex. O(#F + largest vertex).
 std::vector<Index> opposite_half_edges(const Cells& faces);
 
 // The boundary as loops of half-edges, each of which starts where the one before it ends, the

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "majorant/framework/argument_check.h"
@@ -24,8 +23,6 @@ struct Side {
   std::array<Index, kMaxCorners> vertices;  // ascending, -1 for none
   Index cell;
   std::uint16_t corners, part;
-
-  auto shared_key() const { return std::tie(corners, vertices); }
 };
 
 Side make_side(const Cells& cells, Index cell, std::size_t number, const NodeLattice::Part& part) {
@@ -43,8 +40,10 @@ Side make_side(const Cells& cells, Index cell, std::size_t number, const NodeLat
   return side;
 }
 
-// By corners, vertices, cell and part.
-std::vector<Side> sorted_sides(const NodeLattice& lattice, const Cells& cells, Index vertex_count) {
+// visit(sides): those of each part that cells share, by corners, vertices, cell and part.
+template <class Visit>
+void for_each_part(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
+                   const Visit& visit) {
   const std::vector<NodeLattice::Part>& parts = lattice.parts();
   const auto per_cell = static_cast<Index>(parts.size());
   const auto count = per_cell * static_cast<Index>(cells.rows());
@@ -52,7 +51,6 @@ std::vector<Side> sorted_sides(const NodeLattice& lattice, const Cells& cells, I
     return make_side(cells, k / per_cell, to_size(k % per_cell), parts[k % per_cell]);
   };
   std::vector<Side> sides;
-  sides.reserve(to_size(count));
   for (std::size_t corners = 1; corners <= kMaxCorners; ++corners) {
     if (std::none_of(parts.begin(), parts.end(),
                      [&](const auto& part) { return part.corners.size() == corners; }))
@@ -69,14 +67,19 @@ std::vector<Side> sorted_sides(const NodeLattice& lattice, const Cells& cells, I
       return std::pair(s.vertices[0], s.vertices[1]);
     });
     order.for_each_run([&](std::span<const PairOrder::Entry> run) {
-      const auto first = static_cast<std::ptrdiff_t>(sides.size());
+      sides.clear();
       for (const auto& [ignored, k] : run) sides.push_back(side(k));
       if (corners > 2)
-        std::stable_sort(sides.begin() + first, sides.end(),
+        std::stable_sort(sides.begin(), sides.end(),
                          [](const Side& a, const Side& b) { return a.vertices < b.vertices; });
+      for (std::span<const Side> left = sides; !left.empty();) {
+        std::size_t size = 1;
+        while (size < left.size() && left[size].vertices == left[0].vertices) ++size;
+        visit(left.first(size));
+        left = left.subspan(size);
+      }
     });
   }
-  return sides;
 }
 
 // Nodes inside a part in the order that its corners give: large weights on the first ones first.
@@ -188,37 +191,35 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
   out.cells.resize(cells.rows(), lattice.node_count());
   out.cells.leftCols(cells.cols()) = cells;
   out.node_count = with_more_nodes(0, to_size(vertex_count));
-  const std::vector<Side> sides = sorted_sides(lattice, cells, vertex_count);
   NodeOrder order(lattice, cells);
-  std::vector<const Side*> outer;
-  for (auto first = sides.begin(); first != sides.end();) {
-    const auto last = std::find_if(
-        first, sides.end(), [&](const Side& s) { return s.shared_key() != first->shared_key(); });
-    const NodeLattice::Part& part = lattice.parts()[first->part];
+  std::vector<Side> outer;
+  for_each_part(lattice, cells, vertex_count, [&](std::span<const Side> sides) {
+    const Side& first = sides.front();
+    const NodeLattice::Part& part = lattice.parts()[first.part];
     const bool facet = !part.closure.empty();
-    if (facet && last - first > 2)
+    if (facet && sides.size() > 2)
       throw InvalidArgument(
           fmt::format("{}: facet ({}) has {} cells, at most 2 are possible", name,
-                      fmt::join(first->vertices.begin(),
-                                first->vertices.begin() + static_cast<long>(first->corners), ", "),
-                      last - first));
-    if (facet && last - first == 1) outer.push_back(&*first);
+                      fmt::join(first.vertices.begin(),
+                                first.vertices.begin() + static_cast<long>(first.corners), ", "),
+                      sides.size()));
+    if (facet && sides.size() == 1) outer.push_back(first);
     const Index before = out.node_count;
     out.node_count = with_more_nodes(before, part.nodes.size());
-    for (auto side = first; side != last && !part.nodes.empty(); ++side) {
+    if (part.nodes.empty()) return;
+    for (const Side& side : sides) {
       Index node = before;
-      for (const int l : order.of(*side)) out.cells(side->cell, l) = node++;
+      for (const int l : order.of(side)) out.cells(side.cell, l) = node++;
     }
-    first = last;
-  }
+  });
   Index node = out.node_count;
   out.node_count =
       with_more_nodes(node, static_cast<std::size_t>(cells.rows()) * lattice.interior().size());
   for (Index e = 0; e < cells.rows(); ++e)
     for (const int l : lattice.interior()) out.cells(e, l) = node++;
-  for (const Side* side : outer)
-    for (const int l : lattice.parts()[side->part].closure)
-      out.boundary_nodes.push_back(out.cells(side->cell, l));
+  for (const Side& side : outer)
+    for (const int l : lattice.parts()[side.part].closure)
+      out.boundary_nodes.push_back(out.cells(side.cell, l));
   std::vector<Index>& boundary = out.boundary_nodes;
   std::sort(boundary.begin(), boundary.end());
   boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
