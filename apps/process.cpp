@@ -120,15 +120,16 @@ std::size_t stack_bytes() {
 
 }  // namespace
 
-// Address space of the heap, no memory until it is used.
-constexpr int kReservedHeap = 1 << 30;  // bytes
+// Address space of the heap, no memory until it is used, and of what memory is free one part in so
+// many at most: what is reserved is not to be more than what may be used (FreeMemoryOnly).
+constexpr std::size_t kReservedHeap = std::size_t{1} << 30;  // bytes
+constexpr std::size_t kReservedPart = 4;
 // What is larger is mapped, and given back to the system, on its own: as much as glibc allows.
 constexpr int kLargestInHeap = 32 << 20;  // bytes
 
 // What is freed between two steps is kept for the next one: the system would only clear it and map
 // it again, which costs more than most steps do; and the heap is in large pages, where the system
-// has them for who asks. Page faults of a degree 1 run of spot_10000, subdivided to 160,000 faces:
-// 168,000 without this, 71,000 in small pages, 800.
+// has them for who asks: a run of 160,000 faces has 800 page faults for 168,000.
 void keep_memory() {
   mallopt(M_MMAP_THRESHOLD, kLargestInHeap);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
@@ -136,14 +137,17 @@ void keep_memory() {
   ::getrlimit(RLIMIT_AS, &space);
   ::getrlimit(RLIMIT_DATA, &data);
   if (space.rlim_cur != RLIM_INFINITY || data.rlim_cur != RLIM_INFINITY) return;
-  mallopt(M_TOP_PAD, kReservedHeap);
+  const std::size_t free = reading_memory().value_or(kReservedPart * kReservedHeap);
+  const std::size_t reserved = std::min(kReservedHeap, free / kReservedPart);
+  if (reserved < 2 * kLargestInHeap) return;
+  mallopt(M_TOP_PAD, static_cast<int>(reserved));
   void* volatile first = std::malloc(kLargestInHeap / 2);  // or compilers leave it out
   std::free(first);
   mallopt(M_TOP_PAD, kLargestInHeap);
 #ifdef MADV_HUGEPAGE
   constexpr std::uintptr_t kLargePage = 1 << 21;
   const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0)) / kLargePage * kLargePage;
-  const std::uintptr_t length = kReservedHeap - kLargePage;
+  const std::uintptr_t length = reserved - kLargePage;
   ::madvise(reinterpret_cast<void*>(end - length), length, MADV_HUGEPAGE);
 #endif
 }
