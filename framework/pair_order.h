@@ -1,9 +1,11 @@
 // Numbers 0 to count - 1 in the order of a pair of numbers that each of them has, by counting:
 // half-edges by the ends of their edges, corners by vertex and texture coordinate.
 //
-//   const PairOrder sides(vertices, 3 * faces, [&](Index h) { return ends(h); });   // low, high
-//   sides.for_each_run([&](std::span<const PairOrder::Entry> edge) { ... });   // its half-edges
-//   if (sides.find(12, 40) >= 0) ...   // there is an edge (12, 40)
+//   const std::array<std::pair<Index, Index>, 3> ends{{{0, 1}, {0, 2}, {0, 1}}};   // low, high
+//   const PairOrder sides(3, 3, [&](Index h) { return ends[h]; });   // of 3 vertices, 3 half-edges
+//   std::size_t inner = 0;
+//   sides.for_each_run([&](std::span<const PairOrder::Entry> edge) { inner += edge.size() > 1; });
+//   const bool is_edge = sides.find(0, 2) >= 0;
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,9 @@
 // The flip of an edge between two triangles of a half-edge mesh: the other diagonal of their
 // quadrilateral takes the numbers of the edge's half-edges.
 //
-//   const FlippedSides moved = flip_half_edge(faces, opposite, h);   // what is kept by half-edge
-//                                                                    // moves like this
+//   Cells faces = mesh->faces();
+//   std::vector<Index> opposite = mesh->opposites();
+//   const FlippedSides moved = flip_half_edge(faces, opposite, 12);   // how data of half-edges move
 #pragma once
 
 #include <array>

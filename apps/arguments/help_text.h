@@ -3,6 +3,7 @@
 //
 //   CLI::App app;
 //   app.formatter(std::make_shared<HelpFormatter>());
+//   std::string size;
 //   begin_group(verb, OptionGroup::Pictures);    // of the options that follow
 //   verb.add_option("--size", size, "PNG: width and height in pixels")->type_name("W,H");
 //

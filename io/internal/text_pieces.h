@@ -1,11 +1,12 @@
 // Text of many lines, made in pieces on all threads and put together in order.
 //
-//   TextPieces text;
-//   text.add("# points\n");
-//   text.add_lines(points.size(), [&](Index p, fmt::appender out) {
+//   const std::vector<Vector2> points(100, Vector2(1, 2));
+//   TextPieces pieces;
+//   pieces.add("# points\n");
+//   pieces.add_lines(100, [&](Index p, fmt::appender out) {
 //     fmt::format_to(out, FMT_COMPILE("v {} {}\n"), points[p].x(), points[p].y());
 //   });
-//   write_file_atomically(path, text.take());
+//   write_file_atomically(path, pieces.take());
 #pragma once
 
 #include <fmt/compile.h>

@@ -1,6 +1,6 @@
 // Cuts the pieces of a map until they are a valid piecewise linear map, proven on their doubles.
 //
-//   MapPieces pieces(file, mesh_from_map(file, ""), 1);
+//   MapPieces pieces(file, corner_mesh(file, ""), 1);
 //   cut_until_positive(pieces, Overlap::Allowed);
 //
 // Afterwards every piece is positive in the plane (exact_predicates.h), and around every vertex
