@@ -3,7 +3,7 @@
 //
 //   Cells faces = mesh->faces();
 //   std::vector<Index> opposite = mesh->opposites();
-//   const FlippedSides moved = flip_half_edge(faces, opposite, 12);   // how data of half-edges move
+//   const FlippedSides moved = flip_half_edge(faces, opposite, 12);   // how half-edge data move
 #pragma once
 
 #include <array>
