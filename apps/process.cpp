@@ -129,7 +129,7 @@ constexpr int kLargestInHeap = 32 << 20;  // bytes
 
 // What is freed between two steps is kept for the next one: the system would only clear it and map
 // it again, which costs more than most steps do; and the heap is in large pages, where the system
-// has them for who asks: a run of 160,000 faces has 800 page faults for 168,000.
+// has them for who asks: a run of 160,000 faces has 4,700 page faults for 168,000.
 void keep_memory() {
   mallopt(M_MMAP_THRESHOLD, kLargestInHeap);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
