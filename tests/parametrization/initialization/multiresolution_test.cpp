@@ -248,7 +248,7 @@ TEST(Multiresolution, EndsWhenItIsStopped) {
   for (long last = 1; last < whole.asked(); last += whole.asked() / 7) {
     const CountedStop stop(last);
     EXPECT_THROW(multiresolution_map(*mesh, {}, stop.check(), small()), Stopped) << last;
-    EXPECT_LE(stop.asked_after(), 1) << last;
+    EXPECT_LE(stop.asked_after(), ThreadCount::current()) << last;
   }
 }
 

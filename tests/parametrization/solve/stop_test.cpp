@@ -9,6 +9,7 @@
 
 #include "counted_stop.h"
 #include "majorant/certify/global_injectivity.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/scaffold/improve_mesh.h"
@@ -153,7 +154,7 @@ TEST(Stop, Measuring) {
     const CountedStop stop(k);
     const MapMeasures m = measure_map(map, energy, stop.check());
     EXPECT_TRUE(m.cut_short);
-    EXPECT_LE(stop.asked_after(), 1);
+    EXPECT_LE(stop.asked_after(), ThreadCount::current());
     EXPECT_NEAR(m.value, whole.value, 0.1 * whole.value);
     EXPECT_EQ(m.min_det, whole.min_det);
     EXPECT_EQ(m.locally_injective, whole.locally_injective);
@@ -181,7 +182,8 @@ TEST(Stop, FlipsOfEdges) {
   }
 }
 
-// Reading ends at once, and says so by an exception, wherever it is stopped.
+// Reading ends at once, and says so by an exception, wherever it is stopped. Each other thread may
+// be asking while the first is told to stop.
 template <class Read>
 void expect_ends_at_once(const Read& read, long least_asked) {
   const CountedStop never;
@@ -190,7 +192,7 @@ void expect_ends_at_once(const Read& read, long least_asked) {
   for (long k = 1; k <= never.asked(); k += std::max(1L, never.asked() / kRuns)) {
     const CountedStop stop(k);
     EXPECT_THROW(read(stop.check()), Stopped);
-    EXPECT_EQ(stop.asked_after(), 0);
+    EXPECT_LT(stop.asked_after(), ThreadCount::current());
   }
 }
 
