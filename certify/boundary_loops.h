@@ -1,5 +1,6 @@
 // The boundary of a map in the plane: loops of Bezier curves, each with the chart it belongs to.
-// The proof of global_injectivity.h needs no more of a map, wherever that comes from.
+// The proof of global_injectivity.h (check_layout) needs no more of a map, wherever that comes
+// from.
 //
 //   const BoundaryLoops boundary = boundary_loops(map);    // of a map in memory
 //
@@ -11,7 +12,6 @@
 
 #include <vector>
 
-#include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/internal/planar_curve.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
@@ -41,12 +41,6 @@ struct BoundaryLoops {
 // The loops of the map's mesh, both sides of its seams included; the components of the mesh are the
 // charts.
 BoundaryLoops boundary_loops(const BezierMap& map);
-
-// The proof of global_injectivity.h for boundaries of any source: that of a map in memory, of
-// several maps side by side, or of what a file holds. half_edge_a and half_edge_b of its contacts
-// are BoundaryLoops::half_edge.
-GlobalInjectivity check_layout(const BoundaryLoops& boundary,
-                               const InjectivityOptions& options = {});
 
 }  // namespace majorant
 

@@ -327,12 +327,12 @@ Finding check_nesting(const BoundaryLoops& boundary, SubdivisionBudget& budget) 
     const Vector2& p = boundary.curves[loop.first].front();
     const BoundaryLoop* const own = outer[loop.chart];
     const bool is_outer = own == &loop;
-    const std::optional<long> turns = winding.around(p, [&](const BoundaryLoop& other) {
+    const std::optional<long> windings = winding.around(p, [&](const BoundaryLoop& other) {
       return is_outer ? other.chart != loop.chart : &other == own;
     });
-    if (turns && *turns == (is_outer ? 0 : 1)) continue;
+    if (windings && *windings == (is_outer ? 0 : 1)) continue;
     const std::string place = fmt::format("near ({:.9g}, {:.9g})", p.x(), p.y());
-    if (!turns)
+    if (!windings)
       return {ProofStatus::Undecided,
               "which boundary loop is inside of which is not clear " + place};
     return {ProofStatus::Violated, is_outer ? "one component lies inside another, " + place

@@ -47,6 +47,8 @@
 
 namespace majorant {
 
+struct BoundaryLoops;  // boundary_loops.h
+
 struct Finding {
   ProofStatus answer = ProofStatus::NotAsked;
   std::string detail;  // one line: the defect or the open case and its place; where Proven, counts
@@ -93,6 +95,12 @@ struct GlobalInjectivity {
 // charts must not overlap, nor touch, not even where a cut opens no gap. Polygons are decided
 // exactly, in O(n log n). Curves take a few microseconds an edge.
 GlobalInjectivity check_boundary(const BezierMap& map, const InjectivityOptions& options = {});
+
+// The same for boundaries of any source: that of a map in memory, of several maps side by side, or
+// of what a file holds (boundary_loops.h). half_edge_a and half_edge_b of its contacts
+// are BoundaryLoops::half_edge.
+GlobalInjectivity check_layout(const BoundaryLoops& boundary,
+                               const InjectivityOptions& options = {});
 
 }  // namespace majorant
 

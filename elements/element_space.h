@@ -38,8 +38,9 @@ struct ContractionTable {
   std::vector<int> pair_starts;
 };
 
-// The outcome of a proof. Proven and Violated are proofs themselves; Undecided says that none was
-// found.
+// The outcome of a proof. Proven is one; Violated is a counterexample, but in the floating-point
+// proofs of elements, where it says that det J is not provably positive at a corner; Undecided says
+// that no proof was found.
 enum class ProofStatus { Proven, Violated, Undecided, NotAsked };
 
 // The outcome of the proof that det J > 0 on an element.

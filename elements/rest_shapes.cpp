@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "majorant/elements/tangent_part.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/rounding.h"

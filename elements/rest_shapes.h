@@ -11,6 +11,8 @@
 // (parametrization/maps/rest_shapes_of.h) knows these.
 #pragma once
 
+#include <optional>
+
 #include "majorant/elements/element_space.h"
 
 namespace majorant {
@@ -41,6 +43,11 @@ RestShapes flat_simplices(const RowMatrix& positions, const Cells& cells);
 
 // flat_simplices of triangles in space: positions #V by 3, faces #F by 3.
 RestShapes flat_triangles(const Points3& positions, const Cells& faces);
+
+// The components of a vector in space in the frame of a triangle, as flat_triangles() has it: none
+// for a vector that is not finite or along the normal, and for a triangle without a plane.
+std::optional<Eigen::RowVector2d> tangent_part(const Points3& positions, const Cells& faces,
+                                               Index face, const Vector3& vector);
 
 // Vectors in space, one a triangle, as the frames of flat_triangles() see them: #F by 2; what they
 // have along the normal is left out. vectors: #F by 3. Throws InvalidArgument unless there is

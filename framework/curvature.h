@@ -15,8 +15,8 @@ namespace majorant {
 // stored in an energy. Only Exact may be indefinite.
 enum class Curvature {
   Projected,           // exact Hessian per quadrature point, negative eigenvalues set to 0
-  Majorizer,           // composite majorizer in the (alpha, beta) frame, method.md section 5
-  CompositeMajorizer,  // [MC20] Eq. 11 with its sign corrected
+  Majorizer,           // least convex majorizer in the (alpha, beta) frame, method.md section 5
+  CompositeMajorizer,  // [MC20] Eq. 11, sign corrected; named paper-majorizer
   Exact,
   Reweighted,  // SLIM's proxy [RPPSH17]
 };

@@ -22,7 +22,8 @@
 //     newton.h                    Newton's method: projected, lagged, inexact
 //     first_order.h               L-BFGS and gradient flow in a factored metric
 //     barrier_minimizer.h         interior points: barriers of falling weight
-//     stepper.h                   one step at a time, and its line search: methods of one's own
+//     stepper.h                   one step at a time: methods of one's own
+//     line_search.h               the line search of all minimizers
 //     run_record.h                trace, limits and progress of a run
 //     stop_check.h                interruption, time limits
 //     parallel.h                  how many threads work, and loops on them
@@ -42,6 +43,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/first_order.h"
+#include "majorant/framework/line_search.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/framework/newton.h"

@@ -1,3 +1,5 @@
+#include "majorant/framework/line_search.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +11,6 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/problem_parts.h"
-#include "majorant/framework/stepper.h"
 
 namespace majorant {
 namespace {

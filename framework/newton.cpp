@@ -78,11 +78,11 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
     : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
       options_(std::move(options)),
       solver_(make_solver("NewtonOptions", options_.linear_solver)),
-      kept_(std::make_unique<LaggedFactor>(options_.kept)) {
+      lagged_(std::make_unique<LaggedFactor>(options_.lagged)) {
   require_curvature(problem);
   require_in("NewtonOptions: forcing.largest", options_.forcing.largest, 0, 1);
-  require_at_least("NewtonOptions: kept.history", options_.kept.history, 0);
-  require_at_least("NewtonOptions: kept.steps", options_.kept.steps, 0);
+  require_at_least("NewtonOptions: lagged.history", options_.lagged.history, 0);
+  require_at_least("NewtonOptions: lagged.steps", options_.lagged.steps, 0);
   analyze();
 }
 
@@ -102,23 +102,23 @@ void NewtonStepper::reset(const Problem& problem) {
   evaluator_.reset(problem);
   relative_decrement_ = std::numeric_limits<double>::infinity();
   last_gradient_norm_ = 0;
-  kept_->drop();
+  lagged_->drop();
   if (!same) analyze();
 }
 
 void NewtonStepper::polish() {
   projection_weight_ = 0;
   hold_ = whole_steps_ = 0;
-  kept_->drop();
+  lagged_->drop();
 }
 
 void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
-  if (!kept_->serves() || !kept_step(y, energy, step)) newton_step(y, energy, step);
+  if (!lagged_->serves() || !lagged_step(y, energy, step)) newton_step(y, energy, step);
 }
 
 void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
-  kept_->drop();
+  lagged_->drop();
   step.outcome = Outcome::Breakdown;  // whatever a step on a kept factor was
   if (!find_direction(y, r)) return;
   const double before = energy;
@@ -130,24 +130,24 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   learn_weight(step);
   // An iterative solver has no factor to keep: its solves are what costs.
   if (step.outcome == Outcome::Moved && r.solver_iterations == 0)
-    kept_->renew(from, gradient_, partition_of(evaluator_.problem()), r, relative_decrement_);
+    lagged_->renew(from, gradient_, partition_of(evaluator_.problem()), r, relative_decrement_);
 }
 
 // Returns whether the last factor gave a step; if not, y is as it was.
-bool NewtonStepper::kept_step(Vec& y, double& energy, Step& step) {
+bool NewtonStepper::lagged_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   Stopwatch watch;
   evaluator_.gradient(y, gradient_, stop_);
   r.seconds.assemble += watch.restart();
   Vec p;
-  kept_->direction(*solver_, y, gradient_, p);
+  lagged_->direction(*solver_, y, gradient_, p);
   r.seconds.solve += watch.restart();
   r.curvature = options_.curvature;
   const double before = energy;
   move_along(p, 1.0, y, energy, step);
   if (step.outcome != Outcome::Moved) return false;
   relative_decrement_ = relative_to(before, r.newton_decrement);
-  kept_->judge(r);
+  lagged_->judge(r);
   return true;
 }
 

@@ -37,16 +37,16 @@ struct BlendRules {
   int whole_steps = 2;
 };
 
-// Steps on a kept factor: instead of a factorization of its own a step may take the last one's
+// Steps on a lagged factor: instead of a factorization of its own a step may take the last one's
 // factor as the metric of L-BFGS. It costs a solve, a gradient and its line search, and pays near a
 // minimum where Newton's steps would still be many: after a start that is nearly there already
 // (levels of a multiresolution start, a map that has changed a little). From far away it wastes
 // steps.
 struct LaggedFactorRules {
   // A factor is kept where -g.p of its own step was less than this part of |E|; 0: never. Tuned by
-  // bench/tune.py kept.below.
+  // bench/tune.py lagged.below.
   double below = 0;
-  // The number of pairs that L-BFGS keeps. Tuned by bench/tune.py kept.history.
+  // The number of pairs that L-BFGS keeps. Tuned by bench/tune.py lagged.history.
   int history = 8;
   // Steps that a factor serves beside its own; more save little at any degree.
   int steps = 5;
@@ -71,7 +71,7 @@ struct ForcingRules {
 struct NewtonOptions {
   Curvature curvature = Curvature::Projected;
   BlendRules blend = {};
-  LaggedFactorRules kept = {};
+  LaggedFactorRules lagged = {};
   ForcingRules forcing = {};
   StoppingRules stopping = {};
   LineSearchOptions line_search = {};
@@ -100,7 +100,7 @@ class NewtonStepper final : public Stepper {
   void require_curvature(const Problem& problem) const;
   void analyze();
   void newton_step(Vec& y, double& energy, Step& step);
-  bool kept_step(Vec& y, double& energy, Step& step);
+  bool lagged_step(Vec& y, double& energy, Step& step);
   bool blends() const;
   bool find_direction(const Vec& y, IterationRecord& record);
   bool solve_blend(const Vec& y, IterationRecord& record);
@@ -120,7 +120,7 @@ class NewtonStepper final : public Stepper {
   int hold_ = 0;                                                         // steps that it stays
   int whole_steps_ = 0;                                                  // to come before it
   class LaggedFactor;
-  std::unique_ptr<LaggedFactor> kept_;
+  std::unique_ptr<LaggedFactor> lagged_;
 };
 
 class NewtonMinimizer final : public Minimizer {

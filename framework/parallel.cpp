@@ -1,5 +1,6 @@
 #include "majorant/framework/parallel.h"
 
+#include <fmt/format.h>
 #include <pthread.h>
 #include <signal.h>
 
@@ -11,8 +12,13 @@
 #include <thread>
 #include <vector>
 
+#include "majorant/framework/available_resources.h"
+#include "majorant/framework/error.h"
+
 namespace majorant {
 namespace {
+
+thread_local int threads_of_this_thread = 0;  // 0: as many as there are processors
 
 using Task = std::function<void(Index, int)>;
 
@@ -155,6 +161,20 @@ class Pool {
 }  // namespace
 
 bool is_parallel_task() { return in_task; }
+
+ThreadCount::ThreadCount(int count) : before_(threads_of_this_thread) {
+  if (count < 0)
+    throw InvalidArgument(fmt::format("ThreadCount: {} threads, at least 0 are needed", count));
+  if (count > 0) threads_of_this_thread = count;
+}
+
+ThreadCount::~ThreadCount() { threads_of_this_thread = before_; }
+
+int ThreadCount::current() {
+  static const int processors = available_processors();
+  if (is_parallel_task()) return 1;
+  return threads_of_this_thread > 0 ? threads_of_this_thread : processors;
+}
 
 void parallel_tasks(Index count, const std::function<void(Index task, int thread)>& work,
                     int threads) {

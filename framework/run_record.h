@@ -272,15 +272,15 @@ class RunRecord {
   void begin(Activity activity) const {
     if (observer_ && !is_part_) observer_->begin(activity);
   }
-  // The next iteration is the first one after that.
+  // The next iteration is the first one after this remedy.
   void mark(Remedy remedy) { remedy_ = remedy; }
-  // At the end of a solve: the next one's first iteration is not.
+  // At the end of a solve: the first iteration of the next one follows no remedy.
   void forget_mark() { remedy_.reset(); }
   // For everything once there is a map, and before. Both may outlive the record.
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
   Directive directive() const { return agreed(stop_()); }
-  // On coarser meshes iterations do not count, in vain they do.
+  // Iterations on coarser meshes do not count against the limit.
   int iterations_left() const {
     const auto used = std::count_if(trace_.begin(), trace_.end(),
                                     [](const TraceEntry& row) { return row.level == 0; });

@@ -3,8 +3,8 @@
 //   std::string text = read_whole_file(path);   // any bytes; of mesh.obj.gz the mesh
 //   require_text(path, text);                   // refuses binary content
 //
-// Meshes are parsed in one piece (no streaming): parsing from memory is what makes a million faces
-// a matter of a second, and every reader can check the counts a header announces against the size.
+// Meshes are parsed from memory (no streaming): that is what makes a million faces a matter of a
+// second, and every reader can check the counts a header announces against the size.
 #pragma once
 
 #include <string>

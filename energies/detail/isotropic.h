@@ -61,8 +61,8 @@ CurvatureCoefficients<T> exact_coefficients(const IsotropicJet<T>& j) {
 }
 
 // Convex k: its Hessian's 2x2 radial block is PSD and gb >= 0; only alpha's perpendicular direction
-// (coefficient ga) can be negative. Projection and composite majorizer coincide. projection_weight:
-// the part of what is negative that is taken away.
+// (coefficient ga) can be negative. Projected and Majorizer coincide. projection_weight: the part
+// of what is negative that is taken away.
 template <class T>
 CurvatureCoefficients<T> convex_projection(const IsotropicJet<T>& j, const T& x,
                                            const T& projection_weight) {

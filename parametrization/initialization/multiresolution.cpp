@@ -197,8 +197,8 @@ class Multiresolution {
     bool solved = true;
     if (level_ > 0) {
       NewtonOptions options = newton_options();
-      options.kept = {.below = std::numeric_limits<double>::infinity(),
-                      .steps = rules_.factor_steps - 1};
+      options.lagged = {.below = std::numeric_limits<double>::infinity(),
+                        .steps = rules_.factor_steps - 1};
       options.stopping =
           brief_rules(rules_.most_steps, is_coarse() ? rules_.coarse_decrease : rules_.decrease);
       solved = improve_all(Level(mesh_, positions_, all_), options, record);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "majorant/elements/tangent_part.h"
 #include "majorant/framework/error.h"
 
 namespace majorant {

@@ -29,8 +29,8 @@ constexpr int kSkylineTries = 14;
 // First width of the skyline, in roots of the area, and the factor from square to square until one
 // holds all. Chosen, not tuned.
 constexpr double kFirstWidth = 1.5, kSkylineFactor = 1.25;
-// The same of the raster, in sides that the skyline found, and of nesting, in the best side of
-// these two. Chosen, not tuned.
+// First width and factor of the raster, in sides that the skyline found, and of nesting, in the
+// best side of these two. Chosen, not tuned.
 constexpr double kRasterWidth = 0.9, kNestingWidth = 0.97, kFactor = 1.08;
 
 // Cells of the raster along the side. Measured by bench/packing.cpp, twice as many gain less than
@@ -79,7 +79,7 @@ class Packer {
         options_(options),
         stop_(stop),
         least_distance_(charts.size() < 2
-                            ? kLeastGap  // from whom?
+                            ? kLeastGap  // one chart has no neighbour
                             : std::max(options.padding_pixels / options.resolution, kLeastGap)),
         freedom_(charts.size(), AllowedRotations::Any) {
     for (std::size_t k = 0; k < options.fixed.size(); ++k)

@@ -38,7 +38,7 @@ NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, cons
   options.stopping = rules.stopping;
   options.line_search = rules.line_search;
   options.blend = rules.blend;
-  options.kept = rules.kept;
+  options.lagged = rules.lagged;
   options.curvature = curvature;
   options.stop = stop;
   options.linear_solver = [=] { return make_direct_solver(ordering); };

@@ -107,7 +107,7 @@ struct SolverRules {
   LineSearchOptions line_search;
   BlendRules blend;
   // They have most of what any such values gain, at every degree.
-  LaggedFactorRules kept{.below = 1e-4};
+  LaggedFactorRules lagged{.below = 1e-4};
   QuadratureRules quadrature;
   // Times the quadrature of a finished run is refined. Measured by bench/tune.py accuracy_rounds.
   int accuracy_rounds = 3;

@@ -15,7 +15,7 @@ struct LaggedFactorTraits {
   static constexpr Status kAmongGaps = Status::Converged;
   static std::unique_ptr<Minimizer> make(int max_iterations) {
     NewtonOptions o;
-    o.kept = {.below = test::kInfinity, .steps = 4};
+    o.lagged = {.below = test::kInfinity, .steps = 4};
     o.stopping.max_iterations = max_iterations;
     return std::make_unique<NewtonMinimizer>(o);
   }
@@ -34,8 +34,8 @@ TEST(LaggedFactors, ServeSeveralSteps) {
   const SolveResult plain = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
   const auto counts = std::make_shared<test::SolverCounts>();
   o.linear_solver = test::counting(counts);
-  o.kept.below = test::kInfinity;
-  o.kept.steps = 3;
+  o.lagged.below = test::kInfinity;
+  o.lagged.steps = 3;
   const SolveResult r = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});
   ASSERT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_NEAR(r.energy, plain.energy, 1e-6 * std::abs(plain.energy));
@@ -45,13 +45,13 @@ TEST(LaggedFactors, ServeSeveralSteps) {
     kept += run > 0;
     longest = std::max(longest, run);
     if (run > 1) {
-      EXPECT_GE(r.iterations[k - 1].step, o.kept.short_step);
+      EXPECT_GE(r.iterations[k - 1].step, o.lagged.short_step);
     }
   }
   EXPECT_GT(kept, 3);
   EXPECT_EQ(longest, 3);
   EXPECT_LT(counts->factorizations, test::recorded(plain.iterations).factorizations);
-  o.kept.short_step = test::kInfinity;
+  o.lagged.short_step = test::kInfinity;
   for (const IterationRecord& each :
        NewtonMinimizer(o).minimize(chain.problem, chain.start, {}).iterations)
     EXPECT_GT(each.factorizations, 0);
@@ -64,7 +64,7 @@ TEST(LaggedFactors, BeginWithAnEmptyHistory) {
   NewtonOptions o;
   o.blend.below = 0;
   o.stopping = first_order_rules();
-  o.kept = {.below = test::kInfinity, .steps = 3, .short_step = 0};
+  o.lagged = {.below = test::kInfinity, .steps = 3, .short_step = 0};
   Preconditioner metric(chain.problem, Curvature::Projected, make_direct_solver());
   Evaluator evaluator(chain.problem);
   Vec here = chain.start, g, p;
@@ -75,7 +75,7 @@ TEST(LaggedFactors, BeginWithAnEmptyHistory) {
     evaluator.gradient(here, g);
     if (r.factorizations > 0) {
       EXPECT_TRUE(metric.factorize(here));
-      history.emplace(o.kept.history, 1e-10);
+      history.emplace(o.lagged.history, 1e-10);
       history->start(here, g);
     } else if (history) {
       history->visit(here, g);
@@ -95,8 +95,8 @@ TEST(LaggedFactors, BeginWithAnEmptyHistory) {
 TEST(LaggedFactors, AreNotForOtherProblemsAndPolishedSteps) {
   const test::ChainProblem chain(60);
   NewtonOptions o;
-  o.kept.below = test::kInfinity;
-  o.kept.short_step = 0;
+  o.lagged.below = test::kInfinity;
+  o.lagged.short_step = 0;
   NewtonStepper stepper(chain.problem, o);
   Vec y = chain.start;
   double energy = stepper.evaluator().value(y);

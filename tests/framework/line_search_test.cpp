@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/scalar_terms.h"
-#include "majorant/framework/stepper.h"
+#include "majorant/framework/line_search.h"
 
 namespace majorant {
 namespace {

@@ -252,7 +252,7 @@ class PartitionedNewton : public testing::TestWithParam<int> {};
 TEST_P(PartitionedNewton, TakesTheSameStepsAsOneProcess) {
   for (const double kept : {0.0, 1.0}) {
     NewtonOptions options;
-    options.kept.below = kept;
+    options.lagged.below = kept;
     const Solved whole = solve(one_process(), options);
     ASSERT_EQ(whole.result.status, Status::Converged) << whole.result.message;
     ASSERT_GT(whole.result.iterations.size(), 3u);

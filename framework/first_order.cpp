@@ -1,6 +1,7 @@
+#include "majorant/framework/first_order.h"
+
 #include <utility>
 
-#include "majorant/framework/first_order.h"
 #include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/preconditioner.h"
@@ -64,10 +65,46 @@ class LbfgsStepper final : public Stepper {
   History history_;
 };
 
+class GradientFlowStepper final : public Stepper {
+ public:
+  GradientFlowStepper(const Problem& problem, const GradientFlowOptions& options)
+      : Stepper(problem, options.line_search, options.stopping.decrement, options.stop),
+        preconditioner_(preconditioner_problem(problem, options.metric), options.curvature,
+                        make_solver("GradientFlowOptions", options.linear_solver)),
+        own_preconditioner_(options.metric.has_value()) {}
+
+ private:
+  void advance(Vec& y, double& energy, Step& step) override {
+    IterationRecord& r = step.record;
+    if (!preconditioner_.factorize_once(y, r, stop_)) {
+      if (own_preconditioner_) step.why_none = preconditioner_.why_none();
+      return;
+    }
+    Stopwatch watch;
+    evaluator_.gradient(y, gradient_, stop_);
+    r.seconds.assemble += watch.restart();
+    Vec p;
+    preconditioner_.solve(-gradient_, p);
+    r.seconds.solve = watch.restart();
+    move_along(p, first_, y, energy, step);
+    if (step.outcome == Outcome::Moved) first_ = r.step;
+  }
+
+  Preconditioner preconditioner_;
+  bool own_preconditioner_;  // not that of the problem
+  double first_ = 1;         // the metric knows nothing of the energy's scale: the last step does
+};
+
 }  // namespace
 
 SolveResult LbfgsMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
   LbfgsStepper stepper(problem, options_);
+  return stepper.minimize(std::move(y0), options_.stopping, observer);
+}
+
+SolveResult GradientFlowMinimizer::minimize(const Problem& problem, Vec y0,
+                                            RunObserver* observer) const {
+  GradientFlowStepper stepper(problem, options_);
   return stepper.minimize(std::move(y0), options_.stopping, observer);
 }
 
