@@ -11,7 +11,7 @@
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/parts.h"
-#include "apps/remedies.h"
+#include "apps/refusal_message.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"

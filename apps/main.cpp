@@ -15,7 +15,7 @@
 #include "apps/command.h"
 #include "apps/parts.h"
 #include "apps/process.h"
-#include "apps/remedies.h"
+#include "apps/refusal_message.h"
 #include "apps/streams.h"
 
 namespace majorant::app {

@@ -16,7 +16,7 @@
 #include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
-#include "apps/remedies.h"
+#include "apps/refusal_message.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
 #include "majorant/pictures/png_file.h"

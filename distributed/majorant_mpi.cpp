@@ -33,7 +33,7 @@
 #include "apps/outputs.h"
 #include "apps/process.h"
 #include "apps/progress.h"
-#include "apps/remedies.h"
+#include "apps/refusal_message.h"
 #include "apps/solve_request.h"
 #include "apps/streams.h"
 #include "distributed/boundary_proof.h"

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """No message of the library knows the command line: no string of it has a flag or a verb of the command.
 What the library refuses and how is a Remedy (mesh/refusal.h), which the command says in its own words
-(apps/remedies.cpp)."""
+(apps/refusal_message.cpp)."""
 import os
 import re
 import sys

@@ -1,4 +1,4 @@
-#include "apps/remedies.h"
+#include "apps/refusal_message.h"
 
 #include <fmt/format.h>
 
