@@ -12,7 +12,7 @@
 //   Vec y = g;
 //   partition.copy_from_owners(y);         // every copy is its owner's
 //
-// Of vectors over a problem's unknowns: points and directions hold the owners' values in copies,
+// In vectors over a problem's unknowns, points and directions hold the owners' values in copies,
 // gradients hold 0 there. Where there are several ranks, all members of Ranks but rank() and
 // count(), and those of Partition that take vectors or agree on something, are collective: every
 // rank calls them, in the same order, or all wait forever. So decide from what has been agreed on,
@@ -49,7 +49,7 @@ class Ranks {
   // rank and in every run with as many ranks: sums are made in the order of the ranks.
   virtual void sum(std::span<double> values) const = 0;
   virtual void min(std::span<double> values) const = 0;
-  // What rank 0 has. As many bytes everywhere.
+  // Every rank gets the bytes of rank 0; all give as many.
   virtual void broadcast(std::span<std::byte> bytes) const = 0;
 
   // Numbers for one rank, or from it. Nobody is told sizes: both sides know them.
@@ -65,7 +65,7 @@ class Ranks {
   double max(double value) const;
   bool all(bool value) const;
   bool any(bool value) const { return !all(!value); }
-  // What rank 0 has of a number or an enumerator.
+  // Returns the number or enumerator of rank 0.
   template <class T>
   T of_first(T value) const {
     broadcast(std::as_writable_bytes(std::span(&value, 1)));
@@ -85,9 +85,9 @@ class Partition {
   Partition() : Partition(0) {}
   explicit Partition(Index size);
 
-  // What two ranks share. `owned`: unknowns of this rank that the other has copies of; `copies`:
-  // those of which the other is the owner. The k-th copy there is the k-th owned here. Where `rank`
-  // is this one, copies[k] is another number of owned[k].
+  // The unknowns that two ranks share. `owned`: unknowns of this rank that the other has copies of;
+  // `copies`: those of which the other is the owner. The k-th copy there is the k-th owned here.
+  // Where `rank` is this one, copies[k] is another number of owned[k].
   struct Neighbour {
     int rank;
     std::vector<Index> owned, copies;
@@ -146,7 +146,7 @@ class Partition {
   GlobalIndex first_ = 0, global_size_;
 };
 
-// How the reduced unknowns of a problem are shared; one process has all of them.
+// Returns how the reduced unknowns of a problem are shared; one process has all of them.
 const Partition& partition_of(const Problem& problem);
 
 // A problem that ranks have together: each builds one of its own terms, on the unknowns that these
@@ -169,7 +169,7 @@ class SharedSolver : public LinearSolver {
 // solver knows one only.
 void analyze_shared(LinearSolver& solver, const SparsePattern& pattern, const Partition& partition);
 
-// Of the sum of several ranks' matrices, collective.
+// Returns the mean of the diagonal of the sum of all ranks' matrices. Collective.
 double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Partition& partition);
 
 }  // namespace majorant

@@ -143,7 +143,7 @@ class FaceMatcher {
  private:
   static constexpr Index kNew = -1;  // place of a vertex that the surface lacks
 
-  // Of the vertices of the cells; says which one the surface lacks, or has elsewhere.
+  // Returns which vertex of the cells the surface lacks or has elsewhere; empty: none.
   std::string name_places() {
     std::vector<char> is_used(place_.size(), 0);
     for (const auto& polygon : surface_.polygons)
@@ -229,8 +229,9 @@ class FaceMatcher {
     return true;
   }
 
-  // Of a polygon whose corners are at different places: n - 2 triangles whose edges are those of
-  // the polygon, once each, and pairs that cancel are a disk; none faces the other way.
+  // Accepts a triangulation of a polygon whose corners are at different places: n - 2 triangles
+  // whose edges are those of the polygon, once each, and pairs that cancel are a disk; none faces
+  // the other way.
   bool take_triangulation(Index p, const std::vector<Index>& faces) {
     const auto size = static_cast<Index>(surface_.polygons[p].size());
     if (size == 3) return false;

@@ -21,7 +21,7 @@
 namespace majorant {
 namespace {
 
-// Of a polygon of the surface, which is on its left.
+// A side of a polygon of the surface, which is on its left.
 struct Side {
   Index from, to;  // vertices of the surface
   Index face;
@@ -157,7 +157,7 @@ class Matcher {
     return other < 0 ? kOutside : sides_[other].face;
   }
 
-  // Of all sides those that are no edge of the cells as they are, in order. For the others notes
+  // Returns the sides that are no edge of the cells as they are, in order. For the others it notes
   // which faces lie on both sides: no two have a half-edge in common, nor one with those that
   // follow() goes along.
   std::vector<Index> sides_to_follow(const PairOrder& order) {
@@ -182,7 +182,7 @@ class Matcher {
     return left;
   }
 
-  // Of the vertices of the cells, where edges lead.
+  // Returns the vertices of the cells to which edges of the cells lead from `vertex`.
   const std::vector<Index>& neighbours(Index vertex) {
     if (neighbours_.empty()) {
       neighbours_.resize(to_size(cells_.vertex_count()));
@@ -221,7 +221,7 @@ class Matcher {
     return {};
   }
 
-  // Where a new vertex lies on an edge of the surface, between 0 and 1.
+  // Returns where a new vertex lies on an edge of the surface, between 0 and 1, if it does.
   std::optional<double> place_along(const Side& edge, Index vertex) const {
     if (surface_vertex(vertex) >= 0) return {};
     const Vector3 start = place(edge.from), step = place(edge.to) - start;

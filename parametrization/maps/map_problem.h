@@ -26,7 +26,7 @@ class MapPart;
 // units of the rest shapes.
 struct MapSpecification {
   MapSpecification() = default;
-  // What MapOptions says without units.
+  // Takes over what MapOptions says without units.
   explicit MapSpecification(const MapOptions& asked);
 
   EnergySum energy = MapOptions().energy;
@@ -42,7 +42,7 @@ struct MapSpecification {
   // Null: the whole map. Else all of the above is that of a part of it; seams, aligned
   // edges and angles at the boundary cannot be asked for.
   std::shared_ptr<const MapPart> part;
-  // What a caller adds, of the degree of the problem; null: nothing.
+  // Terms and constraints that a caller adds at the degree of the problem; null: none.
   std::shared_ptr<const MapExtension> added;
 };
 

@@ -97,7 +97,8 @@ class Run {
     return ranks().sum(area > 0 ? area * mean() : 0) / ranks().sum(area);
   }
 
-  // Of a part. depth: of bisection, at least.
+  // Throws Error(kind) where the map of a part is not proven injective. depth: of bisection, at
+  // least.
   void require_injective(ErrorKind kind, const char* what, int depth) const {
     const std::string obstacle = setup_.map.part->obstacle(
         map_, 2 * setup_.map.rest.measure, std::max(depth, options_.solve.injectivity_depth));

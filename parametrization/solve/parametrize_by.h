@@ -29,7 +29,7 @@ struct RunState {
   int iterations = 0;        // of this run
 };
 
-// How a run is kept on its way.
+// Tells how often a run keeps its state, and who takes it.
 struct Keeping {
   int every = 0;  // iterations; 0: never
   // Called after so many iterations and where a limit ends the run, on all ranks together. Where
