@@ -9,7 +9,7 @@ from typing import Any, Callable
 import numpy as np
 
 from . import _arrays, _core, _options
-from ._densities import _as, require_derivatives, symmetric
+from ._derivatives import PointFunction
 from ._errors import UsageError
 
 _METHODS = ('newton', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg')
@@ -72,7 +72,7 @@ class Term:
     `linear_term`, `element_term`."""
 
     def __init__(self, parts: list[tuple[_core.Term, float]], size: int, *, of_all: bool = False,
-                 elements: tuple[np.ndarray, '_ElementFunction'] | None = None):
+                 elements: tuple[np.ndarray, PointFunction] | None = None):
         self._parts, self._size = parts, size
         self._of_all = of_all  # of a problem with exactly `size` unknowns, not of the first ones
         self._elements = elements  # their unknowns, a row each, and f
@@ -80,6 +80,14 @@ class Term:
     @property
     def name(self) -> str:
         return ' + '.join(part.name for part, _ in self._parts)
+
+    @property
+    def derivatives(self) -> str | None:
+        """Of a function of yours, where derivatives come from: 'given', 'dual numbers' or 'differences'."""
+        if self._elements is None:
+            return None
+        unknowns, function = self._elements
+        return function.derivatives(np.linspace(1, 2, unknowns.shape[1])[None], np.zeros(1, dtype=np.int32))
 
     def check_derivatives(self, x: Any, tolerance: float = 1e-5) -> None:
         """Of an `element_term`: raises AssertionError, naming entry and element, where the derivatives
@@ -90,9 +98,7 @@ class Term:
         z = _arrays.floats('x', x, (None,))
         if len(z) < self._size:
             raise UsageError(f'x has {len(z)} numbers, {self.name} takes {self._size}')
-        e = np.arange(len(unknowns), dtype=np.int32)
-        require_derivatives(lambda points: function.evaluate(points, e),
-                            lambda points: function.differentiate(points, e), 'element', z[unknowns], tolerance)
+        function.check(z[unknowns], tolerance, np.arange(len(unknowns), dtype=np.int32))
 
     def __repr__(self) -> str:
         return f'<majorant.Term {self.name!r}>'
@@ -118,16 +124,18 @@ def linear_term(c: Any) -> Term:
     return Term([(_core.linear_term(coefficients), 1.0)], len(coefficients), of_all=True)
 
 
-def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..., Any], *,
+def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
                  block: int = 1, name: str = 'element term') -> Term:
     """sum over elements e of f(the unknowns of e), with f in numpy, for many elements at once.
 
         def value(z, e):                      # z (q, k), e (q,): numbers of the elements -> (q,)
             return ((z[:, 1] - z[:, 0]) ** 2 - rest[e]) ** 2
 
-        def derivatives(z, e): ...            # -> (q, k), (q, k, k): gradient and Hessian
+        springs = majorant.element_term(edges, value)
 
-        springs = majorant.element_term(edges, value, derivatives)
+    Derivatives are made of the value, as those of a `Density` are, or given:
+
+        def derivatives(z, e): ...            # -> (q, k), (q, k, k): gradient and Hessian
 
     nodes: (#E, nodes of an element); a node is `block` unknowns that follow each other, so that z has
     k = block * nodes columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. value may be inf or NaN
@@ -138,31 +146,10 @@ def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..
     cells = _arrays.integers('nodes', nodes, (None, None), 2**31 - 1, 'nodes')
     if not cells.size:
         raise UsageError('nodes is empty')
-    for function in (value, derivatives):
-        if not callable(function):
-            raise UsageError(f'{function!r} cannot be called')
-    function = _ElementFunction(str(name), value, derivatives, cells.shape[1] * block)
+    function = PointFunction(str(name), 'element', value, derivatives)
     unknowns = (block * cells[:, :, None].astype(np.int64) + np.arange(block)).reshape(len(cells), -1)
     return Term([(_core.element_term(str(name), cells, block, function), 1.0)],
                 (int(cells.max()) + 1) * block, elements=(unknowns, function))
-
-
-class _ElementFunction:
-    def __init__(self, name: str, value: Callable[..., Any], derivatives: Callable[..., Any], size: int):
-        self._name, self._value, self._derivatives, self._size = name, value, derivatives, size
-
-    def evaluate(self, z: np.ndarray, e: np.ndarray) -> np.ndarray:
-        with np.errstate(all='ignore'):
-            return _as('value', self._value(z, e), (len(z),))
-
-    def differentiate(self, z: np.ndarray, e: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        with np.errstate(all='ignore'):
-            found = self._derivatives(z, e)
-        if not isinstance(found, tuple) or len(found) != 2:
-            raise UsageError(f'derivatives returned {type(found).__name__}, not (gradient, Hessian)')
-        n, k = z.shape
-        hessians = _as('Hessian', found[1], (n, k, k))
-        return _as('gradient', found[0], (n, k)), symmetric(f'{self._name!r} at element', e, hessians)
 
 
 class Solution:

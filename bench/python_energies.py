@@ -1,0 +1,89 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What an energy in numpy costs: a Markdown table of one linearization (energy, gradient, Hessian, assembly).
+
+Symmetric Dirichlet on a bumpy square, by the kernel, and as a Density of formulas, of its value alone in
+dual numbers, and of its value alone by differences; milliseconds of processor time, the least of some runs.
+
+Sample runs:
+  bench/python_energies.py
+  bench/python_energies.py --cells 30 --degrees 1 2 --build build/release
+"""
+import argparse
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def surface(n):
+    """A bumpy square of 2 n^2 triangles."""
+    x, y = (c.ravel() for c in np.meshgrid(np.linspace(0, 1, n + 1), np.linspace(0, 1, n + 1)))
+    k = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)
+    a, b, c, d = k[:-1, :-1].ravel(), k[:-1, 1:].ravel(), k[1:, 1:].ravel(), k[1:, :-1].ravel()
+    F = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+    return np.column_stack([x, y, 0.3 * np.sin(3 * x) * np.cos(4 * y)]), F
+
+
+def value(J):
+    det = J[:, 0, 0] * J[:, 1, 1] - J[:, 0, 1] * J[:, 1, 0]
+    return (J ** 2).sum((1, 2)) * (1 + 1 / det ** 2)
+
+
+def derivatives(J):
+    det = J[:, 0, 0] * J[:, 1, 1] - J[:, 0, 1] * J[:, 1, 0]
+    c = np.stack([J[:, 1, 1], -J[:, 1, 0], -J[:, 0, 1], J[:, 0, 0]], axis=1)
+    j = J.reshape(-1, 4)
+    n = (j ** 2).sum(1)
+    outer = lambda x, y: x[:, :, None] * y[:, None, :]  # noqa: E731
+    column = lambda x: x[:, None, None]  # noqa: E731
+    skew = np.fliplr(np.diag([1.0, -1, -1, 1]))
+    gradient = 2 * (1 + det ** -2)[:, None] * j - (2 * n / det ** 3)[:, None] * c
+    hessian = (column(2 * (1 + det ** -2)) * np.eye(4) - column(4 / det ** 3) * (outer(j, c) + outer(c, j))
+               + column(6 * n / det ** 4) * outer(c, c) - column(2 * n / det ** 3) * skew)
+    return gradient, hessian
+
+
+def least_time(call, runs):
+    found = []
+    for _ in range(runs):
+        begin = time.process_time()
+        call()
+        found.append(time.process_time() - begin)
+    return 1000 * min(found)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--build', type=Path, default=ROOT / 'build/release', help='build tree with the package')
+    parser.add_argument('--cells', type=int, default=71, help='of a side of the square')
+    parser.add_argument('--degrees', type=int, nargs='+', default=[1, 2, 3])
+    parser.add_argument('--runs', type=int, default=5)
+    options = parser.parse_args()
+    sys.path.insert(0, str(options.build / 'python'))
+    import majorant
+
+    V, F = surface(options.cells)
+    kinds = {'kernel': 'symmetric-dirichlet', 'formulas in numpy': majorant.Density('mine', value, derivatives),
+             'value alone, dual numbers': majorant.Density('mine', value),
+             'value alone, differences': majorant.Density('mine', lambda J: np.asarray(value(J)))}
+    table = {kind: [] for kind in kinds}
+    for degree in options.degrees:
+        space = majorant.Space(V, F, degree)
+        x = space.tutte()
+        for kind, energy in kinds.items():
+            problem = majorant.Problem(space.size).add(space.energy(energy))
+            problem.gradient(x)
+            table[kind].append(least_time(lambda: problem.gradient(x), options.runs))
+    print('| %s faces | %s |' % (f'{len(F):,}', ' | '.join('degree %d' % d for d in options.degrees)))
+    print('|---' * (len(options.degrees) + 1) + '|')
+    for kind, times in table.items():
+        print('| %s | %s |' % (kind, ' | '.join('%.3g ms (%.1f)' % (t, t / k) for t, k in zip(times, table['kernel']))))
+
+
+if __name__ == '__main__':
+    main()

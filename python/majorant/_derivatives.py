@@ -1,0 +1,198 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Functions in numpy of many points at once, with their derivatives: given, by dual numbers, by differences."""
+from __future__ import annotations
+
+import math
+from typing import Any, Callable
+
+import numpy as np
+
+from ._duals import Dual
+from ._errors import UsageError
+
+# Of the largest entry of a Hessian, by how much two that should be equal may differ. Origin: chosen,
+# not tuned; roundings and differences of values stay below, a formula with a slip does not.
+_SYMMETRY = 1e-3
+
+# Of the largest entry of a point: the first step of differences, and how often an eighth of it is
+# tried. eps^(1/6) balances the rounding of second differences, eps / h^2, and what extrapolation
+# leaves of them, h^4. Near the end of a domain what changes is small beside the point: after the last
+# fall h is 1e-8.
+_STEP = 2e-3
+_FALL = 1 / 8
+_FALLS = 6
+# By how much derivatives from h and from 2 h may differ, relative to the function's own size: then
+# the extrapolated ones are good to about its square.
+_AGREEMENT = 1e-4
+
+# What dual numbers raise where they cannot follow a formula.
+_LOST = (TypeError, ValueError, AttributeError)
+
+
+class PointFunction:
+    """value(points, *data) -> (q,), of points (q, ...); data has a row for each point, too.
+
+    derivatives(points, *data) -> gradient (q, k) and Hessian (q, k, k) by the k entries of a point;
+    None: from value alone. name and place ('point', 'element') are for messages; numbers of places
+    are the first of the data, or count the points. inside(points) -> (q,) truth values: the domain
+    apart from where value is finite.
+    """
+
+    def __init__(self, name: str, place: str, value: Callable[..., Any], derivatives: Callable[..., Any] | None,
+                 inside: Callable[[np.ndarray], np.ndarray] | None = None):
+        for function in (value,) if derivatives is None else (value, derivatives):
+            if not callable(function):
+                raise UsageError(f'{function!r} cannot be called')
+        self._name, self._place = name, place
+        self._value, self._derivatives, self._inside = value, derivatives, inside
+        self._used = None if derivatives is None else 'given'
+
+    def derivatives(self, sample: np.ndarray, *data: Any) -> str:
+        """'given', 'dual numbers' or 'differences'; the sample is looked at if nothing was so far."""
+        if self._used is None:
+            with np.errstate(all='ignore'):
+                self._followed(sample, *data)
+        assert self._used is not None
+        return self._used
+
+    def evaluate(self, points: np.ndarray, *data: Any) -> np.ndarray:
+        with np.errstate(all='ignore'):
+            return as_array('value', self._value(points, *data), (len(points),))
+
+    def differentiate(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray]:
+        with np.errstate(all='ignore'):
+            if self._derivatives is None:
+                found = self._followed(points, *data)
+                return self._differences(points, *data) if found is None else (found.gradient, found.hessian)
+            given = self._derivatives(points, *data)
+        if not isinstance(given, tuple) or len(given) != 2:
+            raise UsageError(f'derivatives of {self._name!r} returned {type(given).__name__}, not (gradient, '
+                             'Hessian)')
+        q, k = len(points), math.prod(points.shape[1:])
+        return (as_array('gradient', given[0], (q, k), points.shape),
+                self._symmetric(as_array('Hessian', given[1], (q, k, k), points.shape + points.shape[1:]), *data))
+
+    def check(self, points: np.ndarray, tolerance: float, *data: Any) -> None:
+        """Raises AssertionError where derivatives are not what differences of values give."""
+        gradient, hessian = self.differentiate(points, *data)
+        step = 1e-6 * np.maximum(1, np.abs(points).max())
+        slope, bend = np.empty_like(gradient), np.empty_like(hessian)
+        for k, unit in enumerate(np.eye(gradient.shape[1])):
+            move = step * unit.reshape(points.shape[1:])
+            slope[:, k] = (self.evaluate(points + move, *data) - self.evaluate(points - move, *data)) / (2 * step)
+            bend[:, :, k] = (self.differentiate(points + move, *data)[0]
+                             - self.differentiate(points - move, *data)[0]) / (2 * step)
+        _agree('gradient', self._place, gradient, slope, tolerance)
+        _agree('Hessian', self._place, hessian, bend, tolerance)
+
+    def _number(self, row: int, *data: Any) -> int:
+        return int(data[0][row]) if data else row
+
+    def _symmetric(self, hessians: np.ndarray, *data: Any) -> np.ndarray:
+        """The same; what is not finite is not looked at."""
+        with np.errstate(all='ignore'):
+            bound = _SYMMETRY * np.abs(hessians).max(axis=(1, 2), initial=0, keepdims=True)
+            differs = np.abs(hessians - hessians.transpose(0, 2, 1)) > bound
+        if differs.any():
+            p, i, k = (int(n) for n in np.argwhere(differs)[0])
+            raise UsageError(f'Hessian of {self._name!r} at {self._place} {self._number(p, *data)} is not symmetric: '
+                             f'[{i}, {k}] is {hessians[p, i, k]}, [{k}, {i}] is {hessians[p, k, i]}')
+        return hessians
+
+    # ---- of the value alone ----------------------------------------------------------------------
+    def _followed(self, points: np.ndarray, *data: Any) -> Dual | None:
+        """The value in dual numbers; None where it uses what they do not have."""
+        if self._used == 'differences':
+            return None
+        try:
+            found = self._value(Dual.variables(points), *data)
+        except _LOST:
+            found = None
+        follows = isinstance(found, Dual) and found.shape == (len(points),)
+        self._used = 'dual numbers' if follows else 'differences'
+        return found if follows else None
+
+    def _differences(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Central differences, extrapolated from two steps that have to agree; where they do not,
+        smaller ones are tried. NaN outside of the domain."""
+        q, k = len(points), math.prod(points.shape[1:])
+        flat = points.reshape(q, k)
+        gradient, hessian = np.full((q, k), np.nan), np.full((q, k, k), np.nan)
+        middle = self._values(points, np.arange(q), *data)
+        rows = np.flatnonzero(np.isfinite(middle))
+        size = np.abs(flat).max(axis=1)
+        step = _STEP * np.where(size == 0, 1, size)
+        for _ in range(_FALLS + 1):
+            if not len(rows):
+                return gradient, hessian
+            fine, coarse = self._stencils(flat[rows], middle[rows], step[rows], rows, points.shape[1:], *data)
+            differs = _disagreement(fine, coarse, np.abs(middle[rows]), step[rows] / _STEP)
+            for out, f, c in zip((gradient, hessian), fine, coarse):
+                out[rows] = f + (f - c) / 3
+            rows = rows[~(differs <= _AGREEMENT)]
+            step[rows] *= _FALL
+        if len(rows):
+            raise UsageError(
+                f'{self._name!r} at {self._place} {self._number(int(rows[0]), *data)}, {flat[rows[0]].tolist()}: '
+                'differences of its values with two steps do not agree; give derivatives, or write it with what '
+                'dual numbers have (docs/python.md)')
+        return gradient, hessian
+
+    def _values(self, points: np.ndarray, rows: np.ndarray, *data: Any) -> np.ndarray:
+        """Of points that belong to these rows; not finite outside of the domain."""
+        found = self.evaluate(points, *(d[rows] for d in data))
+        return found if self._inside is None else np.where(self._inside(points), found, np.inf)
+
+    def _stencils(self, flat: np.ndarray, middle: np.ndarray, step: np.ndarray, rows: np.ndarray,
+                  shape: tuple[int, ...], *data: Any) -> tuple[Any, Any]:
+        """(gradient, Hessian) from differences with the step, and with twice the step."""
+        (q, k), unit = flat.shape, np.eye(flat.shape[1])
+        low, high = np.tril_indices(k, -1)
+        both = unit[low] + unit[high]
+        moves = np.concatenate([s * e for s in (1, 2) for e in (unit, -unit, both, -both)])
+        values = np.empty((len(moves), q))
+        some = max(1, 8192 // q)    # that one call sees
+        for begin in range(0, len(moves), some):
+            part = moves[begin:begin + some]
+            at = flat + part[:, None, :] * step[:, None]
+            values[begin:begin + some] = self._values(at.reshape(-1, *shape), np.tile(rows, len(part)),
+                                                      *data).reshape(len(part), q)
+        out = []
+        for h, f in zip((step, 2 * step), np.split(values, 2)):
+            up, down, out_up, out_down = np.split(f, np.cumsum([k, k, len(low)]))
+            hessian = np.empty((k, k, q))
+            hessian[range(k), range(k)] = diagonal = (up + down - 2 * middle) / h ** 2
+            mixed = ((out_up + out_down - 2 * middle) / h ** 2 - diagonal[low] - diagonal[high]) / 2
+            hessian[low, high] = hessian[high, low] = mixed
+            out.append((((up - down) / (2 * h)).T, np.moveaxis(hessian, -1, 0)))
+        return out[0], out[1]
+
+
+def _disagreement(fine: Any, coarse: Any, value: np.ndarray, size: np.ndarray) -> np.ndarray:
+    """Of each point; relative to what the function, its slope and its bend are over the point's size."""
+    def largest(part: np.ndarray) -> np.ndarray:
+        return np.abs(part).reshape(len(part), -1).max(axis=1)
+
+    slope, bend = largest(fine[0]), largest(fine[1])
+    whole = np.maximum(np.maximum(value, slope * size), bend * size ** 2)
+    found = np.maximum(largest(fine[0] - coarse[0]) * size, largest(fine[1] - coarse[1]) * size ** 2)
+    return np.where(found == 0, 0, found / whole)
+
+
+def as_array(what: str, array: Any, *shapes: tuple[int, ...]) -> np.ndarray:
+    array = np.asarray(array)
+    if array.dtype.kind not in 'iuf' or array.shape not in shapes:
+        raise UsageError(f'{what} of {shapes[0][0]} points has shape {array.shape} and type {array.dtype}, '
+                         f'not shape {" or ".join(str(shape) for shape in shapes)} of numbers')
+    return np.ascontiguousarray(array, dtype=np.float64).reshape(shapes[0])
+
+
+def _agree(what: str, place: str, given: np.ndarray, expected: np.ndarray, tolerance: float) -> None:
+    """To within so much of the entry, of the largest one at the point, and of this one at all points."""
+    largest = np.abs(expected).max(axis=tuple(range(1, expected.ndim)), keepdims=True)
+    scale = np.maximum(np.abs(given), np.abs(expected)) + largest + np.abs(expected).max(axis=0) + 1e-12
+    worst = np.unravel_index(np.argmax(np.nan_to_num(np.abs(given - expected) / scale, nan=np.inf)), given.shape)
+    if not np.abs(given - expected)[worst] <= tolerance * scale[worst]:
+        point, *entry = (int(i) for i in worst)
+        raise AssertionError(f'{what}{entry} at {place} {point} is {given[worst]}, differences say {expected[worst]}')

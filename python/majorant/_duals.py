@@ -1,0 +1,478 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arrays of dual numbers of second order: formulas in numpy give their derivatives, too.
+
+    x = Dual.variables(np.array([[3.0, 4.0]]))      # one point of two variables
+    r = np.sqrt((x ** 2).sum(axis=1))
+    r.value, r.gradient, r.hessian                  # (1,), (1, 2), (1, 2, 2)
+
+A Dual has the shape of its value; indices, operators, the functions of numbers in _CHAIN, and those of
+arrays in _FUNCTIONS and _LINEAR work as on plain arrays. All else raises TypeError, AttributeError or
+ValueError, as does what would lose derivatives: conversion to a plain array, assignment to entries,
+operators like +=.
+
+Derivatives stand before the axes of the value, so that points are what is next to each other: k first
+ones, and the lower triangle of the second ones, row by row; none where all of those are 0. At a kink
+they are those of one side.
+"""
+from __future__ import annotations
+
+import math
+from typing import Any, Callable
+
+import numpy as np
+
+
+class Dual(np.lib.mixins.NDArrayOperatorsMixin):
+    __slots__ = ('value', '_d', '_h')
+
+    def __init__(self, value: np.ndarray, d: np.ndarray, h: np.ndarray | None):
+        self.value, self._d, self._h = value, d, h
+
+    @staticmethod
+    def variables(points: np.ndarray) -> 'Dual':
+        """points (q, ...): the entries of each point are its variables, in C order."""
+        k = math.prod(points.shape[1:])
+        value = np.moveaxis(np.ascontiguousarray(np.moveaxis(points, 0, -1)), -1, 0)
+        d = np.broadcast_to(np.eye(k).reshape(k, 1, *points.shape[1:]), (k, *points.shape))
+        return Dual(value, d, None)
+
+    @property
+    def gradient(self) -> np.ndarray:
+        """(..., k)"""
+        return np.moveaxis(self._d, 0, -1)
+
+    @property
+    def hessian(self) -> np.ndarray:
+        """(..., k, k)"""
+        k = len(self._d)
+        out = np.zeros((*self.shape, k, k))
+        if self._h is not None:
+            rows, columns = np.tril_indices(k)
+            out[..., rows, columns] = out[..., columns, rows] = np.moveaxis(self._h, 0, -1)
+        return out
+
+    # ---- what an array has -----------------------------------------------------------------------
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return self.value.shape
+
+    @property
+    def ndim(self) -> int:
+        return self.value.ndim
+
+    @property
+    def size(self) -> int:
+        return self.value.size
+
+    @property
+    def dtype(self) -> np.dtype:
+        return self.value.dtype
+
+    @property
+    def T(self) -> 'Dual':
+        return self.transpose()
+
+    def transpose(self, *axes: Any) -> 'Dual':
+        return _each(lambda part: part.transpose(*axes), self)
+
+    def __len__(self) -> int:
+        return len(self.value)
+
+    def __iter__(self) -> Any:
+        return (self[i] for i in range(len(self)))
+
+    def __getitem__(self, key: Any) -> 'Dual':
+        keys = key if isinstance(key, tuple) else (key,)
+        if all(k is None or k is Ellipsis or isinstance(k, (int, slice, np.integer)) for k in keys):
+            return self._mapped(self.value[keys], lambda part: part[(slice(None), *keys)])
+        return _each(lambda part: part[key], self)
+
+    def reshape(self, *shape: Any) -> 'Dual':
+        value = self.value.reshape(*shape)
+        return self._mapped(value, lambda part: part.reshape(len(part), *value.shape))
+
+    def sum(self, axis: Any = None, keepdims: bool = False) -> 'Dual':
+        axes = tuple(a + 1 for a in _axes(axis, self.ndim))
+        return self._mapped(np.asarray(self.value.sum(axis=axis, keepdims=keepdims)),
+                            lambda part: part.sum(axis=axes, keepdims=keepdims))
+
+    def mean(self, axis: Any = None, keepdims: bool = False) -> 'Dual':
+        return self.sum(axis, keepdims) / math.prod(self.shape[a] for a in _axes(axis, self.ndim))
+
+    def prod(self, axis: int) -> 'Dual':
+        factors = [_each(lambda part: np.take(part, i, axis), self) for i in range(self.shape[axis])]
+        out = factors[0]
+        for factor in factors[1:]:
+            out = out * factor
+        return out
+
+    def max(self, axis: int) -> 'Dual':
+        return self._chosen(np.argmax(self.value, axis), axis)
+
+    def min(self, axis: int) -> 'Dual':
+        return self._chosen(np.argmin(self.value, axis), axis)
+
+    def clip(self, low: Any, high: Any) -> 'Dual':
+        out = self if low is None else np.maximum(self, low)
+        return out if high is None else np.minimum(out, high)
+
+    def copy(self) -> 'Dual':
+        return self
+
+    def __getattr__(self, name: str) -> Any:
+        function = next((f for f in _LINEAR if f.__name__ == name), None)
+        if function is None:
+            raise AttributeError(f'dual numbers have no {name}')
+        return lambda *arguments, **named: _each(lambda part: function(part, *arguments, **named), self)
+
+    def __array__(self, *_: Any, **__: Any) -> np.ndarray:
+        raise TypeError('a plain array would lose the derivatives of dual numbers')
+
+    # ---- numpy's protocols -----------------------------------------------------------------------
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **named: Any) -> Any:
+        if method == '__call__' and not named:
+            if ufunc in _PLAIN:
+                return ufunc(*(x.value if isinstance(x, Dual) else x for x in inputs))
+            if ufunc in _RULES:
+                return _RULES[ufunc](*inputs)
+            if ufunc in _CHAIN:
+                return _chain(inputs[0], *_CHAIN[ufunc](inputs[0].value))
+        return NotImplemented
+
+    def __array_function__(self, function: Any, _: Any, arguments: Any, named: Any) -> Any:
+        if function in _FUNCTIONS:
+            return _FUNCTIONS[function](*arguments, **named)
+        if function in _LINEAR and isinstance(arguments[0], Dual):
+            return _each(lambda part: function(part, *arguments[1:], **named), arguments[0])
+        return NotImplemented
+
+    # ---- parts -----------------------------------------------------------------------------------
+    def _mapped(self, value: np.ndarray, f: Callable[[np.ndarray], np.ndarray]) -> 'Dual':
+        """f: a linear map of the axes of the value, of what stands behind the first axis."""
+        return Dual(value, f(self._d), None if self._h is None else f(self._h))
+
+    def _chosen(self, where: np.ndarray, axis: int) -> 'Dual':
+        index = np.expand_dims(where, axis)
+        return _each(lambda part: np.take_along_axis(part, index, axis).squeeze(axis), self)
+
+
+def _axes(axis: Any, ndim: int) -> tuple[int, ...]:
+    if axis is None:
+        return tuple(range(ndim))
+    return tuple(a % ndim for a in (axis if isinstance(axis, tuple) else (axis,)))
+
+
+def _each(f: Callable[[np.ndarray], np.ndarray], x: Dual) -> Dual:
+    """f, linear, of the value and of each derivative."""
+    return x._mapped(np.asarray(f(x.value)), lambda part: np.stack([f(p) for p in part]))
+
+
+def _same_count(*arrays: Any) -> tuple[list['Dual'], int]:
+    """All as dual numbers of one number of variables."""
+    k = next(len(a._d) for a in arrays if isinstance(a, Dual))
+    plain = (a if isinstance(a, Dual) else np.asarray(a, dtype=float) for a in arrays)
+    return [a if isinstance(a, Dual) else Dual(a, np.broadcast_to(0.0, (k, *a.shape)), None) for a in plain], k
+
+
+def _wide(part: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """Derivatives of what is broadcast to this shape."""
+    axes = (1,) * (len(shape) + 1 - part.ndim)
+    return np.broadcast_to(part.reshape(len(part), *axes, *part.shape[1:]), (len(part), *shape))
+
+
+def _outer(a: np.ndarray, b: np.ndarray | None = None) -> np.ndarray:
+    """Lower triangle of a a^T, or of a b^T + b a^T."""
+    rows, columns = np.tril_indices(len(a))
+    return a[rows] * a[columns] if b is None else a[rows] * b[columns] + b[rows] * a[columns]
+
+
+def _sum(*summands: np.ndarray | None) -> np.ndarray | None:
+    found = [s for s in summands if s is not None]
+    out = found[0] if found else None
+    for s in found[1:]:
+        out = out + s
+    return out
+
+
+def _chain(x: Dual, f: np.ndarray, slope: Any, bend: Any = None) -> Dual:
+    """f(x), with f' and f'' at the value of x; no bend: f'' = 0."""
+    return Dual(f, slope * x._d, _sum(None if x._h is None else slope * x._h,
+                                      None if bend is None else bend * _outer(x._d)))
+
+
+def _chain2(a: Any, b: Any, f: np.ndarray, by_a: Any, by_b: Any, by_aa: Any, by_ab: Any, by_bb: Any) -> Dual:
+    """f(a, b), of duals or plain arrays, with its derivatives; None where one is 0 everywhere."""
+    d: list[np.ndarray | None] = []
+    h: list[np.ndarray | None] = []
+    for x, slope, bend in ((a, by_a, by_aa), (b, by_b, by_bb)):
+        if isinstance(x, Dual):
+            part = _chain(Dual(f, _wide(x._d, f.shape), None if x._h is None else _wide(x._h, f.shape)), f, slope, bend)
+            d.append(part._d)
+            h.append(part._h)
+    if isinstance(a, Dual) and isinstance(b, Dual) and by_ab is not None:
+        h.append(by_ab * _outer(_wide(a._d, f.shape), _wide(b._d, f.shape)))
+    slope = _sum(*d)
+    assert slope is not None
+    return Dual(f, slope, _sum(*h))
+
+
+def _values(*arrays: Any) -> list[np.ndarray]:
+    return [a.value if isinstance(a, Dual) else np.asarray(a) for a in arrays]
+
+
+def _add(a: Any, b: Any) -> Dual:
+    x, y = _values(a, b)
+    return _chain2(a, b, np.asarray(x + y), 1.0, 1.0, None, None, None)
+
+
+def _subtract(a: Any, b: Any) -> Dual:
+    x, y = _values(a, b)
+    return _chain2(a, b, np.asarray(x - y), 1.0, -1.0, None, None, None)
+
+
+def _multiply(a: Any, b: Any) -> Dual:
+    x, y = _values(a, b)
+    return _chain2(a, b, np.asarray(x * y), y, x, None, 1.0, None)
+
+
+def _divide(a: Any, b: Any) -> Dual:
+    x, y = _values(a, b)
+    f = np.asarray(x / y)
+    if not isinstance(b, Dual):
+        return _chain2(a, b, f, 1 / y, None, None, None, None)
+    inverse = 1 / y
+    return _chain2(a, b, f, inverse, -f * inverse, None, -inverse * inverse, 2 * f * inverse * inverse)
+
+
+def _power(a: Any, b: Any) -> Dual:
+    x, p = _values(a, b)
+    f = np.asarray(np.power(x, p, dtype=float))
+    if not isinstance(b, Dual):
+        # Where a factor is 0 the power that it is of may be infinite.
+        slope = np.where(p == 0, 0.0, p * np.power(x, p - 1, dtype=float))
+        factor = p * (p - 1)
+        bend = None if not factor.any() else np.where(factor == 0, 0.0, factor * np.power(x, p - 2, dtype=float))
+        return _chain2(a, b, f, slope, None, bend, None, None)
+    log = np.log(x)
+    by_x = np.power(x, p - 1, dtype=float)
+    return _chain2(a, b, f, p * by_x, f * log, p * (p - 1) * by_x / x, by_x * (1 + p * log), f * log * log)
+
+
+def _hypot(a: Any, b: Any) -> Dual:
+    x, y = _values(a, b)
+    f = np.asarray(np.hypot(x, y))
+    r = np.where(f == 0, 1.0, f)
+    c, s = x / r, y / r
+    return _chain2(a, b, f, c, s, s * s / r, -c * s / r, c * c / r)
+
+
+def _arctan2(a: Any, b: Any) -> Dual:
+    y, x = _values(a, b)
+    n = x * x + y * y
+    by_yy = -2 * x * y / (n * n)
+    return _chain2(a, b, np.asarray(np.arctan2(y, x)), x / n, -y / n, by_yy, (y * y - x * x) / (n * n), -by_yy)
+
+
+def _extremum(ufunc: Any, first: Any) -> Callable[[Any, Any], Dual]:
+    def rule(a: Any, b: Any) -> Dual:
+        x, y = _values(a, b)
+        chosen = _where(first(x, y), a, b)
+        return Dual(np.asarray(ufunc(x, y)), chosen._d, chosen._h)
+    return rule
+
+
+def _where(condition: Any, a: Any, b: Any) -> Dual:
+    (a, b), _ = _same_count(a, b)
+    value = np.where(condition, a.value, b.value)
+    shape = value.shape
+
+    def chosen(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        return np.where(condition, _wide(x, shape), _wide(y, shape))
+
+    d = chosen(a._d, b._d)
+    if a._h is None and b._h is None:
+        return Dual(value, d, None)
+    return Dual(value, d, chosen(*_seconds([a, b])))
+
+
+def _seconds(duals: list[Dual]) -> list[np.ndarray]:
+    """The second derivatives of all, none left out."""
+    count = len(duals[0]._d) * (len(duals[0]._d) + 1) // 2
+    return [np.broadcast_to(0.0, (count, *x.shape)) if x._h is None else x._h for x in duals]
+
+
+def _joined(function: Any, arrays: Any, axis: int) -> Dual:
+    duals, _ = _same_count(*arrays)
+    value = function([x.value for x in duals], axis=axis)
+    axis = axis % value.ndim + 1
+    h = None if all(x._h is None for x in duals) else function(_seconds(duals), axis=axis)
+    return Dual(value, function([x._d for x in duals], axis=axis), h)
+
+
+def _column_stack(arrays: Any) -> Dual:
+    return _joined(np.concatenate, [x[:, None] if np.ndim(x) == 1 else x for x in arrays], 1)
+
+
+def _einsum(subscripts: Any, *arrays: Any) -> Dual:
+    """Product rule: one factor is differentiated, or two."""
+    if not isinstance(subscripts, str) or '->' not in subscripts:
+        raise TypeError("einsum of dual numbers takes subscripts 'ij,jk->ik', with an arrow")
+    words, result = subscripts.replace(' ', '').split('->')
+    factors = words.split(',')
+    first = next(c for c in 'zyxwvutsrqponmlkjihgfedcbaZ' if c not in subscripts)
+
+    def product(*changed: tuple[int, np.ndarray]) -> np.ndarray:
+        parts, texts = _values(*arrays), list(factors)
+        for i, part in changed:
+            parts[i], texts[i] = part, first + texts[i]
+        return np.einsum(','.join(texts) + '->' + (first if changed else '') + result, *parts, optimize=len(parts) > 2)
+
+    duals = [(i, x) for i, x in enumerate(arrays) if isinstance(x, Dual)]
+    rows, columns = np.tril_indices(len(duals[0][1]._d))
+    pairs = [(i, a._d, j, b._d) for n, (i, a) in enumerate(duals) for j, b in duals[:n]]
+    h = _sum(*(product((i, x._h)) for i, x in duals if x._h is not None),
+             *(product((i, a[rows]), (j, b[columns])) + product((i, a[columns]), (j, b[rows]))
+               for i, a, j, b in pairs))
+    d = _sum(*(product((i, x._d)) for i, x in duals))
+    assert d is not None
+    return Dual(np.asarray(product()), d, h)
+
+
+def _matmul(a: Any, b: Any) -> Dual:
+    left, right = ('i' if np.ndim(a) == 1 else '...hi'), ('i' if np.ndim(b) == 1 else '...ij')
+    return _einsum(f'{left},{right}->...{"" if left == "i" else "h"}{"" if right == "i" else "j"}', a, b)
+
+
+def _cofactors(x: Dual) -> tuple[list[list[Any]], Dual]:
+    """Of matrices, 2 by 2 or 3 by 3, and their determinants."""
+    n = x.shape[-1]
+    if x.shape[-2] != n or n not in (2, 3):
+        raise TypeError('determinants and inverses of dual numbers are of matrices 2 by 2 and 3 by 3')
+    e = [[x[..., i, j] for j in range(n)] for i in range(n)]
+    if n == 2:
+        cofactors = [[e[1][1], -e[1][0]], [-e[0][1], e[0][0]]]
+    else:
+        cofactors = [[e[(i + 1) % 3][(j + 1) % 3] * e[(i + 2) % 3][(j + 2) % 3]
+                      - e[(i + 1) % 3][(j + 2) % 3] * e[(i + 2) % 3][(j + 1) % 3] for j in range(3)] for i in range(3)]
+    determinant = e[0][0] * cofactors[0][0]
+    for j in range(1, n):
+        determinant = determinant + e[0][j] * cofactors[0][j]
+    return cofactors, determinant
+
+
+def _det(x: Dual) -> Dual:
+    return _cofactors(x)[1]
+
+
+def _inv(x: Dual) -> Dual:
+    cofactors, determinant = _cofactors(x)
+    columns = [_joined(np.stack, column, -1) for column in cofactors]     # of the transposed
+    return _joined(np.stack, columns, -1) / determinant[..., None, None]
+
+
+def _norm(x: Dual, ord: Any = None, axis: Any = None, keepdims: bool = False) -> Dual:
+    axes = _axes(axis, x.ndim)
+    if not (ord is None or ord == 2 and len(axes) == 1 or ord == 'fro' and len(axes) == 2):
+        raise TypeError('norms of dual numbers are Euclidean')
+    return np.sqrt((x * x).sum(axes, keepdims))
+
+
+def _tangent(x: np.ndarray) -> tuple[np.ndarray, ...]:
+    t = np.tan(x)
+    slope = 1 + t * t
+    return t, slope, 2 * t * slope
+
+
+def _hyperbolic_tangent(x: np.ndarray) -> tuple[np.ndarray, ...]:
+    t = np.tanh(x)
+    slope = 1 - t * t
+    return t, slope, -2 * t * slope
+
+
+def _arc(ufunc: Any, sign: int) -> Callable[[np.ndarray], tuple[np.ndarray, ...]]:
+    def rule(x: np.ndarray) -> tuple[np.ndarray, ...]:
+        slope = sign / np.sqrt(1 - x * x)
+        return ufunc(x), slope, slope * x / (1 - x * x)
+    return rule
+
+
+def _exponential(ufunc: Any) -> Callable[[np.ndarray], tuple[np.ndarray, ...]]:
+    def rule(x: np.ndarray) -> tuple[np.ndarray, ...]:
+        slope = np.exp(x)
+        return ufunc(x), slope, slope
+    return rule
+
+
+def _logarithm(ufunc: Any, factor: float, offset: int = 0) -> Callable[[np.ndarray], tuple[np.ndarray, ...]]:
+    def rule(x: np.ndarray) -> tuple[np.ndarray, ...]:
+        inverse = 1 / (x + offset)
+        return ufunc(x), factor * inverse, -factor * inverse * inverse
+    return rule
+
+
+def _root(x: np.ndarray) -> tuple[np.ndarray, ...]:
+    r = np.sqrt(x)
+    return r, 0.5 / r, -0.25 / (r * x)
+
+
+def _inverse(x: np.ndarray) -> tuple[np.ndarray, ...]:
+    i = 1 / x
+    return i, -i * i, 2 * i * i * i
+
+
+# f, f' and, where it is not 0, f''.
+_CHAIN: dict[Any, Callable[[np.ndarray], tuple[np.ndarray, ...]]] = {
+    np.positive: lambda x: (x, np.ones(())),
+    np.negative: lambda x: (-x, -np.ones(())),
+    np.absolute: lambda x: (np.abs(x), np.where(x < 0, -1.0, 1.0)),
+    np.fabs: lambda x: (np.abs(x), np.where(x < 0, -1.0, 1.0)),
+    np.square: lambda x: (x * x, 2 * x, np.full((), 2.0)),
+    np.reciprocal: _inverse,
+    np.sqrt: _root,
+    np.cbrt: lambda x: (np.cbrt(x), np.cbrt(x) / (3 * x), -2 * np.cbrt(x) / (9 * x * x)),
+    np.exp: _exponential(np.exp),
+    np.expm1: _exponential(np.expm1),
+    np.log: _logarithm(np.log, 1),
+    np.log1p: _logarithm(np.log1p, 1, 1),
+    np.log2: _logarithm(np.log2, 1 / math.log(2)),
+    np.log10: _logarithm(np.log10, 1 / math.log(10)),
+    np.sin: lambda x: (np.sin(x), np.cos(x), -np.sin(x)),
+    np.cos: lambda x: (np.cos(x), -np.sin(x), -np.cos(x)),
+    np.tan: _tangent,
+    np.arcsin: _arc(np.arcsin, 1),
+    np.arccos: _arc(np.arccos, -1),
+    np.arctan: lambda x: (np.arctan(x), 1 / (1 + x * x), -2 * x / (1 + x * x) ** 2),
+    np.sinh: lambda x: (np.sinh(x), np.cosh(x), np.sinh(x)),
+    np.cosh: lambda x: (np.cosh(x), np.sinh(x), np.cosh(x)),
+    np.tanh: _hyperbolic_tangent,
+}
+
+_RULES: dict[Any, Callable[..., Dual]] = {
+    np.add: _add, np.subtract: _subtract, np.multiply: _multiply, np.true_divide: _divide, np.power: _power,
+    np.float_power: _power, np.hypot: _hypot, np.arctan2: _arctan2, np.matmul: _matmul,
+    np.maximum: _extremum(np.maximum, np.greater_equal), np.minimum: _extremum(np.minimum, np.less_equal),
+}
+
+# Of values alone.
+_PLAIN = {np.greater, np.greater_equal, np.less, np.less_equal, np.equal, np.not_equal, np.isfinite, np.isnan,
+          np.isinf, np.sign, np.signbit, np.floor, np.ceil, np.rint, np.trunc}
+
+_FUNCTIONS: dict[Any, Callable[..., Any]] = {
+    np.shape: lambda x: x.shape, np.ndim: lambda x: x.ndim, np.size: lambda x: x.size, np.copy: Dual.copy,
+    np.zeros_like: lambda x: np.zeros(x.shape), np.ones_like: lambda x: np.ones(x.shape),
+    np.full_like: lambda x, value: np.full(x.shape, float(value)),
+    np.sum: Dual.sum, np.mean: Dual.mean, np.prod: Dual.prod, np.max: Dual.max, np.min: Dual.min,
+    np.clip: Dual.clip, np.reshape: Dual.reshape,
+    np.where: _where, np.einsum: _einsum, np.dot: _matmul,
+    np.stack: lambda arrays, axis=0: _joined(np.stack, arrays, axis),
+    np.concatenate: lambda arrays, axis=0: _joined(np.concatenate, arrays, axis),
+    np.hstack: lambda arrays: _joined(np.concatenate, arrays, 0 if np.ndim(arrays[0]) == 1 else 1),
+    np.vstack: lambda arrays: _joined(np.concatenate, [x if np.ndim(x) > 1 else x[None] for x in arrays], 0),
+    np.column_stack: _column_stack,
+    np.linalg.det: _det, np.linalg.inv: _inv, np.linalg.norm: _norm,
+}
+
+# Linear in their first argument.
+_LINEAR = {np.transpose, np.swapaxes, np.moveaxis, np.squeeze, np.expand_dims, np.ravel, np.broadcast_to, np.trace,
+           np.diagonal, np.flip, np.fliplr, np.flipud, np.diff, np.roll, np.take, np.cumsum, np.repeat, np.tile}
