@@ -73,7 +73,7 @@ bool BoxTree::between(Index a, Index b, const VisitPair& visit) const {
                  : between(a, b + 1, visit) && between(a, n.right, visit);
 }
 
-// All pairs of two leaves, which may be the same leaf.
+// Visits all pairs of two leaves, which may be the same leaf.
 bool BoxTree::all_pairs(const Node& m, const Node& n, const VisitPair& visit) const {
   for (Index i = m.begin; i < m.end; ++i)
     for (Index j = m.begin == n.begin ? i + 1 : n.begin; j < n.end; ++j) {

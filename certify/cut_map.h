@@ -52,17 +52,17 @@ class CutMap {
   double diagonal() const;
   double mean_length() const;
 
-  // From and to, vertices of the input; "edge (12, 13)".
+  // The ends of a half-edge as vertices of the input, and as words: "edge (12, 13)".
   std::array<Index, 2> input_edge(Index half_edge) const;
   std::string place(Index half_edge) const;
 
   // The map of the surface cut along these half-edges (3 #F flags, both sides), which include all
   // that differ. With several pieces it is a map of all of them.
   BezierMap map_cut_along(const std::vector<char>& is_cut) const;
-  // The same with seams along all edges that differ or are unshared: turns are the ones that fit
-  // best, cones have the nearest number of quarter turns to the sum of their angles. Neither
-  // residual nor angles nor orientation are judged. Throws Error(Invalid) naming the edge when a
-  // mismatch exceeds kSeamTolerance (seams.h) of the mean length.
+  // Returns the same map with seams along all edges that differ or are unshared: turns are the ones
+  // that fit best, cones have the nearest number of quarter turns to the sum of their angles.
+  // Neither residual nor angles nor orientation are judged. Throws Error(Invalid) naming the edge
+  // when a mismatch exceeds kSeamTolerance (seams.h) of the mean length.
   BezierMap map_with_seams() const;
 
  private:

@@ -58,9 +58,9 @@ class DetCoefficients {
   // Coefficients for control points c (D numbers per node) and a rigorous bound of the absolute
   // error of each, for finite c without overflow. out, error: count() numbers.
   void at_with_error(const double* c, double* out, double* error) const;
-  // The same in quadruple precision, rounded to double; error bounds accordingly smaller.
+  // Does the same in quadruple precision, rounded to double; error bounds are accordingly smaller.
   void at_with_error_quad(const double* c, double* out, double* error) const;
-  // The same in the plane without rounding, for control points that are integers: coefficients
+  // Does the same in the plane without rounding, for control points that are integers: coefficients
   // times a positive integer, the same for all.
   template <class Integer>
   std::vector<Integer> scaled(const std::vector<Integer>& c) const;

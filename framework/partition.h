@@ -45,8 +45,9 @@ class Ranks {
   virtual int rank() const = 0;  // 0 .. count() - 1
   virtual int count() const = 0;
 
-  // In place, entry by entry, over all ranks; as many entries everywhere. The same bits on every
-  // rank and in every run with as many ranks: sums are made in the order of the ranks.
+  // Adds in place, entry by entry, over all ranks, which have as many entries. The bits are the
+  // same on every rank and in every run with as many ranks: sums are made in the order of the
+  // ranks.
   virtual void sum(std::span<double> values) const = 0;
   virtual void min(std::span<double> values) const = 0;
   // Every rank gets the bytes of rank 0; all give as many.
@@ -81,7 +82,7 @@ using GlobalIndex = std::int64_t;
 
 class Partition {
  public:
-  // One process has all of them.
+  // Gives one process all of them.
   Partition() : Partition(0) {}
   explicit Partition(Index size);
 
@@ -99,7 +100,7 @@ class Partition {
   const Ranks& ranks() const { return *ranks_; }
   const std::shared_ptr<const Ranks>& shared_ranks() const { return ranks_; }
   const std::vector<Neighbour>& neighbours() const { return neighbours_; }
-  // One process, and no copies: what is collective elsewhere does nothing.
+  // True for one process without copies: what is collective elsewhere does nothing.
   bool is_whole() const { return is_whole_; }
   Index size() const { return size_; }         // copies included
   Index owned_size() const { return owned_; }  // copies not

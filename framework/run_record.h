@@ -276,7 +276,8 @@ class RunRecord {
   void mark(Remedy remedy) { remedy_ = remedy; }
   // At the end of a solve: the first iteration of the next one follows no remedy.
   void forget_mark() { remedy_.reset(); }
-  // For everything once there is a map, and before. Both may outlive the record.
+  // The first is for everything once there is a map, the second before. Both may outlive the
+  // record.
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
   Directive directive() const { return agreed(stop_()); }

@@ -60,7 +60,7 @@ def copy_pages():
     for page in [*(ROOT / 'docs').glob('*.md'), *(ROOT / name for name in OTHERS)]:
         text = with_links(page, page.read_text())
         (PAGES / OTHERS.get(page.name, page.name)).write_text(text)
-    (PAGES / 'viewer.md').write_text('# The viewer\n\nA page that `majorant parametrize -o creature.html --snapshots 16` '
+    (PAGES / 'viewer.md').write_text('---\nhide: [navigation, toc]\n---\n\n# The viewer\n\nA page that `majorant parametrize -o creature.html --snapshots 16` '
                                      'wrote, [by itself](creature.html); [what it shows](pictures.md#what-it-shows).\n\n'
                                      '<iframe src="creature.html" title="the map of the creature" '
                                      'style="width: 100%; height: 90vh; border: 1px solid gray"></iframe>\n')

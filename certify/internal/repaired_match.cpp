@@ -361,7 +361,8 @@ class FaceMatcher {
     return false;
   }
 
-  // From the cell across all edges that are no border; empty if one of these has no other side.
+  // Goes from the cell across all edges that are no border; empty if one of these has no other
+  // side.
   std::vector<Index> region_of(const Region& region, Index seed) const {
     if (!region.has(seed)) return {};
     std::vector<Index> cells{seed};
@@ -378,7 +379,8 @@ class FaceMatcher {
     return cells;
   }
 
-  // Where the same pieces are there twice, edges inside of a face may have been opened.
+  // Returns the cell across a half-edge, also of an edge inside of a face that was opened because
+  // the same pieces are there twice; -1: none of the region.
   Index across(const Region& region, Index h, const std::set<Index>& known) const {
     if (const Index o = cells_.opposite(h); o >= 0) {
       const bool is_in = known.contains(face_of(o)) || region.has(face_of(o));

@@ -408,7 +408,7 @@ class Matcher {
   SurfaceMatch match_;
 };
 
-// As SurfaceMesh takes it.
+// Returns the surface as SurfaceMesh takes it.
 PolygonMesh triangulated(const PolygonMesh& surface) {
   PolygonMesh out;
   out.positions = surface.positions;

@@ -106,7 +106,7 @@ class Run {
       throw Error(kind, fmt::format("{} is not injective: {}", what, obstacle));
   }
 
-  // After every row of the trace; all ranks have the same rows.
+  // Called after every row of the trace; all ranks have the same rows.
   void keep_at(const TraceEntry& row, const MapView& at) {
     ++iterations_;
     if (keeping_.every == 0 || ++since_kept_ < keeping_.every) return;
