@@ -188,6 +188,8 @@ class RunObserver {
   virtual ~RunObserver() = default;
   // The run begins something else.
   virtual void begin(Activity /*activity*/) {}
+  // What of the activity is under way, until the next step: "raising the degree to 2".
+  virtual void announce(std::string_view /*part*/) {}
   // A step was tried: of a minimizer by itself one that was taken, before the next one. y: the
   // point it reached, empty where the rows are those of a RunRecord. Anything but Continue ends the
   // solve with that status.
@@ -271,6 +273,9 @@ class RunRecord {
   }
   void begin(Activity activity) const {
     if (observer_ && !is_part_) observer_->begin(activity);
+  }
+  void announce(std::string_view part) const {
+    if (observer_ && !is_part_) observer_->announce(part);
   }
   // The next iteration is the first one after this remedy.
   void mark(Remedy remedy) { remedy_ = remedy; }
