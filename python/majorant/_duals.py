@@ -114,14 +114,14 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
         return self._chosen(np.argmin(self.value, axis), axis)
 
     def clip(self, low: Any, high: Any) -> 'Dual':
-        out = self if low is None else np.maximum(self, low)
-        return out if high is None else np.minimum(out, high)
+        out = self if low is None else _RULES[np.maximum](self, low)
+        return out if high is None else _RULES[np.minimum](out, high)
 
     def copy(self) -> 'Dual':
         return self
 
     def __getattr__(self, name: str) -> Any:
-        function = next((f for f in _LINEAR if f.__name__ == name), None)
+        function: Any = next((f for f in _LINEAR if f.__name__ == name), None)
         if function is None:
             raise AttributeError(f'dual numbers have no {name}')
         return lambda *arguments, **named: _each(lambda part: function(part, *arguments, **named), self)
@@ -168,11 +168,11 @@ def _each(f: Callable[[np.ndarray], np.ndarray], x: Dual) -> Dual:
     return x._mapped(np.asarray(f(x.value)), lambda part: np.stack([f(p) for p in part]))
 
 
-def _same_count(*arrays: Any) -> tuple[list['Dual'], int]:
+def _same_count(*arrays: Any) -> list['Dual']:
     """All as dual numbers of one number of variables."""
     k = next(len(a._d) for a in arrays if isinstance(a, Dual))
-    plain = (a if isinstance(a, Dual) else np.asarray(a, dtype=float) for a in arrays)
-    return [a if isinstance(a, Dual) else Dual(a, np.broadcast_to(0.0, (k, *a.shape)), None) for a in plain], k
+    return [a if isinstance(a, Dual) else Dual(np.asarray(a, dtype=float), np.broadcast_to(0.0, (k, *np.shape(a))), None)
+            for a in arrays]
 
 
 def _wide(part: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
@@ -183,8 +183,14 @@ def _wide(part: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
 
 def _outer(a: np.ndarray, b: np.ndarray | None = None) -> np.ndarray:
     """Lower triangle of a a^T, or of a b^T + b a^T."""
-    rows, columns = np.tril_indices(len(a))
-    return a[rows] * a[columns] if b is None else a[rows] * b[columns] + b[rows] * a[columns]
+    k, shape = len(a), a.shape[1:]
+    out = np.empty((k * (k + 1) // 2, *shape))
+    for i in range(k):
+        row = out[i * (i + 1) // 2:(i + 1) * (i + 2) // 2]
+        np.multiply(a[i], a[:i + 1] if b is None else b[:i + 1], out=row)
+        if b is not None:
+            row += b[i] * a[:i + 1]
+    return out
 
 
 def _sum(*summands: np.ndarray | None) -> np.ndarray | None:
@@ -283,7 +289,7 @@ def _extremum(ufunc: Any, first: Any) -> Callable[[Any, Any], Dual]:
 
 
 def _where(condition: Any, a: Any, b: Any) -> Dual:
-    (a, b), _ = _same_count(a, b)
+    a, b = _same_count(a, b)
     value = np.where(condition, a.value, b.value)
     shape = value.shape
 
@@ -303,7 +309,7 @@ def _seconds(duals: list[Dual]) -> list[np.ndarray]:
 
 
 def _joined(function: Any, arrays: Any, axis: int) -> Dual:
-    duals, _ = _same_count(*arrays)
+    duals = _same_count(*arrays)
     value = function([x.value for x in duals], axis=axis)
     axis = axis % value.ndim + 1
     h = None if all(x._h is None for x in duals) else function(_seconds(duals), axis=axis)
