@@ -27,7 +27,7 @@ _FALLS = 6
 _AGREEMENT = 1e-4
 
 # Points that dual numbers see at a time: their second derivatives stay in the cache.
-_CHUNK = 256
+_CHUNK = 512
 
 # What dual numbers raise where they cannot follow a formula.
 _LOST = (TypeError, ValueError, AttributeError)

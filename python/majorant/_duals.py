@@ -177,6 +177,8 @@ def _same_count(*arrays: Any) -> list['Dual']:
 
 def _wide(part: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """Derivatives of what is broadcast to this shape."""
+    if part.shape[1:] == shape:
+        return part
     axes = (1,) * (len(shape) + 1 - part.ndim)
     return np.broadcast_to(part.reshape(len(part), *axes, *part.shape[1:]), (len(part), *shape))
 
@@ -213,6 +215,7 @@ def _chain2(a: Any, b: Any, f: np.ndarray, by_a: Any, by_b: Any, by_aa: Any, by_
     h: list[np.ndarray | None] = []
     for x, slope, bend in ((a, by_a, by_aa), (b, by_b, by_bb)):
         if isinstance(x, Dual):
+            slope = np.zeros(()) if slope is None else slope
             part = _chain(Dual(f, _wide(x._d, f.shape), None if x._h is None else _wide(x._h, f.shape)), f, slope, bend)
             d.append(part._d)
             h.append(part._h)
@@ -229,12 +232,15 @@ def _values(*arrays: Any) -> list[np.ndarray]:
 
 def _add(a: Any, b: Any) -> Dual:
     x, y = _values(a, b)
-    return _chain2(a, b, np.asarray(x + y), 1.0, 1.0, None, None, None)
+    f = np.asarray(x + y)
+    parts = [(_wide(z._d, f.shape), None if z._h is None else _wide(z._h, f.shape)) for z in (a, b) if isinstance(z, Dual)]
+    d = _sum(*(part[0] for part in parts))
+    assert d is not None
+    return Dual(f, d, _sum(*(part[1] for part in parts)))
 
 
 def _subtract(a: Any, b: Any) -> Dual:
-    x, y = _values(a, b)
-    return _chain2(a, b, np.asarray(x - y), 1.0, -1.0, None, None, None)
+    return _add(a, -b if isinstance(b, Dual) else -np.asarray(b))
 
 
 def _multiply(a: Any, b: Any) -> Dual:
@@ -255,14 +261,19 @@ def _power(a: Any, b: Any) -> Dual:
     x, p = _values(a, b)
     f = np.asarray(np.power(x, p, dtype=float))
     if not isinstance(b, Dual):
-        # Where a factor is 0 the power that it is of may be infinite.
-        slope = np.where(p == 0, 0.0, p * np.power(x, p - 1, dtype=float))
-        factor = p * (p - 1)
-        bend = None if not factor.any() else np.where(factor == 0, 0.0, factor * np.power(x, p - 2, dtype=float))
-        return _chain2(a, b, f, slope, None, bend, None, None)
+        return _chain2(a, b, f, _multiple(p, x, p - 1), None, _multiple(p * (p - 1), x, p - 2), None, None)
     log = np.log(x)
     by_x = np.power(x, p - 1, dtype=float)
     return _chain2(a, b, f, p * by_x, f * log, p * (p - 1) * by_x / x, by_x * (1 + p * log), f * log * log)
+
+
+def _multiple(factor: np.ndarray, x: np.ndarray, p: np.ndarray) -> Any:
+    """factor x^p; None where all factors are 0, and 0 where one is, whatever the power is."""
+    if not factor.any():
+        return None
+    if factor.ndim:
+        return np.where(factor == 0, 0.0, factor * np.power(x, p, dtype=float))
+    return factor if p == 0 else factor * x if p == 1 else factor * np.power(x, p, dtype=float)
 
 
 def _hypot(a: Any, b: Any) -> Dual:
