@@ -62,7 +62,7 @@ def main():
     parser.add_argument('--build', type=Path, default=ROOT / 'build/release', help='build tree with the package')
     parser.add_argument('--cells', type=int, default=71, help='of a side of the square')
     parser.add_argument('--degrees', type=int, nargs='+', default=[1, 2, 3])
-    parser.add_argument('--runs', type=int, default=5)
+    parser.add_argument('--runs', type=int, default=3)
     options = parser.parse_args()
     sys.path.insert(0, str(options.build / 'python'))
     import majorant

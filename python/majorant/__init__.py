@@ -19,6 +19,7 @@ from ._core import Step
 from ._densities import Density
 from ._errors import (Error, InfeasibleError, InternalError, InvalidError, ReadError, StoppedError,
                       UnsupportedError, UsageError)
+from ._exchange import mesh_arrays
 from ._framework import Problem, Solution, Space, Term, element_term, linear_term, penalty
 from ._functions import (Verdict, check, deform, energies, flatten, kernels, parametrize, read, read_mesh,
                          seamless, unwrap)
@@ -28,6 +29,6 @@ __version__ = _core.version
 __all__ = [
     'Density', 'Error', 'InfeasibleError', 'InternalError', 'InvalidError', 'Map', 'Problem', 'ReadError',
     'Solution', 'Space', 'Step', 'StoppedError', 'Term', 'UnsupportedError', 'UsageError', 'Verdict', 'check',
-    'deform', 'element_term', 'energies', 'flatten', 'kernels', 'linear_term', 'parametrize', 'penalty', 'read', 'read_mesh',
-    'seamless', 'unwrap',
+    'deform', 'element_term', 'energies', 'flatten', 'kernels', 'linear_term', 'mesh_arrays', 'parametrize', 'penalty', 'read',
+    'read_mesh', 'seamless', 'unwrap',
 ]

@@ -83,7 +83,7 @@ def positions(V: Any) -> np.ndarray:
 
 def polygons(F: Any, vertices: int) -> tuple[np.ndarray, np.ndarray]:
     """The corners of all faces, one after the other, and where each face begins."""
-    rows = F if isinstance(F, np.ndarray) else list(F)
+    rows: Any = F if isinstance(F, np.ndarray) else list(F)
     mixed = not isinstance(rows, np.ndarray) and len({np.size(row) for row in rows}) > 1
     if not mixed:
         if np.ndim(rows) == 2 and np.shape(rows)[1] < 3:
@@ -130,7 +130,8 @@ def points(name: str, value: Any, vertices: int) -> tuple[np.ndarray, np.ndarray
     if not hasattr(value, 'items'):
         raise UsageError(f'{name} is no dictionary {{vertex: (u, v)}}, with None for (u, v) where a '
                          'vertex stays where the start has it')
-    numbers, targets = [], []
+    numbers: list[Any] = []
+    targets: list[Any] = []
     for vertex, target in value.items():
         numbers.append(vertex)
         if target is None:
@@ -139,3 +140,17 @@ def points(name: str, value: Any, vertices: int) -> tuple[np.ndarray, np.ndarray
             targets.append(floats(f'{name}[{vertex}]', target, (2,)))
     return (integers(name, np.array(numbers, dtype=None if numbers else int), (None,), vertices,
                      'vertices'), np.array(targets, dtype=float).reshape(-1, 2))
+
+
+def rows(A: Any, b: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, int]:
+    """Compressed rows of A, right-hand sides, columns of A."""
+    if hasattr(A, 'tocsr'):
+        matrix = A.tocsr()
+        matrix.sum_duplicates()
+    else:
+        import scipy.sparse
+        matrix = scipy.sparse.csr_matrix(floats('A', A, (None, None)))
+    values = floats('A.data', matrix.data, (None,))
+    targets = floats('b', b, (matrix.shape[0],))
+    return (matrix.indptr.astype(np.int32), matrix.indices.astype(np.int32), values, targets,
+            int(matrix.shape[1]))

@@ -6,10 +6,12 @@ from __future__ import annotations
 from typing import Any, Callable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ._derivatives import PointFunction
 from ._errors import UsageError
 from ._options import choice
+from ._types import Doubles
 
 
 class Density:
@@ -22,7 +24,7 @@ class Density:
         r = majorant.parametrize(V, F, energy=mips)
 
     J is the derivative of the map in an orthonormal frame of the face, at q points at once: some
-    thousand, from several threads one after the other. The value alone is enough: where it is written
+    thousand, from several threads one after the other; (q, 3, 3) of tetrahedra (`Space`). The value alone is enough: where it is written
     with what docs/python.md lists, dual numbers follow it to exact derivatives; else these are made of
     differences, and where two step sizes do not agree, UsageError names the point. `derivatives` says
     which. Faster are formulas of your own, or of any tool that makes them,
@@ -45,8 +47,8 @@ class Density:
                 depend on it, 'collapses' if smaller is better (then pins or a boundary must hold it)
     """
 
-    def __init__(self, name: str, value: Callable[[np.ndarray], Any],
-                 derivatives: Callable[[np.ndarray], tuple[Any, Any]] | None = None, *, domain: str = 'positive',
+    def __init__(self, name: str, value: Callable[[Doubles], Any],
+                 derivatives: Callable[[Doubles], tuple[Any, Any]] | None = None, *, domain: str = 'positive',
                  barrier: str | None = None, free_scale: str = 'determined'):
         if not isinstance(name, str) or not name:
             raise UsageError(f'name={name!r} is no name')
@@ -61,20 +63,20 @@ class Density:
     @property
     def derivatives(self) -> str:
         """Where derivatives come from: 'given', 'dual numbers' or 'differences'."""
-        return self._function.derivatives(np.array([[[1.1, 0.2], [-0.1, 0.9]]]))
+        return self._function.derivatives(*((np.eye(d)[None] + 0.1 * np.arange(d),) for d in (2, 3)))
 
-    def evaluate(self, J: np.ndarray) -> np.ndarray:
+    def evaluate(self, J: Doubles) -> Doubles:
         """e at every J: (q,)."""
         return self._function.evaluate(J)
 
-    def differentiate(self, J: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Gradient (q, 4) and Hessian (q, 4, 4) at every J."""
+    def differentiate(self, J: Doubles) -> tuple[Doubles, Doubles]:
+        """Gradient (q, k) and Hessian (q, k, k) at every J of k entries."""
         return self._function.differentiate(J)
 
-    def check_derivatives(self, J: Any, tolerance: float = 1e-5) -> None:
+    def check_derivatives(self, J: ArrayLike, tolerance: float = 1e-5) -> None:
         """Raises AssertionError, naming entry and point, where derivatives are not those of value(J).
 
-        J: (q, 2, 2), inside of the domain and away from its boundary.
+        J: (q, 2, 2) or (q, 3, 3), inside of the domain and away from its boundary.
         """
         self._function.check(np.asarray(J, dtype=float), tolerance)
 

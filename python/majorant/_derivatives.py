@@ -26,6 +26,9 @@ _FALLS = 6
 # the extrapolated ones are good to about its square.
 _AGREEMENT = 1e-4
 
+# Points that dual numbers see at a time: their second derivatives stay in the cache.
+_CHUNK = 512
+
 # What dual numbers raise where they cannot follow a formula.
 _LOST = (TypeError, ValueError, AttributeError)
 
@@ -36,40 +39,60 @@ class PointFunction:
     derivatives(points, *data) -> gradient (q, k) and Hessian (q, k, k) by the k entries of a point;
     None: from value alone. name and place ('point', 'element') are for messages; numbers of places
     are the first of the data, or count the points. inside(points) -> (q,) truth values: the domain
-    apart from where value is finite.
+    apart from where value is finite. rank 1: value returns (q,) or (q, m), evaluate() and the rest
+    have a second axis of m; derivatives may then return the gradient alone.
     """
 
     def __init__(self, name: str, place: str, value: Callable[..., Any], derivatives: Callable[..., Any] | None,
-                 inside: Callable[[np.ndarray], np.ndarray] | None = None):
+                 inside: Callable[[np.ndarray], np.ndarray] | None = None, rank: int = 0):
         for function in (value,) if derivatives is None else (value, derivatives):
             if not callable(function):
                 raise UsageError(f'{function!r} cannot be called')
-        self._name, self._place = name, place
+        self._name, self._place, self._rank = name, place, rank
         self._value, self._derivatives, self._inside = value, derivatives, inside
         self._used = None if derivatives is None else 'given'
 
-    def derivatives(self, sample: np.ndarray, *data: Any) -> str:
-        """'given', 'dual numbers' or 'differences'; the sample is looked at if nothing was so far."""
-        if self._used is None:
-            with np.errstate(all='ignore'):
-                self._followed(sample, *data)
-        assert self._used is not None
-        return self._used
+    def derivatives(self, *samples: tuple[Any, ...]) -> str:
+        """'given', 'dual numbers' or 'differences': what was used, or, before that, what the first of
+        the samples (points and data) that the value knows leads to."""
+        if self._used is not None:
+            return self._used
+        for sample in samples:
+            try:
+                with np.errstate(all='ignore'):
+                    followed = self._followed(*sample) is not None
+            except IndexError:      # a matrix of another size
+                followed = False
+            finally:
+                self._used = None
+            if followed:
+                return 'dual numbers'
+        return 'differences'
 
     def evaluate(self, points: np.ndarray, *data: Any) -> np.ndarray:
         with np.errstate(all='ignore'):
-            return as_array('value', self._value(points, *data), (len(points),))
+            found = self._value(points, *data)
+        q = len(points)
+        if not self._rank:
+            return as_array('value', found, (q,))
+        m = np.shape(found)[1] if np.ndim(found) == 2 else 1
+        return as_array('value', found, (q, m), (q,))
 
-    def differentiate(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray]:
+    def differentiate(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, Any]:
         with np.errstate(all='ignore'):
             if self._derivatives is None:
                 found = self._followed(points, *data)
-                return self._differences(points, *data) if found is None else (found.gradient, found.hessian)
+                return self._differences(points, *data) if found is None else found
             given = self._derivatives(points, *data)
+        q, k = len(points), math.prod(points.shape[1:])
+        if self._rank:
+            gradient, *hessian = given if isinstance(given, tuple) else (given,)
+            m = np.shape(gradient)[1] if np.ndim(gradient) == 3 else 1
+            return (as_array('gradient', gradient, (q, m, k), (q, k)),
+                    as_array('Hessian', hessian[0], (q, m, k, k), (q, k, k)) if hessian else None)
         if not isinstance(given, tuple) or len(given) != 2:
             raise UsageError(f'derivatives of {self._name!r} returned {type(given).__name__}, not (gradient, '
                              'Hessian)')
-        q, k = len(points), math.prod(points.shape[1:])
         return (as_array('gradient', given[0], (q, k), points.shape),
                 self._symmetric(as_array('Hessian', given[1], (q, k, k), points.shape + points.shape[1:]), *data))
 
@@ -77,14 +100,16 @@ class PointFunction:
         """Raises AssertionError where derivatives are not what differences of values give."""
         gradient, hessian = self.differentiate(points, *data)
         step = 1e-6 * np.maximum(1, np.abs(points).max())
-        slope, bend = np.empty_like(gradient), np.empty_like(hessian)
-        for k, unit in enumerate(np.eye(gradient.shape[1])):
+        slope = np.empty_like(gradient)
+        bend = np.empty((*gradient.shape, gradient.shape[-1]))
+        for k, unit in enumerate(np.eye(gradient.shape[-1])):
             move = step * unit.reshape(points.shape[1:])
-            slope[:, k] = (self.evaluate(points + move, *data) - self.evaluate(points - move, *data)) / (2 * step)
-            bend[:, :, k] = (self.differentiate(points + move, *data)[0]
-                             - self.differentiate(points - move, *data)[0]) / (2 * step)
+            slope[..., k] = (self.evaluate(points + move, *data) - self.evaluate(points - move, *data)) / (2 * step)
+            bend[..., k] = (self.differentiate(points + move, *data)[0]
+                            - self.differentiate(points - move, *data)[0]) / (2 * step)
         _agree('gradient', self._place, gradient, slope, tolerance)
-        _agree('Hessian', self._place, hessian, bend, tolerance)
+        if hessian is not None:
+            _agree('Hessian', self._place, hessian, bend, tolerance)
 
     def _number(self, row: int, *data: Any) -> int:
         return int(data[0][row]) if data else row
@@ -101,21 +126,33 @@ class PointFunction:
         return hessians
 
     # ---- of the value alone ----------------------------------------------------------------------
-    def _followed(self, points: np.ndarray, *data: Any) -> Dual | None:
-        """The value in dual numbers; None where it uses what they do not have."""
+    def _followed(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray] | None:
+        """Gradient and Hessian by dual numbers; None where the value uses what they do not have."""
         if self._used == 'differences':
             return None
-        try:
-            found = self._value(Dual.variables(points), *data)
-        except _LOST:
-            found = None
-        follows = isinstance(found, Dual) and found.shape == (len(points),)
-        self._used = 'dual numbers' if follows else 'differences'
-        return found if follows else None
+        parts = []
+        for begin in range(0, max(1, len(points)), _CHUNK):
+            rows = slice(begin, begin + _CHUNK)
+            part = points[rows]
+            try:
+                found = self._value(Dual.variables(part), *(d[rows] for d in data))
+            except _LOST:
+                found = None
+            follows = isinstance(found, Dual) and found.shape[:1] == (len(part),) and found.ndim <= 1 + self._rank
+            if not follows:
+                self._used = 'differences'
+                return None
+            parts.append(found[:, None] if found.ndim < 1 + self._rank else found)
+        self._used = 'dual numbers'
+        return (np.concatenate([part.gradient for part in parts]), np.concatenate([part.hessian for part in parts]))
 
     def _differences(self, points: np.ndarray, *data: Any) -> tuple[np.ndarray, np.ndarray]:
         """Central differences, extrapolated from two steps that have to agree; where they do not,
         smaller ones are tried. NaN outside of the domain."""
+        if self._rank:
+            parts = [self._component(j)._differences(points, *data)
+                     for j in range(self.evaluate(points, *data).shape[1])]
+            return np.stack([part[0] for part in parts], axis=1), np.stack([part[1] for part in parts], axis=1)
         q, k = len(points), math.prod(points.shape[1:])
         flat = points.reshape(q, k)
         gradient, hessian = np.full((q, k), np.nan), np.full((q, k, k), np.nan)
@@ -138,6 +175,9 @@ class PointFunction:
                 'differences of its values with two steps do not agree; give derivatives, or write it with what '
                 'dual numbers have (docs/python.md)')
         return gradient, hessian
+
+    def _component(self, j: int) -> 'PointFunction':
+        return PointFunction(self._name, self._place, lambda *points: self.evaluate(*points)[:, j], None)
 
     def _values(self, points: np.ndarray, rows: np.ndarray, *data: Any) -> np.ndarray:
         """Of points that belong to these rows; not finite outside of the domain."""

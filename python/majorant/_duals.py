@@ -114,14 +114,14 @@ class Dual(np.lib.mixins.NDArrayOperatorsMixin):
         return self._chosen(np.argmin(self.value, axis), axis)
 
     def clip(self, low: Any, high: Any) -> 'Dual':
-        out = self if low is None else np.maximum(self, low)
-        return out if high is None else np.minimum(out, high)
+        out = self if low is None else _RULES[np.maximum](self, low)
+        return out if high is None else _RULES[np.minimum](out, high)
 
     def copy(self) -> 'Dual':
         return self
 
     def __getattr__(self, name: str) -> Any:
-        function = next((f for f in _LINEAR if f.__name__ == name), None)
+        function: Any = next((f for f in _LINEAR if f.__name__ == name), None)
         if function is None:
             raise AttributeError(f'dual numbers have no {name}')
         return lambda *arguments, **named: _each(lambda part: function(part, *arguments, **named), self)
@@ -168,23 +168,31 @@ def _each(f: Callable[[np.ndarray], np.ndarray], x: Dual) -> Dual:
     return x._mapped(np.asarray(f(x.value)), lambda part: np.stack([f(p) for p in part]))
 
 
-def _same_count(*arrays: Any) -> tuple[list['Dual'], int]:
+def _same_count(*arrays: Any) -> list['Dual']:
     """All as dual numbers of one number of variables."""
     k = next(len(a._d) for a in arrays if isinstance(a, Dual))
-    plain = (a if isinstance(a, Dual) else np.asarray(a, dtype=float) for a in arrays)
-    return [a if isinstance(a, Dual) else Dual(a, np.broadcast_to(0.0, (k, *a.shape)), None) for a in plain], k
+    return [a if isinstance(a, Dual) else Dual(np.asarray(a, dtype=float), np.broadcast_to(0.0, (k, *np.shape(a))), None)
+            for a in arrays]
 
 
 def _wide(part: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """Derivatives of what is broadcast to this shape."""
+    if part.shape[1:] == shape:
+        return part
     axes = (1,) * (len(shape) + 1 - part.ndim)
     return np.broadcast_to(part.reshape(len(part), *axes, *part.shape[1:]), (len(part), *shape))
 
 
 def _outer(a: np.ndarray, b: np.ndarray | None = None) -> np.ndarray:
     """Lower triangle of a a^T, or of a b^T + b a^T."""
-    rows, columns = np.tril_indices(len(a))
-    return a[rows] * a[columns] if b is None else a[rows] * b[columns] + b[rows] * a[columns]
+    k, shape = len(a), a.shape[1:]
+    out = np.empty((k * (k + 1) // 2, *shape))
+    for i in range(k):
+        row = out[i * (i + 1) // 2:(i + 1) * (i + 2) // 2]
+        np.multiply(a[i], a[:i + 1] if b is None else b[:i + 1], out=row)
+        if b is not None:
+            row += b[i] * a[:i + 1]
+    return out
 
 
 def _sum(*summands: np.ndarray | None) -> np.ndarray | None:
@@ -207,6 +215,7 @@ def _chain2(a: Any, b: Any, f: np.ndarray, by_a: Any, by_b: Any, by_aa: Any, by_
     h: list[np.ndarray | None] = []
     for x, slope, bend in ((a, by_a, by_aa), (b, by_b, by_bb)):
         if isinstance(x, Dual):
+            slope = np.zeros(()) if slope is None else slope
             part = _chain(Dual(f, _wide(x._d, f.shape), None if x._h is None else _wide(x._h, f.shape)), f, slope, bend)
             d.append(part._d)
             h.append(part._h)
@@ -223,12 +232,15 @@ def _values(*arrays: Any) -> list[np.ndarray]:
 
 def _add(a: Any, b: Any) -> Dual:
     x, y = _values(a, b)
-    return _chain2(a, b, np.asarray(x + y), 1.0, 1.0, None, None, None)
+    f = np.asarray(x + y)
+    parts = [(_wide(z._d, f.shape), None if z._h is None else _wide(z._h, f.shape)) for z in (a, b) if isinstance(z, Dual)]
+    d = _sum(*(part[0] for part in parts))
+    assert d is not None
+    return Dual(f, d, _sum(*(part[1] for part in parts)))
 
 
 def _subtract(a: Any, b: Any) -> Dual:
-    x, y = _values(a, b)
-    return _chain2(a, b, np.asarray(x - y), 1.0, -1.0, None, None, None)
+    return _add(a, -b if isinstance(b, Dual) else -np.asarray(b))
 
 
 def _multiply(a: Any, b: Any) -> Dual:
@@ -249,14 +261,19 @@ def _power(a: Any, b: Any) -> Dual:
     x, p = _values(a, b)
     f = np.asarray(np.power(x, p, dtype=float))
     if not isinstance(b, Dual):
-        # Where a factor is 0 the power that it is of may be infinite.
-        slope = np.where(p == 0, 0.0, p * np.power(x, p - 1, dtype=float))
-        factor = p * (p - 1)
-        bend = None if not factor.any() else np.where(factor == 0, 0.0, factor * np.power(x, p - 2, dtype=float))
-        return _chain2(a, b, f, slope, None, bend, None, None)
+        return _chain2(a, b, f, _multiple(p, x, p - 1), None, _multiple(p * (p - 1), x, p - 2), None, None)
     log = np.log(x)
     by_x = np.power(x, p - 1, dtype=float)
     return _chain2(a, b, f, p * by_x, f * log, p * (p - 1) * by_x / x, by_x * (1 + p * log), f * log * log)
+
+
+def _multiple(factor: np.ndarray, x: np.ndarray, p: np.ndarray) -> Any:
+    """factor x^p; None where all factors are 0, and 0 where one is, whatever the power is."""
+    if not factor.any():
+        return None
+    if factor.ndim:
+        return np.where(factor == 0, 0.0, factor * np.power(x, p, dtype=float))
+    return factor if p == 0 else factor * x if p == 1 else factor * np.power(x, p, dtype=float)
 
 
 def _hypot(a: Any, b: Any) -> Dual:
@@ -283,7 +300,7 @@ def _extremum(ufunc: Any, first: Any) -> Callable[[Any, Any], Dual]:
 
 
 def _where(condition: Any, a: Any, b: Any) -> Dual:
-    (a, b), _ = _same_count(a, b)
+    a, b = _same_count(a, b)
     value = np.where(condition, a.value, b.value)
     shape = value.shape
 
@@ -303,7 +320,7 @@ def _seconds(duals: list[Dual]) -> list[np.ndarray]:
 
 
 def _joined(function: Any, arrays: Any, axis: int) -> Dual:
-    duals, _ = _same_count(*arrays)
+    duals = _same_count(*arrays)
     value = function([x.value for x in duals], axis=axis)
     axis = axis % value.ndim + 1
     h = None if all(x._h is None for x in duals) else function(_seconds(duals), axis=axis)

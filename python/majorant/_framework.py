@@ -7,10 +7,12 @@ import math
 from typing import Any, Callable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
 from ._derivatives import PointFunction
 from ._errors import UsageError
+from ._types import Doubles, Energy, Faces, Integers
 
 _METHODS = ('newton', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg')
 
@@ -25,7 +27,7 @@ class Space:
     of the surface (`input_vertices`: their rows of V), then come those on edges and in faces.
     """
 
-    def __init__(self, V: Any, F: Any, degree: int = 1):
+    def __init__(self, V: ArrayLike, F: Faces, degree: int = 1):
         n = _options.integer('degree', degree, 1, _core.max_degree)
         self._core = _core.Space(_arrays.mesh(V, F), n)
         self.degree: int = self._core.degree
@@ -34,32 +36,32 @@ class Space:
         self.area: float = self._core.area
 
     @property
-    def nodes(self) -> np.ndarray:
+    def nodes(self) -> Doubles:
         """(#N, 3): the nodes on the surface."""
         return self._core.nodes
 
     @property
-    def cells(self) -> np.ndarray:
+    def cells(self) -> Integers:
         """(#F, (n+1)(n+2)/2): nodes of the faces, in VTK's order (`Map.cells`)."""
         return self._core.cells
 
     @property
-    def input_vertices(self) -> np.ndarray:
+    def input_vertices(self) -> Integers:
         """(#vertices,): rows of V."""
         return self._core.input_vertices
 
-    def tutte(self) -> np.ndarray:
+    def tutte(self) -> Doubles:
         """An injective map of a disk to start from: x."""
         return self._core.tutte()
 
-    def linear(self, uv: Any) -> np.ndarray:
+    def linear(self, uv: ArrayLike) -> Doubles:
         """The map that is linear on the faces, uv (#V, 2) at the rows of V: x."""
         array = _arrays.floats('uv', uv, (None, 2))
         if len(array) <= self.input_vertices.max():
             raise UsageError(f'uv has {len(array)} rows; vertices go up to {self.input_vertices.max()}')
         return self._core.elevate(array[self.input_vertices].ravel())
 
-    def energy(self, energy: Any = 'symmetric-dirichlet', quadrature: int = 0) -> 'Term':
+    def energy(self, energy: Energy = 'symmetric-dirichlet', quadrature: int = 0) -> 'Term':
         """The integral of an energy over the surface, as a term: names, sums, and a `Density`, as for
         `parametrize`. quadrature: lattice points on a face; 0: the optimizer's own rule."""
         summands, _ = _options.energies(energy)
@@ -72,7 +74,7 @@ class Term:
     `linear_term`, `element_term`."""
 
     def __init__(self, parts: list[tuple[_core.Term, float]], size: int, *, of_all: bool = False,
-                 elements: tuple[np.ndarray, PointFunction] | None = None):
+                 elements: tuple[Doubles, PointFunction] | None = None):
         self._parts, self._size = parts, size
         self._of_all = of_all  # of a problem with exactly `size` unknowns, not of the first ones
         self._elements = elements  # their unknowns, a row each, and f
@@ -87,9 +89,9 @@ class Term:
         if self._elements is None:
             return None
         unknowns, function = self._elements
-        return function.derivatives(np.linspace(1, 2, unknowns.shape[1])[None], np.zeros(1, dtype=np.int32))
+        return function.derivatives((np.linspace(1, 2, unknowns.shape[1])[None], np.zeros(1, dtype=np.int32)))
 
-    def check_derivatives(self, x: Any, tolerance: float = 1e-5) -> None:
+    def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
         """Of an `element_term`: raises AssertionError, naming entry and element, where the derivatives
         at x, inside of the domain, are not those of the value."""
         if self._elements is None:
@@ -104,12 +106,12 @@ class Term:
         return f'<majorant.Term {self.name!r}>'
 
 
-def penalty(A: Any, b: Any) -> Term:
+def penalty(A: Any, b: ArrayLike) -> Term:
     """|A x - b|^2: rows of a scipy.sparse matrix, or a dense one, as soft constraints.
 
     For short rows, of 512 unknowns at most. What must hold is not for a penalty: `Problem.constrain`.
     """
-    starts, columns, values, targets, size = _rows(A, b)
+    starts, columns, values, targets, size = _arrays.rows(A, b)
     empty = np.flatnonzero(np.diff(starts) == 0)
     longest = int(np.diff(starts).max(initial=0))
     if len(empty) or longest > 512:
@@ -118,13 +120,13 @@ def penalty(A: Any, b: Any) -> Term:
     return Term([(_core.penalty(starts, columns, values, targets), 1.0)], size, of_all=True)
 
 
-def linear_term(c: Any) -> Term:
+def linear_term(c: ArrayLike) -> Term:
     """c . x: loads, gravity. Something else has to hold x, or the energy has no minimum."""
     coefficients = _arrays.floats('c', c, (None,))
     return Term([(_core.linear_term(coefficients), 1.0)], len(coefficients), of_all=True)
 
 
-def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+def element_term(nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
                  block: int = 1, name: str = 'element term') -> Term:
     """sum over elements e of f(the unknowns of e), with f in numpy, for many elements at once.
 
@@ -155,7 +157,7 @@ def element_term(nodes: Any, value: Callable[..., Any], derivatives: Callable[..
 class Solution:
     """Where a minimization ended: x, energy, status, message, and iterations, a list of dictionaries."""
 
-    def __init__(self, x: np.ndarray, energy: float, status: str, message: str,
+    def __init__(self, x: Doubles, energy: float, status: str, message: str,
                  iterations: list[dict[str, Any]]):
         self.x, self.energy, self.status, self.message, self.iterations = x, energy, status, message, iterations
 
@@ -203,14 +205,14 @@ class Problem:
             self._core.add(part, factor * own)
         return self
 
-    def constrain(self, A: Any, b: Any) -> 'Problem':
+    def constrain(self, A: Any, b: ArrayLike) -> 'Problem':
         """A x = b, exactly: a scipy.sparse matrix, or a dense one.
 
         Rows may depend on each other; rows that contradict others raise UnsupportedError when the
         problem is first used. Of rows of integers that is decided exactly, of others to within some
         roundings.
         """
-        starts, columns, values, targets, size = _rows(A, b)
+        starts, columns, values, targets, size = _arrays.rows(A, b)
         if size != self.full_size:
             raise UsageError(f'A has {size} columns, the problem {self.full_size} unknowns')
         self._core.constrain(starts, columns, values, targets)
@@ -226,23 +228,23 @@ class Problem:
         self._core.keep_injective(space._core)
         return self
 
-    def reduce(self, x: Any) -> np.ndarray:
+    def reduce(self, x: ArrayLike) -> Doubles:
         """y of x, which satisfies the constraints."""
         return self._core.reduce(_arrays.floats('x', x, (self.full_size,)))
 
-    def expand(self, y: Any) -> np.ndarray:
+    def expand(self, y: ArrayLike) -> Doubles:
         """x = Z y + c."""
         return self._core.expand(_arrays.floats('y', y, (self.size,)))
 
-    def value(self, y: Any) -> float:
+    def value(self, y: ArrayLike) -> float:
         """The energy; inf outside of its domain."""
         return self._core.value(_arrays.floats('y', y, (self.size,)))
 
-    def gradient(self, y: Any) -> np.ndarray:
+    def gradient(self, y: ArrayLike) -> Doubles:
         """By y, inside of the domain."""
         return self._core.linearize(_arrays.floats('y', y, (self.size,)), 'projected')[1]
 
-    def hessian(self, y: Any, curvature: str = 'exact') -> Any:
+    def hessian(self, y: ArrayLike, curvature: str = 'exact') -> Any:
         """By y, as scipy.sparse.csc_array, both triangles. curvature: 'exact', 'projected', 'majorizer',
         'paper-majorizer', 'reweighted', where all terms have it."""
         import scipy.sparse
@@ -251,10 +253,10 @@ class Problem:
         lower = scipy.sparse.csc_matrix((values, rows, starts), shape=(self.size, self.size))
         return (lower + scipy.sparse.tril(lower, -1).T).tocsc()
 
-    def minimize(self, x0: Any, method: str = 'newton', *, curvature: str = 'projected',
+    def minimize(self, x0: ArrayLike, method: str = 'newton', *, curvature: str = 'projected',
                  linear_solver: str = 'direct', tolerance: float | None = None,
                  max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
-                 callback: Callable[[dict[str, Any], np.ndarray], Any] | None = None) -> Solution:
+                 callback: Callable[[dict[str, Any], Doubles], Any] | None = None) -> Solution:
         """A local minimum near x0, which satisfies the constraints.
 
         method: 'newton'; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
@@ -281,17 +283,3 @@ class Problem:
 def _curvature(name: Any) -> str:
     return _options.choice('curvature', name, ('projected', 'majorizer', 'paper-majorizer', 'exact',
                                                'reweighted'))
-
-
-def _rows(A: Any, b: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, int]:
-    """Compressed rows of A, right-hand sides, columns of A."""
-    if hasattr(A, 'tocsr'):
-        rows = A.tocsr()
-        rows.sum_duplicates()
-    else:
-        import scipy.sparse
-        rows = scipy.sparse.csr_matrix(_arrays.floats('A', A, (None, None)))
-    values = _arrays.floats('A.data', rows.data, (None,))
-    targets = _arrays.floats('b', b, (rows.shape[0],))
-    return (rows.indptr.astype(np.int32), rows.indices.astype(np.int32), values, targets,
-            int(rows.shape[1]))

@@ -6,19 +6,19 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from typing import Any, Callable, Mapping, Sequence
+from typing import Any, Callable, Mapping
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
-from ._errors import UnsupportedError, UsageError
+from ._errors import UsageError
 from ._maps import Map
-
-_Points = Mapping[int, Sequence[float] | None]
-_Callback = Callable[[_core.Step], Any]
+from ._types import Callback, Doubles, Energy, Faces, Points
 
 
-def flatten(V: Any, F: Any, **options: Any) -> np.ndarray:
+
+def flatten(V: ArrayLike, F: Faces, **options: Any) -> Doubles:
     """Flattens a surface with little distortion: uv of every row of V, (#V, 2).
 
         uv = majorant.flatten(V, F)
@@ -33,17 +33,18 @@ def flatten(V: Any, F: Any, **options: Any) -> np.ndarray:
     """
     if 'degree' in options and options['degree'] != 1:
         raise UsageError('flatten has degree 1; parametrize makes curved maps')
-    return parametrize(V, F, **{**options, 'degree': 1}).uv
+    options['degree'] = 1
+    return parametrize(V, F, **options).uv
 
 
-def parametrize(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dirichlet',
-                bijective: bool = False, boundary: str = 'free', pins: _Points | None = None,
-                handles: _Points | None = None, soft: float = _options.SOFT, weights: Any = None,
-                init: str = 'auto', uv: Any = None, seamless: bool = False,
+def parametrize(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'symmetric-dirichlet',
+                bijective: bool = False, boundary: str = 'free', pins: Points | None = None,
+                handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
+                init: str = 'auto', uv: ArrayLike | None = None, seamless: bool = False,
                 boundary_angles: bool = False, improve_mesh: bool = False,
                 curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
                 tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
-                time_limit: float | None = None, threads: int = 0, callback: _Callback | None = None) -> Map:
+                time_limit: float | None = None, threads: int = 0, callback: Callback | None = None) -> Map:
     """The map of a disk, with or without holes, that has the smallest distortion there is nearby.
 
         r = majorant.parametrize(V, F, degree=3, energy='arap', bijective=True)
@@ -87,13 +88,13 @@ def parametrize(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dir
     return _solve(_core.parametrize, mesh, said)
 
 
-def seamless(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dirichlet',
+def seamless(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'symmetric-dirichlet',
              cones: Mapping[int, int] | None = None, start: str = 'automatic',
-             curvature_alignment: float = 0, bijective: bool = False, pins: _Points | None = None,
-             handles: _Points | None = None, soft: float = _options.SOFT, weights: Any = None,
+             curvature_alignment: float = 0, bijective: bool = False, pins: Points | None = None,
+             handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
              curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
              tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
-             time_limit: float | None = None, threads: int = 0, callback: _Callback | None = None) -> Map:
+             time_limit: float | None = None, threads: int = 0, callback: Callback | None = None) -> Map:
     """A seamless map with cones, of any connected surface: for quadrangulation and fields.
 
         r = majorant.seamless(V, F, degree=1)
@@ -118,14 +119,14 @@ def seamless(V: Any, F: Any, *, degree: int = 3, energy: Any = 'symmetric-dirich
     return _solve(_core.seamless, mesh, said, extra)
 
 
-def unwrap(V: Any, F: Any, *, seams: Any = 'auto', max_stretch: float | None = None, degree: int = 1,
-           energy: Any = 'symmetric-dirichlet', uv: Any = None, pack: bool = True,
+def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stretch: float | None = None, degree: int = 1,
+           energy: Energy = 'symmetric-dirichlet', uv: ArrayLike | None = None, pack: bool = True,
            padding: float = _options.PADDING, resolution: float = _options.RESOLUTION, normalize: bool = False,
-           weld: float | None = None, strict: bool = False, pins: _Points | None = None,
-           handles: _Points | None = None, soft: float = _options.SOFT, weights: Any = None,
+           weld: float | None = None, strict: bool = False, pins: Points | None = None,
+           handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
            curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
            tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
-           time_limit: float | None = None, threads: int = 0, callback: _Callback | None = None) -> Map:
+           time_limit: float | None = None, threads: int = 0, callback: Callback | None = None) -> Map:
     """Any mesh - closed, with handles, in pieces, with defects - as charts that do not overlap.
 
         r = majorant.unwrap(V, F, normalize=True)
@@ -165,12 +166,12 @@ def unwrap(V: Any, F: Any, *, seams: Any = 'auto', max_stretch: float | None = N
     return _solve(_core.unwrap, mesh, said, extra)
 
 
-def deform(V: Any, F: Any, *, handles: _Points | None = None, pins: _Points | None = None,
-           degree: int = 3, energy: Any = 'symmetric-dirichlet', bijective: bool = False,
-           soft: float = _options.SOFT, weights: Any = None, curvature: str = 'projected',
+def deform(V: ArrayLike, F: Faces, *, handles: Points | None = None, pins: Points | None = None,
+           degree: int = 3, energy: Energy = 'symmetric-dirichlet', bijective: bool = False,
+           soft: float = _options.SOFT, weights: ArrayLike | None = None, curvature: str = 'projected',
            elevation: str = 'incremental', quadrature: int = 0, tolerance: float = _options.TOLERANCE,
            max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
-           callback: _Callback | None = None) -> Map:
+           callback: Callback | None = None) -> Map:
     """Moves a planar mesh by some of its points, and bends the rest as little as it can.
 
         r = majorant.deform(V, F, handles={0: (0, 0), 30: (1, 1)}, bijective=True)
@@ -204,7 +205,7 @@ class Verdict:
         return f'<majorant.Verdict: {"; ".join([self.status, *self.findings])}>'
 
 
-def check(result: Map | str | os.PathLike, V: Any = None, F: Any = None, *, cuts: str = 'auto',
+def check(result: Map | str | os.PathLike, V: ArrayLike | None = None, F: Faces | None = None, *, cuts: str = 'auto',
           certify: bool = False, seamless: bool = False, time_limit: float | None = None) -> Verdict:
     """Judges a map again, from its control points alone, as `majorant check` does.
 
@@ -220,6 +221,7 @@ def check(result: Map | str | os.PathLike, V: Any = None, F: Any = None, *, cuts
     if (V is None) != (F is None):
         raise UsageError('V and F go together')
     surface = None if V is None else _arrays.mesh(V, F)
+    name: str | bytes
     if isinstance(result, Map):
         name, file = 'map.vtu', result._file
     else:
@@ -241,7 +243,7 @@ def read(path: str | os.PathLike) -> Map:
     return Map(file, mesh, promise, False, 'read', f'read from {os.fspath(path)}', 'null')
 
 
-def read_mesh(path: str | os.PathLike) -> tuple[np.ndarray, Any]:
+def read_mesh(path: str | os.PathLike) -> tuple[Doubles, Any]:
     """V and F of a mesh: .obj .off .ply .stl .vtu .msh, also .gz.
 
     F is an array where all faces have equally many corners, else a list of arrays. What the file has

@@ -9,9 +9,11 @@ import os
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._errors import UnsupportedError, UsageError
+from ._types import Doubles, Integers
 
 QUANTITIES = ('density', 'area', 'angle', 'sigma-max', 'sigma-min')
 FORMATS = ('.vtu', '.obj', '.ply', '.msh', '.svg', '.png', '.html')
@@ -29,7 +31,7 @@ class Map:
     want to change. One unit of uv is one unit of V. Maps can be pickled.
     """
 
-    def __init__(self, file: _core.MapFile, mesh: _core.Mesh, promise: tuple, input: bool, status: str,
+    def __init__(self, file: _core.MapFile, mesh: _core.Mesh, promise: _core.Promise, input: bool, status: str,
                  message: str, report: str):
         self._file, self._mesh, self._promise, self._input = file, mesh, promise, input
         self._report = report
@@ -43,40 +45,50 @@ class Map:
         return self._file.degree
 
     @property
-    def control_points(self) -> np.ndarray:
+    def control_points(self) -> Doubles:
         """(#N, 2): where the map puts the nodes of all faces; neighbours share those of their edge."""
         return self._file.uv
 
     @property
-    def cells(self) -> np.ndarray:
+    def cells(self) -> Integers:
         """(#F, (n+1)(n+2)/2): nodes of every face in VTK's order - corners, then the inner nodes of
         edges 01, 12, 20, then the inside as a triangle of degree n - 3, and so on."""
         return self._file.cells
 
     @property
-    def nodes(self) -> np.ndarray:
+    def nodes(self) -> Doubles:
         """(#N, 3): the nodes on the surface, whose faces are flat."""
         return self._file.points
 
     @property
-    def faces(self) -> np.ndarray:
+    def input_vertices(self) -> Integers:
+        """(#N,): the row of V that every node is, -1 for those inside of edges and faces."""
+        return self._file.input_vertex
+
+    @property
+    def _lattice(self) -> Doubles:
+        """Barycentric coordinates of the nodes of a face, in their order."""
+        return _core.multi_indices(self.degree) / self.degree
+
+    @property
+    def faces(self) -> Integers:
         """(#F, 3): rows of V at the corners of every face. Triangles of F as they were; polygons as
         they were triangulated."""
         return self._file.input_vertex[self._file.cells[:, :3]]
 
     @property
-    def input_faces(self) -> np.ndarray:
+    def input_faces(self) -> Integers:
         """(#F,): the row of F that every face belongs to."""
         return self._file.input_face
 
     @property
-    def corner_uv(self) -> np.ndarray:
+    def corner_uv(self) -> Doubles:
         """(#F, 3, 2): the image of every corner of every face. What textures are made of: on a cut
         the two sides differ."""
         return self._file.uv[self._file.cells[:, :3]]
 
     @property
-    def uv(self) -> np.ndarray:
+    def uv(self) -> Doubles:
         """(#V, 2): the image of every row of V. Rows that no face uses have none: they lie where the
         first corner of the first face does, so that no number is NaN and the layout grows no larger;
         `np.unique(F)` are the others. Only of maps without cuts; else UnsupportedError, and
@@ -92,13 +104,13 @@ class Map:
         return out
 
     @property
-    def charts(self) -> np.ndarray:
+    def charts(self) -> Integers:
         """(#F,): the chart that every face lies in, from 0."""
         found = self._file.chart
         return found if len(found) else np.zeros(len(self.cells), dtype=np.int32)
 
     @property
-    def distortion(self) -> np.ndarray:
+    def distortion(self) -> Doubles:
         """(#F,): the mean of the energy's density on every face; empty where it was not measured, and
         for energies without a name (a `Density`), which nobody else could check."""
         return self._file.distortion
@@ -107,7 +119,7 @@ class Map:
     def cones(self) -> dict[int, int]:
         """Of a seamless map: {vertex: quarter turns around it}, of those that have not four."""
         found = self._file.cone
-        points = np.flatnonzero(found) if len(found) else []
+        points = np.flatnonzero(found)
         return {int(self._file.input_vertex[p]): int(found[p]) for p in points}
 
     @property
@@ -124,7 +136,7 @@ class Map:
         return ((self.report or {}).get('result') or {}).get('globally_injective')
 
     # ---- points ----------------------------------------------------------------------------------
-    def evaluate(self, face: Any, bary: Any) -> np.ndarray:
+    def evaluate(self, face: ArrayLike, bary: ArrayLike) -> Doubles:
         """uv at barycentric coordinates.
 
         face: numbers of faces, any shape S. bary: S + (3,), or one that S can be broadcast with; they
@@ -137,7 +149,7 @@ class Map:
         basis = _bernstein(self.degree, bary)
         return np.einsum('...k,...kd->...d', basis, self.control_points[self.cells[face]])
 
-    def jacobian(self, face: Any, bary: Any) -> np.ndarray:
+    def jacobian(self, face: ArrayLike, bary: ArrayLike) -> Doubles:
         """The derivative of the map, from an orthonormal frame of the face to the plane.
 
         Arguments as for `evaluate`. Returns S + (2, 2); the frame's first axis points from corner 2
@@ -160,7 +172,7 @@ class Map:
         frame[..., 0, 0], frame[..., 0, 1], frame[..., 1, 1] = 1 / length, -x / (length * height), 1 / height
         return along @ frame
 
-    def _places(self, face: Any, bary: Any) -> tuple[np.ndarray, np.ndarray]:
+    def _places(self, face: Any, bary: Any) -> tuple[Integers, Doubles]:
         face, bary = np.asarray(face), np.asarray(bary, dtype=float)
         if face.dtype.kind not in 'iu':
             raise UsageError(f'face holds {face.dtype}, not integers')
@@ -192,13 +204,26 @@ class Map:
         """
         from ._options import choice, integer
         name = _arrays.path(path)
-        extension = os.path.splitext(name)[1].lower()
+        extension = os.fsdecode(os.path.splitext(name)[1]).lower()
         if extension not in FORMATS:
-            raise UsageError(f'{name}: no file can be written of this name; it ends in one of '
+            raise UsageError(f'{os.fsdecode(name)}: no file can be written of this name; it ends in one of '
                              + ' '.join(FORMATS))
         cells, content = choice('vtu', vtu, ('bezier', 'lagrange')), choice('msh', msh, ('image', 'surface'))
         _core.save_map(name, self._file, self._mesh, self._promise, self._input,
                        integer('refine', refine, 1, 20), cells == 'lagrange', content == 'surface')
+
+    def to_meshio(self) -> Any:
+        """A meshio.Mesh: triangles of the map's degree with their nodes on the surface, as Lagrange
+        elements have them, point data 'uv', cell data 'input_face', 'chart' and, if any, 'distortion'.
+        Not certified, as `save` is."""
+        from ._exchange import to_meshio
+        return to_meshio(self)
+
+    def to_trimesh(self) -> Any:
+        """A trimesh.Trimesh with texture coordinates, of a map of degree 1; along cuts vertices are
+        there once for each side. `input_vertices` are rows of V."""
+        from ._exchange import to_trimesh
+        return to_trimesh(self)
 
     # ---- looks -----------------------------------------------------------------------------------
     def svg(self, quantity: str | None = None) -> str:
@@ -211,6 +236,18 @@ class Map:
         if quantity is None:
             quantity = 'density' if len(self.distortion) else 'area'
         return _core.svg_text(self._file, choice('quantity', quantity, QUANTITIES))
+
+    def plot(self, ax: Any = None, values: ArrayLike | None = None, *, cmap: str = 'viridis') -> Any:
+        """The layout in matplotlib: curved faces, the boundary in black, seams in red. Returns the axes.
+
+            ax = r.plot(plt.subplot(), r.distortion)
+            plt.colorbar(ax.collections[0])
+
+        ax: axes; None: the current ones. values: (#F,) numbers that colour the faces; None: the charts
+        where there are several, else `distortion`. Edges are drawn of short straight pieces.
+        """
+        from ._plots import plot
+        return plot(self, ax, values, cmap)
 
     def _repr_html_(self) -> str:
         """In notebooks: the layout, unless that would be too much for a page."""
@@ -227,7 +264,7 @@ class Map:
         return f'<majorant.Map: {len(self.cells)} faces, degree {self.degree}{energy}, {self.status}>'
 
 
-def _bernstein(degree: int, bary: np.ndarray) -> np.ndarray:
+def _bernstein(degree: int, bary: Doubles) -> Doubles:
     """Bernstein polynomials at bary, S + (3,), in VTK's order: S + (#,)."""
     if degree == 0:
         return np.ones(bary.shape[:-1] + (1,))

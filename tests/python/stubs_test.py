@@ -4,7 +4,10 @@
 """majorant/_core.pyi against the module: the same names, the same arguments; the package is annotated."""
 import ast
 import inspect
+import os
 import re
+import subprocess
+import sys
 
 import helpers
 import pytest
@@ -67,6 +70,37 @@ def test_the_package_is_annotated(name):
             assert signature.return_annotation is not inspect.Signature.empty, member
             for parameter in signature.parameters.values():
                 assert parameter.name == 'self' or parameter.annotation is not inspect.Parameter.empty, member
+
+
+CALLER = """
+import majorant, numpy as np
+from numpy.typing import NDArray
+V, F = majorant.read_mesh('a.obj')
+uv: NDArray[np.float64] = majorant.flatten(V.tolist(), [[0, 1, 2], [0, 2, 3, 4]])
+r: majorant.Map = majorant.parametrize(V, F, energy=[(majorant.Density('x', lambda J: J.sum()), 1.0)], pins={3: (0, 1)})
+cells: NDArray[np.int32] = r.cells
+x: NDArray[np.float64] = majorant.Problem(3).minimize([0, 1, 2.5]).x
+"""
+WRONG = ("majorant.flatten(V, F, 3)", "majorant.parametrize(V, F, degree='3')", "uv: str = majorant.flatten(V, F)",
+         "majorant.Problem('3')", "r.cells.foo", "majorant.parametrize(object(), F)", "majorant.unwrap(V, F, energy=3)")
+
+
+def test_types_are_consistent(tmp_path):
+    """mypy: the package itself, calls that are right, and each one that is not."""
+    pytest.importorskip('mypy')
+
+    def complaints(*words):
+        done = subprocess.run([sys.executable, '-m', 'mypy', '--cache-dir', tmp_path / 'cache', '--config-file', os.devnull,
+                               '--ignore-missing-imports', '--no-error-summary', *words],
+                              capture_output=True, text=True, cwd=tmp_path,
+                              env={**helpers.environment(), 'MYPYPATH': str(helpers.SOURCE / 'python')})
+        return done.stdout
+
+    assert not complaints(helpers.SOURCE / 'python/majorant')
+    lines = CALLER.strip().split('\n')
+    (tmp_path / 'caller.py').write_text('\n'.join([*lines, *WRONG]) + '\n')
+    found = {int(n) for n in re.findall(r'^caller.py:(\d+): error', complaints('caller.py'), re.M)}
+    assert found == set(range(len(lines) + 1, len(lines) + len(WRONG) + 1))
 
 
 def test_marked_as_typed():

@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes of meshio and trimesh, by what they have; neither is needed."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._errors import UnsupportedError, UsageError
+from ._types import Doubles
+
+if TYPE_CHECKING:
+    from ._maps import Map
+
+# Cells of meshio that are no faces; its triangles by their degree.
+_NO_FACES = ('vertex', 'line')
+_TRIANGLES = ('triangle', 'triangle6', 'triangle10', 'triangle15', 'triangle21', 'triangle28', 'triangle36',
+              'triangle45')
+
+
+def mesh_arrays(mesh: Any) -> tuple[Doubles, Any]:
+    """V and F of a mesh of meshio (points, cells) or trimesh (vertices, faces), or of what has the same.
+
+        uv = majorant.flatten(*majorant.mesh_arrays(meshio.read('bunny.ply')))
+
+    F is (#F, 3) or, where faces differ in size, a list. Points and lines are left out. Cells with
+    nodes beside their corners, and tetrahedra, raise UnsupportedError.
+    """
+    if hasattr(mesh, 'vertices') and hasattr(mesh, 'faces'):
+        return np.asarray(mesh.vertices, dtype=float), np.asarray(mesh.faces)
+    if not hasattr(mesh, 'points') or not hasattr(mesh, 'cells'):
+        raise UsageError(f'{type(mesh).__name__} has neither vertices and faces nor points and cells')
+    blocks = []
+    for block in mesh.cells:
+        if block.type in _NO_FACES:
+            continue
+        if block.type not in ('triangle', 'quad') and not block.type.startswith('polygon'):
+            raise UnsupportedError(f'cells of type {block.type!r} are no polygons')
+        blocks.append(np.asarray(block.data))
+    if not blocks:
+        raise UsageError('the mesh has no faces')
+    if len({block.shape[1] for block in blocks}) == 1:
+        return np.asarray(mesh.points, dtype=float), np.concatenate(blocks)
+    return np.asarray(mesh.points, dtype=float), [face for block in blocks for face in block]
+
+
+def to_meshio(map: 'Map') -> Any:
+    try:
+        import meshio
+    except ImportError:
+        raise UsageError('to_meshio needs meshio (Debian: python3-meshio)') from None
+    uv = np.empty((len(map.control_points), 2))
+    uv[map.cells] = map.evaluate(np.arange(len(map.cells))[:, None], map._lattice)
+    data: dict[str, Any] = {'input_face': [map.input_faces], 'chart': [map.charts]}
+    if len(map.distortion):
+        data['distortion'] = [map.distortion]
+    return meshio.Mesh(map.nodes, [(_TRIANGLES[map.degree - 1], map.cells)], point_data={'uv': uv}, cell_data=data)
+
+
+def to_trimesh(map: 'Map') -> Any:
+    try:
+        import trimesh
+    except ImportError:
+        raise UsageError('to_trimesh needs trimesh') from None
+    if map.degree > 1:
+        raise UnsupportedError('trimesh has straight triangles; save the map as .obj, which cuts curved ones as it '
+                               'takes, or take degree=1')
+    return trimesh.Trimesh(vertices=map.nodes, faces=map.cells, process=False,
+                           visual=trimesh.visual.TextureVisuals(uv=map.control_points))
