@@ -170,7 +170,8 @@ void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
       written.write(path, [&] {
         write_map(path, file, run.job.polygons.get(), formats,
                   proof_of_file(path, promise(run.job, path), file, formats));
-        if (!run.common.quiet) say_left_out(path, left_out(path, file, formats));
+        if (!run.common.quiet)
+          say_left_out(path, left_out(path, file, formats, run.job.polygons.get()));
       });
 }
 

@@ -232,7 +232,7 @@ def check(result: Map | str | os.PathLike, V: Any = None, F: Any = None, *, cuts
 
 
 def read(path: str | os.PathLike) -> Map:
-    """A finished map: .vtu, .msh, or .obj and .ply with texture coordinates.
+    """A finished map: .vtu, .msh, or .obj, .ply, .glb and .gltf with texture coordinates.
 
     Nothing is believed: `check` says whether it is valid. Raises ReadError naming the place.
     """
@@ -242,7 +242,7 @@ def read(path: str | os.PathLike) -> Map:
 
 
 def read_mesh(path: str | os.PathLike) -> tuple[np.ndarray, Any]:
-    """V and F of a mesh: .obj .off .ply .stl .vtu .msh, also .gz.
+    """V and F of a mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz.
 
     F is an array where all faces have equally many corners, else a list of arrays. What the file has
     besides and is broken - texture coordinates, normals, colours, one line too many - is left out,
