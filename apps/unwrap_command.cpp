@@ -41,6 +41,7 @@ struct UnwrapRequest {
   std::optional<double> weld;
   double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
   bool no_pack = false;
+  std::string scale;  // empty: as `map` allows
 
   void add_to(CLI::App& verb);
   // Opens the job with the file, and says where to cut and how to pack. Throws Error(Unsupported)
@@ -53,11 +54,16 @@ void UnwrapRequest::add_to(CLI::App& verb) {
   seams.add_to(verb);
   begin_group(verb, OptionGroup::Charts);
   verb.add_option("--padding", padding,
-                  fmt::format("pixels between charts, at least ({})", padding))
+                  fmt::format("pixels between charts, and around them, at least ({})", padding))
       ->check(non_negative_number());
   verb.add_option("--resolution", resolution,
                   fmt::format("pixels along the side of the layout ({})", resolution))
       ->check(positive_number());
+  verb.add_option(
+          "--scale", scale,
+          "unit (default): the layout lies in the unit square; model (default with --pins or "
+          "--handles): a unit of it is one of the mesh")
+      ->check(one_of({"unit", "model"}));
   verb.add_flag("--no-pack", no_pack, "leave charts where they are, also on top of each other")
       ->excludes("--padding")
       ->excludes("--resolution");
@@ -88,6 +94,7 @@ Json UnwrapRequest::to_json() const {
   options.update({{"padding", padding},
                   {"resolution", resolution},
                   {"no_pack", no_pack},
+                  {"scale", scale},
                   {"weld", weld ? Json(*weld) : Json()}});
   return options;
 }
@@ -111,6 +118,18 @@ Json options_of(const UnwrapVerb& request) {
   return options;
 }
 
+// Targets of points are in units of the mesh.
+void choose_scale(UnwrapVerb& request) {
+  std::string& scale = request.unwrap.scale;
+  const bool has_targets = !(request.map.pins.empty() && request.map.handles.empty());
+  if (scale == "unit" && has_targets)
+    throw Error(ErrorKind::Usage, "--scale unit moves pins and handles; leave one of the two out");
+  if (scale == "model" && request.outputs.normalize)
+    throw Error(ErrorKind::Usage,
+                "--normalize is --scale unit, not --scale model; leave one of the two out");
+  if (scale.empty()) scale = has_targets ? "model" : "unit";
+}
+
 void require_usable(UnwrapVerb& request) {
   require_gpl_parts("unwrap");
   request.outputs.require_usable(request.map);
@@ -124,6 +143,7 @@ void require_usable(UnwrapVerb& request) {
                 fmt::format("--linear-solver {}: unwrap solves charts side by side, each by the "
                             "program's own solver; leave it out",
                             request.solve.linear_solver));
+  choose_scale(request);
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   require_writable(request.common,
@@ -170,7 +190,8 @@ void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
       written.write(path, [&] {
         write_map(path, file, run.job.polygons.get(), formats,
                   proof_of_file(path, promise(run.job, path), file, formats));
-        if (!run.common.quiet) say_left_out(path, left_out(path, file, formats));
+        if (!run.common.quiet)
+          say_left_out(path, left_out(path, file, formats, run.job.polygons.get()));
       });
 }
 
@@ -258,11 +279,11 @@ int unwrap_file(UnwrapVerb request) {
   solvers.apply(job.options.chart.solve);
   job.read_seconds = record.seconds();
   or_interrupted("unwrapping " + request.map.input, [&] { job.solve(); });
-  if (request.outputs.normalize && !job.place())
+  if (request.unwrap.scale == "unit" && !job.place())
     throw Error(ErrorKind::Invalid,
                 request.map.input +
-                    ": in the unit square its smallest triangles are too small for doubles; leave "
-                    "out --normalize");
+                    ": in the unit square its smallest triangles are too small for doubles; add "
+                    "--scale model");
   job.asked = options_of(request);
   job.linear_solver = solvers.section();
   job.memory = solvers.memory();
@@ -285,7 +306,7 @@ void add_unwrap(CLI::App& app, Action* run) {
   request->common.add_to(verb);
   verb.footer(
       energy_help() +
-      "Example: majorant unwrap bunny.obj -o unwrapped.obj --normalize --report bunny.json");
+      "Example: majorant unwrap bunny.obj -o unwrapped.obj --padding 8 --report bunny.json");
   verb.callback([request, run] { *run = [request] { return unwrap_file(*request); }; });
 }
 

@@ -287,10 +287,11 @@ class MapProof::Judge {
       }
     if (has_numbers && file_.input_face.size() > 0)
       labels.assign(file_.input_face.begin(), file_.input_face.end());
-    SurfaceMatch match = match_surface(cells, *request_.surface, labels);
+    SurfaceMatch match = match_surface(cells, *request_.surface, labels, file_.points_rounding);
     if (!match.defect.empty())
-      match =
-          match_repaired(cells, *request_.surface, labels, request_.orientation).value_or(match);
+      match = match_repaired(cells, *request_.surface, labels, request_.orientation,
+                             file_.points_rounding)
+                  .value_or(match);
     if (!match.defect.empty()) {
       proof_.surface = {ProofStatus::Violated, match.defect};
       return;

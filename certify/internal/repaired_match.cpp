@@ -95,12 +95,12 @@ class Triangle {
 class FaceMatcher {
  public:
   FaceMatcher(const SurfaceMesh& cells, const PolygonMesh& surface, const RepairedSurface& repaired,
-              const std::vector<Index>& face_of_cell)
+              const std::vector<Index>& face_of_cell, double rounding)
       : cells_(cells),
         surface_(surface),
         repaired_(repaired),
         face_of_cell_(face_of_cell),
-        close_(match_tolerance(box_of(surface))),
+        close_(match_tolerance(box_of(surface)) + rounding),
         place_(weld(surface, 0)) {}
 
   SurfaceMatch run() {
@@ -410,12 +410,12 @@ class FaceMatcher {
 
 std::optional<SurfaceMatch> match_repaired(const SurfaceMesh& cells, const PolygonMesh& surface,
                                            const std::vector<Index>& face_of_cell,
-                                           Orientation orientation) {
+                                           Orientation orientation, double rounding) {
   if (surface.polygons.empty()) return {};
   const RepairedSurface repaired =
       repair(surface, {.orientation = orientation, .numerics = Numerics::AsGiven});
   if (!takes_apart(repaired)) return {};
-  return FaceMatcher(cells, surface, repaired, face_of_cell).run();
+  return FaceMatcher(cells, surface, repaired, face_of_cell, rounding).run();
 }
 
 }  // namespace majorant

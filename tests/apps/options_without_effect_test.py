@@ -15,7 +15,7 @@ ALWAYS = {
     '--weights': '', '--boundary-angles': 'a demand', '--quadrature': 'the rule, whatever the degree',
     '--boundary': '', '--curvature': '', '--elevation': 'the way to the degree, also to the first',
     '--bijective': '', '--improve-mesh': 'depends on the mesh', '--tolerance': '', '--max-iterations': '',
-    '--time-limit': '', '--normalize': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
+    '--time-limit': '', '--normalize': '', '--scale': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
     '--petsc-options': 'for whichever solver a run comes to',
     '--linear-solvers': 'measures them',
