@@ -51,6 +51,7 @@ void add_deform(CLI::App& app, Action* run);
 void add_check(CLI::App& app, Action* run);
 void add_compare(CLI::App& app, Action* run);
 void add_convert(CLI::App& app, Action* run);
+void add_bake(CLI::App& app, Action* run);
 void add_info(CLI::App& app, Action* run);
 
 }  // namespace majorant::app

@@ -25,7 +25,7 @@ LAYERS = [
     ['energies', 'constraints', 'parametrization/fields'],
     ['parametrization/maps', 'parametrization/seams'],
     ['certify', 'parametrization/initialization', 'parametrization/scaffold'],
-    ['parametrization/packing', 'parametrization/solve', 'parametrization/tessellation'],
+    ['parametrization/baking', 'parametrization/packing', 'parametrization/solve', 'parametrization/tessellation'],
     ['parametrization/atlas', 'io'],
     ['pictures'],
     ['results'],

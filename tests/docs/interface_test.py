@@ -31,7 +31,7 @@ def alone(*words):
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE))
 
 
-VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'info']
+VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'bake', 'info']
 
 
 def page():
@@ -192,6 +192,7 @@ class Reports(CommandTest):
         self.report('convert', result, self.path('image.msh'))
         self.report('parametrize', helpers.generated('buckle'), self.path('b.vtu'), '--seams', 'auto',
                     '--degree', 1)
+        self.report('bake', with_uv, '--from', disk, '--attribute', 'position', '-o', self.path('b.npy'))
         self.report('info', disk)
         self.report('info', disk, '--plan')
         self.report('info', self.write('small.obj', helpers.obj_text(
