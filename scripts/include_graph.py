@@ -27,7 +27,7 @@ LAYERS = [
     ['certify', 'parametrization/initialization', 'parametrization/scaffold'],
     ['parametrization/baking', 'parametrization/packing', 'parametrization/solve', 'parametrization/tessellation'],
     ['parametrization/atlas', 'io'],
-    ['pictures'],
+    ['pictures', 'volumes'],
     ['results'],
     ['apps/arguments', 'apps/plugins'],
     ['apps'],
