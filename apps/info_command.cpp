@@ -269,9 +269,7 @@ std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, co
 
 // Describes what `majorant unwrap` would do, up to the solve. Throws Error as it would.
 void describe_plan(const RepairedSurface& surface, Description& out) {
-  CutOptions options;
-  options.given = surface.given_cuts;
-  const SurfaceCuts cuts = choose_cuts(*surface.mesh, options);
+  const SurfaceCuts cuts = choose_cuts(*surface.mesh, {});
   Index charts = 0;
   double stretch = 1;
   for (const ComponentCuts& component : cuts.components) {
@@ -307,7 +305,8 @@ int info(const InfoRequest& request) {
   const std::string message = verdict(polygons, *repaired.mesh, curved, out);
   out.add("verdict: {}\n", one_line(message));
   out.report["message"] = message;
-  if (request.plan) describe_plan_or_refusal(repaired, out);
+  if (request.plan)
+    describe_plan_or_refusal(repair(polygons, {.welding = Welding::EqualPlaces}), out);
   if (request.common.report != kStandardOutput) print_text(out.text);
   if (!request.common.report.empty()) write_json(request.common.report, out.report);
   return kSuccess;

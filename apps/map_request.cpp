@@ -31,11 +31,12 @@ Curvature find_curvature(const std::string& wanted) {
 }
 
 std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygons,
-                             const SurfaceMesh& mesh, const StopCheck& stop) {
+                             const SurfaceMesh& mesh, const StopCheck& stop,
+                             const std::vector<Index>& names) {
   const auto handles = or_interrupted("reading " + path, [&] {
     return read_handles(path, static_cast<Index>(polygons.positions.size()), stop);
   });
-  return points_of(mesh, handles, path);
+  return points_of(mesh, handles, path, names);
 }
 
 Vec read_weights(const std::string& path, const PolygonMesh& polygons, const SurfaceMesh& mesh,
@@ -110,7 +111,8 @@ Json MapRequest::to_json() const {
 std::vector<std::string> MapRequest::inputs() const { return {input, pins, handles, weights}; }
 
 ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
-                                    const SurfaceMesh& mesh, const StopCheck& stop) {
+                                    const SurfaceMesh& mesh, const StopCheck& stop,
+                                    const std::vector<Index>& names) {
   ParametrizationOptions options;
   options.map.energy = parse_energy(request.energy);
   options.map.degree = request.degree;
@@ -119,9 +121,10 @@ ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh
   if (request.boundary_angles) options.map.boundary_angles = BoundaryAngles::AtMostFullTurn;
   options.solve.quadrature_points = request.quadrature;
   options.map.handle_weight = request.soft;
-  if (!request.pins.empty()) options.map.pins = read_points(request.pins, polygons, mesh, stop);
+  if (!request.pins.empty())
+    options.map.pins = read_points(request.pins, polygons, mesh, stop, names);
   if (!request.handles.empty())
-    options.map.handles = read_points(request.handles, polygons, mesh, stop);
+    options.map.handles = read_points(request.handles, polygons, mesh, stop, names);
   if (!request.weights.empty())
     options.map.face_weight = read_weights(request.weights, polygons, mesh, stop);
   return options;

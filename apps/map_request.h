@@ -37,9 +37,11 @@ struct MapRequest {
 };
 
 // The options alone, of any surface of the file, cut or not: energy, degree, curvature, points and
-// weights. Throws Error as the readers do; Error(Invalid) when stopped while it reads.
+// weights. names: as points_of() takes them. Throws Error as the readers do; Error(Invalid) when
+// stopped while it reads.
 ParametrizationOptions read_options(const MapRequest& request, const PolygonMesh& polygons,
-                                    const SurfaceMesh& mesh, const StopCheck& stop = {});
+                                    const SurfaceMesh& mesh, const StopCheck& stop = {},
+                                    const std::vector<Index>& names = {});
 
 // Opens the job with the file, gives it a start and translates the options. make_start: calls one
 // of the job's own; empty: that of the texture coordinates if `request` is seamless, else none.

@@ -38,10 +38,33 @@
 namespace majorant::app {
 namespace {
 
+constexpr const char* kAutomaticWeld = "auto";
+constexpr const char* kNoWeld = "no";
+constexpr const char* kAutomaticCharts = "auto";
+constexpr const char* kOneChart = "one";
+
+// The distance that the word is; none for the other words.
+std::optional<double> weld_distance(const std::string& word) {
+  double distance = 0;
+  if (word == kAutomaticWeld || word == kNoWeld || !CLI::detail::lexical_cast(word, distance))
+    return std::nullopt;
+  return distance;
+}
+
+// The message about what is neither.
+std::string wrong_weld(const std::string& word) {
+  if (word == kAutomaticWeld || word == kNoWeld) return {};
+  const std::optional<double> distance = weld_distance(word);
+  if (distance && *distance >= 0 && std::isfinite(*distance)) return {};
+  return fmt::format("'{}' is neither auto nor no nor a distance from 0 on", word);
+}
+
 // The options of a layout: how to repair, where to cut, how to pack.
 struct UnwrapRequest {
   SeamRequest seams;
-  std::optional<double> weld;
+  std::string weld = kAutomaticWeld;
+  bool keep_seams = false;
+  std::string charts = kAutomaticCharts;
   double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
   bool no_pack = false;
   std::string scale;  // empty: as `map` allows
@@ -51,6 +74,7 @@ struct UnwrapRequest {
   // Opens the job with the file, and says where to cut and how to pack. Throws Error(Unsupported)
   // for what would be repaired, where everything must be whole, and as SeamRequest::options.
   void open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const;
+  RepairOptions repairs() const;
   Json to_json() const;  // for reports and claims
 };
 
@@ -75,26 +99,46 @@ void UnwrapRequest::add_to(CLI::App& verb) {
                 "move the texture of an OBJ (map_Kd) to the new layout: OUT.png and OUT.mtl beside "
                 "OUT.obj; the layout is that of --normalize")
       ->excludes("--no-pack");
-  verb.add_option("--weld", weld,
-                  "join vertices no farther apart than DISTANCE; 0: at equal positions (default: "
-                  "only where no face shares a vertex)")
-      ->type_name("DISTANCE")
-      ->check(non_negative_number());
+  verb.add_option(
+          "--weld", weld,
+          "what is one surface for the map: auto, what lies edge on edge at equal positions "
+          "(of --seams uv and FILE only where no face shares a vertex); no, nothing; or "
+          "vertices no farther apart than a DISTANCE")
+      ->type_name("auto|no|DISTANCE")
+      ->check(CLI::Validator(wrong_weld, ""));
+  verb.add_option("--charts", charts,
+                  "auto: as many as --max-stretch needs; one: what --seams says, whatever it "
+                  "stretches (auto)")
+      ->check(CLI::IsMember({kAutomaticCharts, kOneChart}));
+  verb.add_flag("--keep-seams", keep_seams,
+                "cut along the seams of the file's texture coordinates, too");
 }
 
 void UnwrapRequest::open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const {
-  RepairOptions how;
-  how.weld = weld;
-  job.open(std::move(polygons), how);
+  if (keep_seams && seams.seams == "uv")
+    throw Error(ErrorKind::Usage,
+                "--keep-seams: --seams uv cuts along them already; leave one of the two out");
+  job.open(std::move(polygons), repairs());
   const Repair* const first = job.first_repair();
   if (first && strictness == Strictness::Everything)
     throw Error(ErrorKind::Unsupported,
                 fmt::format("{}: {}; leave out --strict to have it repaired so", job.polygons->file,
                             describe(*first)));
   job.options.cuts = seams.options(*job.polygons);
+  if (keep_seams) job.old_seams = OldSeams::Cut;
+  if (charts == kOneChart) job.options.limit = StretchLimit::Reported;
   job.options.packing.reset();
   if (!no_pack)
     job.options.packing = PackOptions{.padding_pixels = padding, .resolution = resolution};
+}
+
+RepairOptions UnwrapRequest::repairs() const {
+  RepairOptions how;
+  const bool by_index = seams.seams == "uv" || !seams.file().empty();
+  if (weld == kAutomaticWeld) how.welding = by_index ? Welding::Soups : Welding::EqualPlaces;
+  if (weld == kNoWeld) how.welding = Welding::Nothing;
+  how.weld = weld_distance(weld);
+  return how;
 }
 
 Json UnwrapRequest::to_json() const {
@@ -104,7 +148,9 @@ Json UnwrapRequest::to_json() const {
                   {"no_pack", no_pack},
                   {"scale", scale},
                   {"bake", bake},
-                  {"weld", weld ? Json(*weld) : Json()}});
+                  {"weld", weld_distance(weld) ? Json(*weld_distance(weld)) : Json(weld)},
+                  {"keep_seams", keep_seams},
+                  {"charts", charts}});
   return options;
 }
 
@@ -251,14 +297,23 @@ void write_reports(const FinishedUnwrap& run, double write_seconds, WrittenFiles
   }
 }
 
-// Charts that did not converge, by their first faces.
+std::string chart_name(const FinishedUnwrap& run, std::size_t k) {
+  const Chart& chart = run.job.atlas.charts[k];
+  return fmt::format("{}: chart {} (face {} and {} more)", run.map.input, k + 1,
+                     run.job.surface.mesh->input_face(chart.faces.front()) + 1,
+                     chart.faces.size() - 1);
+}
+
+// Charts that did not converge, by their first faces, and those that stretch more than they may.
 void name_charts(const FinishedUnwrap& run) {
   for (std::size_t k = 0; k < run.job.atlas.charts.size(); ++k) {
     const Chart& chart = run.job.atlas.charts[k];
-    if (chart.status == Status::Converged) continue;
-    say("majorant: {}: chart {} (face {} and {} more): {}{}\n", run.map.input, k + 1,
-        run.job.surface.mesh->input_face(chart.faces.front()) + 1, chart.faces.size() - 1,
-        status_name(chart.status), chart.message.empty() ? "" : ": " + chart.message);
+    if (chart.status != Status::Converged)
+      say("majorant: {}: {}{}\n", chart_name(run, k), status_name(chart.status),
+          chart.message.empty() ? "" : ": " + chart.message);
+    if (const std::string why = why_stretched(run.job.options, chart); !why.empty())
+      say("majorant: {}: stretch {:.4f}, more than --max-stretch {:g}: {}\n", chart_name(run, k),
+          chart.stretch.l2, run.job.options.cuts.max_stretch, why);
   }
 }
 
@@ -306,7 +361,8 @@ int unwrap_file(UnwrapVerb request) {
   job.energy = request.map.energy;
   record.begin(Activity::Reading);
   or_interrupted("reading " + request.map.input, [&] {
-    const Strictness strictness = request.common.strictness(request.unwrap.seams.needed_of_file());
+    const Strictness strictness = request.common.strictness(
+        request.unwrap.keep_seams ? Strictness::Texcoords : request.unwrap.seams.needed_of_file());
     PolygonMesh polygons = within_memory(request.map.input, [&] {
       return read_mesh(request.map.input, record.start_stop(), strictness);
     });
@@ -317,8 +373,8 @@ int unwrap_file(UnwrapVerb request) {
       say_warnings(texture->warnings);
     }
     request.unwrap.open(job, std::move(polygons), strictness);
-    job.options.chart =
-        read_options(request.map, *job.polygons, *job.surface.mesh, record.start_stop());
+    job.options.chart = read_options(request.map, *job.polygons, *job.surface.mesh,
+                                     record.start_stop(), job.surface.welded);
   });
   request.solve.apply(job.options.chart);
   LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,

@@ -42,7 +42,20 @@ struct Sheets {
   // Given vertices, ascending, where sheets merely touch: not those that have copies because of an
   // edge or a face above.
   std::vector<Index> split_vertices;
+  Index pieces_given = 0;  // that hang together across edges between the same vertices
 };
+
+// For every list a number, equal for lists of the same vertices, in any order.
+std::vector<Index> classes(std::vector<std::vector<Index>> lists) {
+  std::vector<Index> order(lists.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (auto& list : lists) std::sort(list.begin(), list.end());
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return lists[a] < lists[b]; });
+  std::vector<Index> number(lists.size(), 0);
+  for (std::size_t k = 1; k < order.size(); ++k)
+    number[order[k]] = number[order[k - 1]] + (lists[order[k]] != lists[order[k - 1]]);
+  return number;
+}
 
 // For every list its rank among the lists of the same vertices, in any order.
 std::vector<Index> ranks(std::vector<std::vector<Index>> lists) {
@@ -59,9 +72,12 @@ std::vector<Index> ranks(std::vector<std::vector<Index>> lists) {
 
 class Gluing {
  public:
-  Gluing(const Cells& triangles, const std::vector<Vector3>& positions, const StopCheck& stop)
+  // place: by vertex, the first vertex where it is; edges between equal places are joined.
+  Gluing(const Cells& triangles, const std::vector<Vector3>& positions,
+         const std::vector<Index>& place, const StopCheck& stop)
       : triangles_(triangles),
         positions_(positions),
+        place_(place),
         stop_(stop),
         opposite_(to_size(3 * face_count()), -1),
         is_turned_(to_size(face_count()), 0),
@@ -72,6 +88,8 @@ class Gluing {
     find_layers(polygon, polygons);
     stop_.poll();
     glue();
+    sheets_.pieces_given = piece_count();
+    join_places(polygon, polygons);
     stop_.poll();
     if (orientation == Orientation::MadeConsistent)
       orient();
@@ -79,6 +97,7 @@ class Gluing {
       open_disagreeing();
     stop_.poll();
     number_corners();
+    while (open_crowded()) number_corners();
     note_split_edges();
     return finished();
   }
@@ -88,8 +107,12 @@ class Gluing {
   Index half_edge_count() const { return 3 * face_count(); }
   Index from(Index h) const { return from_vertex(triangles_, h); }
   Index to(Index h) const { return to_vertex(triangles_, h); }
+  Index place(Index v) const { return place_.empty() ? v : place_[v]; }
   // As given, both sides of an edge run against each other.
-  bool agrees(Index h) const { return from(h) != from(opposite_[h]); }
+  bool agrees(Index h) const {
+    const Index o = opposite_[h];
+    return from(h) == to(o) || (from(h) != from(o) && place(from(h)) == place(to(o)));
+  }
   void join(Index h, Index o) {
     opposite_[h] = o;
     opposite_[o] = h;
@@ -125,6 +148,10 @@ class Gluing {
     bool same_edge(const Side& s) const {
       return low == s.low && high == s.high && layer == s.layer;
     }
+    static bool before(const Side& s, const Side& t) {
+      return std::tie(s.low, s.high, s.layer, s.half_edge) <
+             std::tie(t.low, t.high, t.layer, t.half_edge);
+    }
   };
 
   // Pairs of sides; of more than two none. The sides of such an edge that hang together around both
@@ -137,16 +164,100 @@ class Gluing {
       if (layer_[face_of(h)] >= 0)
         sides.push_back(
             {std::min(from(h), to(h)), std::max(from(h), to(h)), layer_[face_of(h)], h});
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-      return std::tie(a.low, a.high, a.layer, a.half_edge) <
-             std::tie(b.low, b.high, b.layer, b.half_edge);
-    });
+    std::sort(sides.begin(), sides.end(), Side::before);
     for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
       while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
       if (last - first == 2) join(sides[first].half_edge, sides[first + 1].half_edge);
       for (std::size_t s = first; last - first > 2 && s < last; ++s)
         crowded_.push_back(sides[s].half_edge);
     }
+  }
+
+  Index piece_count() const {
+    UnionFind pieces(face_count());
+    for (Index h = 0; h < half_edge_count(); ++h)
+      if (opposite_[h] > h) pieces.join(face_of(h), face_of(opposite_[h]));
+    Index count = 0;
+    for (Index f = 0; f < face_count(); ++f) count += pieces.find(f) == f;
+    return count;
+  }
+
+  // Triangles, and the polygons that they are of, by where their corners are: equal numbers for
+  // those at the same places.
+  std::array<std::vector<Index>, 2> numbers_of_places(
+      const std::vector<Index>& polygon, const std::vector<std::vector<Index>>& polygons) const {
+    std::vector<std::vector<Index>> corners, of_polygons = polygons;
+    for (Index f = 0; f < face_count(); ++f)
+      corners.push_back(
+          {place(triangles_(f, 0)), place(triangles_(f, 1)), place(triangles_(f, 2))});
+    for (auto& list : of_polygons)
+      for (Index& v : list) v = place(v);
+    std::array<std::vector<Index>, 2> numbers{classes(std::move(corners)), {}};
+    const std::vector<Index> polygon_class = classes(std::move(of_polygons));
+    for (const Index p : polygon) numbers[1].push_back(polygon_class[p]);
+    return numbers;
+  }
+
+  // Joins open sides between the same places, each with the only one that may be its other side.
+  void join_places(const std::vector<Index>& polygon,
+                   const std::vector<std::vector<Index>>& polygons) {
+    if (place_.empty()) return;
+    const auto [triangle_class, polygon_class] = numbers_of_places(polygon, polygons);
+    std::vector<char> is_crowded(opposite_.size(), 0);
+    for (const Index h : crowded_) is_crowded[h] = 1;
+    std::vector<Side> sides;
+    for (Index h = 0; h < half_edge_count(); ++h) {
+      const Index a = place(from(h)), b = place(to(h));
+      if (layer_[face_of(h)] >= 0 && opposite_[h] < 0 && !is_crowded[h] && a != b)
+        sides.push_back({std::min(a, b), std::max(a, b), layer_[face_of(h)], h});
+    }
+    std::sort(sides.begin(), sides.end(), Side::before);
+    const auto may_meet = [&, &triangle = triangle_class, &whole = polygon_class](Index h,
+                                                                                  Index o) {
+      const Index f = face_of(h), g = face_of(o);
+      return f != g && place(from(h)) == place(to(o)) && triangle[f] != triangle[g] &&
+             (whole[f] != whole[g] || polygon[f] == polygon[g]);
+    };
+    for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+      while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
+      const auto only_other = [&](Index h) {
+        Index found = -1;
+        for (std::size_t s = first; s < last; ++s) {
+          if (!may_meet(h, sides[s].half_edge)) continue;
+          if (found >= 0) return Index{-1};
+          found = sides[s].half_edge;
+        }
+        return found;
+      };
+      for (std::size_t s = first; s < last && last - first > 1; ++s) {
+        stop_.poll_at(s);
+        const Index h = sides[s].half_edge;
+        if (opposite_[h] >= 0) continue;
+        if (const Index o = only_other(h); o >= 0 && only_other(o) == h) {
+          join(h, o);
+          joined_.push_back(h);
+        }
+      }
+    }
+  }
+
+  // Opens joined edges at the ends of edges that more than two sides would have, by the copies of
+  // their ends. Returns whether there were any.
+  bool open_crowded() {
+    if (joined_.empty()) return false;
+    std::vector<std::array<Index, 2>> ends;
+    for (Index h = 0; h < half_edge_count(); ++h)
+      if (layer_[face_of(h)] >= 0)
+        ends.push_back({std::min(copy_[h], copy_[next(h)]), std::max(copy_[h], copy_[next(h)])});
+    std::sort(ends.begin(), ends.end());
+    std::vector<char> is_crowded(opposite_.size(), 0);  // by copy
+    for (std::size_t k = 2; k < ends.size(); ++k)
+      if (ends[k] == ends[k - 2]) is_crowded[ends[k][0]] = is_crowded[ends[k][1]] = 1;
+    return std::erase_if(joined_, [&](Index h) {
+             if (!is_crowded[copy_[h]] && !is_crowded[copy_[next(h)]]) return false;
+             open(h);
+             return true;
+           }) > 0;
   }
 
   void open_disagreeing() {
@@ -279,7 +390,7 @@ class Gluing {
     for (Index h = 0; h < half_edge_count(); ++h)
       if (first[from(h)] < 0) first[from(h)] = copy_[h];
     for (Index v = 0; v < given; ++v) {
-      if (first[v] < 0) continue;
+      if (first[v] < 0 || number[first[v]] >= 0) continue;
       number[first[v]] = static_cast<Index>(sheets_.vertex.size());
       sheets_.vertex.push_back(v);
     }
@@ -311,19 +422,21 @@ class Gluing {
 
   const Cells& triangles_;
   const std::vector<Vector3>& positions_;
+  const std::vector<Index>& place_;
   const StopCheck& stop_;
   std::vector<Index> opposite_;  // of the triangles as given, whichever way both run
   std::vector<char> is_turned_;
   std::vector<Index> layer_, crowded_, copy_;
+  std::vector<Index> joined_;  // one side of each edge that places joined
   Sheets sheets_;
 };
 
 // triangles: #F by 3 vertices of `positions`; polygon: of the file, by triangle.
 Sheets make_sheets(const Cells& triangles, const std::vector<Index>& polygon,
                    const std::vector<std::vector<Index>>& polygons,
-                   const std::vector<Vector3>& positions, Orientation orientation,
-                   const StopCheck& stop) {
-  return Gluing(triangles, positions, stop).make(polygon, polygons, orientation);
+                   const std::vector<Vector3>& positions, const std::vector<Index>& place,
+                   Orientation orientation, const StopCheck& stop) {
+  return Gluing(triangles, positions, place, stop).make(polygon, polygons, orientation);
 }
 
 using Places = std::vector<std::array<Index, 2>>;
@@ -508,25 +621,41 @@ class Repairing {
     std::vector<std::vector<Index>> polygons = input_.polygons;
     for (auto& polygon : polygons)
       for (Index& v : polygon) v = welded_[v];
-    sheets_ =
-        make_sheets(given_, list_.polygon, polygons, input_.positions, options_.orientation, stop_);
+    sheets_ = make_sheets(given_, list_.polygon, polygons, input_.positions, place_,
+                          options_.orientation, stop_);
     out_.one_sided = sheets_.one_sided;
     turn_corners();
     build();
-    find_given_cuts();
-    for (const Index v : coincident_vertices(input_)) out_.coincident_left += welded_[v] == v;
+    name_welded();
+    find_texture_seams();
+    for (const Index v : coincident_vertices(input_)) out_.coincident_left += out_.welded[v] == v;
     note_all();
     return std::move(out_);
   }
 
  private:
   void weld_vertices() {
-    if (options_.weld || is_soup(input_)) {
+    const bool is_soup_welded = options_.welding != Welding::Nothing && is_soup(input_);
+    if (options_.weld || is_soup_welded) {
       welded_ = weld(input_, options_.weld.value_or(0), stop_);
       return;
     }
     welded_.resize(input_.positions.size());
     std::iota(welded_.begin(), welded_.end(), 0);
+    if (options_.welding != Welding::EqualPlaces) return;
+    place_ = first_at_place(input_);
+    if (place_ == welded_) place_.clear();
+  }
+
+  // Pieces of the file, whose vertices are apart.
+  Index pieces_given() const {
+    if (!place_.empty()) return sheets_.pieces_given;
+    Cells triangles(given_.rows(), 3);
+    for (Index f = 0; f < triangles.rows(); ++f)
+      for (Index k = 0; k < 3; ++k) triangles(f, k) = list_.triangles[f][k];
+    return make_sheets(triangles, list_.polygon, input_.polygons, input_.positions, {},
+                       options_.orientation, stop_)
+        .pieces_given;
   }
 
   // The list as the faces are in the end.
@@ -562,23 +691,38 @@ class Repairing {
       for (Index k = 0; k < 3; ++k) out_.polygon_corner(f, k) = list_.corners[f][k];
   }
 
-  // An edge that welding closed, whose two sides have other texture coordinates.
-  void find_given_cuts() {
+  Index file_vertex(Index corner) const {
+    return list_.triangles[face_of(corner)][corner_of(corner)];
+  }
+
+  // A vertex whose corners are copies has the name of the first one.
+  void name_welded() {
     const SurfaceMesh& mesh = *out_.mesh;
-    out_.given_cuts.assign(to_size(mesh.half_edge_count()), 0);
+    out_.welded.resize(input_.positions.size());
+    std::iota(out_.welded.begin(), out_.welded.end(), 0);
+    for (Index c = mesh.half_edge_count() - 1; c >= 0; --c)
+      out_.welded[file_vertex(c)] = mesh.input_vertex(mesh.from_vertex(c));
+  }
+
+  // Across edges that welding closed values are compared: one vertex per corner has numbers of its
+  // own.
+  void find_texture_seams() {
+    const SurfaceMesh& mesh = *out_.mesh;
+    out_.texture_seams.assign(to_size(mesh.half_edge_count()), 0);
     const CornerPoints& uv = mesh.corner_texcoords();
     if (uv.rows() == 0) return;
-    const auto file_vertex = [&](Index c) { return list_.triangles[face_of(c)][corner_of(c)]; };
     const auto texture = [&](Index c) -> Vector2 {
       return uv.row(face_of(c)).segment<2>(2 * corner_of(c));
     };
+    out_.texture_seams = texture_borders(mesh);
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
       const Index o = mesh.opposite(h);
       if (o < h || !is_textured(mesh, face_of(h)) || !is_textured(mesh, face_of(o))) continue;
       const bool is_welded =
           file_vertex(h) != file_vertex(next(o)) || file_vertex(next(h)) != file_vertex(o);
-      if (is_welded && (texture(h) != texture(next(o)) || texture(next(h)) != texture(o)))
-        out_.given_cuts[h] = out_.given_cuts[o] = 1;
+      if (is_welded)
+        out_.texture_seams[h] = out_.texture_seams[o] =
+            texture(h) != texture(next(o)) || texture(next(h)) != texture(o);
     }
   }
 
@@ -634,8 +778,12 @@ class Repairing {
   void note_all() {
     Places welded;
     for (std::size_t v = 0; v < welded_.size(); ++v)
-      if (welded_[v] != static_cast<Index>(v)) welded.push_back({static_cast<Index>(v), -1});
-    note(RepairKind::Welded, std::move(welded));
+      if (welded_[v] != static_cast<Index>(v) || out_.welded[v] != static_cast<Index>(v))
+        welded.push_back({static_cast<Index>(v), -1});
+    if (!welded.empty()) {
+      note(RepairKind::Welded, std::move(welded));
+      out_.repairs.back().pieces = {pieces_given(), out_.mesh->topology().components};
+    }
     note(RepairKind::RepeatedVertex, polygons(sheets_.repeated));
     note(RepairKind::DuplicateFace, polygons(sheets_.duplicates));
     note(RepairKind::SplitEdge, edges(sheets_.split_edges));
@@ -658,6 +806,7 @@ class Repairing {
   const RepairOptions& options_;
   const StopCheck& stop_;
   std::vector<Index> welded_;
+  std::vector<Index> place_;  // by vertex, the first one there; empty: edges are joined by vertices
   TriangleList list_;
   Cells given_;
   Sheets sheets_;
@@ -669,7 +818,10 @@ class Repairing {
 std::string_view name_of(RepairKind kind) { return text_of(kind).name; }
 
 std::string describe(const Repair& repair) {
-  return described(text_of(repair.kind), repair.count, repair.places);
+  std::string text = described(text_of(repair.kind), repair.count, repair.places);
+  if (repair.pieces)
+    text += fmt::format(": {} pieces before, {} after", (*repair.pieces)[0], (*repair.pieces)[1]);
+  return text;
 }
 
 RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options,

@@ -11,7 +11,10 @@
 //
 //     welded            vertices at one place become one, the first of them: of a file in which no
 //                       face shares a vertex with another (STL, soups), else only on request; never
-//                       two corners of one face
+//                       two corners of one face. With Welding::EqualPlaces edges are joined one by
+//                       one: two open sides that run against each other between the same places,
+//                       where no third one could be meant, and neither face lies where the other
+//                       does, corner on corner (cards with two sides)
 //     repeated_vertex   a face that has a vertex twice is a piece of its own; its corners are three
 //                       vertices nevertheless
 //     duplicate_face    of faces with the same vertices, turned over or not, the first stays in the
@@ -69,11 +72,14 @@ enum class Orientation { MadeConsistent, AsGiven };
 // have no area get rest triangles, without which a map cannot be judged.
 enum class Numerics { ForSolving, AsGiven };
 
+// What becomes one where no distance is given: nothing; vertices at equal positions where no face
+// shares a vertex with another; in any other mesh edges between equal positions, too, as above.
+enum class Welding { Nothing, Soups, EqualPlaces };
+
 struct RepairOptions {
-  // Vertices no farther apart become one; 0: at equal positions. Nothing: where no face shares a
-  // vertex with another, at equal positions, else none. Where the texture coordinates of welded
-  // faces differ across an edge, that is a given cut.
+  // Vertices no farther apart become one; 0: at equal positions. Nothing: as `welding` says.
   std::optional<double> weld = std::nullopt;
+  Welding welding = Welding::Soups;
   Orientation orientation = Orientation::MadeConsistent;
   Numerics numerics = Numerics::ForSolving;
 };
@@ -97,6 +103,8 @@ struct Repair {
   // The first kNamedPlaces of them, numbers of the file from 0: a vertex or a face (polygon), or
   // the two ends of an edge; -1 where there is no second one. Nothing for MovedToOrigin.
   std::vector<std::array<Index, 2>> places;
+  // Welded: pieces (across edges) of the mesh as it was given, and of the surface.
+  std::optional<std::array<Index, 2>> pieces = std::nullopt;
 };
 // As many lines as a screen has.
 inline constexpr std::size_t kNamedPlaces = 24;
@@ -113,11 +121,14 @@ struct RepairedSurface {
   std::shared_ptr<const SurfaceMesh> mesh;
   // #F by 3: which corner of its polygon every corner of a face is.
   Cells polygon_corner;
-  std::vector<char> given_cuts;  // 3 #F, both sides of an edge: texture seams that were welded
-  std::vector<Repair> repairs;   // one per kind, in the order above; empty: nothing was wrong
-  Index one_sided = 0;           // components that cut_edge opened
-  Index cut_edges = 0;           // by cut_edge
-  double cut_length = 0;         // of these, model units
+  // By vertex of the file, the name under which the mesh has it: itself, or that of the vertex that
+  // it was welded to.
+  std::vector<Index> welded;
+  std::vector<char> texture_seams;  // 3 #F, both sides: the texture coordinates of the file differ
+  std::vector<Repair> repairs;      // one per kind, in the order above; empty: nothing was wrong
+  Index one_sided = 0;              // components that cut_edge opened
+  Index cut_edges = 0;              // by cut_edge
+  double cut_length = 0;            // of these, model units
   // Vertices that lie exactly where a smaller one does and were not welded to it.
   Index coincident_left = 0;
 };

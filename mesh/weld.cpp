@@ -121,12 +121,19 @@ bool is_soup(const PolygonMesh& mesh) {
   return mesh.polygons.size() > 1;
 }
 
-std::vector<Index> coincident_vertices(const PolygonMesh& mesh) {
+std::vector<Index> first_at_place(const PolygonMesh& mesh) {
   UnionFind sets(static_cast<Index>(mesh.positions.size()));
   join_equal(mesh, used_vertices(mesh), sets);
+  std::vector<Index> first(mesh.positions.size());
+  for (std::size_t v = 0; v < first.size(); ++v) first[v] = sets.find(static_cast<Index>(v));
+  return first;
+}
+
+std::vector<Index> coincident_vertices(const PolygonMesh& mesh) {
+  const std::vector<Index> first = first_at_place(mesh);
   std::vector<Index> vertices;
-  for (Index v = 0; v < static_cast<Index>(mesh.positions.size()); ++v)
-    if (sets.find(v) != v) vertices.push_back(v);
+  for (std::size_t v = 0; v < first.size(); ++v)
+    if (first[v] != static_cast<Index>(v)) vertices.push_back(static_cast<Index>(v));
   return vertices;
 }
 

@@ -12,6 +12,9 @@ namespace majorant {
 // soups.
 bool is_soup(const PolygonMesh& mesh);
 
+// For every vertex the smallest one exactly where it is; itself where there is none, or no polygon
+// uses it.
+std::vector<Index> first_at_place(const PolygonMesh& mesh);
 // Vertices, ascending, that lie exactly where a smaller one does; of those that a polygon uses.
 std::vector<Index> coincident_vertices(const PolygonMesh& mesh);
 

@@ -7,6 +7,8 @@
 #include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
 #include "majorant/io/io.h"
+#include "majorant/mesh/weld.h"
+#include "majorant/results/corner_vertices.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/write_map.h"
 
@@ -39,6 +41,11 @@ Json pins_section(const AtlasJob& job) {
   return pins;
 }
 
+// With points as a file has them that names vertices.
+MapFile as_input(const MapFile& file, const PolygonMesh& polygons) {
+  return with_corner_vertices(file, polygons).value_or(file);
+}
+
 std::string claims(const AtlasJob& job, const MapFile& file) {
   Json claims{{"version", MAJORANT_VERSION},
               {"degree", job.options.chart.map.degree},
@@ -51,7 +58,7 @@ std::string claims(const AtlasJob& job, const MapFile& file) {
               {"layout_scale", 1 / scale_of(job)},
               {"pins", pins_section(job)},
               {"other_triangles", false},
-              {"cuts", unshared_edges(file, job.polygons->file)},
+              {"cuts", unshared_edges(as_input(file, *job.polygons), job.polygons->file)},
               {"options", job.asked}};
   if (!is_measured_anew(job)) claims.erase("value");
   if (job.energy.empty()) {  // nobody else could tell
@@ -87,6 +94,7 @@ Json repairs_section(const RepairedSurface& surface) {
                     {"count", r.count},
                     {"places", places},
                     {"message", describe(r)}});
+    if (r.pieces) list.back()["pieces"] = {{"before", (*r.pieces)[0]}, {"after", (*r.pieces)[1]}};
   }
   return list;
 }
@@ -138,17 +146,21 @@ Json result_section(const AtlasJob& job) {
 
 void AtlasJob::open(PolygonMesh input, const RepairOptions& how) {
   surface = repair(input, how, record.start_stop());
+  is_joined_for_map_ = !how.weld && !is_soup(input);
   polygons = std::make_shared<PolygonMesh>(with_welded_vertices(std::move(input), surface));
 }
 
 const Repair* AtlasJob::first_repair() const {
   for (const Repair& r : surface.repairs)
-    if (r.kind != RepairKind::MovedToOrigin) return &r;
+    if (r.kind != RepairKind::MovedToOrigin &&
+        !(r.kind == RepairKind::Welded && is_joined_for_map_))
+      return &r;
   return nullptr;
 }
 
 void AtlasJob::solve() {
-  options.cuts.given = surface.given_cuts;
+  options.cuts.given.clear();
+  if (old_seams == OldSeams::Cut) options.cuts.given = surface.texture_seams;
   atlas = unwrap(surface.mesh, options, record);
 }
 

@@ -22,6 +22,10 @@
 
 namespace majorant {
 
+// What becomes of the texture seams that a file has: nothing but where CutMethod::Texture follows
+// them, or they are cuts, too.
+enum class OldSeams { Ignored, Cut };
+
 // Filled in this order: open(), `options`, solve(), place(), prove().
 struct AtlasJob {
   // record: outlives the job.
@@ -29,9 +33,10 @@ struct AtlasJob {
 
   // Repairs the surface. Throws as repair(), at the limits of the run's start.
   void open(PolygonMesh input, const RepairOptions& how);
-  // The first repair that changes the surface; null where it is as it was given.
+  // The first repair that changes the surface as files have it; null where there is none. Edges
+  // that are joined for the map alone (Welding::EqualPlaces) change none.
   const Repair* first_repair() const;
-  void solve();  // cut where repairs have cut, too
+  void solve();
   // Into the unit square. False where it cannot be proven in there; the atlas is as it was then.
   bool place();
   // Proves whether charts overlap, as they lie now; each for itself does not, and packed ones do
@@ -45,12 +50,16 @@ struct AtlasJob {
   std::shared_ptr<PolygonMesh> polygons;  // as with_welded_vertices() has them
   RepairedSurface surface;
   UnwrapOptions options;
+  OldSeams old_seams = OldSeams::Ignored;
 
   Atlas atlas;
   std::optional<LayoutMotion> square;  // what the maps were moved into
   GlobalInjectivity boundary;          // prove()
   Json linear_solver, memory;          // sections of the report, or null
   double read_seconds = 0;
+
+ private:
+  bool is_joined_for_map_ = false;
 };
 
 // Units of the surface per unit of uv in the file.

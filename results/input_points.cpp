@@ -18,15 +18,16 @@ Index used_vertex(const std::string& source, const SurfaceMesh& mesh, Index inpu
 }
 
 std::vector<Pin> points_of(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
-                           const std::string& source) {
+                           const std::string& source, const std::vector<Index>& names) {
   std::vector<std::pair<Index, Index>> vertices;  // of the input, of the mesh
   for (Index v = 0; v < mesh.vertex_count(); ++v) vertices.emplace_back(mesh.input_vertex(v), v);
   std::sort(vertices.begin(), vertices.end());
   std::vector<Pin> points;
   for (const Handle& h : handles) {
-    used_vertex(source, mesh, h.vertex);
-    for (auto copy = std::lower_bound(vertices.begin(), vertices.end(), std::pair(h.vertex, 0));
-         copy != vertices.end() && copy->first == h.vertex; ++copy)
+    const Index name = names.empty() ? h.vertex : names[h.vertex];
+    used_vertex(source, mesh, name);
+    for (auto copy = std::lower_bound(vertices.begin(), vertices.end(), std::pair(name, 0));
+         copy != vertices.end() && copy->first == name; ++copy)
       points.push_back({copy->second, h.target});
   }
   return points;

@@ -17,9 +17,10 @@ namespace majorant {
 Index used_vertex(const std::string& source, const SurfaceMesh& mesh, Index input_vertex);
 
 // Points of the input as pins: every copy of a vertex is held, on a cut or where sheets were split.
-// Throws as used_vertex().
+// names: by vertex of the input, the name that the mesh has for it (RepairedSurface::welded);
+// empty: its own. Throws as used_vertex().
 std::vector<Pin> points_of(const SurfaceMesh& mesh, const std::vector<Handle>& handles,
-                           const std::string& source);
+                           const std::string& source, const std::vector<Index>& names = {});
 
 }  // namespace majorant
 

@@ -9,6 +9,7 @@
 #include "majorant/io/claims.h"
 #include "majorant/io/io.h"
 #include "majorant/pictures/first_view.h"
+#include "majorant/results/corner_vertices.h"
 
 namespace majorant {
 
@@ -74,7 +75,10 @@ std::vector<std::string> left_out(const std::string& path, const MapFile& map,
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const MapFormats& formats, const FileVerification& verify) {
   const std::string e = extension(path);
-  if (e == ".vtu") write_vtu(path, map, formats.vtu, verify);
+  if (e == ".vtu") {
+    const auto named = input ? with_corner_vertices(map, *input) : std::nullopt;
+    write_vtu(path, named ? *named : map, formats.vtu, verify);
+  }
   if (e == ".msh") write_msh(path, map, formats.msh, verify);
   if (e == ".obj") write_obj(path, map, input, formats.tessellation, verify);
   if (e == ".ply") write_ply(path, map, input, formats.tessellation, verify);

@@ -15,6 +15,7 @@
 
 #include "majorant/certify/proven_distance.h"
 #include "majorant/elements/bernstein.h"
+#include "majorant/elements/quadrature.h"
 #include "majorant/elements/singular_values.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
@@ -30,16 +31,42 @@
 namespace majorant {
 namespace {
 
-// Points inside a face, all of the same weight. 10 points a face; for reports alone.
-constexpr int kLattice = 6;
+// The rule by which a curved map's stretch is integrated, the finest there is of a triangle, and
+// points for its largest value besides: corners and edges, where it is nearly always.
+Quadrature stretch_rule(int degree) {
+  if (degree == 1) return exact_rule({3}, 1);
+  return exact_rule({3}, highest_exactness({3}));
+}
 
-std::vector<Barycentric> sample_points(int degree) {
-  if (degree == 1) return {Barycentric::Constant(1.0 / 3)};
+std::vector<Barycentric> points_on_edges(int degree) {
+  if (degree == 1) return {};
   std::vector<Barycentric> points;
-  for (int i = 1; i < kLattice; ++i)
-    for (int j = 1; j < kLattice - i; ++j)
-      points.push_back(Barycentric(i, j, kLattice - i - j) / kLattice);
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 2 * degree; ++i) {
+      Barycentric xi = Barycentric::Zero();
+      xi[k] = 1 - i / (2.0 * degree);
+      xi[(k + 1) % 3] = i / (2.0 * degree);
+      points.push_back(xi);
+    }
   return points;
+}
+
+// 2 by 2: the derivatives of the map in face f at a point, by coordinates of the rest shape.
+Eigen::Matrix2d jacobian(const BezierMap& map, const RestShapes& rest, Index f,
+                         const Eigen::MatrixX2d& gradients) {
+  Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
+  for (Index q = 0; q < gradients.rows(); ++q)
+    j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * gradients.row(q);
+  return j * rest.inverse_of(f);
+}
+
+// #F flags: faces that have an area; all where none has.
+std::vector<char> faces_with_area(const SurfaceMesh& mesh) {
+  std::vector<char> has_area(to_size(mesh.face_count()), 1);
+  for (const RestTriangle& t : mesh.rest_triangles()) has_area[t.face] = 0;
+  if (std::find(has_area.begin(), has_area.end(), 1) == has_area.end())
+    std::fill(has_area.begin(), has_area.end(), 1);
+  return has_area;
 }
 
 Stretch normalized(Stretch s) {
@@ -53,15 +80,30 @@ Stretch normalized(Stretch s) {
 // too short for more than one thread to pay.
 constexpr Index kLargeChart = 5000;
 
+// Charts of so few faces are not cut for their stretch.
+constexpr Index kFewestFaces = 2;
+// A chart is cut further so often, then it is parted.
+constexpr int kMostCuts = 2;
+// The part of the stretch of a map above 1 that its estimate sees, at least, where one goes by it,
+// and the part of what is allowed that is aimed at then.
+constexpr double kSeen = 0.3, kSurely = 0.85;
+
 // In square roots of a chart's area: what pinned charts are apart at least. A billion
 // roundings.
 constexpr double kTouching = 1e-7;
+
+bool is_stretched(const UnwrapOptions& options, const Chart& chart) {
+  const CutMethod method = options.cuts.method;
+  return options.limit == StretchLimit::Kept && chart.stretch.l2 > options.cuts.max_stretch &&
+         (method == CutMethod::Automatic || method == CutMethod::Sharp);
+}
 
 // A piece of the cut surface and what is asked of it.
 struct Task {
   std::shared_ptr<const SurfaceMesh> mesh;
   std::vector<Index> faces;  // of the surface
   ParametrizationOptions options;
+  int cuts = 0;  // since it was made or parted
 };
 
 class Unwrapping {
@@ -81,7 +123,11 @@ class Unwrapping {
     make_tasks();
     atlas_.initialize_seconds = record_.seconds() - started;
     record_.begin(Activity::Solving);
-    solve_charts();
+    atlas_.charts.resize(tasks_.size());
+    std::vector<std::size_t> all(tasks_.size());
+    std::iota(all.begin(), all.end(), 0);
+    solve_charts(all);
+    keep_limit();
     atlas_.optimize_seconds = record_.seconds() - started - atlas_.initialize_seconds;
     if (options_.packing && atlas_.status() != Status::Failed) place_charts();
     atlas_.packing_seconds =
@@ -96,16 +142,27 @@ class Unwrapping {
     require_one_place(surface_vertex, options_.chart.map.pins);
     require_one_place(surface_vertex, options_.chart.map.handles);
     for (SurfacePiece& piece : cut.split(record_.start_stop())) {
-      Task& task = tasks_.emplace_back();
-      task.options = options_.chart;
-      task.options.solve.threads = 0;
-      task.options.map.pins = points_on(piece, surface_vertex, options_.chart.map.pins);
-      task.options.map.handles = points_on(piece, surface_vertex, options_.chart.map.handles);
-      task.options.map.face_weight = weights_on(piece);
-      task.options.map.energy = for_elements(options_.chart.map.energy, piece.face);
-      task.mesh = std::move(piece.mesh);
-      task.faces = std::move(piece.face);  // faces keep their numbers where the surface is cut
+      std::vector<Pin> pins = points_on(piece, surface_vertex, options_.chart.map.pins);
+      std::vector<Pin> handles = points_on(piece, surface_vertex, options_.chart.map.handles);
+      // Faces keep their numbers where the surface is cut.
+      Task& task = tasks_.emplace_back(task_of(std::move(piece.mesh), std::move(piece.face)));
+      task.options.map.pins = std::move(pins);
+      task.options.map.handles = std::move(handles);
     }
+  }
+
+  // Without pins and handles. faces: of the surface.
+  Task task_of(std::shared_ptr<const SurfaceMesh> mesh, std::vector<Index> faces) const {
+    Task task;
+    task.options = options_.chart;
+    task.options.solve.threads = 0;
+    task.options.map.pins.clear();
+    task.options.map.handles.clear();
+    task.options.map.face_weight = weights_on(faces);
+    task.options.map.energy = for_elements(options_.chart.map.energy, faces);
+    task.mesh = std::move(mesh);
+    task.faces = std::move(faces);
+    return task;
   }
 
   // Requires that every vertex of the input with a target has one place.
@@ -144,15 +201,122 @@ class Unwrapping {
     return out;
   }
 
-  Vec weights_on(const SurfacePiece& piece) const {
+  Vec weights_on(const std::vector<Index>& faces) const {
     const Vec& all = options_.chart.map.face_weight;
-    return all.size() == 0 ? Vec() : Vec(all(piece.face));
+    return all.size() == 0 ? Vec() : Vec(all(faces));
   }
 
-  void solve_charts() {
-    atlas_.charts.resize(tasks_.size());
+  // Cuts charts that stretch more than they may and maps them again, until none is left that can
+  // be or a limit is reached; those that have no map in any case.
+  void keep_limit() {
+    for (;;) {
+      const bool is_over = record_.directive() != Directive::Continue;
+      std::vector<std::size_t> bad;
+      for (std::size_t k = 0; k < tasks_.size(); ++k)
+        if (may_be_cut(k) && (!is_over || atlas_.charts[k].status == Status::Failed))
+          bad.push_back(k);
+      if (bad.empty()) break;
+      if (is_over) {
+        solve_charts(cut_charts(bad, {}));
+        continue;
+      }
+      const std::vector<Task> tasks = tasks_;
+      const std::vector<Chart> charts = atlas_.charts;
+      const SurfaceCuts cuts = atlas_.cuts;
+      try {
+        solve_charts(cut_charts(bad, record_.stop()));
+      } catch (const Stopped&) {
+      }
+      if (record_.directive() == Directive::Continue) continue;
+      tasks_ = tasks;  // better than starts of what it was cut into
+      atlas_.charts = charts;
+      atlas_.cuts = cuts;
+    }
+    const Directive why = record_.directive();
+    for (std::size_t k = 0; k < tasks_.size(); ++k)
+      if (Chart& chart = atlas_.charts[k]; may_be_cut(k))
+        chart.status = why == Directive::Interrupt ? Status::Interrupted : Status::TimeLimit;
+    sort_charts();
+  }
+
+  bool may_be_cut(std::size_t k) const {
+    const Task& task = tasks_[k];
+    const Chart& chart = atlas_.charts[k];
+    const bool is_held = !task.options.map.pins.empty() || !task.options.map.handles.empty();
+    if (task.mesh->face_count() == 1 || is_held) return false;
+    if (chart.status == Status::Failed) return true;
+    const bool is_done = chart.status == Status::Converged || chart.status == Status::Stalled;
+    return is_done && is_stretched(options_, chart) && task.mesh->face_count() > kFewestFaces;
+  }
+
+  // Replaces these by what they are cut into; the numbers of the new ones. Stopped.
+  std::vector<std::size_t> cut_charts(const std::vector<std::size_t>& bad, const StopCheck& stop) {
+    std::vector<std::vector<char>> cuts(bad.size());
+    for (std::size_t i = 0; i < bad.size(); ++i) cuts[i] = cut_of(bad[i], stop);
+    std::vector<Index> half_edges;
+    std::vector<std::size_t> changed;
+    for (std::size_t i = 0; i < bad.size(); ++i) {
+      const Task parent = std::move(tasks_[bad[i]]);
+      for (Index h = 0; h < parent.mesh->half_edge_count(); ++h)
+        if (cuts[i][h]) half_edges.push_back(3 * parent.faces[face_of(h)] + corner_of(h));
+      std::size_t at = bad[i];
+      for (SurfacePiece& piece : parent.mesh->cut_along(cuts[i], nullptr).split()) {
+        std::vector<Index> faces;
+        for (const Index f : piece.face) faces.push_back(parent.faces[f]);
+        if (at == tasks_.size()) {
+          tasks_.emplace_back();
+          atlas_.charts.emplace_back();
+        }
+        tasks_[at] = task_of(std::move(piece.mesh), std::move(faces));
+        tasks_[at].cuts = parent.cuts + 1;
+        if (tasks_[at].faces.size() < parent.faces.size()) tasks_[at].cuts = 1;
+        changed.push_back(at);
+        at = tasks_.size();
+      }
+    }
+    add_cuts(surface_, options_.cuts, half_edges, atlas_.cuts);
+    return changed;
+  }
+
+  // 3 #F flags: of its further cuts as one piece, first, then in two.
+  std::vector<char> cut_of(std::size_t k, const StopCheck& stop) const {
+    const SurfaceMesh& mesh = *tasks_[k].mesh;
+    const Chart& chart = atlas_.charts[k];
+    const auto is_any = [](const std::vector<char>& flags) {
+      return std::find(flags.begin(), flags.end(), 1) != flags.end();
+    };
+    if (chart.status != Status::Failed && tasks_[k].cuts < kMostCuts) {
+      const double found = chart.stretch.l2 - 1, expected = estimated_stretch(mesh, stop) - 1;
+      std::vector<char> cuts;
+      if (expected > kSeen * found)
+        cuts = cut_further(mesh, 1 + kSurely * expected * (options_.cuts.max_stretch - 1) / found,
+                           stop);
+      else
+        cuts = cut_corners(mesh, stop);
+      if (is_any(cuts)) return cuts;
+    }
+    return cut_in_two(mesh, stop);
+  }
+
+  // In the order of their first faces.
+  void sort_charts() {
     std::vector<std::size_t> order(tasks_.size());
     std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return tasks_[a].faces.front() < tasks_[b].faces.front();
+    });
+    std::vector<Task> tasks;
+    std::vector<Chart> charts;
+    for (const std::size_t k : order) {
+      tasks.push_back(std::move(tasks_[k]));
+      charts.push_back(std::move(atlas_.charts[k]));
+    }
+    tasks_ = std::move(tasks);
+    atlas_.charts = std::move(charts);
+  }
+
+  // Those with these numbers.
+  void solve_charts(std::vector<std::size_t> order) {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return tasks_[a].mesh->face_count() > tasks_[b].mesh->face_count();
     });
@@ -255,6 +419,25 @@ void to_model_units(double unit, Packing& packing) {
   packing.distance *= unit;
 }
 
+// The map, scaled, of the same faces with other numbers of vertices; pins follow.
+BezierMap on_mesh(const BezierMap& map, const std::shared_ptr<const SurfaceMesh>& mesh, double unit,
+                  std::vector<Pin>& pins) {
+  const Cells &before = map.mesh().faces(), &after = mesh->faces();
+  if (before == after) return {mesh, map.shared_space(), Vec(unit * map.control_points())};
+  std::vector<Index> number(to_size(mesh->vertex_count()));
+  for (Index c = 0; c < mesh->half_edge_count(); ++c)
+    number[map.mesh().from_vertex(c)] = mesh->from_vertex(c);
+  for (Pin& pin : pins) pin.vertex = number[pin.vertex];
+  auto space =
+      std::make_shared<const BezierTriangleSpace>(after, mesh->vertex_count(), map.degree());
+  Vec x(2 * space->node_count());
+  for (Index f = 0; f < after.rows(); ++f)
+    for (Index l = 0; l < space->nodes_per_element(); ++l)
+      x.segment<2>(2 * space->cells()(f, l)) =
+          unit * map.control_points().segment<2>(2 * map.space().cells()(f, l));
+  return {mesh, std::move(space), std::move(x)};
+}
+
 // Scales an atlas of the surface in these units back to model units. Both surfaces fall into the
 // same pieces.
 void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
@@ -265,8 +448,7 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
   const std::vector<SurfacePiece> pieces = surface.cut_along(atlas.cuts.is_cut, nullptr).split();
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     Chart& chart = atlas.charts[k];
-    chart.map = BezierMap(pieces[k].mesh, chart.map->shared_space(),
-                          Vec(unit * chart.map->control_points()));
+    chart.map = on_mesh(*chart.map, pieces[k].mesh, unit, chart.pins);
     if (atlas.packing) atlas.packing->charts[k] = *chart.map;
     scale_points(unit, chart.pins);
     Stretch& s = chart.stretch;
@@ -294,23 +476,32 @@ Stretch Stretch::joined(const Stretch& other) const {
 
 Stretch measure_stretch(const BezierMap& map) {
   const RestShapes rest = rest_shapes(map.mesh());
+  const std::vector<char> has_area = faces_with_area(map.mesh());
+  const Quadrature rule = stretch_rule(map.degree());
   Stretch s;
-  const std::vector<Barycentric> points = sample_points(map.degree());
-  for (const Barycentric& xi : points) {
+  const auto visit = [&](const Barycentric& xi, double weight) {
     const Eigen::MatrixX2d gradients = bernstein_gradients(map.degree(), xi);
     for (Index f = 0; f < map.mesh().face_count(); ++f) {
-      Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
-      for (Index q = 0; q < gradients.rows(); ++q)
-        j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * gradients.row(q);
-      j *= rest.inverse_of(f);
-      const double det = j.determinant(), area = rest.measure[f] / double(points.size());
+      if (!has_area[f]) continue;
+      const Eigen::Matrix2d j = jacobian(map, rest, f, gradients);
+      const double det = j.determinant(), area = rest.measure[f] * weight;
       s.surface_area += area;
       s.image_area += det * area;
       s.square += area * 0.5 * j.squaredNorm() / (det * det);
       s.largest = std::max(s.largest, singular_values(j).first / det);  // 1 / sigma
     }
-  }
+  };
+  for (Index q = 0; q < rule.size(); ++q) visit(rule.points.row(q), rule.weights[q]);
+  for (const Barycentric& xi : points_on_edges(map.degree())) visit(xi, 0);
   return normalized(s);
+}
+
+std::string why_stretched(const UnwrapOptions& options, const Chart& chart) {
+  if (!is_stretched(options, chart)) return {};
+  if (static_cast<Index>(chart.faces.size()) <= kFewestFaces) return "it has no more faces";
+  const auto& points = options.chart.map;
+  if (!chart.pins.empty() || !points.handles.empty()) return "pins or handles hold it";
+  return std::string(status_name(chart.status));
 }
 
 std::vector<BezierMap> maps_of(const Atlas& atlas) {

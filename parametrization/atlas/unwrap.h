@@ -52,8 +52,9 @@ struct Stretch {
   Stretch joined(const Stretch& other) const;
 };
 
-// Sampled at the points (i, j, k) / 6 inside the faces, one point at degree 1, which is exact. The
-// map is locally injective.
+// By the finest quadrature rule of a triangle, which is exact at degree 1; `max` at its points and
+// some on the edges. Over faces with an area (SurfaceMesh::rest_triangles() have none), all where
+// none has. The map is locally injective.
 Stretch measure_stretch(const BezierMap& map);
 
 // The start that the map of a chart came from. Tutte: tutte_map(). Unfolded: the faces laid side by
@@ -77,6 +78,11 @@ struct Chart {
   std::vector<TraceEntry> trace;
 };
 
+// What CutOptions::max_stretch is for maps of CutMethod::Automatic and Sharp. Kept: charts are
+// mapped, measured, cut again and mapped anew until each has no more; not those of one or two faces
+// or with pins or handles, and not once a limit of the run is reached. Reported: nothing is done.
+enum class StretchLimit { Kept, Reported };
+
 struct UnwrapOptions {
   // The options of every chart: degree, energy and so on. Vertices of pins and handles are those of
   // the surface, cuts keep off them; the injectivity is always Global, `initial` is not looked at.
@@ -86,6 +92,7 @@ struct UnwrapOptions {
   // means the same in every chart.
   ParametrizationOptions chart = {};
   CutOptions cuts = {};
+  StretchLimit limit = StretchLimit::Kept;
   std::optional<PackOptions> packing =
       PackOptions();  // none: charts stay where the solver has them
 };
@@ -109,6 +116,10 @@ struct Atlas {
 // Stopped before there is a cut.
 Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
              RunRecord& record);
+
+// Why a chart stretches more than options.cuts.max_stretch, where that is a limit that is kept, in
+// words; empty where it is not, or the chart does not.
+std::string why_stretched(const UnwrapOptions& options, const Chart& chart);
 
 // The maps of its charts, where they are now.
 std::vector<BezierMap> maps_of(const Atlas& atlas);

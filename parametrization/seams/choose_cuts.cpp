@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <queue>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -262,9 +265,23 @@ constexpr int kMostCorrections = 8;
 // The number of defects at most, where there is no field: as many vertices of the largest angle
 // defects; as many as fields have.
 constexpr std::size_t kMostDefects = 40;
+// Where all cones leave more than the limit, cuts go to the places that are pressed most, too,
+// those where the stress function is at least this part of its largest value, so often.
+constexpr double kPressed = 0.5;
+constexpr int kMostPresses = 6;
 
 class Cutter {
  public:
+  // #V: what the angles around a vertex lack of a full turn; 0 on the boundary.
+  static Vec angle_defects(const SurfaceMesh& mesh) {
+    Vec defect = Vec::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
+    for (Index h = 0; h < mesh.half_edge_count(); ++h)
+      defect[mesh.from_vertex(h)] -= corner_angle(mesh, h).radians();
+    for (const auto& loop : mesh.boundary_loops())
+      for (const Index v : loop) defect[v] = 0;
+    return defect;
+  }
+
   Cutter(const SurfaceMesh& mesh, const Vec& edge_cost, const std::vector<char>& is_whole,
          double limit, const StopCheck& stop)
       : mesh_(mesh),
@@ -281,8 +298,9 @@ class Cutter {
       none.strain = strain(none.is_cut);
       if (none.strain <= limit_) return none;
     }
-    const std::vector<Index> cones = field_cones();
-    AutomaticCut best = peeled(routed(cones), cones);
+    std::vector<Index> cones = field_cones();
+    AutomaticCut best = through(cones);
+    best = peeled(best, cones);
     const Index routes = std::clamp(kRouteWork / mesh_.vertex_count(), 1, kMostRoutes);
     for (Index k = 0; k < routes; ++k) {
       AutomaticCut next = peeled_route(cones_on(best, cones), best);
@@ -294,15 +312,6 @@ class Cutter {
   }
 
  private:
-  static Vec angle_defects(const SurfaceMesh& mesh) {
-    Vec defect = Vec::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
-    for (Index h = 0; h < mesh.half_edge_count(); ++h)
-      defect[mesh.from_vertex(h)] -= corner_angle(mesh, h).radians();
-    for (const auto& loop : mesh.boundary_loops())
-      for (const Index v : loop) defect[v] = 0;
-    return defect;
-  }
-
   double cost(const AutomaticCut& cut) const {
     double sum = 0;
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
@@ -316,6 +325,40 @@ class Cutter {
     AutomaticCut cut{cut_graph(mesh_, terminals, cost_, stop_), 0, terminals};
     cut.strain = strain(cut.is_cut);
     return cut;
+  }
+
+  // The cut through these, and through what is pressed most where that leaves more than the limit.
+  AutomaticCut through(std::vector<Index>& terminals) const {
+    AutomaticCut cut = routed(terminals);
+    for (int k = 0; k < kMostPresses && cut.strain > limit_; ++k) {
+      const std::vector<Index> more = pressed(cut);
+      if (more.empty()) break;
+      terminals.insert(terminals.end(), more.begin(), more.end());
+      cut = routed(terminals);
+    }
+    return cut;
+  }
+
+  // Vertices inside the surface, cut so, where the stress function is largest in their
+  // neighbourhood: what holds it at 0 there saves most.
+  std::vector<Index> pressed(const AutomaticCut& cut) const {
+    std::vector<Index> whole;  // vertex of mesh_
+    const SurfaceMesh open = mesh_.cut_along(cut.is_cut, &whole);
+    const FlatteningStrain sheet(open, -1, stop_);
+    Vec stress = Vec::Zero(open.vertex_count());
+    const std::vector<char> is_boundary = open.boundary_flags();
+    for (Index v = 0; v < stress.size(); ++v)
+      if (!is_boundary[v] && std::isfinite(sheet.strain()))
+        stress[v] = std::abs(sheet.apply({{v, 1.0}}, sheet.chi()));
+    std::vector<char> is_top(is_boundary.size(), 1);
+    for (Index h = 0; h < open.half_edge_count(); ++h)
+      if (stress[open.from_vertex(h)] < stress[open.to_vertex(h)]) is_top[open.from_vertex(h)] = 0;
+    const double least = kPressed * stress.maxCoeff();
+    std::vector<Index> tops;
+    for (Index v = 0; v < stress.size(); ++v)
+      if (stress[v] > 0 && stress[v] >= least && is_top[v] && !is_whole_[whole[v]])
+        tops.push_back(whole[v]);
+    return tops;
   }
 
   std::vector<Index> field_cones() const {
@@ -413,6 +456,196 @@ AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
   return Cutter(mesh, edge_cost, is_whole, strain_of_stretch(max_stretch), stop).run();
 }
 
+std::vector<Index> curved_inside(const SurfaceMesh& mesh) {
+  const Vec defect = Cutter::angle_defects(mesh);
+  std::vector<Index> curved;
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (std::abs(defect[v]) > kCurved) curved.push_back(v);
+  return curved;
+}
+
+// Grows two connected parts of a chart around planes, and moves these into the middle of what they
+// have [CSAD04]. What is not divided are polygons of the file, but where there is only one.
+class TwoParts {
+ public:
+  explicit TwoParts(const SurfaceMesh& mesh) : mesh_(mesh), tiles_(mesh.face_count()) {
+    join_polygons();
+    normal_.assign(to_size(mesh.face_count()), Vector3::Zero());
+    for (Index f = 0; f < mesh.face_count(); ++f) normal_[tiles_.find(f)] += area_vector(mesh, f);
+  }
+
+  std::vector<char> cut(const StopCheck& stop) {
+    std::array<Index, 2> seeds = first_seeds();
+    for (int k = 0; k < kRounds; ++k) {
+      stop.poll();
+      const std::array<Vector3, 2> planes = k == 0 ? planes_at(seeds) : planes_of_parts();
+      if (k > 0) seeds = nearest_to(planes);
+      grow(seeds, planes);
+    }
+    smooth();
+    std::vector<char> is_cut(to_size(mesh_.half_edge_count()), 0);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (const Index o = mesh_.opposite(h); o >= 0)
+        is_cut[h] = part(face_of(h)) != part(face_of(o));
+    return is_cut;
+  }
+
+ private:
+  static constexpr int kRounds = 6;  // of [CSAD04]; two planes settle in three or four
+  // Cosine of the angle to its plane above which a face may go to the other part for the sake of a
+  // shorter border.
+  static constexpr double kMovable = 0.7;
+
+  int part(Index face) { return part_[tiles_.find(face)]; }
+  Vector3 unit(Index tile) const { return normal_[tile].stableNormalized(); }
+
+  void join_polygons() {
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (mesh_.opposite(h) > h && is_inner(mesh_, h))
+        tiles_.join(face_of(h), face_of(mesh_.opposite(h)));
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (tiles_.find(f) != tiles_.find(0)) return;
+    tiles_ = UnionFind(mesh_.face_count());
+  }
+
+  // Tiles as far from each other as their normals go, else across faces.
+  std::array<Index, 2> first_seeds() {
+    Vector3 mean = Vector3::Zero();
+    for (const Vector3& n : normal_) mean += n;
+    const Index one = farthest_from(mean.stableNormalized(), 0);
+    const Index other = farthest_from(unit(one), one);
+    if (one != other && unit(one).dot(unit(other)) < 1 - kCurved) return {one, other};
+    const Index end = last_reached(tiles_.find(0));
+    return {end, last_reached(end)};
+  }
+
+  Index farthest_from(const Vector3& normal, Index otherwise) {
+    Index farthest = tiles_.find(otherwise);
+    double least = 1;
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (tiles_.find(f) == f && unit(f).dot(normal) < least) {
+        least = unit(f).dot(normal);
+        farthest = f;
+      }
+    return farthest;
+  }
+
+  Index last_reached(Index start) {
+    std::vector<char> seen(to_size(mesh_.face_count()), 0);
+    std::vector<Index> queue{start};
+    const std::vector<std::vector<Index>> sides = sides_of_tiles();
+    seen[start] = 1;
+    for (std::size_t k = 0; k < queue.size(); ++k)
+      for (const Index h : sides[queue[k]])
+        if (const Index t = tiles_.find(face_of(mesh_.opposite(h))); !seen[t]) {
+          seen[t] = 1;
+          queue.push_back(t);
+        }
+    return queue.back();
+  }
+
+  // Half-edges from each tile to another one.
+  std::vector<std::vector<Index>> sides_of_tiles() {
+    std::vector<std::vector<Index>> sides(to_size(mesh_.face_count()));
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      if (mesh_.opposite(h) < 0) continue;
+      const Index t = tiles_.find(face_of(h));
+      if (t != tiles_.find(face_of(mesh_.opposite(h)))) sides[t].push_back(h);
+    }
+    return sides;
+  }
+
+  std::array<Vector3, 2> planes_at(const std::array<Index, 2>& seeds) const {
+    return {unit(seeds[0]), unit(seeds[1])};
+  }
+
+  std::array<Vector3, 2> planes_of_parts() {
+    std::array<Vector3, 2> planes = {Vector3::Zero(), Vector3::Zero()};
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (tiles_.find(f) == f) planes[static_cast<std::size_t>(part_[f])] += normal_[f];
+    for (Vector3& plane : planes) plane = plane.stableNormalized();
+    return planes;
+  }
+
+  std::array<Index, 2> nearest_to(const std::array<Vector3, 2>& planes) {
+    std::array<Index, 2> seeds = {-1, -1};
+    std::array<double, 2> most = {-2, -2};
+    for (Index f = 0; f < mesh_.face_count(); ++f) {
+      if (tiles_.find(f) != f) continue;
+      const auto p = static_cast<std::size_t>(part_[f]);
+      const double cosine = unit(f).dot(planes[p]);
+      if (!(cosine > most[p]) && seeds[p] >= 0) continue;
+      most[p] = cosine;
+      seeds[p] = f;
+    }
+    return seeds;
+  }
+
+  // Both at once, next the tile that costs least: area times squared distance of its normal.
+  void grow(const std::array<Index, 2>& seeds, const std::array<Vector3, 2>& planes) {
+    struct Offer {
+      double cost;
+      Index tile;
+      int part;
+      bool operator>(const Offer& o) const {
+        return std::tie(cost, tile, part) > std::tie(o.cost, o.tile, o.part);
+      }
+    };
+    const std::vector<std::vector<Index>> sides = sides_of_tiles();
+    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+    part_.assign(to_size(mesh_.face_count()), -1);
+    for (int p = 0; p < 2; ++p) offers.push({-1, seeds[static_cast<std::size_t>(p)], p});
+    while (!offers.empty()) {
+      const Offer offer = offers.top();
+      offers.pop();
+      if (part_[offer.tile] >= 0) continue;
+      part_[offer.tile] = offer.part;
+      const Vector3& plane = planes[static_cast<std::size_t>(offer.part)];
+      for (const Index h : sides[offer.tile]) {
+        const Index t = tiles_.find(face_of(mesh_.opposite(h)));
+        if (part_[t] < 0)
+          offers.push({normal_[t].norm() * (unit(t) - plane).squaredNorm(), t, offer.part});
+      }
+    }
+  }
+
+  // Tiles with one neighbour in their part, and a longer border with the other, go over to it.
+  void smooth() {
+    const std::vector<std::vector<Index>> sides = sides_of_tiles();
+    const std::array<Vector3, 2> planes = planes_of_parts();
+    std::array<Index, 2> sizes = {0, 0};
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (tiles_.find(f) == f) ++sizes[static_cast<std::size_t>(part_[f])];
+    for (bool any = true; any;) {
+      any = false;
+      for (Index t = 0; t < mesh_.face_count(); ++t) {
+        if (tiles_.find(t) != t) continue;
+        const int mine = part_[t];
+        const auto other = static_cast<std::size_t>(1 - mine);
+        double inside = 0, border = 0;
+        std::set<Index> own;
+        for (const Index h : sides[t]) {
+          const Index n = tiles_.find(face_of(mesh_.opposite(h)));
+          (part_[n] == mine ? inside : border) += mesh_.edge_length(h);
+          if (part_[n] == mine) own.insert(n);
+        }
+        if (own.size() > 1 || sizes[1 - other] == 1 || !(border > inside * (1 + kLeastLength)) ||
+            unit(t).dot(planes[other]) < kMovable)
+          continue;
+        part_[t] = 1 - mine;
+        --sizes[1 - other];
+        ++sizes[other];
+        any = true;
+      }
+    }
+  }
+
+  const SurfaceMesh& mesh_;
+  UnionFind tiles_;              // faces: those of a polygon
+  std::vector<Vector3> normal_;  // of tiles, by their first faces: twice the area
+  std::vector<int> part_;        // likewise, 0 or 1
+};
+
 // The least area of a piece, relative to that of all: squares of areas, and what remains of them
 // after many factors, must be doubles; 1e-80 of the size is mapped.
 constexpr double kLeastArea = 1e-160;
@@ -472,18 +705,41 @@ void require_usable_size(const SurfacePiece& part, double whole) {
                 Hint::MapAlone);
 }
 
+bool face_has_area(const SurfaceMesh& mesh, Index face) {
+  const auto corner = [&](Index k) -> Vector3 {
+    return mesh.positions().row(mesh.faces()(face, k));
+  };
+  return has_area(corner(0), corner(1), corner(2));
+}
+
 // Twice the largest area of a face, where all have none but for rounding.
 std::optional<double> area_of_slivers(const SurfaceMesh& mesh) {
   double largest = 0;
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto corner = [&](Index k) -> Vector3 {
-      return mesh.positions().row(mesh.faces()(f, k));
-    };
-    const Vector3 a = corner(0), b = corner(1), c = corner(2);
-    if (has_area(a, b, c)) return {};
-    largest = std::max(largest, (b - a).cross(c - a).norm());
+    if (face_has_area(mesh, f)) return {};
+    largest = std::max(largest, area_vector(mesh, f).norm());
   }
   return largest;
+}
+
+// A face without an area beside others that have one gets a place of its own: around it these would
+// be distorted. Not a part of a polygon.
+void part_from_slivers(const SurfacePiece& part, std::vector<char>& is_cut) {
+  const SurfaceMesh& mesh = *part.mesh;
+  if (mesh.rest_triangles().empty() || area_of_slivers(mesh)) return;
+  for (const RestTriangle& t : mesh.rest_triangles()) {
+    const Index first = 3 * t.face;
+    const auto is_polygon = [&](Index h) { return mesh.opposite(h) >= 0 && is_inner(mesh, h); };
+    if (face_has_area(mesh, t.face) || is_polygon(first) || is_polygon(first + 1) ||
+        is_polygon(first + 2))
+      continue;
+    for (Index h = first; h < first + 3; ++h) {
+      const Index o = mesh.opposite(h);
+      if (o < 0) continue;
+      is_cut[3 * part.face[t.face] + corner_of(h)] = 1;
+      is_cut[3 * part.face[face_of(o)] + corner_of(o)] = 1;
+    }
+  }
 }
 
 // A piece whose faces all have no area is taken apart, unless they are thin beyond measure and lie
@@ -572,6 +828,8 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
     out.components.push_back(facts);
     require_usable_size(part, area);
     take_apart_if_flat(part, options.max_stretch, out.is_cut, stop);
+    if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
+      part_from_slivers(part, out.is_cut);
   }
   if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
     cut_automatically(mesh, is_whole, options.max_stretch, Pieces::All, out, stop);
@@ -586,6 +844,46 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
 }
 
 }  // namespace
+
+std::vector<char> cut_further(const SurfaceMesh& chart, double max_stretch, const StopCheck& stop) {
+  const std::vector<char> is_whole(to_size(chart.vertex_count()), 0);
+  return automatic_cut(chart, cut_costs(chart), is_whole, max_stretch, stop).is_cut;
+}
+
+std::vector<char> cut_corners(const SurfaceMesh& chart, const StopCheck& stop) {
+  const std::vector<Index> curved = curved_inside(chart);
+  if (curved.empty() || curved.size() > kMostDefects)
+    return std::vector<char>(to_size(chart.half_edge_count()), 0);
+  return cut_graph(chart, curved, cut_costs(chart), stop);
+}
+
+std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop) {
+  return TwoParts(chart).cut(stop);
+}
+
+double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop) {
+  return stretch_of_strain(FlatteningStrain(chart, -1, stop).strain());
+}
+
+void add_cuts(const SurfaceMesh& mesh, const CutOptions& options,
+              const std::vector<Index>& half_edges, SurfaceCuts& cuts) {
+  const std::vector<Index> component = face_components(mesh.opposites());
+  for (const Index h : half_edges) {
+    const Index o = mesh.opposite(h);
+    if (o < 0 || cuts.is_cut[h]) continue;
+    cuts.is_cut[h] = cuts.is_cut[o] = 1;
+    const double length = mesh.edge_length(h);
+    cuts.length += length;
+    ++cuts.edges;
+    cuts.components[component[face_of(h)]].length += length;
+    if (options.method == CutMethod::Automatic) continue;
+    cuts.added_length += length;
+    ++cuts.added_edges;
+  }
+  for (ComponentCuts& facts : cuts.components) facts.pieces = 0;
+  const auto pieces = component_faces(mesh.cut_along(cuts.is_cut, nullptr).opposites());
+  for (const std::vector<Index>& faces : pieces) ++cuts.components[component[faces.front()]].pieces;
+}
 
 void require_usable_sizes(const SurfaceMesh& mesh, const StopCheck& stop) {
   const double unit = model_unit(mesh);

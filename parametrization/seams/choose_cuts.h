@@ -78,6 +78,27 @@ struct SurfaceCuts {
 SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
                         const StopCheck& stop = {});
 
+// What can be done with one chart of these, connected and planar, whose map is not good enough:
+// 3 #F flags of it, both sides of an edge or none. Edges inside polygons are cut only where nothing
+// else is possible. Stopped.
+//
+// The shortest cuts that leave it one piece with an estimated stretch of max_stretch, as the
+// automatic rule has them; through all places that the estimate knows where that is not reached.
+std::vector<char> cut_further(const SurfaceMesh& chart, double max_stretch,
+                              const StopCheck& stop = {});
+// Cuts through all inner vertices that are not flat, one piece: it unfolds, if without overlaps.
+// No flags where there are none, or more of them than a box of boxes has.
+std::vector<char> cut_corners(const SurfaceMesh& chart, const StopCheck& stop = {});
+// Two connected parts whose faces have as nearly one normal each as can be: two regions that grow
+// around planes [CSAD04]. Of two or more faces.
+std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop = {});
+// The estimated stretch of the chart as it is.
+double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop = {});
+
+// Takes these half-edges of the surface, one side or both, to the cuts that there are.
+void add_cuts(const SurfaceMesh& mesh, const CutOptions& options,
+              const std::vector<Index>& half_edges, SurfaceCuts& cuts);
+
 // Throws Error(Unsupported) as choose_cuts() for sizes, with any options.
 void require_usable_sizes(const SurfaceMesh& mesh, const StopCheck& stop = {});
 

@@ -12,7 +12,8 @@ namespace majorant::python {
 namespace {
 
 // Rows of targets that are NaN: where the initial map has the vertex.
-std::vector<Pin> points(const py::dict& keywords, const char* name, const SurfaceMesh& mesh) {
+std::vector<Pin> points(const py::dict& keywords, const char* name, const SurfaceMesh& mesh,
+                        const std::vector<Index>& names) {
   if (keywords[name].is_none()) return {};
   const auto [numbers, targets] = keyword<std::pair<Integers, Doubles>>(keywords, name);
   std::vector<Handle> handles;
@@ -20,7 +21,7 @@ std::vector<Pin> points(const py::dict& keywords, const char* name, const Surfac
     const Vector2 target(targets.at(k, 0), targets.at(k, 1));
     handles.push_back({numbers.at(k), target.allFinite() ? std::optional(target) : std::nullopt});
   }
-  return points_of(mesh, handles, name);
+  return points_of(mesh, handles, name, names);
 }
 
 // One a polygon.
@@ -52,7 +53,8 @@ EnergySum energy_sum(const py::handle& energies) {
   return sum;
 }
 
-ParametrizationOptions read_options(const py::dict& keywords, const SurfaceMesh& mesh) {
+ParametrizationOptions read_options(const py::dict& keywords, const SurfaceMesh& mesh,
+                                    const std::vector<Index>& names) {
   ParametrizationOptions options;
   MapOptions& map = options.map;
   map.energy = energy_sum(keywords["energies"]);
@@ -61,8 +63,8 @@ ParametrizationOptions read_options(const py::dict& keywords, const SurfaceMesh&
   if (keyword<bool>(keywords, "boundary_angles"))
     map.boundary_angles = BoundaryAngles::AtMostFullTurn;
   if (keyword<bool>(keywords, "bijective")) map.injectivity = MapInjectivity::Global;
-  map.pins = points(keywords, "pins", mesh);
-  map.handles = points(keywords, "handles", mesh);
+  map.pins = points(keywords, "pins", mesh, names);
+  map.handles = points(keywords, "handles", mesh, names);
   map.handle_weight = keyword<double>(keywords, "soft");
   map.face_weight = face_weights(keywords, mesh);
   for (const StartMethod method : {StartMethod::Tutte, StartMethod::Multiresolution})

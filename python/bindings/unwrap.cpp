@@ -32,6 +32,16 @@ CutOptions cut_options(const py::dict& keywords) {
   return cuts;
 }
 
+// Edges of `seams` are those of the arrays, islands of `uv`, too.
+RepairOptions repair_options(const py::dict& keywords) {
+  RepairOptions how;
+  const auto method = keyword<std::string>(keywords, "cut_method");
+  how.weld = keyword<std::optional<double>>(keywords, "weld_distance");
+  how.welding = method == "uv" || method == "edges" ? Welding::Soups : Welding::EqualPlaces;
+  if (keyword<bool>(keywords, "welds_nothing")) how.welding = Welding::Nothing;
+  return how;
+}
+
 std::string message_of(const Atlas& atlas) {
   for (const Chart& chart : atlas.charts)
     if (chart.status == atlas.status() && chart.status != Status::Converged) return chart.message;
@@ -45,8 +55,9 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   Run run(keyword<double>(keywords, "time_limit"), keyword<int>(keywords, "max_iterations"),
           callback);
   AtlasJob job(run.record());
-  RepairOptions how;
-  how.weld = keyword<std::optional<double>>(keywords, "weld");
+  const RepairOptions how = repair_options(keywords);
+  if (keyword<bool>(keywords, "keep_seams")) job.old_seams = OldSeams::Cut;
+  if (keyword<std::string>(keywords, "charts") == "one") job.options.limit = StretchLimit::Reported;
   const bool is_strict = keyword<bool>(keywords, "strict"),
              into_square = keyword<std::string>(keywords, "scale") == "unit";
   run([&] {
@@ -64,7 +75,7 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   if (keyword<bool>(keywords, "pack"))
     job.options.packing = PackOptions{.padding_pixels = keyword<double>(keywords, "padding"),
                                       .resolution = keyword<double>(keywords, "resolution")};
-  job.options.chart = read_options(keywords, *job.surface.mesh);
+  job.options.chart = read_options(keywords, *job.surface.mesh, job.surface.welded);
 
   const bool is_placed = run([&] {
     job.solve();

@@ -123,7 +123,8 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
            energy: Energy = 'symmetric-dirichlet', uv: ArrayLike | None = None, pack: bool = True,
            padding: float = _options.PADDING, resolution: float = _options.RESOLUTION,
            scale: str | None = None, normalize: bool = False,
-           weld: float | None = None, strict: bool = False, pins: Points | None = None,
+           weld: str | float = 'auto', keep_seams: bool = False, charts: str = 'auto',
+           strict: bool = False, pins: Points | None = None,
            handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
            curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
            tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
@@ -135,13 +136,15 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         r.charts                             # (#F,)
 
     seams: 'auto', where distortion is saved; 'uv', the islands of uv (which is for this, and for
-    the seams that vertices have whose weld joins them); 'sharp' or 'sharp=40', along
-    edges of that many degrees; or (#E, 2) vertices of edges. max_stretch: up to which 'auto' and
-    'sharp' leave a chart uncut. pack: into one square, padding pixels apart where it has resolution
-    pixels a side and a border as wide as padding. scale: 'unit' (default): that square is the unit
+    keep_seams, which cuts along their borders, too); 'sharp' or 'sharp=40', along
+    edges of that many degrees; or (#E, 2) vertices of edges. max_stretch: what no chart of 'auto' and
+    'sharp' exceeds, with charts='one' where one is left uncut, as estimated. pack: into one square, padding pixels apart
+    where it has resolution pixels a side and a border as wide as padding. scale: 'unit' (default): that square is the unit
     square, energies are those at the size of V; 'model' (default with pins or handles, whose targets
-    are in its units): uv has the units of V. normalize=True is scale='unit'. weld: distance up to which vertices are
-    joined; strict: refuse what would be repaired (UnsupportedError). callback: called after every
+    are in its units): uv has the units of V. normalize=True is scale='unit'. weld: what is one surface for the
+    map, 'auto', edges between equal positions (of seams 'uv' and edges only where no face shares a
+    vertex), 'no', nothing, or a distance up to which vertices become one; strict: refuse what would be
+    repaired (UnsupportedError). callback: called after every
     step of charts with some thousand faces, and after the last one of those with fewer, which are
     solved side by side; one that ends the run before the charts are packed leaves no layout, which
     raises StoppedError. All else as for `parametrize`.
@@ -157,8 +160,11 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     _options.truth('normalize', normalize)
     if scale is None:
         scale = 'model' if pins or handles else 'unit'
-    if uv is not None and weld is None and not (isinstance(seams, str) and seams == 'uv'):
-        raise UsageError("uv is for seams='uv', or for what weld joins; say one of them, or leave it out")
+    by_uv = isinstance(seams, str) and seams == 'uv'
+    if uv is not None and not _options.truth('keep_seams', keep_seams) and not by_uv:
+        raise UsageError("uv is for seams='uv' and keep_seams; say one of them, or leave it out")
+    if keep_seams and (uv is None or by_uv):
+        raise UsageError("keep_seams cuts along the seams of uv, as seams='uv' does; give uv, and other seams")
     if pack is False and (padding != _options.PADDING or resolution != _options.RESOLUTION):
         raise UsageError('padding and resolution are for packing; leave them out, or pack=False')
     if max_stretch is not None and not isinstance(seams, str):
@@ -170,7 +176,10 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         'padding': _options.number('padding', padding, 0, zero=True),
         'resolution': _options.number('resolution', resolution, 0),
         'scale': _options.choice('scale', scale, ('unit', 'model')),
-        'weld': None if weld is None else _options.number('weld', weld, 0, zero=True),
+        'weld_distance': None if weld in ('auto', 'no') else _options.number('weld', weld, 0, zero=True),
+        'welds_nothing': weld == 'no',
+        'keep_seams': keep_seams,
+        'charts': _options.choice('charts', charts, ('auto', 'one')),
         'strict': _options.truth('strict', strict),
     }
     return _solve(_core.unwrap, mesh, said, extra)

@@ -16,6 +16,7 @@ ALWAYS = {
     '--boundary': '', '--curvature': '', '--elevation': 'the way to the degree, also to the first',
     '--bijective': '', '--improve-mesh': 'depends on the mesh', '--tolerance': '', '--max-iterations': '',
     '--time-limit': '', '--normalize': '', '--scale': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
+    '--charts': 'auto demands nothing of --seams uv and FILE',
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
     '--petsc-options': 'for whichever solver a run comes to',
     '--linear-solvers': 'measures them', '--list': '',
@@ -38,6 +39,7 @@ CASES = {
     '--image': (['--image', 'PICTURE'], ['.svg'], 'add -o OUT.png'),
     '--padding': (['--no-pack', '--padding', '3'], ['.vtu'], '--padding excludes --no-pack'),
     '--resolution': (['--no-pack', '--resolution', '300'], ['.vtu'], '--resolution excludes --no-pack'),
+    '--keep-seams': (['--seams', 'uv', '--keep-seams'], ['.vtu'], '--seams uv cuts along them already'),
     '--curvature-alignment': (['--cones', 'FILE', '--curvature-alignment', '9'], ['.vtu'],
                               '--cones excludes --curvature-alignment'),
 }

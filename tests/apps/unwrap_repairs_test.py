@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """majorant unwrap of meshes with defects: what it repairs, and that its files are maps of them."""
+import json
 import math
 import os
 import re
@@ -85,7 +86,7 @@ class Repairs(UnwrapTest):
         one, other = sphere(2), sphere(2)
         points, faces = both(one, other)
         meeting = [tuple(0 if v == len(one[0]) else v for v in f) for f in faces]
-        layout, report = self.clean(self.mesh(points, meeting))
+        layout, report = self.clean(self.mesh(points, meeting), '--charts', 'one')
         self.assertEqual(self.repaired(report), {'split_vertex': 1})
         self.assertEqual(report['repairs'][0]['places'], [0])
         self.assertEqual(len(layout.charts), 2)
@@ -102,15 +103,23 @@ class Repairs(UnwrapTest):
         upper = [tuple(copy.get(v, v) if k >= 16 else v for v in f) for k, f in enumerate(faces)]
         return points + [points[v] for v in copy], upper
 
-    def test_weld_only_when_asked(self):
+    def test_weld(self):
         mesh = self.mesh(*self.halves())
-        self.assertEqual(len(self.clean(mesh)[0].charts), 2)
-        layout, report = self.clean(mesh, '--weld', 0)
-        self.assertEqual((len(layout.charts), self.repaired(report)), (1, {'welded': 5}))
+        self.assertEqual(len(self.clean(mesh, '--weld', 'no')[0].charts), 2)
+        for words in ([], ['--weld', 'auto'], ['--weld', 0]):
+            layout, report = self.clean(mesh, *words)
+            self.assertEqual((len(layout.charts), self.repaired(report)), (1, {'welded': 5}))
+            self.assertEqual(report['repairs'][0]['pieces'], {'before': 2, 'after': 1})
+        self.assertIn('2 pieces before, 1 after', self.run_ok('unwrap', mesh, self.path('o.obj')).err)
+        edges = self.write('edges.json', '{"edges": []}')  # by number
+        self.assertEqual(len(self.clean(mesh, '--seams', edges)[0].charts), 2)
+        for word in ('yes', '-1', 'inf', 'nan', ''):
+            self.refused(USAGE, 'unwrap', mesh, self.path('o.obj'), '--weld', word, says='--weld')
         points, faces = self.halves()
         moved = [(x + 1e-6, y, z) for x, y, z in points[25:]]
         mesh = self.mesh(points[:25] + moved, faces)
-        self.assertEqual(len(self.clean(mesh, '--weld', 0)[0].charts), 2)
+        for words in ([], ['--weld', 0]):
+            self.assertEqual(len(self.clean(mesh, *words)[0].charts), 2)
         layout, _ = self.unwrap(mesh, '--weld', '1e-5')  # at one place now: that of the first ones
         self.assertEqual(len(layout.charts), 1)
         back = dict(zip(range(25, 30), range(10, 15)))
@@ -119,6 +128,7 @@ class Repairs(UnwrapTest):
     def test_strict_refuses_what_would_be_repaired(self):
         points, faces = sphere(2)
         self.clean(self.mesh(points, faces), '--strict')
+        self.assertEqual(len(self.clean(self.mesh(*self.halves()), '--strict')[0].charts), 1)  # as they are
         for says, mesh in [('turned', (points, [faces[0][::-1]] + faces[1:])),
                            ('duplicate', (points, faces + faces[:1])),
                            ('edge', (points + [(3, 3, 3)], faces + [(*faces[0][:2], len(points))])),
@@ -130,6 +140,128 @@ class Repairs(UnwrapTest):
                 self.assertFalse(os.path.exists(self.path('bad.obj')))
                 if says not in ('one side', 'area'):
                     self.assertIn(says, outcome.err)
+
+
+class SplitExports(UnwrapTest):
+    """Meshes as exporters write them: a vertex for everything that differs there. One surface all the same."""
+
+    def export(self, points, faces, key, texture=None):
+        """An OBJ with a vertex for each (place, key(face, corner)), normals and materials to tell."""
+        number, lines, body = {}, [], []
+        for k, face in enumerate(faces):
+            corners = []
+            for i, v in enumerate(face):
+                one = (v, key(k, i))
+                if one not in number:
+                    number[one] = len(number) + 1
+                    lines.append('v %r %r %r' % tuple(map(float, points[v])))
+                corners.append(number[one])
+            if k % 3 == 0:
+                body.append('usemtl stuff%d' % (k % 2))
+            uv = texture and texture(k)
+            if uv:
+                lines += ['vt %r %r' % tuple(map(float, p)) for p in uv]
+                first = sum(line.startswith('vt ') for line in lines) - len(uv)
+                body.append('f ' + ' '.join('%d/%d/1' % (c, first + i + 1) for i, c in enumerate(corners)))
+            else:
+                body.append('f ' + ' '.join('%d//1' % c for c in corners))
+        return self.write('export.obj', '\n'.join(lines + ['vn 0 0 1'] + body) + '\n')
+
+    def exports(self, points, faces):
+        """(name, key) of what exporters split by."""
+        def normal(k, i):
+            a, b, c = (points[v] for v in faces[k][:3])
+            u, w = [x - y for x, y in zip(b, a)], [x - y for x, y in zip(c, a)]
+            n = (u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0])
+            return tuple(round(x / math.hypot(*n), 1) for x in n)
+        yield 'normals', normal
+        yield 'uv seams', lambda k, i: sum(points[v][0] for v in faces[k]) > 0
+        yield 'materials', lambda k, i: k // 3 % 2
+        yield 'all corners', lambda k, i: (k, i)
+
+    def same_files(self, export):
+        """Vertices, faces, normals and materials are the input's, in the VTU vertices of corners, too."""
+        kinds = ('v ', 'vn ', 'usemtl')
+        lines = [[line for line in text.decode().splitlines() if line.startswith(kinds)]
+                 for text in (self.read('export.obj'), self.read('out.obj'))]
+        self.assertEqual(len(lines[0]), len(lines[1]))
+        for kind in kinds:
+            numbers = [[l.split()[1:] for l in part if l.startswith(kind)] for part in lines]
+            if kind != 'usemtl':
+                numbers = [[list(map(float, l)) for l in part] for part in numbers]
+            self.assertEqual(*numbers)
+        vtu, faces = Vtu(self.path('out.vtu')), read_obj(export)[2]
+        for cell, face in zip(vtu.cells(), vtu.arrays['input_face']):
+            named = [vtu.arrays['input_vertex'][p] for p in cell[:3]]
+            self.assertLessEqual(set(named), set(faces[face]))
+            self.assertEqual(len(set(named)), 3)
+
+    def prove(self, points, faces):
+        whole, report = self.unwrap(self.mesh(points, faces))
+        for name, key in self.exports(points, faces):
+            with self.subTest(name):
+                export = self.export(points, faces, key)
+                layout, of_export = self.unwrap(export)
+                self.assertEqual(len(layout.charts), len(whole.charts))
+                self.assertEqual(layout.faces, read_obj(export)[2])
+                self.assertEqual([r['kind'] for r in of_export['repairs']], ['welded'])
+                pieces = of_export['repairs'][0]['pieces']
+                self.assertEqual(pieces['after'], len(whole.charts))
+                self.assertGreater(pieces['before'], 1)
+                self.run_ok('unwrap', export, '-o', self.path('out.vtu'))
+                for out in ('out.obj', 'out.vtu'):
+                    self.run_ok('check', self.path(out), '--surface', export, '--certify')
+                    if len(faces) < 500:  # it looks at all pairs of edges that touch
+                        self.judge_alone(self.path(out), '--cuts', 'free', '--overlap', '--may-touch', '--surface',
+                                         export)
+                self.same_files(export)
+
+    def test_one_surface(self):
+        self.prove(*cube(3))
+        self.prove(*sphere(4))
+        self.prove(*both(sphere(3), grid(3, lambda x, y: x * y)))
+
+    def test_cards_stay_two(self):
+        points, faces = grid(2, lambda x, y: 0.1 * x * x)
+        both_sides = faces + [face[::-1] for face in faces]
+        n = len(faces)
+        for name, key in [('sides', lambda k, i: k >= n), ('faces', lambda k, i: k),
+                          ('pairs', lambda k, i: (k >= n, k % n // 2))]:
+            with self.subTest(name):
+                export = self.export(points, both_sides, key)
+                layout, _ = self.clean(export)
+                self.assertEqual(sorted(map(len, layout.charts)), [n, n])
+                self.run_ok('check', self.path('out.obj'), '--surface', export, '--certify')
+
+    def test_old_seams(self):
+        points, faces = grid(4, lambda x, y: 0)
+        side = lambda k: sum(points[v][0] for v in faces[k]) / len(faces[k]) < 0.5
+        uv = lambda k: [(points[v][0] + 5 * side(k), points[v][1]) for v in faces[k]]
+        for name, key in [('whole', lambda k, i: 0), ('split', lambda k, i: side(k)),
+                          ('all corners', lambda k, i: (k, i))]:
+            with self.subTest(name):
+                mesh = self.export(points, faces, key, uv)
+                self.assertEqual(len(self.clean(mesh)[0].charts), 1)
+                self.assertEqual(len(self.clean(mesh, '--keep-seams')[0].charts), 2)
+                self.assertEqual(len(self.clean(mesh, '--seams', 'sharp', '--keep-seams')[0].charts), 2)
+
+    def test_pins_of_joined_vertices(self):
+        points, faces = grid(2, lambda x, y: 0.1 * x * y)
+        mesh = self.export(points, faces, lambda k, i: k // 3)
+        vertices = read_obj(mesh)[0]
+        corner = vertices.index(max(vertices))
+        last = len(vertices) - 1 - vertices[::-1].index(vertices[faces[0][2]])  # a copy that gives up its name
+        for vertex in (corner, last):
+            pins = self.write('pins.json', json.dumps({'handles': [{'vertex': vertex, 'target': [3, 4]}]}))
+            self.run_ok('unwrap', mesh, '-o', self.path('o.vtu'), '--pins', pins)
+            vtu = Vtu(self.path('o.vtu'))
+            found = {uv[:2] for v, uv in zip(vtu.arrays['input_vertex'], vtu.rows('uv')) if v == vertex}
+            self.assertEqual(found, {(3.0, 4.0)})
+
+    @where(os.path.join(SHARED, 'data/public/closed'))
+    def test_public(self):
+        points, _, faces, _ = read_obj(os.path.join(SHARED, 'data/public/closed/spot_1654.obj'))
+        self.prove(points, faces)
 
 
 class Proofs(UnwrapTest):

@@ -173,6 +173,9 @@ class Reports(CommandTest):
         self.report('unwrap', disk, self.path('b.obj'), '--time-limit', 0, code=LIMIT)
         self.report('unwrap', self.write('flipped.obj', helpers.obj_text(
             points, [faces[0][::-1], *faces[1:]])), self.path('b.obj'), '--no-pack')
+        self.report('unwrap', self.write('soup.obj', helpers.obj_text(
+            [points[v] for face in faces for v in face],
+            [(3 * k, 3 * k + 1, 3 * k + 2) for k in range(len(faces))])), self.path('b.obj'))
         self.report('seamless', helpers.generated('buckle'), cut, '--degree', 1)
         self.report('parametrize', cut, self.path('b.vtu'), '--seamless', '--degree', 1)
         self.report('parametrize', overlapping, self.path('b.vtu'), '--init', 'input',

@@ -54,7 +54,7 @@ inline void expect_repaired(const PolygonMesh& input, const RepairedSurface& out
   for (const auto& polygon : input.polygons) triangles += polygon.size() - 2;
   ASSERT_EQ(to_size(mesh.face_count()), triangles);
   ASSERT_EQ(out.polygon_corner.rows(), mesh.face_count());
-  ASSERT_EQ(out.given_cuts.size(), 3 * triangles);
+  ASSERT_EQ(out.texture_seams.size(), 3 * triangles);
   std::vector<std::size_t> met(input.polygons.size(), 0);
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const auto p = to_size(mesh.input_face(f));

@@ -1,4 +1,6 @@
 // Vertices that are joined, and faces that get an area, by repair().
+#include <functional>
+#include <map>
 #include <random>
 
 #include "mesh/repair_checks.h"
@@ -27,6 +29,96 @@ TEST(Repair, WeldsSoups) {
   EXPECT_EQ(out.mesh->vertex_count(), 48);
 }
 
+// Both sides of edges.
+std::ptrdiff_t seam_sides(const RepairedSurface& out) {
+  return std::count(out.texture_seams.begin(), out.texture_seams.end(), 1);
+}
+
+// Every polygon with these numbers has vertices of its own for each of them.
+PolygonMesh split_by(const PolygonMesh& whole, const std::function<Index(std::size_t)>& part) {
+  PolygonMesh split = polygon_mesh({}, {});
+  std::map<std::pair<Index, Index>, Index> copies;
+  for (std::size_t p = 0; p < whole.polygons.size(); ++p) {
+    split.polygons.emplace_back();
+    for (const Index v : whole.polygons[p]) {
+      const auto [copy, is_new] = copies.try_emplace({part(p), v}, copies.size());
+      if (is_new) split.positions.push_back(whole.positions[v]);
+      split.polygons.back().push_back(copy->second);
+    }
+  }
+  return split;
+}
+
+constexpr RepairOptions kJoined = {.welding = Welding::EqualPlaces};
+
+TEST(Repair, JoinsWhatWasSplit) {
+  const PolygonMesh whole = torus(8, 6, 0);
+  for (const Index parts : {2, 5}) {
+    const PolygonMesh split =
+        split_by(whole, [&](std::size_t p) { return static_cast<Index>(p) % parts; });
+    EXPECT_NE(shape_of(repaired(split)), (Shape{1, 0, 0}));
+    const RepairedSurface out = repaired(split, kJoined);
+    EXPECT_EQ(shape_of(out), (Shape{1, 0, 0})) << parts;
+    EXPECT_EQ(out.mesh->vertex_count(), 48);
+    ASSERT_EQ(out.repairs.size(), 1u);
+    EXPECT_EQ(out.repairs[0].kind, RepairKind::Welded);
+    EXPECT_EQ(to_size(out.repairs[0].count), split.positions.size() - 48);
+    ASSERT_TRUE(out.repairs[0].pieces);
+    EXPECT_EQ((*out.repairs[0].pieces)[1], 1);
+    EXPECT_GT((*out.repairs[0].pieces)[0], 1);
+    EXPECT_EQ(shape_of(repaired(split, {.welding = Welding::Nothing})), shape_of(repaired(split)));
+  }
+  EXPECT_EQ(shape_of(repaired(soup_of(whole), kJoined)), (Shape{1, 0, 0}));
+  EXPECT_EQ(shape_of(repaired(soup_of(whole), {.welding = Welding::Nothing})), (Shape{96, 96, 96}));
+}
+
+// A sheet and its back, each of several faces, split or not, are two sheets.
+TEST(Repair, JoinsNoSheetWithItsBack) {
+  const PolygonMesh front = grid(3, bumpy);
+  PolygonMesh back = front;
+  for (auto& polygon : back.polygons) std::reverse(polygon.begin(), polygon.end());
+  const PolygonMesh card = both(front, back);
+  const std::size_t faces = front.polygons.size();
+  for (const Index parts : {1, 2, 3}) {
+    const auto part = [&](std::size_t p) {
+      return static_cast<Index>(p % faces) % parts + (p < faces ? 0 : parts);
+    };
+    EXPECT_EQ(shape_of(repaired(split_by(card, part), kJoined)), (Shape{2, 2, 2})) << parts;
+  }
+  // Quads over the same corners, whatever triangles they are read as.
+  const PolygonMesh quads = polygon_mesh({{0, 0, 0},
+                                          {1, 0, 0},
+                                          {1, 1, 0},
+                                          {0, 1, 0},
+                                          {0, 1, 0},
+                                          {1, 1, 0},
+                                          {1, 0, 0},
+                                          {0, 0, 0},
+                                          {3, 0, 0}},
+                                         {{0, 1, 2, 3}, {5, 6, 7, 4}, {0, 8, 1}});
+  EXPECT_EQ(repaired(quads, kJoined).mesh->topology().components, 2);
+}
+
+// Three walls that meet in an edge, each with vertices of its own but for one that has two.
+TEST(Repair, JoinsNoThirdFaceToAnEdge) {
+  const PolygonMesh walls = polygon_mesh({{0, 0, 0},
+                                          {0, 0, 1},
+                                          {1, 0, 0},
+                                          {0, 0, 0},
+                                          {0, 0, 1},
+                                          {0, 1, 0},
+                                          {0, 0, 0},
+                                          {0, 0, 1},
+                                          {0, -1, 0},
+                                          {9, 9, 9}},
+                                         {{0, 1, 2}, {4, 3, 5}, {7, 6, 8}, {2, 1, 9}});
+  EXPECT_EQ(repaired(walls, kJoined).mesh->topology().components, 3);
+  PolygonMesh two = walls;
+  two.polygons.erase(two.polygons.begin() + 2);
+  two.positions[8] = two.positions[7] = two.positions[6] = {7, 7, 7};
+  EXPECT_EQ(repaired(two, kJoined).mesh->topology().components, 1);
+}
+
 // A slit stays a slit, unless it is to be welded.
 TEST(Repair, WeldsIndexedMeshesOnRequest) {
   const SurfaceMesh whole = SurfaceMesh::from_polygons(grid(4, bumpy));
@@ -45,17 +137,14 @@ TEST(Repair, WeldsIndexedMeshesOnRequest) {
   const RepairedSurface out = repaired(slit, {.weld = 0});
   EXPECT_EQ(shape_of(out), (Shape{1, 1, 1}));
   EXPECT_EQ(count_of(out, RepairKind::Welded), 5);
-  EXPECT_EQ(std::count(out.given_cuts.begin(), out.given_cuts.end(), 1), 0);
-  // Texture coordinates that differ across the slit make it a cut that was given; others do not.
+  EXPECT_EQ(seam_sides(out), 0);
+  // Texture coordinates that differ across the slit make it a seam; equal ones do not, whatever
+  // their numbers are.
   const auto side = [](const Vector3& p) { return p.x() < 0.5 ? 0 : 1; };
   const auto one = [](const Vector3&) { return 0; };
-  RepairedSurface islands = repaired(textured(slit, side), {.weld = 0});
-  EXPECT_EQ(std::count(islands.given_cuts.begin(), islands.given_cuts.end(), 1), 8);
-  islands =
-      repaired(textured(grid(4, bumpy), side), {.weld = 0});  // not welded: a seam of the file
-  EXPECT_EQ(std::count(islands.given_cuts.begin(), islands.given_cuts.end(), 1), 0);
-  islands = repaired(textured(slit, one), {.weld = 0});
-  EXPECT_EQ(std::count(islands.given_cuts.begin(), islands.given_cuts.end(), 1), 0);
+  EXPECT_EQ(seam_sides(repaired(textured(slit, side), {.weld = 0})), 8);
+  EXPECT_EQ(seam_sides(repaired(textured(grid(4, bumpy), side), {.weld = 0})), 8);
+  EXPECT_EQ(seam_sides(repaired(textured(slit, one), {.weld = 0})), 0);
 
   for (std::size_t v = to_size(whole.vertex_count()); v < slit.positions.size(); ++v)
     slit.positions[v] += Vector3(3e-4, -3e-4, 3e-4);

@@ -59,7 +59,9 @@ WRONG = [
     (lambda: flat(uv=V[:, :2]), "uv is for init='input' or seamless=True; say one of them"),
     (lambda: flat(uv=V[:, :2], init='tutte'), "uv is for init='input' or seamless=True"),
     (lambda: majorant.parametrize(V, F, uv=V[:, :2], seamless=True, init='tutte'), "leave out init='tutte'"),
-    (lambda: majorant.unwrap(V, F, uv=V[:, :2]), "uv is for seams='uv', or for what weld joins"),
+    (lambda: majorant.unwrap(V, F, uv=V[:, :2]), "uv is for seams='uv' and keep_seams"),
+    (lambda: majorant.unwrap(V, F, keep_seams=True), 'keep_seams cuts along the seams of uv'),
+    (lambda: majorant.unwrap(V, F, weld='now'), "weld='now' is no number"),
     # without effect
     (lambda: flat(soft=3.0), 'soft is the weight of handles; give handles'),
     (lambda: majorant.unwrap(V, F, pack=False, padding=3), 'padding and resolution are for packing'),

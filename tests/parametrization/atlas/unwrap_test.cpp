@@ -32,6 +32,12 @@ UnwrapOptions of_degree(int degree) {
   return options;
 }
 
+PolygonMesh limbs_of(const PolygonMesh& ball) {
+  return transformed(ball, [](const Vector3& p) -> Vector3 {
+    return p * (1 + 1.5 * std::pow(p.cwiseAbs().maxCoeff(), 12) + 0.2 * p.x());
+  });
+}
+
 // Every face once, every chart injective, charts apart.
 void expect_layout(const Atlas& atlas, const SurfaceMesh& surface) {
   std::multiset<Index> faces;
@@ -45,6 +51,44 @@ void expect_layout(const Atlas& atlas, const SurfaceMesh& surface) {
   ASSERT_TRUE(atlas.packing);
   const double gap = 4.0 / 1024 * atlas.packing->side;
   EXPECT_GE(proven_distance(maps_of(atlas), gap), gap);
+}
+
+TEST(Unwrap, KeepsTheLimitOfStretch) {
+  for (const double limit : {1.015, 1.008}) {
+    for (const PolygonMesh& mesh : {limbs_of(cube_sphere(5)), torus(16, 8, 0)}) {
+      UnwrapOptions options;
+      options.cuts.max_stretch = limit;
+      const RepairedSurface surface = repair(mesh);
+      RunRecord record;
+      const Atlas atlas = unwrap(surface.mesh, options, record);
+      expect_layout(atlas, *surface.mesh);
+      Index pieces = 0, last = -1;
+      for (const ComponentCuts& component : atlas.cuts.components) pieces += component.pieces;
+      EXPECT_EQ(to_size(pieces), atlas.charts.size());
+      for (const Chart& chart : atlas.charts) {
+        EXPECT_LE(chart.stretch.l2, limit);
+        EXPECT_EQ(why_stretched(options, chart), "");
+        EXPECT_GT(chart.faces.front(), last);
+        last = chart.faces.front();
+      }
+      double length = 0;
+      for (Index h = 0; h < surface.mesh->half_edge_count(); ++h)
+        if (atlas.cuts.is_cut[h]) length += 0.5 * surface.mesh->edge_length(h);
+      EXPECT_NEAR(atlas.cuts.length, length, 1e-9 * length);
+    }
+  }
+}
+
+// Of any size, and so are the numbers of its charts.
+TEST(Unwrap, KeepsTheLimitOfTinyMeshes) {
+  PolygonMesh mesh = limbs_of(cube_sphere(4));
+  UnwrapOptions options;
+  options.cuts.max_stretch = 1.004;
+  const std::size_t charts = unwrapped(mesh, options).charts.size();
+  for (Vector3& p : mesh.positions) p *= std::ldexp(1, -200);
+  const Atlas tiny = unwrapped(mesh, options);
+  EXPECT_EQ(tiny.charts.size(), charts);
+  for (const Chart& chart : tiny.charts) EXPECT_LE(measure_stretch(*chart.map).l2, 1.004 + 1e-12);
 }
 
 PolygonMesh moved(PolygonMesh mesh, const Vector3& by) {

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "expected_error.h"
+#include "majorant/mesh/repair.h"
 #include "parametrization/seams/cut_checks.h"
 
 namespace majorant {
@@ -220,6 +222,79 @@ TEST(ChooseCuts, SharpEdges) {
   const SurfaceCuts few = choose_cuts(small, options);
   EXPECT_LE(few.components.at(0).pieces, 2 + small.face_count() / 200);
   for (const SurfaceMesh& piece : pieces_of(small, few.is_cut)) EXPECT_GT(piece.face_count(), 1);
+}
+
+// One side of the cube less: a box without a lid.
+SurfaceMesh open_box(int n) {
+  PolygonMesh box = voxel_surface({{0, 0, 0}});
+  if (n > 1) box = cube_sphere(n);
+  const auto is_lid = [&](const std::vector<Index>& polygon) {
+    double least = 1e9, most = -1e9;
+    for (const Vector3& p : box.positions) most = std::max(most, p.z());
+    for (const Index v : polygon) least = std::min(least, box.positions[v].z());
+    return least > 0.5 * most;
+  };
+  std::erase_if(box.polygons, is_lid);
+  box.polygon_lines.clear();
+  return SurfaceMesh::from_polygons(box);
+}
+
+bool is_any(const std::vector<char>& flags) {
+  return std::find(flags.begin(), flags.end(), 1) != flags.end();
+}
+
+TEST(CutChart, InTwoConnectedParts) {
+  for (const SurfaceMesh& chart :
+       {open_box(1), open_box(6), SurfaceMesh::from_polygons(grid(6)),
+        SurfaceMesh::from_polygons(grid(1)), SurfaceMesh::from_polygons(sphere_with_holes(8, 12)),
+        SurfaceMesh::from_polygons(polygon_mesh(
+            {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}}, {{0, 1, 2, 3, 4}}))}) {
+    const std::vector<char> flags = cut_in_two(chart);
+    const std::vector<SurfaceMesh> parts = pieces_of(chart, flags);
+    ASSERT_EQ(parts.size(), 2u);
+    for (const SurfaceMesh& part : parts) EXPECT_NO_THROW(part.require_planar());
+    std::set<Index> polygons[2];
+    for (std::size_t k = 0; k < 2; ++k)
+      for (Index f = 0; f < parts[k].face_count(); ++f) polygons[k].insert(parts[k].input_face(f));
+    const bool is_one_polygon = chart.input_face(0) == chart.input_face(chart.face_count() - 1);
+    for (const Index p : polygons[0]) EXPECT_TRUE(is_one_polygon || !polygons[1].contains(p));
+  }
+}
+
+TEST(CutChart, ThroughItsCorners) {
+  const SurfaceMesh box = open_box(1);
+  const std::vector<char> flags = cut_corners(box);
+  const std::vector<SurfaceMesh> parts = pieces_of(box, flags);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0].boundary_flags(), std::vector<char>(to_size(parts[0].vertex_count()), 1));
+  EXPECT_EQ(std::count(flags.begin(), flags.end(), 1), 8);
+  EXPECT_FALSE(is_any(cut_corners(SurfaceMesh::from_polygons(grid(4)))));
+}
+
+TEST(CutChart, FurtherAsFarAsIsAsked) {
+  const SurfaceMesh cap = open_box(12);
+  const double before = estimated_stretch(cap);
+  for (const double aim :
+       {1 + 0.5 * (before - 1), 1 + 0.1 * (before - 1), 1 + 0.02 * (before - 1)}) {
+    const std::vector<SurfaceMesh> parts = pieces_of(cap, cut_further(cap, aim));
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_LE(estimated_stretch(parts[0]), aim * (1 + 1e-9));
+  }
+}
+
+// A strip between two squares without area, in a corner each.
+TEST(ChooseCuts, FacesWithoutAreaAreApart) {
+  PolygonMesh mesh = grid(4, bumpy);
+  mesh.positions[12] = mesh.positions[13];
+  const auto surface = repair(mesh).mesh;
+  Index without = 0;
+  for (const RestTriangle& t : surface->rest_triangles()) {
+    const SurfaceCuts cuts = choose_cuts(*surface, {});
+    for (Index h = 3 * t.face; h < 3 * t.face + 3; ++h)
+      EXPECT_EQ(cuts.is_cut[h] != 0, surface->opposite(h) >= 0);
+    ++without;
+  }
+  EXPECT_EQ(without, 2);
 }
 
 }  // namespace
