@@ -54,7 +54,7 @@ class Info(CommandTest):
 
     def test_help_names_the_degree(self):
         """That a verb takes where nothing is said: as its report has it."""
-        by_outputs = '(3, or 1 where all data outputs are without curves: .obj .ply)'
+        by_outputs = '(3, or 1 where all data outputs are without curves: .obj .ply .glb .gltf)'
         for verb, words in (('unwrap', '(1)'), ('compare', '(3)'), ('parametrize', by_outputs), ('seamless', by_outputs),
                             ('deform', by_outputs)):
             text = re.sub(r'\s+', ' ', self.run_ok(verb, '--help').out)
