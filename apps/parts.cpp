@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"
+#include "majorant/pictures/image_file.h"
 
 namespace majorant::app {
 namespace {
 
-enum class In { Every, Gpl };  // which builds
+enum class In { Every, Gpl, Exr };  // which builds
 
 struct Part {
   std::string_view name, licence, use;
@@ -27,6 +28,7 @@ constexpr Part kParts[] = {
     {"zlib", "Zlib", "compressed files"},
     {"libpng", "Libpng", "pictures"},
     {"libjpeg-turbo", "IJG, BSD-3-Clause, Zlib", "pictures to bake"},
+    {"OpenEXR, with its Iex and IlmThread, and Imath", "BSD-3-Clause", "pictures to bake", In::Exr},
     {"three.js", "MIT", "the pages that it writes"},
     {"GCC's runtime (libstdc++, libgomp)", "GPL-3.0 with GCC-exception-3.1", "C++"},
     {"GNU C library", "LGPL-2.1-or-later", "the system"},
@@ -42,6 +44,10 @@ constexpr Part kParts[] = {
     {"OpenBLAS (BLAS, LAPACK), GCC's libgfortran and libquadmath",
      "BSD-3-Clause, GPL-3.0 with GCC-exception-3.1, LGPL-2.1-or-later", "of CHOLMOD", In::Gpl},
 };
+
+bool is_in(const Part& part) {
+  return part.in == In::Every || (part.in == In::Gpl ? MAJORANT_GPL != 0 : has_exr());
+}
 
 }  // namespace
 
@@ -62,8 +68,7 @@ std::string licences() {
                                                           "under the GPL or LGPL but the system's "
                                                           "libraries");
   for (const Part& part : kParts)
-    if (part.in == In::Every || has_gpl_parts())
-      text += fmt::format("{}: {}; {}\n", part.name, part.licence, part.use);
+    if (is_in(part)) text += fmt::format("{}: {}; {}\n", part.name, part.licence, part.use);
   text.pop_back();
   return text;
 }

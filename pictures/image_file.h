@@ -22,6 +22,7 @@ namespace majorant {
 
 inline constexpr int kLargestImage = 16384;  // pixels on a side, of what is read
 
+bool has_exr();  // whether this build reads and writes OpenEXR
 // Of this build, for messages: ".png", ...
 std::vector<std::string> readable_images();
 std::vector<std::string> writable_images();

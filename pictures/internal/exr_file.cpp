@@ -1,6 +1,7 @@
 #include "majorant/pictures/internal/exr_file.h"
 
 #include "majorant/framework/error.h"
+#include "majorant/pictures/image_file.h"
 
 #ifdef MAJORANT_HAS_OPENEXR
 

@@ -8,8 +8,6 @@
 
 namespace majorant {
 
-bool has_exr();
-
 // Y, Y A, R G B or R G B A as floats. Throws as read_image().
 Raster decode_exr(const std::string& path, const std::string& bytes);
 // 32 bit floats, ZIP. channels: their names, or none. Throws Error(Usage) where OpenEXR fails.
