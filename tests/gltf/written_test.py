@@ -253,6 +253,17 @@ class Details(CommandTest):
                          [round(k / 10, 6) for k in range(7)])
         self.assertEqual([m for m in validated([self.path('a.glb')], self.folder)[0] if m['severity'] < 2], [])
 
+    def test_what_floats_turn_over_is_not_written(self):
+        """A triangle of 1e-9 in the middle of a square: as an OBJ it is valid, as floats it has no area."""
+        e = 1e-9
+        corners = [(0, 0), (1, 0), (1, 1), (0, 1), (0.3, 0.3), (0.3 + e, 0.3), (0.3, 0.3 + e)]
+        faces = [(4, 5, 6), (0, 1, 5), (0, 5, 4), (1, 2, 5), (2, 6, 5), (2, 3, 6), (3, 0, 4), (3, 4, 6)]
+        mesh = self.write('a.obj', obj_text([(x, y, 0) for x, y in corners], faces, corners))
+        self.run_ok('check', mesh)
+        outcome = self.run_ok('convert', mesh, '-o', self.path('b.obj'), '-o', self.path('b.glb'), code=INVALID)
+        self.assertIn('b.glb is not written, since what it says would not be valid', outcome.err)
+        self.assertEqual(self.files(), ['a.obj', 'b.obj'])
+
     def test_curves_become_straight_pieces(self):
         for seed in (0, 4, 9):
             with self.subTest(seed):
