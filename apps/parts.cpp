@@ -26,6 +26,11 @@ constexpr Part kParts[] = {
     {"CLI11", "BSD-3-Clause", "this command line"},
     {"zlib", "Zlib", "compressed files"},
     {"libpng", "Libpng", "pictures"},
+    {"cairo, pixman", "MPL-1.1 or LGPL-2.1, MIT", "pictures"},
+    {"DejaVu Sans", "Bitstream-Vera", "the letters of pictures"},
+    {"FreeType, Fontconfig, Expat, Brotli, X11 (libX11, libxcb and their parts), libuuid, libbsd, "
+     "libmd",
+     "FTL, MIT, BSD-3-Clause", "of cairo"},
     {"three.js", "MIT", "the pages that it writes"},
     {"GCC's runtime (libstdc++, libgomp)", "GPL-3.0 with GCC-exception-3.1", "C++"},
     {"GNU C library", "LGPL-2.1-or-later", "the system"},

@@ -94,6 +94,10 @@ struct GlobalInjectivity {
 // exactly, in O(n log n). Curves take a few microseconds an edge.
 GlobalInjectivity check_boundary(const BezierMap& map, const InjectivityOptions& options = {});
 
+// What is proven of a map that is violated, and where: "overlaps itself near (0.25, 1.5)".
+// Boundaries that only touch are no overlap, and are told apart where that is proven.
+std::string meeting_words(const GlobalInjectivity& proof);
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
