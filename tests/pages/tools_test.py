@@ -206,16 +206,16 @@ class Tools(CommandTest):
     # ---------------------------------------------------------------- two results
     def test_two_results_side_by_side(self):
         mesh = self.write('bumpy.obj', obj_text(*grid(6, lambda x, y: 2 * bumpy(x, y))))
-        for name, flags in (('a', ('--degree', 3)), ('b', ('--degree', 1, '--energy', 'mips'))):
+        for name, flags in (('a', ('--degree', 3)), ('b', ('--degree', 1, '--energy', 'arap'))):
             self.run_ok('parametrize', '--quiet', mesh, '-o', self.path(name + '.vtu'), *flags)
         self.run_ok('compare', self.path('a.vtu'), self.path('b.vtu'), '-o', self.path('ab.html'))
         found = self.play('pair', 'ab.html', width=1000, height=900)
         self.assertEqual((found['show'], found['views']), ('difference', 4))
         self.assertEqual(found['heading'], 'a.vtu | b.vtu')
         for view in ('surface', 'layout'):
-            self.assertEqual(*found['poses'][view])
+            self.assertLess(np.abs(np.subtract(*found['poses'][view])).max(), 1e-9)
         self.assertEqual(found['ends'][0], -found['ends'][1])
-        self.assertGreater(np.ptp(found['wanted']), 0.3)
+        self.assertGreater(np.ptp(found['wanted']), 0.1)
         for side in found['sides']:
             off = np.abs(np.array(side) - found['wanted'])
             self.assertLess(np.median(off), 0.03)  # a pixel is not the middle of a face
