@@ -133,6 +133,8 @@ int convert(ConvertRequest request) {
   const PolygonMesh surface = mesh_from_map(map, request.input);
   const ProofRequest promise = promise_of(map, surface, request.input);
   request.formats.tessellation.overlap = allowed_overlap(promise);
+  request.formats.svg.points = request.formats.png.points =
+      claimed_points(parse_claims(map.claims, request.input), map);
   if (has_page(request.outputs)) request.formats.page = page_of(map, request.input);
   WrittenFiles written;
   measure(request, map, written);

@@ -282,6 +282,7 @@ void FormatOptions::add_to(CLI::App& verb) {
            {"--color-by", {".svg", ".png", ".html"}},
            {"--align", map_extensions()},
            {"--size", {".png"}},
+           {"--transparent", {".svg", ".png"}},
            {"--view", {".png"}},
            {"--image", {".png"}}})
     options_.push_back({verb.get_option(name), extensions});
@@ -326,6 +327,9 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
           "--size", [this](const std::string& size) { parse_size(size, png); },
           "PNG: width and height in pixels (1000,800)")
       ->type_name("W,H");
+  verb.add_flag_function(
+      "--transparent", [this](std::int64_t) { svg.paper = png.paper = Paper::None; },
+      "SVG and PNG: without the white paper behind the drawing");
   verb.add_option_function<std::string>(
           "--view",
           [this](const std::string& view) {

@@ -49,12 +49,17 @@ MapPage page_of(const FinishedRun& run, Json report) {
   MapPage page;
   page.title = page_title(run.map.input);
   page.facts = page_facts(std::move(report), run.map.inputs());
-  const BezierMap& map = *run.job.result.map;
-  page.points = held_points(map, run.job.options.map.pins);
-  for (const PagePoint& point : pulled_points(run.job.result.handles, map.mesh()))
-    page.points.push_back(point);
+  page.points = shown_points(run.job);
   if (run.job.film) page.snapshots = frames_of(run);
   return page;
+}
+
+std::vector<PagePoint> shown_points(const MapJob& job) {
+  const BezierMap& map = *job.result.map;
+  std::vector<PagePoint> points = held_points(map, job.options.map.pins);
+  for (const PagePoint& point : pulled_points(job.result.handles, map.mesh()))
+    points.push_back(point);
+  return points;
 }
 
 std::vector<PagePoint> pulled_points(const std::vector<Pin>& handles, const SurfaceMesh& mesh) {

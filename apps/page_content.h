@@ -22,6 +22,8 @@ bool has_page(const std::vector<std::string>& paths);
 
 // The page of a run, but for its map and its scaffold.
 MapPage page_of(const FinishedRun& run, Json report);
+// Pins and handles of a job, for pages and pictures.
+std::vector<PagePoint> shown_points(const MapJob& job);
 // Handles with a target, by vertex of the input, model units.
 std::vector<PagePoint> pulled_points(const std::vector<Pin>& handles, const SurfaceMesh& mesh);
 

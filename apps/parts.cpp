@@ -29,6 +29,11 @@ constexpr Part kParts[] = {
     {"libpng", "Libpng", "pictures"},
     {"libjpeg-turbo", "IJG, BSD-3-Clause, Zlib", "pictures to bake"},
     {"OpenEXR, with its Iex and IlmThread, and Imath", "BSD-3-Clause", "pictures to bake", In::Exr},
+    {"cairo, pixman", "MPL-1.1 or LGPL-2.1, MIT", "pictures"},
+    {"DejaVu Sans", "Bitstream-Vera", "the letters of pictures"},
+    {"FreeType, Fontconfig, Expat, Brotli, X11 (libX11, libxcb and their parts), libuuid, libbsd, "
+     "libmd",
+     "FTL, MIT, BSD-3-Clause", "of cairo"},
     {"three.js", "MIT", "the pages that it writes"},
     {"GCC's runtime (libstdc++, libgomp)", "GPL-3.0 with GCC-exception-3.1", "C++"},
     {"GNU C library", "LGPL-2.1-or-later", "the system"},

@@ -36,7 +36,8 @@ void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& writte
   if (run.job.result.scaffold)
     scaffold = to_map_file(run.job.placement ? (*run.job.placement)(*run.job.result.scaffold)
                                              : *run.job.result.scaffold);
-  formats.svg.scaffold = scaffold;
+  formats.svg.scaffold = formats.png.scaffold = scaffold;
+  formats.svg.points = formats.png.points = shown_points(run.job);
   if (has_page(run.outputs.files)) formats.page = page_of(run, report);
   formats.page.scaffold = scaffold;
   for (const std::string& path : run.outputs.files) {

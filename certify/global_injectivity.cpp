@@ -422,6 +422,15 @@ GlobalInjectivity check_boundary(const BezierMap& map, const InjectivityOptions&
   return proof;
 }
 
+std::string meeting_words(const GlobalInjectivity& proof) {
+  const auto near = [](const Vector2& uv) {
+    return fmt::format("near ({:.6g}, {:.6g})", uv.x(), uv.y());
+  };
+  if (proof.covered_twice) return "overlaps itself " + near(*proof.covered_twice);
+  if (proof.contacts.empty()) return "overlaps itself: " + proof.reason;
+  return "touches or overlaps itself " + near(proof.contacts.front().where);
+}
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -46,7 +46,7 @@ if(BUILD_SHARED_LIBS)
   list(APPEND development_depends "${libraries} (= ${PROJECT_VERSION})")
 else()
   list(APPEND development_depends libfmt-dev libsuitesparse-dev libmetis-dev nlohmann-json3-dev
-                                  zlib1g-dev libpng-dev libjpeg-dev)
+                                  zlib1g-dev libpng-dev libjpeg-dev libcairo2-dev)
   if(OpenEXR_FOUND)
     list(APPEND development_depends libopenexr-dev)
   endif()

@@ -25,7 +25,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/majorantConfigVersion.cma
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/majorantConfig.cmake
               ${PROJECT_BINARY_DIR}/majorantConfigVersion.cmake
-              cmake/FindOrderings.cmake cmake/FindXsimdHeaders.cmake
+              cmake/FindCairo.cmake cmake/FindOrderings.cmake cmake/FindXsimdHeaders.cmake
         DESTINATION ${package_dir} COMPONENT development)
 if(MAJORANT_GPL)
   install(FILES cmake/FindNest2D.cmake cmake/FindCHOLMOD.cmake DESTINATION ${package_dir}
@@ -37,7 +37,7 @@ file(RELATIVE_PATH MAJORANT_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 list(JOIN MAJORANT_ABI_DEFINITIONS " -D" MAJORANT_PC_DEFINITIONS)
 set(framework_packages "fmt")
 set(framework_libraries "-lamd -lmetis -pthread")
-set(majorant_packages "zlib, libpng, libjpeg")
+set(majorant_packages "zlib, libpng, libjpeg, cairo")
 if(OpenEXR_FOUND)
   string(APPEND majorant_packages ", OpenEXR")
 endif()

@@ -46,7 +46,7 @@ FileVerification certification(std::string path, ProofRequest wanted,
 // doubles. One VTK_BEZIER_TRIANGLE (type 76) per cell for degree >= 2, VTK_TRIANGLE (5) for 1.
 //
 //     Points               #N by 3 Float64  control points of the flat surface triangles
-//     PointData uv         #N by 2 Float64  control points of the map
+//     PointData uv         #N by 2 Float64  control points of the map; marked as TCoords
 //     PointData input_vertex   #N Int32     vertex of the input mesh, -1 for none
 //     PointData cone           #N Int32     quarter turns at cones, every copy; 0 (if present)
 //     PointData seam           #N Int32     chain + 1 on seams, else 0 (with seam_edges)
@@ -99,8 +99,9 @@ void write_vtu(const std::string& path, const MapFile& map, const FileVerificati
 //
 // Writing rounds the map (write_vtu() keeps it) and leaves out seams and claims; an image leaves
 // out the surface. Nodes are numbered as the map's points, elements as its cells, from 1; every
-// chart is a surface entity of its own, from 1. Nodes are shared where the map is continuous. A
-// surface has two sections of our own behind the views, which gmsh passes over:
+// chart is a surface entity of its own, from 1, and the physical group "chart 0" of that number.
+// Nodes are shared where the map is continuous. A surface has two sections of our own behind the
+// views, which gmsh passes over:
 //
 //     $input_vertex      number of lines, then lines of a node tag and the vertex of the input,
 //                        from 0; -1: none

@@ -34,6 +34,7 @@ class MshText {
 
   void add_mesh() {
     text_.add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+    add_groups();
     add_entities();
     add("$Nodes\n{} {} 1 {}\n", charts_.size(), nodes_.rows(), nodes_.rows());
     for (const auto& [number, chart] : charts_) {
@@ -91,14 +92,25 @@ class MshText {
     text_.add(fmt::format(format, std::forward<Args>(args)...));
   }
 
-  // Surfaces with their boxes, no boundary, no physical groups.
+  // A name for every chart of an atlas.
+  void add_groups() {
+    if (map_.chart.size() == 0) return;
+    add("$PhysicalNames\n{}\n", charts_.size());
+    for (const auto& entry : charts_)
+      add("2 {0} \"chart {1}\"\n", long{entry.first} + 1, entry.first);
+    text_.add("$EndPhysicalNames\n");
+  }
+
+  // Surfaces with their boxes, in the groups of their charts, no boundary.
   void add_entities() {
     add("$Entities\n0 0 {} 0\n", charts_.size());
     for (const auto& [number, chart] : charts_) {
       const Cells cells = map_.cells(chart.cells, Eigen::all);
       const Points3 here = nodes_(cells.reshaped(), Eigen::all);
       const Eigen::RowVector3d low = here.colwise().minCoeff(), high = here.colwise().maxCoeff();
-      add("{} {} {} 0 0\n", long{number} + 1, fmt::join(low, " "), fmt::join(high, " "));
+      const std::string group =
+          map_.chart.size() == 0 ? "0" : fmt::format("1 {}", long{number} + 1);
+      add("{} {} {} {} 0\n", long{number} + 1, fmt::join(low, " "), fmt::join(high, " "), group);
     }
     text_.add("$EndEntities\n");
   }

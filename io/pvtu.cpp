@@ -192,7 +192,7 @@ std::string pvtu_text(const MapFile& like, const std::vector<std::string>& piece
                    "<PDataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n", type, name,
                    components);
   };
-  text += "<PPointData>\n";
+  text += "<PPointData TCoords=\"uv\">\n";
   array("Float64", "uv", 2);
   array("Int32", "input_vertex", 1);
   text += "</PPointData>\n<PCellData>\n";

@@ -138,7 +138,7 @@ std::string vtu_text(const std::string& path, const MapFile& map, VtuCells cells
   }
   text.add("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", map.points.rows(),
            map.cells.rows());
-  text.add("<PointData>\n");
+  text.add("<PointData TCoords=\"uv\">\n");
   text.add_array("uv", 2, uv.data(), uv.size());
   text.add_array("input_vertex", 1, map.input_vertex.data(), map.input_vertex.size());
   text.add_array("cone", 1, map.cone.data(), map.cone.size());

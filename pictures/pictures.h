@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,18 @@ struct ColorRange {
   double low = 0, high = 1;  // as ColorScale::with_range() has them
 };
 
+// A vertex that was held or pulled: drawn at every copy of it, with a line to its target.
+struct PagePoint {
+  enum class Hold { Pin, Handle };  // exactly there; pulled there
+
+  Index vertex = 0;  // of the input, as MapFile::input_vertex counts them
+  Vector2 target;    // in the units of the map's uv
+  Hold hold = Hold::Pin;
+};
+
+// What a picture lies on: a transparent one shows what is behind it.
+enum class Paper { White, None };
+
 // The layout of a map as a vector drawing: what to look at, and to put into a paper.
 
 struct SvgOptions {
@@ -54,31 +67,38 @@ struct SvgOptions {
   // None: the fixed range of the quantity's scale.
   std::optional<ColorRange> color_range = std::nullopt;
   Alignment alignment = Alignment::Automatic;
+  std::vector<PagePoint> points = {};  // held and pulled ones, with their targets
+  Paper paper = Paper::White;
 };
 
-// One <path> per cell along its curved boundary: lines for degree 1, quadratic and cubic Bezier
-// curves for 2 and 3, exactly; higher degrees as four Hermite cubics an edge. The v axis points up.
-// The drawing is 1000 wide and fits the control points (a layout more than 4 times as tall as wide
-// is 4000 high instead); coordinates have 6 digits of the drawing's size.
+// One <path> per colour, of the curved boundaries of its cells: lines for degree 1, quadratic and
+// cubic Bezier curves for 2 and 3, exactly; higher degrees as four Hermite cubics an edge. The v
+// axis points up. The drawing is 1000 wide and fits the control points (a layout more than 4 times
+// as tall as wide is 4000 high instead); coordinates have 6 digits of the drawing's size. <title>
+// and <desc> say what it is of.
 //
 // Cells are filled by `distortion`, the mean density of the energy that the map's claims name, on
 // the fixed scale of that energy (docs/pictures.md): pictures of different maps can be compared.
 // The legend names energy, degree and isometry, the smallest and the largest value on the map (not
 // of the means that are drawn; as MapMeasures::max_density), and how many means are beyond the
-// scale. Without both the cells are grey, or in pale colours by chart. The paper is white, whatever
-// page it lies on. The output depends on nothing but the map and the options.
+// scale. Without both the cells are grey, or in pale colours by chart. The output depends on
+// nothing but the map and the options.
 //
 // Over the cells: grid lines if asked for, cut off at the layout's boundary; where the map has
 // several charts, thin outlines in one colour a chart, and its number where there is room; where it
 // has seams, thick lines along both sides of them in one colour a chain, and dots on the cones,
-// blue for index > 0 and green for index < 0; a second legend. Throws Error(Invalid) if the map is
+// blue for index > 0 and green for index < 0; points and lines to their targets; rings where
+// boundary edges meet; a second legend. Throws Error(Invalid) if the map is
 // inconsistent or not finite, Error(Usage) if the file cannot be written, the grid cannot be drawn
 // or the range of colours leaves out the isometry.
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options = {});
 // The drawing as text, for who has a place for it already. Throws Error(Invalid) likewise.
 std::string svg_text(const MapFile& map, const SvgOptions& options = {});
 
-// A map as a picture of pixels: the layout, or the surface with what the map lays on it.
+// A map as a picture of pixels: the layout, or the surface with what the map lays on it. A layout
+// has all that write_svg() draws, from one description, so that the two cannot differ; lines and
+// letters are as large a part of it as there. Only colours are those of pixels, not of cells, and
+// images have no edges on them.
 //
 //   write_png("layout.png", file);
 //   PngOptions options;
@@ -92,8 +112,8 @@ std::string svg_text(const MapFile& map, const SvgOptions& options = {});
 // both show the same.
 //
 //     * Camera: orthographic. `view` points from the surface to the eye; the y axis is up in the
-//       picture (the z axis where `view` is closer than 3 degrees to it). What is seen, layout or
-//       surface, is in the middle and as large as it fits with a margin of 2 % of the smaller side.
+//       picture (the z axis where `view` is closer than 3 degrees to it). What is seen is in the
+//       middle and as large as it fits, a surface with a margin of 2 % of the smaller side.
 //     * Light comes from the eye: sRGB values times 0.72 + 0.28 |cos| of its angle with the normal,
 //       which is interpolated between those of corners, means of the faces around them by area.
 //     * Checkerboard: squares of 1, 2 or 5 times a power of ten uv units, at least a 40th of the
@@ -115,6 +135,9 @@ struct PngOptions {
   std::optional<std::string> image = {};
   std::optional<ColorRange> color_range = {};  // none: that of the fixed scale
   Alignment alignment = Alignment::Automatic;
+  std::optional<MapFile> scaffold = {};  // around a layout, as of SvgOptions
+  std::vector<PagePoint> points = {};    // likewise
+  Paper paper = Paper::White;
 };
 
 // Heat maps have a legend below, as SVG's, with the same smallest and largest value, those of the
@@ -139,15 +162,6 @@ void write_png(const std::string& path, const MapFile& map, const PngOptions& op
 // network, no other file. docs/pictures.md says what it shows and what its data look like.
 //
 // A picture, not data: numbers that others compute with belong into a .vtu.
-
-// A vertex that was held or pulled: drawn at every copy of it, with a line to its target.
-struct PagePoint {
-  enum class Hold { Pin, Handle };  // exactly there; pulled there
-
-  Index vertex = 0;  // of the input, as MapFile::input_vertex counts them
-  Vector2 target;    // in the units of the map's uv
-  Hold hold = Hold::Pin;
-};
 
 // A cell of which something is not true.
 struct PageFault {
@@ -182,6 +196,9 @@ struct MapPage {
   // Snapshots in the order of their iterations. The page keeps them in single precision, 8 bytes a
   // control point each.
   std::vector<PageSnapshot> snapshots = {};
+  // A second map of the same surface, its cells those of this one: the page shows both side by
+  // side, and the difference of their densities. Not its scaffold, nor what it would compare with.
+  std::shared_ptr<const MapPage> other = {};
 };
 
 // Texts may hold any bytes; what is not UTF-8 is shown as U+FFFD. Energy and scale of the layout

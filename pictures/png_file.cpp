@@ -110,10 +110,17 @@ std::string encode_png(const PixelImage& image) {
   Png png;
   png.image.width = static_cast<png_uint_32>(image.width);
   png.image.height = static_cast<png_uint_32>(image.height);
-  png.image.format = PNG_FORMAT_RGB;
+  const bool is_opaque = image.alpha.empty();
+  png.image.format = is_opaque ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
+  std::vector<std::uint8_t> channels;
+  for (std::size_t k = 0; k < image.alpha.size(); ++k) {
+    const Color& c = image.pixels[k];
+    channels.insert(channels.end(), {c.red, c.green, c.blue, image.alpha[k]});
+  }
+  const void* rows = image.pixels.data();
+  if (!is_opaque) rows = channels.data();
   const auto write = [&](void* memory, png_alloc_size_t& size) {
-    if (png_image_write_to_memory(&png.image, memory, &size, 0, image.pixels.data(), 0, nullptr) ==
-        0)
+    if (png_image_write_to_memory(&png.image, memory, &size, 0, rows, 0, nullptr) == 0)
       throw Error(ErrorKind::Usage, fmt::format("cannot make a picture of {} x {} pixels: {}",
                                                 image.width, image.height, png.image.message));
   };

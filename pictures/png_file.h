@@ -11,7 +11,8 @@ namespace majorant {
 
 struct PixelImage {
   int width = 0, height = 0;
-  std::vector<Color> pixels;  // row by row from the top
+  std::vector<Color> pixels;             // row by row from the top
+  std::vector<std::uint8_t> alpha = {};  // of each of them; none: all opaque
 
   Color& at(int x, int y) {
     return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

@@ -15,7 +15,9 @@ namespace majorant {
 void write_page(const std::string& path, const MapPage& page) {
   require_sound(path, page.map);
   if (page.scaffold) require_sound(path, *page.scaffold);
-  write_file_atomically(path, fill_in(map_page_html(), {{"title", html_text(page.title)},
+  if (page.other) require_sound(path, page.other->map);
+  const std::string title = page.other ? page.title + " | " + page.other->title : page.title;
+  write_file_atomically(path, fill_in(map_page_html(), {{"title", html_text(title)},
                                                         {"style", std::string(map_page_css())},
                                                         {"data", script_json(page_data(page))},
                                                         {"script", std::string(map_page_js())}}));

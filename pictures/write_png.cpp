@@ -15,10 +15,11 @@
 #include "majorant/io/map_check.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/bezier_image.h"
+#include "majorant/pictures/internal/canvas.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 #include "majorant/pictures/internal/density_probe.h"
+#include "majorant/pictures/internal/layout_drawing.h"
 #include "majorant/pictures/internal/legend.h"
-#include "majorant/pictures/internal/pixel_font.h"
 #include "majorant/pictures/internal/raster_scene.h"
 #include "majorant/pictures/internal/rasterizer.h"
 #include "majorant/pictures/pictures.h"
@@ -26,67 +27,6 @@
 
 namespace majorant {
 namespace {
-
-// The legend of a picture of pixels.
-
-constexpr Color kInk{51, 51, 51};
-constexpr int kWideEnough = 900;  // for letters of twice the size
-// In dots of letters.
-constexpr int kLegendMargin = 6, kPixelBarHeight = 8, kPixelPoint = 5, kTick = 2, kLine = 12,
-              kHeight = 52;
-
-int zoom_of(int width) { return width >= kWideEnough ? 2 : 1; }
-
-void fill_column(PixelImage& image, int x, int top, int bottom, Color color) {
-  for (int y = top; y < bottom; ++y)
-    if (x >= 0 && x < image.width && y >= 0 && y < image.height) image.at(x, y) = color;
-}
-
-// Narrower from one column to the next.
-void draw_point(PixelImage& image, int x, int way, int top, int height, int length, Color color) {
-  for (int k = 0; k < length; ++k) {
-    const int cut = height * (k + 1) / (2 * (length + 1));
-    fill_column(image, x + way * k, top + cut, top + height - cut, color);
-  }
-}
-
-// As much of a line as there is room for.
-std::string cut_off(const std::string& text, int room) {
-  return text.substr(0, static_cast<std::size_t>(std::max(0, room)));
-}
-
-// Rows that a legend takes at the bottom of a picture of this width.
-int png_legend_height(int width) { return kHeight * zoom_of(width); }
-
-// Into those rows: as add_color_legend() of write_svg.cpp, the lines of text below the bar.
-void draw_legend(PixelImage& image, const Legend& legend) {
-  const int zoom = zoom_of(image.width);
-  const int left = (kLegendMargin + kPixelPoint) * zoom;
-  const int width = std::max(1, std::min(image.width / 2, 400 * zoom) - 2 * left);
-  const int top = image.height - (kHeight - 4) * zoom, height = kPixelBarHeight * zoom;
-  for (int x = 0; x < width; ++x)
-    fill_column(image, left + x, top, top + height, legend.scale.color_at((x + 0.5) / width));
-  if (legend.goes_below)
-    draw_point(image, left - 1, -1, top, height, kPixelPoint * zoom, legend.scale.colors().front());
-  if (legend.goes_above)
-    draw_point(image, left + width, 1, top, height, kPixelPoint * zoom,
-               legend.scale.colors().back());
-  const int ticks = top + height;
-  int free = 0;  // labels that would overlap the one before are left out
-  for (const ColorScale::Tick& tick : legend.scale.ticks()) {
-    const int x = left + static_cast<int>(std::lround(tick.position * (width - 1)));
-    fill_column(image, x, ticks, ticks + kTick * zoom, kInk);
-    const int wide = static_cast<int>(tick.label.size()) * kGlyphAdvance * zoom;
-    if (x - wide / 2 < free) continue;
-    draw_text(image, x - wide / 2, ticks + (kTick + 2) * zoom, zoom, kInk, tick.label);
-    free = x - wide / 2 + wide + kGlyphAdvance * zoom / 2;
-  }
-  const int room = (image.width - 2 * kLegendMargin * zoom) / (kGlyphAdvance * zoom);
-  const int text = ticks + (kTick + 3 + kGlyphHeight) * zoom;
-  draw_text(image, kLegendMargin * zoom, text, zoom, kInk, cut_off(legend.title, room));
-  draw_text(image, kLegendMargin * zoom, text + (kLine - 1) * zoom, zoom, kInk,
-            cut_off(legend.note, room));
-}
 
 // The painters of a picture of pixels.
 
@@ -102,7 +42,7 @@ class Painter {
 };
 
 constexpr double kSquares = 40.0;  // at most, along the layout
-const FloatColor kDark(79, 107, 135), kLight(242, 240, 232), kPlain(219, 219, 219);
+const FloatColor kDark(79, 107, 135), kLight(242, 240, 232);
 
 FloatColor as_float(Color c) {
   return {static_cast<double>(c.red), static_cast<double>(c.green), static_cast<double>(c.blue)};
@@ -128,12 +68,18 @@ Square texture_square(const MapFile& map) {
   return square_around(map);
 }
 
-class PlainPainter final : public Painter {
+// One colour a cell.
+class CellPainter final : public Painter {
  public:
-  void paint(std::span<const Fragment>, std::span<FloatColor> colors,
+  explicit CellPainter(CellColors colors) : colors_(std::move(colors)) {}
+  void paint(std::span<const Fragment> samples, std::span<FloatColor> colors,
              ValueSummary&) const override {
-    std::fill(colors.begin(), colors.end(), kPlain);
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      if (samples[k].cell >= 0) colors[k] = as_float(colors_[to_size(samples[k].cell)]);
   }
+
+ private:
+  CellColors colors_;
 };
 
 // Paints what depends on uv alone.
@@ -228,7 +174,9 @@ class HeatPainter final : public Painter {
   ColorScale scale_;
 };
 
-std::unique_ptr<Painter> plain_painter() { return std::make_unique<PlainPainter>(); }
+std::unique_ptr<Painter> plain_painter(const MapFile& map) {
+  return std::make_unique<CellPainter>(plain_colors(map));
+}
 
 std::unique_ptr<Painter> checker_painter(const MapFile& map) {
   return std::make_unique<CheckerPainter>(map);
@@ -246,7 +194,7 @@ std::unique_ptr<Painter> heat_painter(const MapFile& map, Quantity quantity,
 }
 
 constexpr double kDarkest = 0.72;  // of what is seen edge-on
-const FloatColor kPaper(255, 255, 255), kCut(194, 24, 91);
+const FloatColor kCut(194, 24, 91);
 constexpr double kCutWidth = 0.9;  // pixels, on either side of a cut
 
 void require_usable(const PngOptions& options) {
@@ -302,61 +250,89 @@ class SurfaceShade {
   std::vector<Vector3> height_;  // of cells on the screen, above the edge across from each corner
 };
 
-// One row of pixels: the mean of the colours of their samples.
-void average(std::span<const FloatColor> colors, PixelImage& image, int y) {
-  for (int x = 0; x < image.width; ++x) {
-    FloatColor sum = FloatColor::Zero();
-    for (const FloatColor& c : colors.subspan(to_size(x * kSamplesPerPixel), kSamplesPerPixel))
-      sum += c;
-    const auto channel = [&](Index k) {
-      return static_cast<std::uint8_t>(std::lround(sum[k] / kSamplesPerPixel));
-    };
-    image.at(x, y) = {channel(0), channel(1), channel(2)};
+// One row of pixels: the mean of the colours of those of their samples that a cell has.
+void average(std::span<const Fragment> samples, std::span<const FloatColor> colors,
+             std::span<CoveredColor> row) {
+  for (std::size_t x = 0; x < row.size(); ++x) {
+    CoveredColor sum = CoveredColor::Zero();
+    for (std::size_t k = x * kSamplesPerPixel; k < (x + 1) * kSamplesPerPixel; ++k)
+      if (samples[k].cell >= 0) sum += CoveredColor(colors[k][0], colors[k][1], colors[k][2], 1);
+    row[x] = sum / kSamplesPerPixel;
   }
 }
 
-// Into the upper rows of the image; what legends say of the samples.
-ValueSummary draw_map(const MapFile& map, const PngOptions& options, const Painter& painter,
-                      PixelSize size, PixelImage& image) {
-  const auto triangles =
-      options.view ? surface_triangles(map, *options.view, size) : layout_triangles(map, size);
-  std::optional<SurfaceShade> shade;
-  if (options.view) shade.emplace(map, *options.view, triangles);
+struct DrawnPixels {
+  std::vector<CoveredColor> pixels;
+  ValueSummary values;  // what legends say of the samples
+};
+
+DrawnPixels draw_triangles(const std::vector<RasterTriangle>& triangles, const Painter& painter,
+                           const std::optional<SurfaceShade>& shade, PixelSize size) {
+  DrawnPixels drawn;
+  drawn.pixels.resize(to_size(size.width) * to_size(size.height));
   std::vector<ValueSummary> rows(to_size(size.height));
   rasterize(triangles, size, [&](int y, std::span<const Fragment> samples) {
-    std::vector<FloatColor> colors(samples.size(), kPaper);
+    std::vector<FloatColor> colors(samples.size(), FloatColor::Zero());
     painter.paint(samples, colors, rows[y]);
-    for (std::size_t k = 0; k < samples.size(); ++k) {
-      if (samples[k].cell < 0)
-        colors[k] = kPaper;
-      else if (shade)
-        colors[k] = (*shade)(samples[k], colors[k]);
-    }
-    average(colors, image, y);
+    for (std::size_t k = 0; k < samples.size(); ++k)
+      if (samples[k].cell >= 0 && shade) colors[k] = (*shade)(samples[k], colors[k]);
+    average(samples, colors,
+            std::span(drawn.pixels).subspan(to_size(y) * to_size(size.width), to_size(size.width)));
   });
-  ValueSummary all;
-  for (const ValueSummary& row : rows) all.add(row);
-  return all;
+  for (const ValueSummary& row : rows) drawn.values.add(row);
+  return drawn;
 }
 
-PixelImage draw(const MapFile& map, const PngOptions& options) {
+std::unique_ptr<Painter> painter_of(const MapFile& map, const PngOptions& options,
+                                    const std::optional<Quantity>& heat) {
+  if (heat)
+    return heat_painter(map, *heat, claimed_energy(map).sum,
+                        picture_scale(map, *heat, options.color_range));
+  if (options.image) return image_painter(map, read_png(*options.image));
+  return options.view ? checker_painter(map) : plain_painter(map);
+}
+
+std::optional<Legend> legend_of(const MapFile& map, const PngOptions& options,
+                                const std::optional<Quantity>& heat, const ValueSummary& values) {
+  if (!heat) return {};
+  return make_legend(map, *heat, picture_scale(map, *heat, options.color_range), values, "samples");
+}
+
+PixelImage surface_image(const MapFile& map, const PngOptions& options) {
   const std::optional<Quantity> heat = heat_of(map, options);
-  PixelImage image{options.width, options.height, {}};
-  image.pixels.assign(to_size(image.width) * to_size(image.height), Color{255, 255, 255});
+  const double scale = options.width / LayoutSheet::kWidth;
+  const double legend = heat ? LayoutSheet::kColorsHeight : 0;
   PixelSize size{options.width, options.height};
-  if (!heat) {
-    const auto painter = options.image  ? image_painter(map, read_png(*options.image))
-                         : options.view ? checker_painter(map)
-                                        : plain_painter();
-    draw_map(map, options, *painter, size, image);
-    return image;
-  }
-  const ColorScale scale = picture_scale(map, *heat, options.color_range);
-  const auto painter = heat_painter(map, *heat, claimed_energy(map).sum, scale);
-  size.height = std::max(1, size.height - png_legend_height(size.width));
-  const ValueSummary values = draw_map(map, options, *painter, size, image);
-  draw_legend(image, make_legend(map, *heat, scale, values, "samples"));
-  return image;
+  size.height = std::max(1, size.height - static_cast<int>(std::lround(scale * legend)));
+  const auto triangles = surface_triangles(map, *options.view, size);
+  const DrawnPixels drawn = draw_triangles(triangles, *painter_of(map, options, heat),
+                                           SurfaceShade(map, *options.view, triangles), size);
+  Canvas canvas({options.width, options.height}, scale, options.paper);
+  canvas.lay(drawn.pixels);
+  if (heat)
+    canvas.paint(color_legend(*legend_of(map, options, heat, drawn.values), size.height / scale));
+  return canvas.image();
+}
+
+// As write_svg() draws it, but for colours, which are those of pixels.
+PixelImage layout_image(const MapFile& map, const LayoutMarks& marks, const PngOptions& options) {
+  const std::optional<Quantity> heat = heat_of(map, options);
+  const PixelSize size{options.width, options.height};
+  const double scale = size.width / LayoutSheet::kWidth;
+  const LayoutSheet sheet(map, marks, heat ? LegendOf::Colors : LegendOf::Nothing,
+                          size.height / scale);
+  const auto triangles = layout_triangles(map, scale * sheet.scale(), [&](const Vector2& uv) {
+    return Vector2(scale * sheet.place(uv));
+  });
+  const DrawnPixels drawn = draw_triangles(triangles, *painter_of(map, options, heat), {}, size);
+  const LayoutDrawing drawing =
+      draw_layout(sheet, legend_of(map, options, heat, drawn.values), {}, CellFill::Nothing);
+  Canvas canvas(size, scale, options.paper);
+  canvas.paint(drawing.behind);
+  canvas.lay(drawn.pixels);
+  if (!options.image) canvas.paint(drawing.cells);  // an image is to be seen as it is
+  canvas.paint(drawing.over);
+  return canvas.image();
 }
 
 }  // namespace
@@ -365,9 +341,12 @@ void write_png(const std::string& path, const MapFile& map, const PngOptions& op
   require_usable(options);
   require_sound(path, map);
   // On the surface nothing is turned: images and squares lie as the file has them.
-  const Vector2 direction =
-      options.view ? Vector2(1, 0) : picture_direction(map, options.alignment);
-  write_file_atomically(path, encode_png(draw(turned(map, direction), options)));
+  if (options.view) return write_file_atomically(path, encode_png(surface_image(map, options)));
+  if (options.scaffold) require_sound("scaffold", *options.scaffold);
+  const Vector2 direction = picture_direction(map, options.alignment);
+  const MapFile shown = turned(map, direction);
+  const LayoutMarks marks = marks_of(map, direction, {}, options.scaffold, options.points);
+  write_file_atomically(path, encode_png(layout_image(shown, marks, options)));
 }
 
 }  // namespace majorant

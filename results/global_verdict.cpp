@@ -9,13 +9,6 @@ namespace {
 
 std::string near(const Vector2& uv) { return fmt::format("near ({:.6g}, {:.6g})", uv.x(), uv.y()); }
 
-// Boundaries that only touch are no overlap, and are told apart where that is proven.
-std::string what_meets(const GlobalInjectivity& proof) {
-  if (proof.covered_twice) return "overlaps itself " + near(*proof.covered_twice);
-  if (proof.contacts.empty()) return "overlaps itself: " + proof.reason;
-  return "touches or overlaps itself " + near(proof.contacts.front().where);
-}
-
 std::string what_is_open(const GlobalInjectivity& proof) {
   std::string text = "whether it overlaps itself is not decided";
   if (!proof.reason.empty()) text += ": " + proof.reason;
@@ -34,7 +27,7 @@ ImageOf image_of(const BezierMap& map) {
 std::string overlap_words(const GlobalInjectivity& proof, ImageOf image) {
   if (proof.result == ProofStatus::Proven) return "no overlaps";
   const bool violated = proof.result == ProofStatus::Violated;
-  const std::string found = violated ? what_meets(proof) : what_is_open(proof);
+  const std::string found = violated ? meeting_words(proof) : what_is_open(proof);
   if (image == ImageOf::Charts) return "each chart without overlaps, the layout " + found;
   if (image == ImageOf::CutAtSeams)
     return "locally injective, cut open along its seams it " + found +

@@ -35,11 +35,16 @@ import public_names  # noqa: E402
 
 MESH = SOURCE / 'meshes/cap.obj'
 ALWAYS = {'libstdc++', 'libm', 'libgcc_s', 'libc', 'linux-vdso', 'ld-linux-x86-64'}
-FREE_LIBRARIES = ALWAYS | {'libamd', 'libsuitesparseconfig', 'libmetis', 'libfmt', 'libpng16', 'libz'}
+# Of cairo, under MPL-1.1 if one likes, and what it loads, under MIT, BSD or FreeType's licence.
+CAIRO_LIBRARIES = {'libcairo', 'libpixman-1', 'libfontconfig', 'libfreetype', 'libexpat', 'libbrotlidec',
+                   'libbrotlicommon', 'libX11', 'libXext', 'libXrender', 'libXau', 'libXdmcp', 'libxcb', 'libxcb-shm',
+                   'libxcb-render', 'libuuid', 'libbsd', 'libmd'}
+FREE_LIBRARIES = ALWAYS | CAIRO_LIBRARIES | {'libamd', 'libsuitesparseconfig', 'libmetis', 'libfmt', 'libpng16',
+                                             'libz'}
 # Packages of Debian whose headers a binary under BSD-3-Clause may be made of: BSD, MIT, Apache, BSL,
 # MPL; GCC's and the C library's own by their exceptions.
 FREE_PACKAGES = {'libeigen3-dev', 'libxsimd-dev', 'libfmt-dev', 'nlohmann-json3-dev', 'libcli11-dev', 'zlib1g-dev',
-                 'libpng-dev', 'libmetis-dev', 'libc6-dev', 'linux-libc-dev', 'libcrypt-dev'}
+                 'libpng-dev', 'libcairo2-dev', 'libmetis-dev', 'libc6-dev', 'linux-libc-dev', 'libcrypt-dev'}
 FREE_PATTERN = re.compile(r'lib(boost1\.\d+|stdc\+\+-\d+|gcc-\d+)-dev$')
 # Of a package with other licences, too.
 FREE_HEADERS = {'/usr/include/suitesparse/amd.h', '/usr/include/suitesparse/SuiteSparse_config.h'}

@@ -17,6 +17,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
 #include "apps/compare/comparison_table.h"
+#include "apps/compare/matched_maps.h"
 #include "apps/compare/methods.h"
 #include "apps/compare/write_comparison.h"
 #include "apps/energy_option.h"
@@ -36,10 +38,13 @@
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/streams.h"
+#include "apps/within_memory.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
+#include "majorant/io/claims.h"
+#include "majorant/io/io.h"
 #include "majorant/io/waiting_output.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/normalized_start.h"
@@ -199,6 +204,7 @@ std::string linear_solver_table(const std::vector<LinearSolverRun>& runs) {
 struct CompareRequest {
   CommonOptions common;
   MapRequest map;
+  std::string other;  // a second result, or empty
   std::vector<std::string> outputs, methods, linear_solvers;
   int max_iterations = Contest().max_iterations;
   double tolerance = Contest().tolerance, time_limit = 60;
@@ -487,15 +493,61 @@ int compare(const CompareRequest& request) {
       .conclude(interruption_flag()->load() ? kLimit : kSuccess);
 }
 
+// Throws Error(Usage) for an option that says how a problem is solved.
+void require_no_problem(const CLI::App& verb) {
+  const std::set<std::string> usable{"output", "threads", "quiet", "verbose", "strict", "force"};
+  for (const CLI::Option* option : verb.get_options())
+    if (option->count() > 0 && !option->get_positional() &&
+        usable.count(option->get_single_name()) == 0)
+      throw Error(ErrorKind::Usage,
+                  fmt::format("--{} is of one problem solved with many methods; leave it out to "
+                              "compare two results, or leave out the second one",
+                              option->get_single_name()));
+}
+
+// Pages hold a number a control point; the claims say what the file is.
+MapPage page_of(const std::string& path, const MapFile& map) {
+  MapPage page;
+  page.title = page_title(path);
+  page.map = map;
+  page.points = claimed_points(parse_claims(map.claims, path), map);
+  return page;
+}
+
+// compare A.vtu B.vtu -o AB.html.
+int compare_results(const Request& request) {
+  require_some_output(request.outputs, {".html"});
+  require_writable(request.common, {{request.outputs, {".html"}}},
+                   {request.map.input, request.other});
+  const auto read = [&](const std::string& path) {
+    return within_memory(path, [&] { return read_map(path, {}, request.common.strictness()); });
+  };
+  const MapFile map = read(request.map.input);
+  MapPage page = page_of(request.map.input, map);
+  page.other = std::make_shared<MapPage>(page_of(
+      request.other, matched_to(map, request.map.input, read(request.other), request.other)));
+  WrittenFiles written;
+  for (const std::string& path : request.outputs)
+    written.write(path, [&] { write_page(path, page); });
+  if (!request.common.quiet) written.say_sizes();
+  return written.conclude(kSuccess);
+}
+
 }  // namespace
 
 void add_compare(CLI::App& app, Action* run) {
-  auto request = std::make_shared<CompareRequest>();
-  CompareRequest& r = *request;
-  CLI::App& verb = *app.add_subcommand("compare", "solve one problem with many methods");
+  auto request = std::make_shared<Request>();
+  Request& r = *request;
+  CLI::App& verb = *app.add_subcommand(
+      "compare", "solve one problem with many methods, or show two results side by side");
   r.map.add_to(verb, "3");
   r.map.init = "tutte";  // far enough from the minimum to compare the ways there
   r.map.add_start_to(verb);
+  begin_group(verb, OptionGroup::Files);
+  const CLI::Option* other =
+      verb.add_option("other", r.other,
+                      "a second result: the first one is a result of the same surface, too, and "
+                      "-o OUT.html shows both with the difference of their densities");
   begin_group(verb, OptionGroup::Solver);
   verb.add_option("--methods", r.methods, "names, comma separated (all that fit the energy)")
       ->type_name("NAMES")
@@ -525,8 +577,10 @@ void add_compare(CLI::App& app, Action* run) {
   for (const Method& m : methods()) list += fmt::format("  {:<24} {}\n", m.name, m.summary);
   verb.footer(list +
               "Example: majorant compare bunny.obj --degree 2 --methods newton,lbfgs -o c.html");
-  verb.callback([request, run] {
+  verb.callback([request, run, other, &verb] {
+    if (other->count() > 0) require_no_problem(verb);
     *run = [request] {
+      if (!request->other.empty()) return compare_results(*request);
       request->map.choose_degree({});
       request->map.strictness = request->common.strictness();
       return compare(*request);

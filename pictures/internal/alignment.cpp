@@ -30,6 +30,12 @@ MapFile turned(const MapFile& map, const Vector2& direction) {
   return result;
 }
 
+Vector2 turned(const Vector2& uv, const Vector2& direction) {
+  if (direction == Vector2(1, 0)) return uv;
+  const Points2 moved = LayoutMotion{direction}(Points2(uv.transpose()));
+  return Vector2(moved.row(0));
+}
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

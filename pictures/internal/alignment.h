@@ -11,6 +11,7 @@ namespace majorant {
 Vector2 picture_direction(const MapFile& map, Alignment alignment);
 // The map with `direction` in the plane made horizontal.
 MapFile turned(const MapFile& map, const Vector2& direction);
+Vector2 turned(const Vector2& uv, const Vector2& direction);
 
 }  // namespace majorant
 

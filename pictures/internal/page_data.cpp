@@ -244,6 +244,11 @@ Json page_data(const MapPage& page) {
   data["show"] =
       page.quantity || page.color_range ? Json(quantity_name(shown_first(page))) : Json();
   data["facts"] = parsed_object("what is known of the map", page.facts);
+  if (page.other) {
+    refuse_unless(page.other->map.cells.rows() == map.cells.rows() && !page.other->other,
+                  "two maps of different surfaces");
+    data["other"] = page_data(*page.other);
+  }
   return data;
 }
 

@@ -108,16 +108,15 @@ std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3&
   return triangles;
 }
 
-std::vector<RasterTriangle> layout_triangles(const MapFile& map, PixelSize size) {
-  const Vector2 low = map.uv.colwise().minCoeff(), high = map.uv.colwise().maxCoeff();
-  const Frame frame(low, high, size);
-  const int n = pieces(map, frame.scale);
+std::vector<RasterTriangle> layout_triangles(const MapFile& map, double scale,
+                                             const std::function<Vector2(const Vector2&)>& place) {
+  const int n = pieces(map, scale);
   const BezierImage image(map, 1);
   std::vector<RasterTriangle> triangles;
   for (Index c = 0; c < map.cells.rows(); ++c) {
     const auto corner = [&](RasterTriangle& t, std::size_t k, int i, int j) {
       t.xi[k] = Barycentric(i, j, n - i - j) / n;
-      t.corners[k] = frame(image.uv(c, t.xi[k]));
+      t.corners[k] = place(image.uv(c, t.xi[k]));
       t.cell = c;
     };
     for (int i = 0; i < n; ++i)

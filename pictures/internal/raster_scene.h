@@ -1,6 +1,7 @@
 // The triangles of a picture: those of the surface from a direction, or of the layout.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "majorant/parametrization/maps/map_file.h"
@@ -13,8 +14,9 @@ std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3&
                                               PixelSize size);
 
 // The triangles of the layout: cells cut until their chords are a fraction of a pixel from the
-// curves.
-std::vector<RasterTriangle> layout_triangles(const MapFile& map, PixelSize size);
+// curves. scale: pixels a unit of uv; place: the pixels of a point of the plane.
+std::vector<RasterTriangle> layout_triangles(const MapFile& map, double scale,
+                                             const std::function<Vector2(const Vector2&)>& place);
 
 // Interpolated between those of corners, which are means of the faces around them by area.
 class SmoothNormals {

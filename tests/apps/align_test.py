@@ -159,12 +159,12 @@ class Align(CommandTest):
                   for f in ('a.svg', 'g.svg')]
         self.assertEqual(*shapes)
         # A line of constant u of the file, in the turned drawing: along (-y, x) turned, to the right or left.
-        grid_path = re.search(r'clip-path="[^>]* d="M([-.0-9]+),([-.0-9]+)L([-.0-9]+),([-.0-9]+)',
+        grid_path = re.search(r'clip-path="[^>]*>\s*<path[^>]* d="M[^l]*l(-?[.0-9]+) ?(-?[.0-9]+)',
                               self.read('g.svg').decode())
-        ax, ay, bx, by = map(float, grid_path.groups())
-        length = math.hypot(bx - ax, by - ay)
-        self.assertAlmostEqual((bx - ax) / length, y, delta=1e-4)
-        self.assertAlmostEqual((ay - by) / length, x, delta=1e-4)
+        right, down = map(float, grid_path.groups())
+        length = math.hypot(right, down)
+        self.assertAlmostEqual(right / length, y, delta=1e-4)
+        self.assertAlmostEqual(-down / length, x, delta=1e-4)
 
     def test_the_scaffold_turns_along(self):
         mesh = self.write('mesh.obj', obj_text(*grid(4, lambda x, y: 0.9 * math.sin(3 * x + y))))

@@ -53,6 +53,20 @@ class Overlaps(CommandTest):
                     self.assertIsNone(result['boundary']['covered_twice'])
                     self.assertIs(result['boundary']['contacts_complete'], True)
 
+    def test_pictures_say_it_too(self):
+        """In the words of the report, whose places are those of the file, however the picture is turned."""
+        for bend, kept in ((1.3, True), (0.3, False)):
+            mesh = self.write('ramp.obj', obj_text(*ramp(bend)))
+            self.run_ok('parametrize', mesh, '--degree', 2, '-o', self.path('a.svg'), '-o', self.path('a.png'),
+                        '-o', self.path('a.vtu'), '--report', self.path('r.json'), '--force')
+            words = json.loads(self.read('r.json'))['result']['overlaps'].removeprefix('locally injective, ')
+            drawing = self.read('a.svg').decode()
+            self.assertEqual('>%s</text>' % words in drawing, kept)
+            self.assertEqual('stroke="#e6007a"' in drawing, kept)
+            self.run_ok('convert', self.path('a.vtu'), '-o', self.path('b.svg'), '-o', self.path('b.png'))
+            self.assertEqual(self.read('b.svg').decode(), drawing)
+            self.assertEqual(self.read('b.png'), self.read('a.png'))
+
     def test_limits_do_not_skip_it(self):
         mesh = self.write('ramp.obj', obj_text(*ramp(1.3)))
         for flags in (['--time-limit', 0], ['--max-iterations', 2]):

@@ -74,7 +74,7 @@ class Pictures(CommandTest):
             text = self.picture(self.map('creature', '--degree', degree), name='a.svg').decode()
             self.assertIn('symmetric-dirichlet density, degree %d<' % degree, text)
             self.assertIn('<rect width="1000"', text)
-            legends.append(re.findall(r'<rect[^>]*fill="(#[0-9a-f]{6})"', text)[1:] +
+            legends.append(re.findall(r'<path fill="(#[0-9a-f]{6})" d=', text)[:72] +
                            re.findall(r'>([0-9.]+)</text>', text))
         self.assertGreater(len(legends[0]), 60)
         self.assertEqual(*legends)

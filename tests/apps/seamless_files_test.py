@@ -59,8 +59,8 @@ class SeamlessFiles(SeamlessTest):
             svg = self.path(name + '.svg')
             self.run_ok('convert', result, '-o', svg, *grid)
             text = self.read(name + '.svg').decode()
-            match = re.search(r'clip-path="url\(#layout\)"[^>]* d="([^"]*)"', text)
-            lines[name] = match.group(1).count('M') if match else 0
+            match = re.search(r'clip-path="url\(#layout\)">\s*<path[^>]* d="([^"]*)"', text)
+            lines[name] = len(re.findall('[mM]', match.group(1))) if match else 0
             self.assertEqual('>grid ' in text, name != 'none')
         uv = Vtu(result).rows('uv')
         for name, spacing in (('one', 1), ('half', 0.5)):

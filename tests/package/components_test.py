@@ -15,7 +15,8 @@ BUILD = os.environ.get('MAJORANT_BUILD_DIR', '')
 HERE = os.path.dirname(os.path.abspath(__file__))
 FRAMEWORK = os.path.join(HERE, 'framework_consumer')
 # What no consumer of the framework may look for, nor link.
-NOT_NEEDED = ('nlohmann_json', 'CGAL', 'OpenMesh', 'Ceres', 'PNG', 'ZLIB', 'Nest2D', 'CHOLMOD')
+NOT_NEEDED = ('nlohmann_json', 'CGAL', 'OpenMesh', 'Ceres', 'PNG', 'Cairo', 'ZLIB', 'Nest2D',
+              'CHOLMOD')
 NOT_LINKED = ('json', 'CGAL', 'gmp', 'OpenMesh', 'ceres', 'cholmod', 'blas', 'png', 'libz.', 'nlopt', 'clipp')
 
 

@@ -27,6 +27,10 @@ NAMES = {
     'libpolyclipping': 'Clipper', 'libnlopt_cxx': 'NLopt', 'libnlopt': 'NLopt', 'libceres': 'Ceres',
     'libcholmod': 'SuiteSparse', 'libspqr': 'SuiteSparse', 'libcxsparse': 'SuiteSparse', 'libcolamd': 'SuiteSparse',
     'libccolamd': 'SuiteSparse', 'libcamd': 'SuiteSparse', 'libglog': 'glog', 'libgflags': 'glog',
+    'libcairo': 'cairo', 'libpixman-1': 'pixman', 'libfontconfig': 'Fontconfig', 'libfreetype': 'FreeType',
+    'libexpat': 'Expat', 'libbrotlidec': 'Brotli', 'libbrotlicommon': 'Brotli', 'libX11': 'X11', 'libXext': 'X11',
+    'libXrender': 'X11', 'libXau': 'X11', 'libXdmcp': 'X11', 'libxcb': 'X11', 'libxcb-shm': 'X11',
+    'libxcb-render': 'X11', 'libuuid': 'libuuid', 'libbsd': 'libbsd', 'libmd': 'libmd',
     'libunwind': 'libunwind', 'liblzma': 'liblzma', 'libopenblas': 'OpenBLAS', 'liblapack': 'OpenBLAS',
     'libblas': 'OpenBLAS', 'libgfortran': 'libgfortran', 'libquadmath': 'libquadmath'}
 SYSTEM = r'linux-vdso|ld-linux|lib(c|m|dl|pthread|rt)\.'

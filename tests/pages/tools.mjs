@@ -197,6 +197,41 @@ const scenes = {
     await settled(page);
     return saved(page);
   },
+  // Two results: what moves together, and the difference that fragments of both sides show, against
+  // that of the numbers, as positions on the scale.
+  pair: (page) => page.evaluate(async () => {
+    const {app} = window.majorantPage;
+    const {beside} = app;
+    app.surface.turn(0.3, 0.1);
+    app.surface.controls.dispatchEvent({type: 'change'});
+    beside.layout.move(1, 0);
+    beside.layout.controls.dispatchEvent({type: 'change'});
+    const poses = {surface: [app, beside].map(({surface}) => surface.pose()),
+                   layout: [app, beside].map(({layout}) => layout.pose())};
+    app.goHome();
+    const size = 700;
+    const scale = app.scale;
+    const sides = [app, beside].map((side) => {
+      const bytes = app.stage.readPass(side.layout, 'quantityPass', size, size);
+      return Array.from({length: app.map.faceCount}, (_, face) => {
+        const place = {face, xi: [1 / 3, 1 / 3, 1 / 3]};
+        const q = side.layout.pointAt(place).project(side.layout.camera);
+        const [x, y] = [q.x, q.y].map((t) => Math.floor((t + 1) / 2 * size));
+        const [high, low] = bytes.subarray(4 * (y * size + x));
+        return (256 * high + low) / 65535;
+      });
+    });
+    const wanted = Array.from({length: app.map.faceCount}, (_, face) => {
+      const [a, b] = [app, beside].map((side) => window.majorantPage.measureOf(
+          side, {face, xi: [1 / 3, 1 / 3, 1 / 3]}).density);
+      return scale.position(a - b);
+    });
+    app.state.set({hovered: {face: 5, xi: [0.2, 0.3, 0.5]}});
+    return {poses, sides, wanted, show: app.state.show, ends: [scale.low, scale.high],
+            views: document.querySelectorAll('.view').length, heading: document.title,
+            readout: document.getElementById('readout').innerText,
+            marked: [app, beside].map(({uniforms}) => uniforms.uHovered.value)};
+  }),
   // What axe-core finds, and whether the strip of colours is in sight.
   axe: async (page) => {
     const path = createRequire(import.meta.url).resolve('axe-core/axe.min.js');

@@ -94,9 +94,10 @@ class Tools(CommandTest):
             return count
         middles = [uv[c[:3]].mean(axis=0) for c in cells]
         twice = [m for m in middles if covered(m) == 2][:6]
-        once = [m for m in middles if covered(m) == 1 and min(
-            np.linalg.norm(m - t) for t in twice) > 0.5][:6]
-        self.assertTrue(twice and once)
+        self.assertTrue(twice)
+        # Far from the edges that meet, which are marked.
+        once = sorted((m for m in middles if covered(m) == 1),
+                      key=lambda m: -min(np.linalg.norm(m - t) for t in twice))[:6]
         places = [list(m) for m in twice + once]
         off = {name: False for name in ('edges', 'seams', 'points')}
         pixels = [np.array(p).reshape(-1, 4)[:, :3] for p in
@@ -201,6 +202,29 @@ class Tools(CommandTest):
             off = np.abs(small - whole).max(axis=2)[both]
             self.assertLess(np.median(off), 12)
         self.assertEqual(images[1][..., 3].min(), 255)
+
+    # ---------------------------------------------------------------- two results
+    def test_two_results_side_by_side(self):
+        mesh = self.write('bumpy.obj', obj_text(*grid(6, lambda x, y: 2 * bumpy(x, y))))
+        for name, flags in (('a', ('--degree', 3)), ('b', ('--degree', 1, '--energy', 'arap'))):
+            self.run_ok('parametrize', '--quiet', mesh, '-o', self.path(name + '.vtu'), *flags)
+        self.run_ok('compare', self.path('a.vtu'), self.path('b.vtu'), '-o', self.path('ab.html'))
+        found = self.play('pair', 'ab.html', width=1000, height=900)
+        self.assertEqual((found['show'], found['views']), ('difference', 4))
+        self.assertEqual(found['heading'], 'a.vtu | b.vtu')
+        for view in ('surface', 'layout'):
+            self.assertLess(np.abs(np.subtract(*found['poses'][view])).max(), 1e-9)
+        self.assertEqual(found['ends'][0], -found['ends'][1])
+        self.assertGreater(np.ptp(found['wanted']), 0.1)
+        for side in found['sides']:
+            off = np.abs(np.array(side) - found['wanted'])
+            self.assertLess(np.median(off), 0.03)  # a pixel is not the middle of a face
+        self.assertIn('A | B', found['readout'])
+        self.assertIn('difference', found['readout'])
+        self.assertEqual(found['marked'], [5, 5])
+        axe = self.play('axe', 'ab.html', width=390, height=800, touch=True)
+        self.assertEqual(axe['violations'], [])
+        self.assertLessEqual(axe['overflow'], 0)
 
     # ---------------------------------------------------------------- anybody, anywhere
     def test_axe_finds_nothing(self):

@@ -6,7 +6,7 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/internal/bezier_image.h"
-#include "majorant/pictures/internal/pixel_font.h"
+#include "majorant/pictures/internal/letters.h"
 #include "majorant/pictures/pictures.h"
 #include "majorant/pictures/png_file.h"
 #include "singular_values.h"
@@ -137,11 +137,11 @@ TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
   options.width = options.height = 200;
   options.image = folder.file("i.png");
   const PixelImage image = picture_of(map, options);
-  for (const auto& [x, y, k] : {std::tuple{52, 52, 0}, {148, 52, 1}, {52, 148, 2}, {148, 148, 3}})
+  for (const auto& [x, y, k] : {std::tuple{51, 51, 0}, {148, 51, 1}, {51, 148, 2}, {148, 148, 3}})
     expect_near(image.at(x, y), quarters.pixels[static_cast<std::size_t>(k)]);
   // Layouts in the unit square keep their place in it, others have the image around them.
   map.uv *= 0.5;
-  expect_near(picture_of(map, options).at(148, 52), quarters.pixels[1]);
+  expect_near(picture_of(map, options).at(148, 51), quarters.pixels[1]);
   for (const char* claims : {R"({"normalized": {"origin": [0, 0], "size": 2}})", ""}) {
     map.claims = claims;
     expect_near(picture_of(map, options).at(100, 100), quarters.pixels[2]);
@@ -258,17 +258,83 @@ TEST(WritePng, RefusesWhatCannotBeDrawn) {
   error_message(ErrorKind::Invalid, [&] { picture_of(map, {}); });
 }
 
-TEST(PixelFont, HasTheLettersOfLegendsAndBoxesForOthers) {
-  const auto dots = [](std::string_view text) {
-    PixelImage image{30, 12, std::vector<Color>(360)};
-    draw_text(image, 0, 0, 1, {255, 255, 255}, text);
-    return image.pixels;
+// A layout has what an SVG has, at the same places: here a handle with its target.
+TEST(WritePng, LayoutsAreDrawnAsInSvg) {
+  MapFile map = square_map();
+  PngOptions options;
+  options.width = 1000;
+  options.height = 700;
+  const auto is_near = [](const Color& a, const Color& b) {
+    return std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue) < 60;
   };
-  const std::string known = "abcdefghijklmnopqrstuvwxyz0123456789.,;:/-+*_()";
-  for (const char c : known) EXPECT_NE(dots({&c, 1}), dots("?")) << c;
-  for (const char c : known)
-    for (const char d : known) EXPECT_EQ(dots({&c, 1}) == dots({&d, 1}), c == d) << c << d;
-  dots("much too long to fit");  // cut off, not beyond the memory
+  options.points = {{.vertex = 1, .target = Vector2(1, 0.25), .hold = PagePoint::Hold::Handle}};
+  const PixelImage image = picture_of(map, options);
+  const Color orange{213, 94, 0};
+  // Legends take 130 + 40, the layout 245 of the 530 above: from 142.5 on.
+  EXPECT_TRUE(is_near(image.at(990, 387), orange));  // the handle's dot
+  EXPECT_TRUE(is_near(image.at(500, 273), orange));  // the ring around its target
+  EXPECT_TRUE(is_near(image.at(745, 326), orange));  // the line between them
+  EXPECT_FALSE(is_near(image.at(745, 200), orange));
+  EXPECT_TRUE(is_near(image.at(250, 327), {51, 51, 51}) ||
+              is_near(image.at(250, 326), {51, 51, 51}) ||
+              is_near(image.at(250, 325), {51, 51, 51}));  // the edge between the two cells
+}
+
+// Twice the size is the same picture: lines and letters grow with it.
+TEST(WritePng, LettersGrowWithTheSize) {
+  PngOptions options;
+  options.width = 500;
+  options.height = 400;
+  const PixelImage small = picture_of(square_map(), options);
+  options.width *= 4;
+  options.height *= 4;
+  const PixelImage large = picture_of(square_map(), options);
+  double difference = 0;
+  int ink = 0;
+  for (int y = 340; y < 400; ++y)
+    for (int x = 0; x < 500; ++x) {
+      int sum = 0;
+      for (int k = 0; k < 16; ++k) sum += large.at(4 * x + k % 4, 4 * y + k / 4).green;
+      difference += std::abs(sum / 16 - small.at(x, y).green);
+      ink += small.at(x, y).green < 128 ? 1 : 0;
+    }
+  EXPECT_GT(ink, 300);
+  EXPECT_LT(difference / (60 * 500), 4);
+}
+
+TEST(WritePng, TransparentOnesHaveNoPaper) {
+  const TemporaryFolder folder;
+  PngOptions options;
+  options.width = options.height = 200;
+  for (const bool surface : {false, true}) {
+    if (surface) options.view = Vector3(0, 0, 1);
+    options.paper = Paper::White;
+    const PixelImage white = picture_of(square_map(), options);
+    options.paper = Paper::None;
+    write_png(folder.file("a.png"), square_map(), options);
+    const std::string bytes = content_of(folder.file("a.png"));
+    EXPECT_EQ(bytes[25], 6);  // colours with how opaque they are
+    const PixelImage on_white = read_png(folder.file("a.png"));
+    double difference = 0;  // what is half covered libpng mixes in linear light
+    for (std::size_t k = 0; k < white.pixels.size(); ++k)
+      difference += std::abs(white.pixels[k].green - on_white.pixels[k].green);
+    EXPECT_LT(difference / static_cast<double>(white.pixels.size()), 2);
+  }
+}
+
+TEST(Letters, HaveOutlinesAndQuestionMarksForOthers) {
+  for (char c = '!'; c <= '~'; ++c) {
+    const Path path = text_outline({&c, 1});
+    EXPECT_GT(path.points.size(), 3u) << c;
+    EXPECT_EQ(path.verbs.back(), Path::Verb::Close) << c;
+    for (const Vector2& p : path.points) {
+      EXPECT_LT(std::abs(p.y() + 0.35), 0.7) << c;
+      EXPECT_LT(std::abs(p.x() - 0.4), 0.7) << c;
+    }
+  }
+  EXPECT_EQ(text_outline("\xc3").points, text_outline("?").points);
+  EXPECT_EQ(text_outline(" ").points.size(), 0u);
+  EXPECT_NEAR(text_width("ab"), text_width("a") + text_width("b"), 1e-12);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 
 #include "io/cube_map.h"
 #include "io/io_test_helpers.h"
@@ -20,7 +22,34 @@ std::size_t count(const std::string& text, const std::string& piece) {
   return result;
 }
 
-TEST(WriteSvg, OnePathPerCellWithItsCurves) {
+// The text of the paths, in order: d="...".
+std::vector<std::string> paths_of(const std::string& text, const std::string& begin = "<path") {
+  std::vector<std::string> paths;
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
+    const std::size_t from = text.find(" d=\"", at) + 4;
+    paths.push_back(text.substr(from, text.find('"', from) - from));
+  }
+  return paths;
+}
+
+// How many parts a path has.
+std::size_t parts_of(const std::string& path) { return count(path, "M") + count(path, "m"); }
+
+// The verbs of a path, each with the number of its numbers.
+std::vector<std::pair<char, int>> verbs_of(const std::string& path) {
+  std::vector<std::pair<char, int>> verbs;
+  bool is_in_number = false;
+  for (const char c : path) {
+    const bool is_letter = std::isalpha(static_cast<unsigned char>(c)) != 0;
+    if (is_letter) verbs.emplace_back(c, 0);
+    const bool begins = c == '-' || (c != ' ' && !is_letter && !is_in_number);
+    if (begins) ++verbs.back().second;
+    is_in_number = c != ' ' && !is_letter;
+  }
+  return verbs;
+}
+
+TEST(WriteSvg, OnePartPerCellWithItsCurves) {
   const TemporaryFolder folder;
   for (int degree = 1; degree <= 8; ++degree) {
     const MapFile map = random_strip(degree, 6, 3);
@@ -29,13 +58,21 @@ TEST(WriteSvg, OnePathPerCellWithItsCurves) {
     const std::string text = content_of(folder.file("a.svg"));
     EXPECT_EQ(text, content_of(folder.file("b.svg")));
     EXPECT_EQ(parse_xml("a.svg", text).name, "svg");
-    EXPECT_EQ(count(text, "<path"), 6u);
-    const std::string outline = text.substr(text.find("d=\"M") + 3);
-    const std::string first = outline.substr(0, outline.find('Z'));
-    const auto letters = [&](char c) { return std::count(first.begin(), first.end(), c); };
-    EXPECT_EQ(letters('L'), degree == 1 ? 3 : 0);
-    EXPECT_EQ(letters('Q'), degree == 2 ? 3 : 0);
-    EXPECT_EQ(letters('C'), degree < 3 ? 0 : degree == 3 ? 3 : 12);
+    std::size_t cells = 0;  // the paths that are filled and stroked
+    for (std::size_t at = text.find("<path fill"); at != std::string::npos;
+         at = text.find("<path fill", at + 1)) {
+      const std::string path = text.substr(at, text.find("/>", at) - at);
+      if (count(path, "stroke=") > 0) cells += parts_of(path.substr(path.find(" d=")));
+    }
+    EXPECT_EQ(cells, 6u);
+    const auto verbs = verbs_of(paths_of(text)[0]);
+    ASSERT_GE(verbs.size(), 3u);
+    EXPECT_EQ(verbs[0], (std::pair{'M', 2}));
+    EXPECT_EQ(verbs[1], degree == 1   ? (std::pair{'l', 4})
+                        : degree == 2 ? (std::pair{'q', 12})
+                        : degree == 3 ? (std::pair{'c', 18})
+                                      : (std::pair{'c', 72}));
+    EXPECT_EQ(verbs[2], (std::pair{'z', 0}));
   }
 }
 
@@ -47,7 +84,7 @@ TEST(WriteSvg, PlacesTheLayoutWithTheVAxisUp) {
   write_svg(folder.file("a.svg"), map);
   const std::string text = content_of(folder.file("a.svg"));
   EXPECT_NE(text.find("viewBox=\"0 0 1000 510\""), std::string::npos) << text;
-  EXPECT_NE(text.find("d=\"M10,500L990,500L10,10L10,500Z\""), std::string::npos) << text;
+  EXPECT_NE(text.find("d=\"M10 500l980 0-980-490z\""), std::string::npos) << text;
 }
 
 TEST(WriteSvg, ChartsHaveOutlinesInTheirColours) {
@@ -62,14 +99,10 @@ TEST(WriteSvg, ChartsHaveOutlinesInTheirColours) {
   EXPECT_EQ(drawn(), plain);
   map.chart = Eigen::Vector4i(0, 0, 1, 1);
   const std::string text = drawn();
-  EXPECT_EQ(count(text, "<path"), 4u + 2u);
-  EXPECT_EQ(count(text, "<path fill="), 4u);
-  const std::string outlines = text.substr(text.find("<path stroke="));
-  const std::string first = outlines.substr(0, outlines.find("/>"));
-  EXPECT_EQ(count(first, "M"), 4u);  // two cells less their common edge, twice
-  EXPECT_EQ(count(text, "fill-opacity"), 0u);
+  const std::vector<std::string> outlines = paths_of(text, "<path stroke=");
+  ASSERT_EQ(outlines.size(), 2u);
+  EXPECT_EQ(parts_of(outlines[0]), 4u);  // two cells less their common edge, twice
   map.distortion.resize(0);
-  EXPECT_EQ(count(drawn(), "fill-opacity"), 1u);
   EXPECT_EQ(count(drawn(), "#dddddd"), 0u);
 }
 
@@ -105,12 +138,15 @@ std::string drawing_of(const MapFile& map, const SvgOptions& options = {}) {
   return content_of(folder.file("a.svg"));
 }
 
-// The colours of the cells, in order.
+// The colours of the cells, whose edges are drawn, in the order of the paths.
 std::vector<std::string> fills(const std::string& text) {
   std::vector<std::string> result;
   for (std::size_t at = text.find("<path fill=\"#"); at != std::string::npos;
-       at = text.find("<path fill=\"#", at + 1))
-    result.push_back(text.substr(at + 12, 7));
+       at = text.find("<path fill=\"#", at + 1)) {
+    const std::string path = text.substr(at, text.find("/>", at) - at);
+    if (count(path, "stroke=") > 0)
+      result.insert(result.end(), parts_of(path.substr(path.find(" d="))), path.substr(12, 7));
+  }
   return result;
 }
 
@@ -121,8 +157,8 @@ TEST(WriteSvg, ADensityHasOneColourInAllMaps) {
     EXPECT_EQ(fills(text), (std::vector{scale.color(first).hex(), scale.color(5).hex()}));
     expect_contains(text, {">symmetric-dirichlet density, degree 1<", ">isometry 4; smallest ",
                            ">4</text>", ">40</text>", "<rect width=\"1000\""});
-    EXPECT_EQ(count(text, "1 of 2 triangle means above 40"), first > 40 ? 1u : 0u);
-    EXPECT_EQ(count(text, "<polygon"), first > 40 ? 1u : 0u);
+    EXPECT_EQ(count(text, "1 of 2 triangle means above 40</text>"), first > 40 ? 1u : 0u);
+    EXPECT_EQ(count(text, "<path") - fills(text).size(), first > 40 ? 79u : 78u);  // a pointed end
   }
   const std::string ranged = drawing_of(two_triangles(5.5), {.color_range = ColorRange{4.5, 5}});
   expect_contains(ranged, {">4.5</text>", ">5</text>", "1 of 2 triangle means above 5<"});
@@ -234,18 +270,132 @@ TEST(WriteSvg, MarksSeamsConesAndGrid) {
   };
   EXPECT_EQ(count("<circle"), 24u + 1u);  // every copy, and the legend's
   EXPECT_EQ(count("stroke-linecap"), 1u);
-  EXPECT_EQ(count("<path"), 48u + 12u + 1u);
+  EXPECT_EQ(count("<path"), 1u + 12u + 1u);  // cells, seams, the legend's
   EXPECT_EQ(count("clip-path"), 0u);
   write_svg(folder.file("a.svg"), file, {.grid = 1.0});
   text = content_of(folder.file("a.svg"));
   EXPECT_EQ(count("clip-path=\"url(#layout)\""), 1u);
-  EXPECT_EQ(count("grid 1<"), 1u);
+  EXPECT_EQ(count(">grid 1</text>"), 1u);
   const std::size_t start = text.find("<clipPath");
   const std::string clip = text.substr(start, text.find("</clipPath>") - start);
-  EXPECT_EQ(std::count(clip.begin(), clip.end(), 'Z'), 6);  // charts
+  EXPECT_EQ(std::count(clip.begin(), clip.end(), 'z'), 6);  // charts
   for (const double wrong : {-1.0, 1e-6, std::nan("")})
     error_message(ErrorKind::Usage,
                   [&] { write_svg(folder.file("b.svg"), file, {.grid = wrong}); });
+}
+
+// Of a degree-1 layout 64 triangles a side, as a grid of rows.
+MapFile grid_map(Index side) {
+  MapFile map;
+  const Index points = (side + 1) * (side + 1);
+  map.points = Points3::Zero(points, 3);
+  for (Index p = 0; p < points; ++p)
+    map.points.row(p) << p % (side + 1) + 0.3 * std::sin(1.7 * p), p / (side + 1), 0;
+  map.uv = map.points.leftCols(2);
+  map.cells.resize(2 * side * side, 3);
+  for (Index c = 0; c < side * side; ++c) {
+    const Index p = c / side * (side + 1) + c % side;
+    map.cells.row(2 * c) << p, p + 1, p + side + 2;
+    map.cells.row(2 * c + 1) << p, p + side + 2, p + side + 1;
+  }
+  map.input_vertex = Eigen::VectorXi::LinSpaced(points, 0, points - 1);
+  map.input_face = Eigen::VectorXi::LinSpaced(2 * side * side, 0, 2 * side * side - 1);
+  return map;
+}
+
+TEST(WriteSvg, ManyTrianglesTakeFewBytes) {
+  MapFile map = grid_map(64);
+  map.distortion = Vec::LinSpaced(map.cells.rows(), 4, 40);
+  map.claims = R"({"energy": "symmetric-dirichlet"})";
+  const std::string text = svg_text(map);
+  EXPECT_LT(text.size(), 46u * static_cast<std::size_t>(map.cells.rows()));
+  EXPECT_EQ(fills(text).size(), static_cast<std::size_t>(map.cells.rows()));
+}
+
+// Numbers are relative to what was written, so that places do not drift.
+TEST(WriteSvg, RoundingDoesNotAddUp) {
+  const MapFile map = grid_map(20);
+  const std::string path = paths_of(svg_text(map))[0];
+  Vector2 pen(0, 0), start(0, 0);
+  std::vector<Vector2> starts;
+  std::size_t at = 0;
+  const auto number = [&] {
+    while (path[at] == ' ') ++at;
+    std::size_t length = 0;
+    const double value = std::stod(path.substr(at), &length);
+    at += length;
+    return value;
+  };
+  while (at < path.size()) {
+    const char verb = path[at++];
+    if (verb == 'z') pen = start;
+    while (at < path.size() && !std::isalpha(static_cast<unsigned char>(path[at]))) {
+      const double x = number(), y = number();
+      pen = verb == 'M' ? Vector2(x, y) : Vector2(pen + Vector2(x, y));
+      if (verb == 'M' || verb == 'm') starts.push_back(start = pen);
+    }
+  }
+  ASSERT_EQ(starts.size(), static_cast<std::size_t>(map.cells.rows()));
+  const Vector2 low = map.uv.colwise().minCoeff(), high = map.uv.colwise().maxCoeff();
+  const double scale = 980 / (high - low).maxCoeff();
+  for (Index c = 0; c < map.cells.rows(); ++c) {
+    const Vector2 uv = map.uv.row(map.cells(c, 0));
+    const Vector2 place(10 + scale * (uv.x() - low.x()), 10 + scale * (high.y() - uv.y()));
+    EXPECT_LT((starts[static_cast<std::size_t>(c)] - place).cwiseAbs().maxCoeff(), 0.00051) << c;
+  }
+}
+
+TEST(WriteSvg, SaysWhatItIsOfAndLiesOnPaperOrNot) {
+  const std::string text = drawing_of(two_triangles(5));
+  expect_contains(text, {"<title>Layout of a surface in the plane</title>",
+                         "<desc>2 triangles of degree 1, coloured by symmetric-dirichlet density",
+                         "role=\"img\""});
+  EXPECT_EQ(count(text, "<rect"), 1u);
+  EXPECT_EQ(count(drawing_of(two_triangles(5), {.paper = Paper::None}), "<rect"), 0u);
+}
+
+TEST(WriteSvg, HandlesAndPinsHaveTheirTargets) {
+  const std::vector<PagePoint> points{
+      {.vertex = 1, .target = Vector2(1.5, 0.5), .hold = PagePoint::Hold::Handle},
+      {.vertex = 2, .target = Vector2(0, 1), .hold = PagePoint::Hold::Pin}};
+  MapFile map = two_triangles(5);
+  map.input_vertex = Eigen::Vector4i(0, 1, 2, 3);
+  const std::string text = drawing_of(map, {.points = points});
+  expect_contains(text, {">1 pin</text>", ">1 handle, targets</text>"});
+  EXPECT_EQ(count(text, "<circle"), 3u + 3u);  // two points and a target, and the legend's
+  expect_contains(text, {"<circle cx=\"745\" cy=\"255\" r=\"8\" stroke=\"#d55e00\""});
+  // What lies outside of the layout is seen, too.
+  const std::string wide = drawing_of(
+      map, {.points = {{.vertex = 1, .target = Vector2(4, 0), .hold = PagePoint::Hold::Handle}}});
+  expect_contains(wide, {"<circle cx=\"990\""});
+}
+
+TEST(WriteSvg, TheScaffoldIsClippedToTheDrawing) {
+  MapFile around = two_triangles(4);
+  around.uv *= 3;
+  const std::string text = drawing_of(two_triangles(4), {.scaffold = around});
+  expect_contains(text,
+                  {"<clipPath id=\"drawing\"><path d=\"M0 0l1000 0 0 510-1000 0z\"/></clipPath>",
+                   "<g clip-path=\"url(#drawing)\">", ">space around</text>"});
+  EXPECT_EQ(count(text, "<svg"), 1u);
+}
+
+TEST(WriteSvg, RingsAreWhereTheLayoutMeetsItself) {
+  MapFile map = grid_map(4);  // a strip that is bent back over its beginning
+  const std::string plain = drawing_of(map);
+  EXPECT_EQ(count(plain, "overlaps itself"), 0u);
+  EXPECT_EQ(count(plain, "<circle"), 0u);
+  for (Index p = 0; p < map.uv.rows(); ++p) {
+    const double angle = 1.75 * map.points(p, 0), radius = 3 + 0.3 * map.points(p, 1);
+    map.uv.row(p) << -radius * std::sin(-angle), radius * std::cos(angle);
+  }
+  map.uv.col(0) *= -1;
+  const std::string text = drawing_of(map);
+  EXPECT_EQ(count(text, "overlaps itself near ("), 2u);  // legend and description
+  EXPECT_GT(count(text, "stroke=\"#e6007a\""), 2u);
+  map.cone = Eigen::VectorXi::Zero(map.points.rows());
+  map.cone[0] = 3;  // images of maps with cones do as a rule
+  EXPECT_EQ(count(drawing_of(map), "overlaps itself"), 0u);
 }
 
 }  // namespace

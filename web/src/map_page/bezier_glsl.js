@@ -30,19 +30,20 @@ vec3 ofCorners(sampler2D values, int face, vec3 xi) {
 }`;
 
 // Expressions of the control points of a cell of a plane (the map, a scaffold).
-export const fetched = (plane, straight, face) => pieceOf(plane, straight).locals.map(
-    (l) => `texelFetch(uControl, at(${face} * ${cellSize(plane.degree)} + ${l}), 0).xy`);
+export const fetched = (plane, straight, face, texture = 'uControl') =>
+    pieceOf(plane, straight).locals.map(
+        (l) => `texelFetch(${texture}, at(${face} * ${cellSize(plane.degree)} + ${l}), 0).xy`);
 
-// void bezier(p0, ..., xi, value, d): the map of control points p0, ... and its derivatives by the
+// void NAME(p0, ..., xi, value, d): the map of control points p0, ... and its derivatives by the
 // barycentric coordinates, as sums over the control points, each with its three Bernstein
 // polynomials of degree n - 1.
-export function bezierGlsl(plane, straight) {
+export function bezierGlsl(plane, straight, name = 'bezier') {
   const {n} = pieceOf(plane, straight);
-  const power = (name, e) => (e === 0 ? [] : [e === 1 ? name : `${name}${e}`]);
+  const power = (x, e) => (e === 0 ? [] : [e === 1 ? x : `${x}${e}`]);
   const lines = [];
-  for (const name of ['a', 'b', 'c'])
+  for (const x of ['a', 'b', 'c'])
     for (let e = 2; e < n; ++e)
-      lines.push(`float ${name}${e} = ${e === 2 ? name : name + (e - 1)} * ${name};`);
+      lines.push(`float ${x}${e} = ${e === 2 ? x : x + (e - 1)} * ${x};`);
   multiIndices(n - 1).forEach(([i, j, k], l) => {
     const factors = [`${multinomial(i, j, k)}.0`, ...power('a', i), ...power('b', j),
                      ...power('c', k)];
@@ -58,7 +59,7 @@ export function bezierGlsl(plane, straight) {
   sums.forEach((terms, c) => lines.push(`vec2 q${c} = ${terms.join(' + ')};`));
   const points = multiIndices(n).map((_, l) => `vec2 p${l}`);
   return `
-void bezier(${points.join(', ')}, vec3 xi, out vec2 value, out mat3x2 d) {
+void ${name}(${points.join(', ')}, vec3 xi, out vec2 value, out mat3x2 d) {
   float a = xi.x, b = xi.y, c = xi.z;
   ${lines.join('\n  ')}
   value = a * q0 + b * q1 + c * q2;

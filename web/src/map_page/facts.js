@@ -6,6 +6,7 @@
 import {byId, element} from './elements.js';
 import {middleOf} from './map_data.js';
 import {count, degreeName, readable} from './numbers.js';
+import {captionsOf} from './pair.js';
 import {extremePlaces, sampleSingularValues} from './sampling.js';
 import {valuesOf} from './scales.js';
 
@@ -19,7 +20,8 @@ const resultNames = [
 const wordsOf = (status) => String(status ?? 'status').replaceAll('_', ' ');
 
 // frame: of the film; null: of the map itself.
-export function summaryOf(map, frame) {
+export function summaryOf(map, frame, other = null) {
+  if (other) return `${count(map.faceCount, 'face')}, two maps of one surface`;
   const {facts} = map;
   if (map.snapshots[frame]) {
     const {iteration, degree, energy} = map.snapshots[frame];
@@ -87,6 +89,7 @@ export function writeFacts(app) {
   const measured = element('div', {}, element('h2', {}, 'Measured'), ofResult);
   const parts = [...proofsOf(facts)];
   if (ofResult.childElementCount > 0) parts.unshift(measured);
+  if (app.other) parts.unshift(...captionsOf([map, app.other]));
   if (facts.message)
     parts.push(element('p', {className: 'note'}, `${wordsOf(facts.status)}: ${facts.message}`));
   if (Object.keys(facts).length > 0)
@@ -97,7 +100,7 @@ export function writeFacts(app) {
   // Numbers are those of the map that the film shows; what was proven stays that of the result.
   state.watch(['frame'], () => {
     const isResult = state.frame === null;
-    byId('summary').textContent = summaryOf(map, state.frame);
+    byId('summary').textContent = summaryOf(map, state.frame, app.other);
     byId('facts').classList.toggle('past', !isResult);
     measured.replaceChildren(
         element('h2', {}, isResult ? 'Measured'

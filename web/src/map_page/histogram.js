@@ -38,20 +38,38 @@ export class Histogram {
 
   get scale() { return this.app.scale; }
 
+  // In a face: one where all maps are affine.
+  get places() {
+    const {map, other} = this.app;
+    return evenPlaces(Math.max(map.degree, other?.degree ?? 1) === 1 ? 1 : kPlaces);
+  }
+
   samples() {
     const {map, uv} = this.app;
     if (this.sampledUv !== uv) {
-      this.sampled = sampleSingularValues(map, uv, evenPlaces(map.degree === 1 ? 1 : kPlaces));
+      this.sampled = sampleSingularValues(map, uv, this.places);
       this.sampledUv = uv;
     }
     return this.sampled;
   }
 
-  fittedRange() {
-    const {map, energy, state, scales} = this.app;
-    const {S, s, perFace} = this.samples();
+  // At the places of samples(): what is shown of the map, or of both; NaN where one is turned over.
+  values() {
+    const {other, energy, state} = this.app;
+    const {S, s} = this.samples();
     const value = valuesOf[state.show];
-    return scales[state.show].fitted(S.map((_, at) => (s[at] > 0 ? value(S[at], s[at], energy) : NaN)),
+    if (state.show !== 'difference')
+      return S.map((_, at) => (s[at] > 0 ? value(S[at], s[at], energy) : NaN));
+    this.beyond ??= sampleSingularValues(other, other.uv, this.places);
+    const {S: T, s: t} = this.beyond;
+    return S.map((_, at) => (s[at] > 0 && t[at] > 0
+        ? value(S[at], s[at], energy, T[at], t[at]) : NaN));
+  }
+
+  fittedRange() {
+    const {map, state, scales} = this.app;
+    const {S, perFace} = this.samples();
+    return scales[state.show].fitted(this.values(),
                                      S.map((_, at) => map.areas[Math.floor(at / perFace)]));
   }
 
@@ -59,23 +77,21 @@ export class Histogram {
   fill() {
     this.section.hidden = !this.scale;
     if (!this.scale) return;
-    const {map, energy, state} = this.app;
-    const {S, s, perFace} = this.samples();
-    const value = valuesOf[state.show];
+    const {map} = this.app;
+    const {perFace} = this.samples();
     this.bins = new Float64Array(kBins);
     this.below = this.above = this.flipped = this.total = 0;
-    for (let at = 0; at < S.length; ++at) {
+    this.values().forEach((x, at) => {
       const area = map.areas[Math.floor(at / perFace)] / perFace;
       this.total += area;
-      if (!(s[at] > 0)) {
+      if (Number.isNaN(x)) {
         this.flipped += area;
-        continue;
+        return;
       }
-      const x = value(S[at], s[at], energy);
       this.bins[Math.min(kBins - 1, Math.floor(this.scale.position(x) * kBins))] += area;
       if (x < this.scale.low) this.below += area;
       if (x > this.scale.high) this.above += area;
-    }
+    });
     this.draw();
   }
 
@@ -171,9 +187,9 @@ export class Histogram {
     if (this.below > 0) notes.push(`${percent(this.below / this.total)} below the scale`);
     if (this.above > 0) notes.push(`${percent(this.above / this.total)} above the scale`);
     if (this.flipped > 0) notes.push(`${percent(this.flipped / this.total)} turned over`);
-    notes.push(state.show === 'angle'
-        ? `${readable(this.scale.neutral)} is conformal`
-        : `an isometry has ${readable(this.scale.neutral)}`);
+    notes.push({angle: `${readable(this.scale.neutral)} is conformal`,
+                difference: 'red where A has more, blue where B has'}[state.show] ??
+               `an isometry has ${readable(this.scale.neutral)}`);
     if (map.scaleIsAssumed && state.show !== 'angle')
       notes.push('the layout, whose scale is not known, taken as large as the surface');
     this.note.textContent = `By area; ${notes.join('; ')}.`;

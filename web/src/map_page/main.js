@@ -17,6 +17,7 @@ import {Legend} from './legend.js';
 import {keepAddress} from './link.js';
 import {readMap} from './map_data.js';
 import {Marks, themeColor} from './marks.js';
+import {differenceScale, link, makeRoom} from './pair.js';
 import {partnerOf} from './partner.js';
 import {pictureOf} from './picture.js';
 import {addSearch, listCharts} from './places.js';
@@ -42,6 +43,7 @@ function titlesOf(map, scales) {
     'angle': 'Angle distortion \u03c3\u2081/\u03c3\u2082',
     'sigma-max': 'Larger singular value \u03c3\u2081',
     'sigma-min': 'Smaller singular value \u03c3\u2082',
+    'difference': `Density of ${map.claims.energy}, A less B`,
   };
   const titles = {texture: 'Texture'};
   for (const name of Object.keys(scales)) titles[name] = known[name];
@@ -53,16 +55,20 @@ function makeApp() {
   const data = JSON.parse(byId('data').textContent);
   const map = readMap(data);
   const scales = Object.fromEntries(data.scales.map((scale) => [scale.name, new Scale(scale)]));
+  const energy = parseEnergy(map.claims.energy);
+  const other = data.other ? readMap(data.other) : null;
+  if (other && scales.density)
+    scales.difference = differenceScale(map, other, energy, scales.area);
   const isDeformation = map.claims.init === 'planar';
   const state = new State({
-    show: data.scales.some(({name}) => name === data.show) ? data.show : 'texture',
+    show: scales[data.show] ? data.show : scales.difference ? 'difference' : 'texture',
     texture: 'checker', squares: 0, rest: isDeformation, wipe: 0, range: null, brush: null,
     edges: true, seams: true, cones: true, points: true, scaffold: true, faults: true,
     overlaps: map.cones.length === 0, square: map.isInSquare,
     hovered: null, pinned: null, frame: null, pictureScale: 1, isTransparent: false, theme: 0,
   });
   return {
-    map, scales, state, symbols, isDeformation, energy: parseEnergy(map.claims.energy), uv: map.uv,
+    map, other, scales, state, symbols, isDeformation, energy, uv: map.uv,
     titles: titlesOf(map, scales),
     // Of what is shown, with the ends that were chosen.
     get scale() {
@@ -97,6 +103,8 @@ function drawState(app) {
     if (state.show === 'texture' && isImage) app.layImage();
     if (!scale) return;
     app.picture = {name: 'heat', quantity: state.show};
+    if (state.show === 'difference')
+      app.picture.other = {degree: app.beside.map.degree, sign: app.side === 0 ? 1 : -1};
     uniforms.uScale.value = scale.uniform;
     uniforms.uUnit.value = scale.unit;
     uniforms.uColors.value.image.data.forEach((_, k, bytes) => {
@@ -124,34 +132,61 @@ function drawState(app) {
   });
 }
 
-function addViews(app) {
-  const {state, map} = app;
+// Views, marks and uniforms of a map. ids: of the elements that show it.
+function addSide(app, ids) {
+  const {map, stage} = app;
   app.faulty = new Set(map.faults.map(({face}) => face));
   Object.assign(app, makeUniforms(app), {flatCells: flatGeometry(map.faceCount, app.faulty)});
+  app.surface = new SurfaceView(stage, byId(ids[0]), app);
+  app.layout = new LayoutView(stage, byId(ids[1]), app);
+  app.views = [app.surface, app.layout];
+  app.partnerOf = partnerOf(map);
+}
+
+// The second map of a comparison: what it has not of its own is that of the first.
+function addOther(app) {
+  const {other: map} = app;
+  makeRoom([app.map, map]);
+  const side = Object.assign(Object.create(app), {map, uv: map.uv, side: 1, beside: app});
+  Object.assign(app, {side: 0, beside: side});
+  return side;
+}
+
+function addViews(app) {
+  const {state, other} = app;
   app.stage = new Stage(byId('canvas'));
-  app.surface = new SurfaceView(app.stage, byId('surface'), app);
-  app.layout = new LayoutView(app.stage, byId('layout'), app);
-  app.goHome = () => {
-    app.surface.setPose(app.surface.homePose);
-    app.layout.setPose(app.layout.homePose);
-  };
+  const sides = other ? [app, addOther(app)] : [app];
+  addSide(app, ['surface', 'layout']);
+  if (other) {
+    const {beside} = app;
+    addSide(beside, ['surface-other', 'layout-other']);
+    const lengthOf = ({map}) => map.uvBounds.size * map.scale;
+    for (const side of sides) {
+      side.uniforms.uOther.value = side.beside.uniforms.uControl.value;
+      side.uniforms.uOtherFactor.value = lengthOf(side.beside) / lengthOf(side);
+    }
+    app.views.forEach((view, k) => link([view, beside.views[k]]));
+  }
+  const allViews = sides.flatMap(({views}) => views);
+  app.goHome = () => allViews.forEach((view) => view.setPose(view.homePose));
   app.focusOn = (place) => {
     state.set({pinned: place});
-    for (const view of [app.surface, app.layout]) view.focusOn(place);
+    for (const view of allViews) view.focusOn(place);
   };
-  app.showFaces = (faces) => {
-    for (const view of [app.surface, app.layout]) view.showFaces(faces);
-  };
-  app.partnerOf = partnerOf(map);
-  drawState(app);
-  app.marks = new Marks(app);
+  app.showFaces = (faces) => allViews.forEach((view) => view.showFaces(faces));
+  for (const side of sides) {
+    drawState(side);
+    side.marks = new Marks(side);
+  }
   app.toggles = ['edges', 'seams', 'cones', 'points', 'scaffold', 'square', 'rest', 'overlaps',
-                 'faults'].filter((name) => app.marks.has[name]);
+                 'faults'].filter((name) => sides.some(({marks}) => marks.has[name]));
   makeViewTools(app);
   takeImages(app);
   new Film(app);
-  followPointer(app);
-  followKeys(app);
+  for (const side of sides) {
+    followPointer(side);
+    followKeys(side);
+  }
   keepAddress(app);
   new ResizeObserver(() => app.stage.resize()).observe(byId('stage'));
 }
@@ -161,6 +196,7 @@ function exposeApp(app) {
   window.majorantPage = {
     app,
     measure: (face, xi) => measure(app, {face, xi}),
+    measureOf: measure,
     readPass: (view, mode, width, height) => app.stage.readPass(app[view], mode, width, height),
     picture: () => pictureOf(app).toDataURL(),
   };

@@ -75,10 +75,10 @@ function composed(app) {
   if (!state.isTransparent) pen.fillRect(0, 0, canvas.width, canvas.height);
   pen.fillStyle = app.css('--ink');
   pen.font = `600 ${17 * pixel}px system-ui, sans-serif`;
-  pen.fillText(app.map.title, 14 * pixel, 28 * pixel);
-  const after = pen.measureText(`${app.map.title}   `).width;
+  pen.fillText(document.title, 14 * pixel, 28 * pixel);
+  const after = pen.measureText(`${document.title}   `).width;
   pen.font = `${14 * pixel}px system-ui, sans-serif`;
-  pen.fillText(summaryOf(app.map, state.frame), 14 * pixel + after, 28 * pixel);
+  pen.fillText(summaryOf(app.map, state.frame, app.other), 14 * pixel + after, 28 * pixel);
   pen.drawImage(source, 0, head);
   if (state.wipe > 0)
     for (const view of stage.views) drawWipe(pen, app, view, head);

@@ -16,22 +16,28 @@ export function measure(app, {face, xi}) {
   const [u, v] = combine(q, xi);
   const rest = map.rest.subarray(4 * face, 4 * face + 4);
   const [S, s] = singularValues(map.degree, q, rest, map.scale);
-  const values = Object.fromEntries(
-      Object.keys(app.scales).map((name) => [name, valuesOf[name](S, s, energy)]));
+  const values = Object.fromEntries(Object.keys(app.scales).filter((name) => name !== 'difference')
+      .map((name) => [name, valuesOf[name](S, s, energy)]));
   return {face, xi, u, v, ...values, 'sigma-max': S, 'sigma-min': s};
 }
 
 function linesOf(app, place) {
   const {map} = app;
   const values = measure(app, place);
+  const others = app.beside ? measure(app.beside, place) : null;
+  const valueOf = (name) => readable(values[name], 6) +
+      (others ? ` | ${readable(others[name], 6)}` : '');
   const {face} = place;
   const lines = [['face', readable(face)]];
   const input = map.inputFace?.[face];
   if (input !== undefined && input !== face) lines.push(['of the input', readable(input)]);
   if (map.chart) lines.push(['chart', readable(map.chart[face])]);
-  lines.push(['u', readable(values.u, 6)], ['v', readable(values.v, 6)]);
+  if (others) lines.push(['', 'A | B']);
+  lines.push(['u', valueOf('u')], ['v', valueOf('v')]);
   for (const name of ['sigma-max', 'sigma-min', 'area', 'angle', 'density'])
-    if (name in values) lines.push([app.symbols[name], readable(values[name], 6)]);
+    if (name in values) lines.push([app.symbols[name], valueOf(name)]);
+  if (others && 'density' in values)
+    lines.push(['difference', readable(values.density - others.density, 6)]);
   const vertices = cornersOf(map, face).map((corner) => map.inputVertex?.[corner] ?? corner);
   lines.push(['vertices', vertices.map((x) => readable(x)).join('  ')]);
   const partner = app.partnerOf?.(place);
@@ -62,7 +68,8 @@ export class Readout {
     if (state.hovered) columns.push(column('Pointed at', state.hovered));
     if (columns.length === 0)
       columns.push(element('p', {className: 'note'},
-                           'Point at a face for its numbers and, at a cut, for its other side; click to keep them.'));
+                           'Point at a face for its numbers and, at a cut, for its other side; ' +
+                               'click to keep them.'));
     this.body.replaceChildren(...columns);
     const said = state.pinned ? linesOf(this.app, state.pinned).map((l) => l.join(' ')).join(', ')
                               : '';

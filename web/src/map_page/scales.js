@@ -16,7 +16,11 @@ export const valuesOf = {
   'angle': (S, s) => (s > 0 ? S / s : Infinity),
   'sigma-max': (S) => S,
   'sigma-min': (S, s) => s,
+  // Of two maps: T >= t are those of the other one.
+  'difference': (S, s, energy, T, t) => densityAt(energy, S, s) - densityAt(energy, T, t),
 };
+
+const rounded = (x) => Number(x.toPrecision(3));
 
 export class Scale {
   constructor(data) {
@@ -58,8 +62,8 @@ export class Scale {
 
   // The same with other ends, which ticks name.
   withRange(low, high) {
-    const scale = Object.assign(Object.create(Scale.prototype), this, {low, high});
-    const from = low > 0 && high > 2 * low ? 0 : low;  // of what is rounded
+    const scale = Object.assign(Object.create(Object.getPrototypeOf(this)), this, {low, high});
+    const from = low < 0 || high > 2 * low ? 0 : low;  // of what is rounded
     const inner = [1, 2, 3].map((k) => from + Number((scale.value(k / 4) - from).toPrecision(2)));
     if (this.diverging) inner[1] = this.neutral;
     scale.ticks = [low, ...inner.filter((x) => x > low && x < high), high].map(
@@ -80,9 +84,13 @@ export class Scale {
     if (order.length === 0) return [this.low, this.high];
     const far = Math.max(kLeastSpan, this.stretched(quantile(1 - kBeyond)),
                          this.diverging ? -this.stretched(quantile(kBeyond)) : 0);
-    const rounded = (x) => Number(x.toPrecision(3));
+    return this.rangeOf(far);
+  }
+
+  // Ends as far from isometry, of log s.
+  rangeOf(far) {
     if (this.diverging)
-      return [rounded(this.neutral * Math.exp(-far)), rounded(this.neutral * Math.exp(far))];
+      return [-far, far].map((x) => rounded(this.neutral * Math.exp(x)));
     return [this.neutral, this.neutral + rounded(this.unit * Math.expm1(far))];
   }
 
@@ -96,4 +104,26 @@ export class Scale {
     return [this.diverging ? 1 : 0, this.stretched(this.low), this.stretched(this.high),
             this.neutral];
   }
+}
+
+// Of differences: 0 in the middle, positions linear in the value.
+export class DifferenceScale extends Scale {
+  // like: the scale whose colours it takes; far: where it ends.
+  constructor(like, far) {
+    super({...like, name: 'difference', label: 'difference', diverging: true, neutral: 0, low: -far,
+           high: far});
+    this.ticks = this.withRange(-far, far).ticks;
+  }
+
+  stretched(value) { return value; }
+
+  value(position) {
+    return position < 0.5 ? (1 - 2 * position) * this.low : (2 * position - 1) * this.high;
+  }
+
+  takes([low, high]) { return low < 0 && high > 0; }
+
+  rangeOf(far) { return [-rounded(far), rounded(far)]; }
+
+  get uniform() { return [2, this.low, this.high, 0]; }
 }

@@ -18,12 +18,18 @@ const quantities = {
   'sigma-min': () => 's',
 };
 
+// First map less second one, of both.
+const differenceOf = (energy, sign) => {
+  const ofOther = densityGlsl(energy).replace(/\b[Ss]\b/g, (x) => (x === 'S' ? 'T' : 't'));
+  return `${sign}.0 * ((${densityGlsl(energy)}) - (${ofOther}))`;
+};
+
 // Colours of fragments by name, and what they need to know: the `value` of the map, its `jacobian`.
 const colors = {
   checker: {needs: 'value', glsl: 'checker(uv)'},
   grid: {needs: 'value', glsl: 'grid(uv)'},
   image: {needs: 'value', glsl: 'texture(uImage, uv * uImageFrame.x + uImageFrame.yz).rgb'},
-  heat: {needs: 'jacobian', glsl: 'heat(sigma)'},
+  heat: {needs: 'jacobian', glsl: 'heat(sigma, other)'},
   chart: {glsl: 'mix(vec3(1.0), texelFetch(uTints, ivec2(int(face.x), 0), 0).rgb, 0.55)'},
 };
 
@@ -35,7 +41,8 @@ const passes = {
   },
   baryPass: {glsl: 'packed(xi.xy)'},
   quantityPass: {
-    needs: 'jacobian', glsl: 'sigma.y > 0.0 ? packed(vec2(scalePosition(sigma), 1.0)) : vec4(0.0)',
+    needs: 'jacobian',
+    glsl: 'sigma.y > 0.0 ? packed(vec2(scalePosition(sigma, other), 1.0)) : vec4(0.0)',
   },
 };
 
@@ -43,6 +50,7 @@ const passes = {
 //     view       'surface' or 'layout'
 //     name       of colors or passes
 //     quantity   of heat maps and their pass
+//     other      of differences: degree of the other map, sign of this one
 //     straight   of the straight map of the same corners
 //     isAtRest   the texture lies on the surface, which is planar, not in the layout
 //     isCoarse   the layout is cut less finely than wanted: places in cells are improved
@@ -104,10 +112,12 @@ const paints = (value) => `
 uniform sampler2D uColors;   // the scale, 256 colours
 uniform sampler2D uImage;
 uniform sampler2D uTints;    // of charts
-uniform vec4 uScale;         // 1 for diverging; log s(low), log s(high); neutral
+uniform vec4 uScale;         // 1 for diverging, 2 for linear ones; log s(low), log s(high); neutral
 uniform float uUnit;         // of the scale
 uniform vec2 uBrush;         // positions on it that are selected
 uniform vec3 uChecker;       // cells along the size of uv, phase of u and v
+uniform sampler2D uOther;    // uControl of the other map of a comparison
+uniform float uOtherFactor;  // of its lengths against those of this one
 uniform vec3 uImageFrame;    // likewise of the image
 uniform vec3 uRestFrame;     // from the frame of the surface to that of uv, of planar surfaces
 uniform vec3 uFlipped;
@@ -120,19 +130,20 @@ vec2 singularValues(mat3x2 d, vec4 rest) {
   return vec2(alpha + beta, alpha - beta);
 }
 
-float scalePosition(vec2 sigma) {
-  float S = sigma.x, s = sigma.y;
+float scalePosition(vec2 sigma, vec2 other) {
+  float S = sigma.x, s = sigma.y, T = other.x, t = other.y;
   float value = ${value};
   bool diverging = uScale.x > 0.5;
-  float t = log(max(diverging ? value / uScale.w : 1.0 + (value - uScale.w) / uUnit, 1e-30));
-  if (diverging) return clamp(0.5 + 0.5 * t / (t < 0.0 ? -uScale.y : uScale.z), 0.0, 1.0);
-  return clamp((t - uScale.y) / (uScale.z - uScale.y), 0.0, 1.0);
+  float far = log(max(diverging ? value / uScale.w : 1.0 + (value - uScale.w) / uUnit, 1e-30));
+  if (uScale.x > 1.5) far = value;
+  if (diverging) return clamp(0.5 + 0.5 * far / (far < 0.0 ? -uScale.y : uScale.z), 0.0, 1.0);
+  return clamp((far - uScale.y) / (uScale.z - uScale.y), 0.0, 1.0);
 }
 
 // Grey where the brush has not been.
-vec3 heat(vec2 sigma) {
+vec3 heat(vec2 sigma, vec2 other) {
   bool flipped = !(sigma.y > 0.0);
-  float position = scalePosition(sigma);
+  float position = scalePosition(sigma, other);
   vec3 color = flipped ? uFlipped
                        : texture(uColors, vec2((position * 255.0 + 0.5) / 256.0, 0.5)).rgb;
   bool isLeft = flipped ? uBrush.x > 0.0 : position < uBrush.x || position > uBrush.y;
@@ -193,6 +204,7 @@ export function facesFragment(map, energy, picture) {
   const evaluate = `bezier(${points.join(', ')}, xi, uv, d);`;
   return `${fetches}
 ${evaluates ? bezierGlsl(map, straight) : ''}
+${picture.other ? bezierGlsl(picture.other, straight, 'bezierOfOther') : ''}
 uniform sampler2D uRest;     // inverse of the cell's edges, times the size of uv
 uniform int uHovered, uPinned;
 uniform vec3 uAccent;
@@ -205,7 +217,8 @@ ${flat ? `flat in vec4 vControl[${flatSize(flat)}];` : ''}
 in vec2 vBary;
 in ${view === 'layout' ? 'vec2 vUv' : 'vec3 vNormal'};
 out vec4 fragment;
-${paints(quantities[quantity]?.(energy) ?? '1.0')}
+${paints(picture.other ? differenceOf(energy, picture.other.sign)
+                       : quantities[quantity]?.(energy) ?? '1.0')}
 
 void main() {
   vec3 xi = vec3(vBary, 1.0 - vBary.x - vBary.y);
@@ -218,7 +231,11 @@ void main() {
   ${liesOnSurface
       ? 'uv = ofCorners(uCorner, vFace, xi).xy * uRestFrame.x + uRestFrame.yz;' : ''}
   ${shown.needs === 'jacobian'
-      ? 'vec2 sigma = singularValues(d, texelFetch(uRest, at(vFace), 0));' : ''}
+      ? 'vec2 sigma = singularValues(d, texelFetch(uRest, at(vFace), 0)), other = vec2(1.0);' : ''}
+  ${picture.other && shown.needs === 'jacobian' ? `
+  mat3x2 e;
+  bezierOfOther(${fetched(picture.other, straight, 'vFace', 'uOther').join(', ')}, xi, uv, e);
+  other = uOtherFactor * singularValues(e, texelFetch(uRest, at(vFace), 0));` : ''}
   ${isPass ? `fragment = ${shown.glsl};` : `
   vec3 color = ${shown.glsl};
   ${details(map, view)}

@@ -5,7 +5,8 @@
 
 import {
   AlwaysStencilFunc, BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute,
-  GLSL3, IncrementStencilOp, LessStencilFunc, Mesh, Points, RawShaderMaterial, Scene, WebGLRenderer, WebGLRenderTarget,
+  GLSL3, IncrementStencilOp, LessStencilFunc, Mesh, Points, RawShaderMaterial, Scene, WebGLRenderer,
+  WebGLRenderTarget,
 } from 'three';
 
 // Everything is one long list, as renderers in software take instances one by one.
@@ -65,7 +66,8 @@ export function cellsGeometry({pieces, edges}, top) {
 export const flatGeometry = (count, top = new Set()) => cellsGeometry(
     {pieces: new Uint8Array(count).fill(1), edges: new Uint8Array(3 * count).fill(1)}, top);
 
-// lines: [{face, edge, width, corner, tint, target}] as mark_shaders.js takes them, bands of piecesOf(face) pieces each.
+// lines: [{face, edge, width, corner, tint, target}] as mark_shaders.js takes them, bands of
+// piecesOf(face) pieces each.
 export function linesGeometry(lines, piecesOf) {
   const positions = [], targets = [], tints = [], places = [], indices = [];
   for (const {face, edge, width, corner, tint, target} of lines) {

@@ -10,7 +10,7 @@ import {checkerWidth} from './uniforms.js';
 
 const labels = {
   'sigma-max': '\u03c3\u2081', 'sigma-min': '\u03c3\u2082', 'density': 'density',
-  'texture': 'texture', 'area': 'area', 'angle': 'angle', 'chart': 'charts',
+  'difference': 'A \u2212 B', 'texture': 'texture', 'area': 'area', 'angle': 'angle', 'chart': 'charts',
 };
 const names = {square: '0..1 square', rest: 'texture at rest'};
 const titles = {

@@ -48,6 +48,8 @@ export function makeUniforms({map}) {
     uTints: textures.colorTexture(tintBytes, textures.nearest),
     uColors: textures.colorTexture(new Uint8Array(768)),
     uImage: null,
+    uOther: null,
+    uOtherFactor: 1,
     uHovered: -1,
     uPinned: -1,
     uScale: [0, 0, 1, 0],

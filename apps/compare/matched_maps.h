@@ -1,0 +1,21 @@
+// Two maps of one surface, cell by cell.
+//
+//   const MapFile b = matched_to(a, "a.vtu", read_map("b.vtu"), "b.vtu");   // faces as of a
+#pragma once
+
+#include <string>
+
+#include "majorant/parametrization/maps/map_file.h"
+
+namespace majorant {
+
+// `map` with its cells, and the corners of each, in the order of `model`: cells are one triangle
+// where their corners are at the same places. Of neither degree nor cuts is anything asked. Throws
+// Error(Unsupported), naming both, where they are maps of different surfaces.
+MapFile matched_to(const MapFile& model, const std::string& model_name, const MapFile& map,
+                   const std::string& name);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

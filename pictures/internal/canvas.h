@@ -1,0 +1,49 @@
+// Drawings as pixels, painted by cairo.
+//
+//   Canvas canvas({800, 600}, 0.8, Paper::White);     // 0.8 pixels a unit of drawings
+//   canvas.paint(behind);
+//   canvas.lay(pixels);                               // over that
+//   canvas.paint(over);
+//   write_file_atomically("a.png", encode_png(canvas.image()));
+//
+// Letters have outlines of their own (internal/letters.h): no font of the machine is looked for.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "majorant/pictures/internal/drawing.h"
+#include "majorant/pictures/internal/rasterizer.h"
+#include "majorant/pictures/png_file.h"
+
+namespace majorant {
+
+// Red, green and blue, 0 to 255, of what is covered, times how much of the pixel that is; that, 0
+// to 1.
+using CoveredColor = Eigen::Vector4d;
+
+class Canvas {
+ public:
+  // Throws std::bad_alloc where there is no memory for it.
+  Canvas(PixelSize size, double scale, Paper paper);
+  ~Canvas();
+
+  void paint(std::span<const DrawingItem> items);
+  // Rows of pixels from the top, as wide as the canvas, as many as there are.
+  void lay(std::span<const CoveredColor> pixels);
+
+  PixelImage image() const;
+
+ private:
+  struct Surface;
+  std::unique_ptr<Surface> surface_;
+  PixelSize size_;
+  double scale_;
+  Paper paper_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

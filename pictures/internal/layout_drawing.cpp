@@ -1,0 +1,629 @@
+#include "majorant/pictures/internal/layout_drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "majorant/certify/global_injectivity.h"
+#include "majorant/framework/error.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/pictures/internal/alignment.h"
+
+namespace majorant {
+namespace {
+
+constexpr double kTallest = 4000;
+constexpr int kPiecesPerEdge = 4;  // Hermite cubics of degrees above 3
+
+// The legend of colours.
+constexpr double kBarLeft = 26;
+constexpr double kBarWidth = LayoutSheet::kWidth - 2 * kBarLeft;
+constexpr double kBarHeight = 20;
+constexpr double kPoint = 14;                        // of an end that values are beyond
+constexpr double kLetters = 24, kSmallLetters = 20;  // to be read at a quarter of the size
+constexpr int kSteps = 72;
+
+// Marks.
+constexpr double kMostLines = 4000;  // of grids, in each direction; nothing could be seen of more
+constexpr double kGridLines = 32;    // along the larger side, unless said otherwise
+constexpr double kOutlineWidth = 1.5, kSeamWidth = 2.5, kTargetWidth = 1.8;
+constexpr double kConeRadius = 5, kHeldRadius = 5, kTargetRadius = 8, kMeetingRadius = 10;
+constexpr double kNameShare = 0.3;  // of the side of a square as large as the chart
+constexpr double kSmallestName = 8, kLargestName = 22;
+constexpr double kTint = 0.25;              // how much of a chart's colour its cells have
+constexpr double kRow = 40, kColumn = 245;  // of the legend of marks
+constexpr int kColumns = 4;
+constexpr Color kInk{51, 51, 51}, kWhite{255, 255, 255}, kGrey{221, 221, 221};
+constexpr Color kGridColor{20, 50, 122}, kPinColor{28, 31, 36}, kHandleColor{213, 94, 0};
+constexpr Color kMeetingColor{230, 0, 122};
+constexpr Color kScaffoldFill{246, 246, 246}, kScaffoldEdge{208, 208, 208};
+// Far apart in hue from their neighbours, dark enough to be seen on the cells' colours.
+constexpr Color kColors[] = {{123, 47, 190}, {0, 139, 139}, {194, 24, 91},  {46, 125, 50},
+                             {21, 101, 192}, {93, 64, 55},  {216, 27, 255}, {0, 164, 214},
+                             {85, 107, 47},  {63, 63, 159}};
+
+Color chart_color(Index chart) { return kColors[to_size(chart) % std::size(kColors)]; }
+
+// Blue for index > 0 (angle < 360 degrees), green for index < 0.
+Color cone_color(int quarter_turns) {
+  return quarter_turns < 4 ? Color{26, 95, 208} : Color{11, 138, 58};
+}
+
+// Point and derivative of a Bezier curve at s, by de Casteljau's algorithm.
+std::pair<Vector2, Vector2> evaluate_curve(std::vector<Vector2> control, double s) {
+  Vector2 derivative = Vector2::Zero();
+  const auto degree = static_cast<double>(control.size() - 1);
+  while (control.size() > 1) {
+    if (control.size() == 2) derivative = degree * (control[1] - control[0]);
+    for (std::size_t i = 0; i + 1 < control.size(); ++i) {
+      control[i] = (1.0 - s) * control[i] + s * control[i + 1];
+    }
+    control.pop_back();
+  }
+  return {control[0], derivative};
+}
+
+// Cubics with the curve's points and derivatives at the ends of equal pieces.
+void add_hermite_pieces(Path& path, const std::vector<Vector2>& control) {
+  constexpr double kThird = 1.0 / (3.0 * kPiecesPerEdge);
+  auto [begin, begin_derivative] = evaluate_curve(control, 0.0);
+  for (int piece = 1; piece <= kPiecesPerEdge; ++piece) {
+    const auto [end, end_derivative] =
+        evaluate_curve(control, static_cast<double>(piece) / kPiecesPerEdge);
+    path.cubic(begin + kThird * begin_derivative, end - kThird * end_derivative, end);
+    begin = end;
+    begin_derivative = end_derivative;
+  }
+}
+
+struct CellEdge {
+  Index cell;
+  int edge;
+};
+
+// f(edge, cell beyond it or -1) for every edge between points. Files may hold cells that are no
+// surface, which opposite_half_edges() refuses; where several cells are beyond, it is the last.
+template <class F>
+void for_each_edge(const MapFile& map, const F& f) {
+  std::map<std::pair<Index, Index>, Index> cell_of;
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (int k = 0; k < 3; ++k) cell_of[{map.cells(c, k), map.cells(c, next(k))}] = c;
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (int k = 0; k < 3; ++k) {
+      const auto other = cell_of.find({map.cells(c, next(k)), map.cells(c, k)});
+      f(CellEdge{c, k}, other == cell_of.end() ? -1 : other->second);
+    }
+}
+
+// Edges between points without a neighbour, by the point they start at.
+std::multimap<Index, CellEdge> boundary_edges(const MapFile& map) {
+  std::multimap<Index, CellEdge> boundary;
+  for_each_edge(map, [&](const CellEdge& edge, Index other) {
+    if (other < 0) boundary.emplace(map.cells(edge.cell, edge.edge), edge);
+  });
+  return boundary;
+}
+
+// All of them, each a stroke of its own.
+Shape edges_shape(const LayoutSheet& sheet, const std::vector<CellEdge>& edges,
+                  const Stroke& stroke) {
+  Shape shape{.stroke = stroke};
+  for (const CellEdge& at : edges) {
+    shape.path.move(sheet.place(sheet.map().cells(at.cell, at.edge)));
+    sheet.add_edge(shape.path, sheet.map(), at.cell, at.edge);
+  }
+  return shape;
+}
+
+Path boundary_path(const LayoutSheet& sheet) {
+  const MapFile& map = sheet.map();
+  Path path;
+  std::multimap<Index, CellEdge> boundary = boundary_edges(map);
+  while (!boundary.empty()) {
+    auto leaving = boundary.begin();
+    path.move(sheet.place(leaving->first));
+    while (leaving != boundary.end()) {
+      const CellEdge at = leaving->second;
+      boundary.erase(leaving);
+      sheet.add_edge(path, map, at.cell, at.edge);
+      leaving = boundary.find(map.cells(at.cell, next(at.edge)));
+    }
+    path.close();
+  }
+  return path;
+}
+
+// Cones of positive and of negative index; copies count once.
+std::pair<std::size_t, std::size_t> count_cones(const MapFile& map) {
+  std::set<Index> positive, negative;
+  for (Index p = 0; p < map.cone.size(); ++p) {
+    if (map.cone[p] == 0) continue;
+    const Index vertex = map.input_vertex.size() > 0 ? map.input_vertex[p] : p;
+    (map.cone[p] < 4 ? positive : negative).insert(vertex);
+  }
+  return {positive.size(), negative.size()};
+}
+
+// Returns whether the map is an atlas: has pieces of different numbers in `chart`.
+bool has_charts(const MapFile& map) {
+  return map.chart.size() > 0 && map.chart.minCoeff() != map.chart.maxCoeff();
+}
+
+double signed_area(const LayoutSheet& sheet, Index cell) {
+  const auto corner = [&](Index k) { return sheet.place(sheet.map().cells(cell, k)); };
+  return 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
+}
+
+// The place of a chart's name: the middle of the cell that is closest to the chart's.
+struct ChartRoom {
+  double area = 0;  // units of the drawing squared
+  Vector2 middle = Vector2::Zero(), place = Vector2::Zero();
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+std::map<Index, ChartRoom> rooms_of_charts(const LayoutSheet& sheet) {
+  const MapFile& map = sheet.map();
+  std::map<Index, ChartRoom> rooms;
+  const auto corner = [&](Index c, Index k) { return sheet.place(map.cells(c, k)); };
+  const auto middle = [&](Index c) {
+    return Vector2((corner(c, 0) + corner(c, 1) + corner(c, 2)) / 3);
+  };
+  for (Index c = 0; c < map.cells.rows(); ++c) {
+    ChartRoom& room = rooms[map.chart[c]];
+    const double area = std::abs(signed_area(sheet, c));
+    room.area += area;
+    room.middle += area * middle(c);
+  }
+  for (Index c = 0; c < map.cells.rows(); ++c) {
+    ChartRoom& room = rooms[map.chart[c]];
+    const double distance = (middle(c) - room.middle / room.area).norm();
+    if (!(distance < room.distance)) continue;
+    room.distance = distance;
+    room.place = middle(c);
+  }
+  return rooms;
+}
+
+Circle dot(const Vector2& center, double radius, const Color& color) {
+  return {.center = center, .radius = radius, .fill = color, .stroke = Stroke{kWhite, 1.5}};
+}
+
+Circle ring(const Vector2& center, double radius, const Color& color) {
+  return {.center = center, .radius = radius, .stroke = Stroke{color, kTargetWidth}};
+}
+
+Shape segment(const Vector2& from, const Vector2& to, const Stroke& stroke) {
+  Shape shape{.stroke = stroke};
+  shape.path.move(from);
+  shape.path.line(to);
+  return shape;
+}
+
+// Cells of one colour, and of one orientation, are one shape: where they cover each other, they
+// still wind the same way.
+std::vector<DrawingItem> draw_cells(const LayoutSheet& sheet,
+                                    const std::optional<CellColors>& colors, CellFill fill) {
+  const MapFile& map = sheet.map();
+  const CellColors shown = colors ? *colors : plain_colors(map);
+  const Stroke edges{kInk, sheet.stroke_width()};
+  std::vector<Shape> shapes;
+  std::map<std::tuple<int, int, int, bool>, std::size_t> shape_of;
+  for (Index cell = 0; cell < map.cells.rows(); ++cell) {
+    const Color color = fill == CellFill::Colors ? shown[to_size(cell)] : kInk;
+    const auto [found, is_new] = shape_of.try_emplace(
+        {color.red, color.green, color.blue, signed_area(sheet, cell) > 0}, shapes.size());
+    if (is_new) {
+      Shape shape{.stroke = edges};
+      if (fill == CellFill::Colors) shape.fill = color;
+      shapes.push_back(std::move(shape));
+    }
+    sheet.add_cell(shapes[found->second].path, map, cell);
+  }
+  return {std::make_move_iterator(shapes.begin()), std::make_move_iterator(shapes.end())};
+}
+
+// Clipped to where the layout is drawn.
+std::vector<DrawingItem> draw_scaffold(const LayoutSheet& sheet) {
+  const std::optional<MapFile>& scaffold = sheet.marks().scaffold;
+  if (!scaffold) return {};
+  Shape shape{.fill = kScaffoldFill, .stroke = Stroke{kScaffoldEdge, sheet.stroke_width()}};
+  for (Index cell = 0; cell < scaffold->cells.rows(); ++cell)
+    sheet.add_cell(shape.path, *scaffold, cell);
+  return {Clipped{"drawing",
+                  rectangle({0, 0}, {LayoutSheet::kWidth, sheet.layout_height()}),
+                  {std::move(shape)}}};
+}
+
+// The outline of every chart, in its colour.
+void add_chart_outlines(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  const MapFile& map = sheet.map();
+  if (!has_charts(map)) return;
+  std::map<Index, std::vector<CellEdge>> outlines;
+  for_each_edge(map, [&](const CellEdge& edge, Index other) {
+    const Index chart = map.chart[edge.cell];
+    if (other < 0 || map.chart[other] != chart) outlines[chart].push_back(edge);
+  });
+  for (const auto& [chart, edges] : outlines)
+    items.emplace_back(edges_shape(sheet, edges, {chart_color(chart), kOutlineWidth}));
+}
+
+// The number of every chart, as MapFile::chart has it, inside it; none where it would be too small
+// to read.
+void add_chart_names(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  if (!has_charts(sheet.map())) return;
+  for (const auto& [chart, room] : rooms_of_charts(sheet)) {
+    const double size = std::min(kLargestName, kNameShare * std::sqrt(room.area));
+    if (size < kSmallestName) continue;
+    items.emplace_back(Label{.at = room.place + Vector2(0, 0.35 * size),
+                             .text = fmt::format("{}", chart),
+                             .size = size,
+                             .anchor = Label::Anchor::Middle,
+                             .halo = 3});
+  }
+}
+
+// The axes of the file's u and v in the turned layout: unit vectors along which they grow.
+Eigen::Matrix2d grid_axes(const LayoutMarks& marks) {
+  Eigen::Matrix2d axes;
+  axes << marks.direction.x(), marks.direction.y(), -marks.direction.y(), marks.direction.x();
+  return axes;
+}
+
+// The least and the largest number of a line along each axis.
+std::pair<Vector2, Vector2> grid_range(const LayoutSheet& sheet) {
+  Eigen::Matrix<double, 2, 4> corners;
+  corners << sheet.low().x(), sheet.high().x(), sheet.low().x(), sheet.high().x(), sheet.low().y(),
+      sheet.low().y(), sheet.high().y(), sheet.high().y();
+  const Eigen::Matrix<double, 2, 4> uv =
+      grid_axes(sheet.marks()).transpose() * corners / sheet.grid_spacing();
+  return {uv.rowwise().minCoeff(), uv.rowwise().maxCoeff()};
+}
+
+// Lines u, v = integer multiples of the spacing, clipped to the layout: inside its boundary, as
+// winding numbers tell, so overlaps do no harm.
+void add_grid(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  const double spacing = sheet.grid_spacing();
+  if (spacing == 0) return;
+  const auto [low, high] = grid_range(sheet);
+  const Eigen::Matrix2d axes = grid_axes(sheet.marks());
+  Shape lines{.stroke = Stroke{kGridColor, std::max(1.0, 2 * sheet.stroke_width())}};
+  for (int axis = 0; axis < 2; ++axis) {
+    const double first = std::ceil(low[axis]), count = std::floor(high[axis]) - first;
+    for (double k = 0; k <= count; ++k) {  // far from the origin, first + 1 may be first
+      Vector2 from = low * spacing, to = high * spacing;
+      from[axis] = to[axis] = (first + k) * spacing;
+      lines.path.move(sheet.place(axes * from));
+      lines.path.line(sheet.place(axes * to));
+    }
+  }
+  items.emplace_back(Clipped{"layout", boundary_path(sheet), {std::move(lines)}});
+}
+
+// Both sides of every seam edge, one colour a chain.
+void add_seams(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  const MapFile& map = sheet.map();
+  std::map<Index, std::vector<CellEdge>> chains;
+  for (Index f = 0; f < map.seam_edges.rows(); ++f)
+    for (int k = 0; k < 3; ++k)
+      if (map.seam_edges(f, k) > 0) chains[map.seam_edges(f, k) - 1].push_back({f, k});
+  for (const auto& [chain, edges] : chains)
+    items.emplace_back(edges_shape(sheet, edges, {chart_color(chain), kSeamWidth}));
+}
+
+// A dot on every copy of a cone.
+void add_cones(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  const MapFile& map = sheet.map();
+  for (Index p = 0; p < map.cone.size(); ++p)
+    if (map.cone[p] > 0)
+      items.emplace_back(dot(sheet.place(p), kConeRadius, cone_color(map.cone[p])));
+}
+
+Color color_of(PagePoint::Hold hold) {
+  return hold == PagePoint::Hold::Pin ? kPinColor : kHandleColor;
+}
+
+// Every copy of a held or pulled point, its target, and a line between them.
+void add_points(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  const MapFile& map = sheet.map();
+  if (map.input_vertex.size() == 0) return;
+  std::map<Index, std::set<Index>> copies;
+  for (const Index point : map.cells.leftCols(3).reshaped())
+    copies[map.input_vertex[point]].insert(point);
+  for (const PagePoint& point : sheet.marks().points) {
+    const Color color = color_of(point.hold);
+    const Vector2 target = sheet.place(point.target);
+    if (copies.count(point.vertex) > 0 && point.hold == PagePoint::Hold::Handle)
+      items.emplace_back(ring(target, kTargetRadius, color));
+    for (const Index copy : copies[point.vertex]) {
+      items.emplace_back(segment(sheet.place(copy), target, {color, kTargetWidth}));
+      items.emplace_back(dot(sheet.place(copy), kHeldRadius, color));
+    }
+  }
+}
+
+void add_meeting(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  for (const Vector2& uv : sheet.marks().meeting.places)
+    items.emplace_back(Circle{.center = sheet.place(uv),
+                              .radius = kMeetingRadius,
+                              .stroke = Stroke{kMeetingColor, kSeamWidth}});
+}
+
+// An entry of the legend of marks: what is drawn around a place, and what it is.
+struct Entry {
+  std::vector<DrawingItem> sign;
+  std::string text;
+  int columns = 1;
+};
+
+// Signs, each with its middle in the origin.
+std::vector<Entry> legend_entries(const MapFile& map, const LayoutMarks& marks, double spacing) {
+  constexpr double kHalfLine = 7;
+  const auto line = [&](const Color& color) {
+    return std::vector<DrawingItem>{segment({-kHalfLine, 0}, {kHalfLine, 0}, {color, kSeamWidth})};
+  };
+  std::vector<Entry> entries;
+  const auto [positive, negative] = count_cones(map);
+  for (const auto& [count, turns, text] :
+       {std::tuple{positive, 3, "index > 0"}, std::tuple{negative, 5, "index < 0"}})
+    if (count > 0)
+      entries.push_back({{dot({0, 0}, kConeRadius, cone_color(turns))},
+                         fmt::format("{} cone{}, {}", count, count == 1 ? "" : "s", text)});
+  if (map.seam_edges.size() > 0 && map.seam_edges.maxCoeff() > 0)
+    entries.push_back(
+        {line(chart_color(0)), fmt::format("seams ({} chains)", map.seam_edges.maxCoeff())});
+  if (spacing > 0) entries.push_back({line(kGridColor), fmt::format("grid {:.6g}", spacing)});
+  for (const auto& [hold, one] :
+       {std::pair{PagePoint::Hold::Pin, "pin"}, std::pair{PagePoint::Hold::Handle, "handle"}}) {
+    const auto count = std::count_if(marks.points.begin(), marks.points.end(),
+                                     [&](const PagePoint& p) { return p.hold == hold; });
+    std::vector<DrawingItem> sign{dot({0, 0}, kHeldRadius, color_of(hold))};
+    if (hold == PagePoint::Hold::Handle)
+      sign.insert(sign.begin(), ring({0, 0}, kTargetRadius, kHandleColor));
+    if (count > 0)
+      entries.push_back({sign, fmt::format("{} {}{}{}", count, one, count == 1 ? "" : "s",
+                                           hold == PagePoint::Hold::Handle ? ", targets" : "")});
+  }
+  if (marks.scaffold)
+    entries.push_back({{Shape{.path = rectangle({-kHalfLine, -kHalfLine}, {14, 14}),
+                              .fill = kScaffoldFill,
+                              .stroke = Stroke{kScaffoldEdge, 1}}},
+                       "space around"});
+  if (!marks.meeting.words.empty())
+    entries.push_back({{Circle{.center = {0, 0},
+                               .radius = kMeetingRadius,
+                               .stroke = Stroke{kMeetingColor, kSeamWidth}}},
+                       marks.meeting.words,
+                       kColumns});
+  return entries;
+}
+
+// Row and column of each entry, and the number of rows.
+std::pair<std::vector<std::pair<int, int>>, int> legend_places(const std::vector<Entry>& entries) {
+  std::vector<std::pair<int, int>> places;
+  int row = 0, column = 0;
+  for (const Entry& entry : entries) {
+    if (column + entry.columns > kColumns) ++row, column = 0;
+    places.emplace_back(row, column);
+    column += entry.columns;
+  }
+  return {places, entries.empty() ? 0 : row + 1};
+}
+
+struct Moved {
+  Vector2 by;
+
+  Path moved(Path path) const {
+    for (Vector2& p : path.points) p += by;
+    return path;
+  }
+  DrawingItem operator()(Shape shape) const {
+    shape.path = moved(std::move(shape.path));
+    return shape;
+  }
+  DrawingItem operator()(Circle circle) const {
+    circle.center += by;
+    return circle;
+  }
+  DrawingItem operator()(Label label) const {
+    label.at += by;
+    return label;
+  }
+  DrawingItem operator()(Clipped clipped) const {
+    clipped.clip = moved(std::move(clipped.clip));
+    for (Shape& shape : clipped.shapes) shape.path = moved(std::move(shape.path));
+    return clipped;
+  }
+};
+
+void add_marks_legend(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  constexpr double kSign = 10, kText = 28, kFoot = 7;
+  const std::vector<Entry> entries =
+      legend_entries(sheet.map(), sheet.marks(), sheet.grid_spacing());
+  const auto places = legend_places(entries).first;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const Vector2 at(LayoutSheet::kMargin + places[k].second * kColumn,
+                     sheet.marks_top() + (places[k].first + 0.5) * kRow);
+    for (const DrawingItem& item : entries[k].sign)
+      items.push_back(std::visit(Moved{at + Vector2(kSign, 0)}, item));
+    items.emplace_back(
+        Label{.at = at + Vector2(kText, kFoot), .text = entries[k].text, .size = kSmallLetters});
+  }
+}
+
+std::string description_of(const LayoutSheet& sheet, const std::optional<Legend>& legend) {
+  const MapFile& map = sheet.map();
+  std::string text = fmt::format("{} triangles of degree {}", map.cells.rows(), map.degree);
+  if (legend) text += fmt::format(", coloured by {}: {}", legend->title, legend->note);
+  for (const Entry& entry : legend_entries(map, sheet.marks(), sheet.grid_spacing()))
+    text += "; " + entry.text;
+  return text;
+}
+
+}  // namespace
+
+CellColors plain_colors(const MapFile& map) {
+  CellColors colors(to_size(static_cast<Index>(map.cells.rows())), kGrey);
+  if (!has_charts(map)) return colors;
+  const auto pale = [](std::uint8_t channel) {
+    return static_cast<std::uint8_t>(std::lround(255 + kTint * (channel - 255)));
+  };
+  for (Index cell = 0; cell < map.cells.rows(); ++cell) {
+    const Color color = chart_color(map.chart[cell]);
+    colors[to_size(cell)] = {pale(color.red), pale(color.green), pale(color.blue)};
+  }
+  return colors;
+}
+
+LayoutMeeting meeting_of(const MapFile& map) {
+  if ((map.cone.size() > 0 && map.cone.maxCoeff() > 0) ||
+      (map.seam_edges.size() > 0 && map.seam_edges.maxCoeff() > 0))
+    return {};
+  try {
+    const GlobalInjectivity proof = check_boundary(to_bezier_map(map, "layout"));
+    if (proof.result != ProofStatus::Violated) return {};
+    LayoutMeeting meeting{{}, meeting_words(proof)};
+    for (const BoundaryContact& contact : proof.contacts)
+      if (contact.apart == ProofStatus::Violated) meeting.places.push_back(contact.where);
+    if (meeting.places.empty() && proof.covered_twice)
+      meeting.places.push_back(*proof.covered_twice);
+    return meeting;
+  } catch (const Error&) {  // cells that are no surface
+    return {};
+  }
+}
+
+LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
+                     const std::optional<double>& grid, const std::optional<MapFile>& scaffold,
+                     const std::vector<PagePoint>& points) {
+  LayoutMarks marks{.grid = grid, .direction = direction, .points = points};
+  for (PagePoint& point : marks.points) point.target = turned(point.target, direction);
+  if (scaffold) marks.scaffold = turned(*scaffold, direction);
+  marks.meeting = meeting_of(map);
+  for (Vector2& uv : marks.meeting.places) uv = turned(uv, direction);
+  return marks;
+}
+
+LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, LegendOf legend,
+                         std::optional<double> height)
+    : map_(map), marks_(marks) {
+  low_ = map.uv.colwise().minCoeff().transpose();
+  high_ = map.uv.colwise().maxCoeff().transpose();
+  for (const PagePoint& point : marks.points) {
+    low_ = low_.cwiseMin(point.target);
+    high_ = high_.cwiseMax(point.target);
+  }
+  if (marks.grid) grid_spacing_ = *marks.grid != 0 ? *marks.grid : half_size() / (kGridLines / 2);
+  if (grid_spacing_ != 0) {
+    const auto [first, last] = grid_range(*this);
+    if (!(grid_spacing_ > 0) || !((last - first).maxCoeff() <= kMostLines))
+      throw Error(ErrorKind::Usage,
+                  fmt::format("a grid of spacing {:g} on a layout of size {:g} cannot be drawn; "
+                              "take a spacing between them",
+                              grid_spacing_, 2 * half_size()));
+  }
+  marks_height_ = kRow * legend_places(legend_entries(map, marks, grid_spacing_)).second;
+  const double legends = marks_height_ + (legend == LegendOf::Colors ? kColorsHeight : 0);
+  // Halves: the extent of two finite numbers may overflow.
+  const Vector2 extent = (0.5 * high_ - 0.5 * low_).cwiseMax(1e-300);
+  const double tallest = height ? std::max(*height - legends - 2 * kMargin, kMargin) : kTallest;
+  scale_ = std::min((kWidth - 2 * kMargin) / extent[0], tallest / extent[1]);
+  layout_height_ = height ? *height - legends : scale_ * extent[1] + 2 * kMargin;
+  height_ = height ? *height : std::round(layout_height_ + legends);
+  corner_ = {kMargin, kMargin};
+  if (height) corner_ = 0.5 * (Vector2(kWidth, layout_height_) - scale_ * extent);
+  for (int edge = 0; edge < 3; ++edge) edges_[to_size(edge)] = bezier_edge_points(map.degree, edge);
+}
+
+double LayoutSheet::stroke_width() const {
+  const double area = kWidth * layout_height_ / static_cast<double>(map_.cells.rows());
+  return std::clamp(0.02 * std::sqrt(std::max(area, 0.0)), 0.05, 1.0);
+}
+
+// Differences are halved like the extent.
+Vector2 LayoutSheet::place(const Vector2& uv) const {
+  return corner_ + scale_ * Vector2(0.5 * uv[0] - 0.5 * low_[0], 0.5 * high_[1] - 0.5 * uv[1]);
+}
+
+void LayoutSheet::add_edge(Path& path, const MapFile& map, Index cell, int edge) const {
+  std::vector<Vector2> control;
+  for (const int local : edges_[to_size(edge)])
+    control.push_back(place(Vector2(map.uv.row(map.cells(cell, local)))));
+  if (map.degree == 1) return path.line(control[1]);
+  if (map.degree == 2) return path.quadratic(control[1], control[2]);
+  if (map.degree == 3) return path.cubic(control[1], control[2], control[3]);
+  add_hermite_pieces(path, control);
+}
+
+void LayoutSheet::add_cell(Path& path, const MapFile& map, Index cell) const {
+  path.move(place(Vector2(map.uv.row(map.cells(cell, 0)))));
+  const int edges = map.degree == 1 ? 2 : 3;  // the last straight one is what closes it
+  for (int edge = 0; edge < edges; ++edge) add_edge(path, map, cell, edge);
+  path.close();
+}
+
+std::vector<DrawingItem> color_legend(const Legend& legend, double top) {
+  const double y = top + 12 + kLetters, below = y + kBarHeight;
+  std::vector<DrawingItem> items;
+  items.emplace_back(
+      Label{.at = {LayoutSheet::kMargin, y - 12}, .text = legend.title, .size = kLetters});
+  for (int k = 0; k < kSteps; ++k) {  // each to the end of the bar: no hairlines between them
+    const double from = k * kBarWidth / kSteps;
+    items.emplace_back(
+        Shape{.path = rectangle({kBarLeft + from, y}, {kBarWidth - from, kBarHeight}),
+              .fill = legend.scale.color_at((k + 0.5) / kSteps)});
+  }
+  const auto add_end = [&](double x, double way, const Color& color) {
+    Shape end{.fill = color};
+    end.path.move({x, y});
+    end.path.line({x + way * kPoint, y + kBarHeight / 2});
+    end.path.line({x, y + kBarHeight});
+    end.path.close();
+    items.emplace_back(std::move(end));
+  };
+  if (legend.goes_below) add_end(kBarLeft, -1, legend.scale.colors().front());
+  if (legend.goes_above) add_end(kBarLeft + kBarWidth, 1, legend.scale.colors().back());
+  for (const ColorScale::Tick& tick : legend.scale.ticks()) {
+    const double x = kBarLeft + tick.position * kBarWidth;
+    items.emplace_back(Shape{.path = rectangle({x - 1, below}, {2, 5}), .fill = kInk});
+    items.emplace_back(Label{.at = {x, below + 5 + kLetters},
+                             .text = tick.label,
+                             .size = kLetters,
+                             .anchor = Label::Anchor::Middle});
+  }
+  items.emplace_back(Label{.at = {LayoutSheet::kMargin, below + 16 + kLetters + kSmallLetters},
+                           .text = legend.note,
+                           .size = kSmallLetters});
+  return items;
+}
+
+LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<Legend>& legend,
+                          const std::optional<CellColors>& colors, CellFill fill) {
+  LayoutDrawing drawing;
+  drawing.behind = draw_scaffold(sheet);
+  drawing.cells = draw_cells(sheet, colors, fill);
+  add_grid(sheet, drawing.over);
+  add_chart_outlines(sheet, drawing.over);
+  add_seams(sheet, drawing.over);
+  add_cones(sheet, drawing.over);
+  add_points(sheet, drawing.over);
+  add_meeting(sheet, drawing.over);
+  add_chart_names(sheet, drawing.over);
+  if (legend)
+    for (DrawingItem& item : color_legend(*legend, sheet.layout_height()))
+      drawing.over.push_back(std::move(item));
+  add_marks_legend(sheet, drawing.over);
+  drawing.description = description_of(sheet, legend);
+  return drawing;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,119 @@
+// The layout of a map as a drawing, with its legends.
+//
+//   const LayoutSheet sheet(map, marks, LegendOf::Colors, {});
+//   sheet.place(uv);                                     // in units of the drawing
+//   const LayoutDrawing drawing = draw_layout(sheet, legend, &colors);
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/pictures/internal/drawing.h"
+#include "majorant/pictures/internal/legend.h"
+#include "majorant/pictures/pictures.h"
+
+namespace majorant {
+
+// Where a layout meets itself.
+struct LayoutMeeting {
+  std::vector<Vector2> places;  // uv; empty: nowhere, or nobody knows
+  std::string words;            // "overlaps itself near (0.25, 1.5)"
+};
+
+// From the boundary of the map. Nowhere: of maps with cones, whose images overlap as a rule, and of
+// cells that are no surface.
+LayoutMeeting meeting_of(const MapFile& map);
+
+// What is drawn besides cells, in the plane of the map.
+struct LayoutMarks {
+  std::optional<double> grid = {};  // as of SvgOptions
+  Vector2 direction{1, 0};          // what was turned to (1, 0): lines are those of u and v before
+  std::optional<MapFile> scaffold = {};
+  std::vector<PagePoint> points = {};
+  LayoutMeeting meeting = {};
+};
+
+// Of a map whose drawing has `direction` turned to (1, 0): the marks are turned, too, words are
+// not.
+LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
+                     const std::optional<double>& grid, const std::optional<MapFile>& scaffold,
+                     const std::vector<PagePoint>& points);
+
+enum class LegendOf { Nothing, Colors };
+
+// Places of a drawing: the layout, as large as it fits, above its legends.
+class LayoutSheet {
+ public:
+  static constexpr double kWidth = 1000;
+  static constexpr double kMargin = 10;
+  // What the legend of colours takes.
+  static constexpr double kColorsHeight = 130;
+
+  // height: of the drawing; none: what it needs. Map and marks must outlive it. Throws Error(Usage)
+  // for a grid that cannot be drawn.
+  LayoutSheet(const MapFile& map, const LayoutMarks& marks, LegendOf legend,
+              std::optional<double> height);
+
+  const MapFile& map() const { return map_; }
+  const LayoutMarks& marks() const { return marks_; }
+  double height() const { return height_; }
+  double layout_height() const { return layout_height_; }  // with margins
+  double marks_top() const { return height_ - marks_height_; }
+  // Corners of the box around the layout and the targets of points, and half its larger side: the
+  // extent of two finite numbers may overflow.
+  const Vector2& low() const { return low_; }
+  const Vector2& high() const { return high_; }
+  double half_size() const { return (0.5 * high_ - 0.5 * low_).maxCoeff(); }
+  double grid_spacing() const { return grid_spacing_; }  // 0: none
+  // A twentieth of the typical cell, thin lines at most.
+  double stroke_width() const;
+
+  // In units of the drawing, the v axis up.
+  Vector2 place(const Vector2& uv) const;
+  Vector2 place(Index point) const { return place(Vector2(map_.uv.row(point))); }
+  // Units of the drawing a unit of uv.
+  double scale() const { return 0.5 * scale_; }
+
+  // Goes on along edge 0 (01), 1 (12) or 2 (20) of a cell of a map of the same degree in the same
+  // plane, from where the path is, its start: exactly to degree 3, then in Hermite cubics.
+  void add_edge(Path& path, const MapFile& map, Index cell, int edge) const;
+  // The outline of a cell.
+  void add_cell(Path& path, const MapFile& map, Index cell) const;
+
+ private:
+  const MapFile& map_;
+  const LayoutMarks& marks_;
+  Vector2 low_, high_, corner_;  // corner_: where the box is placed
+  double scale_ = 1;             // units of the drawing a half unit of uv
+  double height_ = 0, layout_height_ = 0, marks_height_ = 0, grid_spacing_ = 0;
+  std::array<std::vector<int>, 3> edges_;  // local control points
+};
+
+// The parts of a drawing, in the order in which they are painted.
+struct LayoutDrawing {
+  std::vector<DrawingItem> behind;  // the scaffold
+  std::vector<DrawingItem> cells;   // their colours and edges
+  std::vector<DrawingItem> over;    // marks, legends
+  std::string description;
+};
+
+// Colours of cells; none: those of charts, or one grey.
+using CellColors = std::vector<Color>;
+// On white: pale ones of charts, or one grey.
+CellColors plain_colors(const MapFile& map);
+// What fills cells in a drawing: their colours, or nothing, where pixels lie below their edges.
+enum class CellFill { Colors, Nothing };
+
+LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<Legend>& legend,
+                          const std::optional<CellColors>& colors, CellFill fill);
+
+// The legend of colours from this height on: title, bar, ticks, note.
+std::vector<DrawingItem> color_legend(const Legend& legend, double top);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
