@@ -4,6 +4,7 @@
 # make demo   install what the command needs, build it, flatten the bundled creature, say where the
 #             files are
 # make test   install what tests need, too, build, run every test, say which were not run and why
+# make test-core    the same without browsers, gmsh, VTK and MPI: a third of the packages
 # make install PREFIX=/usr/local    install what is built
 # make site   docs/ and the pages of the headers as a site with a search, build/site/index.html
 # make command | build | asan | tsan | bench | clean
@@ -18,7 +19,7 @@ JUNIT = --test-output-size-passed 100000 --output-junit
 GENERATOR = $(or $(shell sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' $(BUILD)/CMakeCache.txt 2> /dev/null),\
                  $(if $(shell command -v ninja 2> /dev/null),Ninja,Unix Makefiles))
 
-.PHONY: demo install test build setup test-setup configure command asan tsan bench site clean
+.PHONY: demo install test test-core build setup test-setup core-setup configure command asan tsan bench site clean
 
 demo: command
 	@mkdir -p $(OUT)
@@ -41,11 +42,20 @@ test: build
 	  /usr/bin/python3 scripts/skipped_tests.py build/release/tests.xml build/release/tests_mpi.xml; \
 	  exit $$status
 
+test-core: core-setup configure
+	cmake --build $(BUILD) -j $(JOBS)
+	@ctest --preset release -j $(JOBS) -LE mpi --no-tests=error $(JUNIT) tests.xml; status=$$?; \
+	  /usr/bin/python3 scripts/skipped_tests.py build/release/tests.xml; exit $$status
+
 setup:
 	@scripts/install_packages.sh
 
+core-setup:
+	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_core.txt
+
 test-setup:
-	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_test.txt scripts/packages_site.txt
+	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_core.txt scripts/packages_test.txt \
+	  scripts/packages_site.txt
 	@scripts/install_packages.sh scripts/packages_browser.txt || echo "no browser, or no npm"
 	@scripts/install_packages.sh scripts/packages_mpi.txt || echo "no PETSc, so no majorant-mpi"
 
@@ -64,7 +74,7 @@ asan: test-setup
 	ctest --preset asan -j $(JOBS) --no-tests=error
 
 tsan:
-	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_test.txt \
+	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_core.txt scripts/packages_test.txt \
 	  scripts/packages_tsan.txt
 	cmake --preset tsan
 	cmake --build --preset tsan -j $(JOBS)

@@ -51,7 +51,9 @@ void add_deform(CLI::App& app, Action* run);
 void add_check(CLI::App& app, Action* run);
 void add_compare(CLI::App& app, Action* run);
 void add_convert(CLI::App& app, Action* run);
+void add_bake(CLI::App& app, Action* run);
 void add_info(CLI::App& app, Action* run);
+void add_mesh(CLI::App& app, Action* run);
 
 }  // namespace majorant::app
 

@@ -102,7 +102,7 @@ void measure(const ConvertRequest& request, MapFile& map, WrittenFiles& written)
 // The parts of the converted file that the output does not hold.
 std::vector<std::string> left_out_of(const std::string& path, const MapFile& map,
                                      const MapFormats& formats) {
-  std::vector<std::string> what = left_out(path, map, formats);
+  std::vector<std::string> what = left_out(path, map, formats, nullptr);
   if (!is_map_data(path) || extension(path) == ".vtu") return what;
   if (is_straight_map_data(path) && map.chart.size() > 0) what.emplace_back("charts");
   if (map.seam_edges.size() > 0) what.emplace_back("marks of seams and cones");
@@ -154,7 +154,7 @@ void add_convert(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
   begin_group(verb, OptionGroup::Files);
   verb.add_option("result", request->input,
-                  "result: .vtu, .msh, or .obj or .ply with texture coordinates")
+                  "result: .vtu, .msh, or .obj, .ply, .glb or .gltf with texture coordinates")
       ->required();
   verb.add_option("output", request->positional_output, "output file, same as -o");
   verb.add_option("-o,--output", request->outputs, output_help(map_extensions()))

@@ -319,7 +319,8 @@ void add_info(CLI::App& app, Action* run) {
   auto request = std::make_shared<InfoRequest>();
   CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
   begin_group(verb, OptionGroup::Files);
-  verb.add_option("input", request->input, "mesh: .obj .off .ply .stl .vtu .msh, also .gz")
+  verb.add_option("input", request->input,
+                  "mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz")
       ->required();
   begin_group(verb, OptionGroup::Charts);
   verb.add_flag("--plan", request->plan, "what unwrap would do: charts and cuts");

@@ -56,7 +56,9 @@ int run(int argc, char** argv) {
   add_check(app, &action);
   add_compare(app, &action);
   add_convert(app, &action);
+  add_bake(app, &action);
   add_info(app, &action);
+  add_mesh(app, &action);
   if (argc == 1) {
     print_text(overview(app, kExamples + "`majorant VERB --help` says more.\n"));
     return kSuccess;

@@ -63,7 +63,8 @@ void require_scale(const MapRequest& request, const MapJob& job) {
 
 void MapRequest::add_to(CLI::App& verb, const char* default_degree) {
   begin_group(verb, OptionGroup::Map);
-  verb.add_option("input", input, "mesh: .obj .off .ply .stl .vtu .msh, also .gz")->required();
+  verb.add_option("input", input, "mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz")
+      ->required();
   verb.add_option("--degree", degree, fmt::format("polynomial degree ({})", default_degree))
       ->check(whole_number(1, BezierTriangleSpace::kMaxDegree));
   verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum")

@@ -13,7 +13,7 @@ namespace majorant::app {
 
 // The help text of MapRequest::choose_degree().
 inline constexpr const char* kDegreeByOutputs =
-    "3, or 1 where all data outputs are without curves: .obj .ply";
+    "3, or 1 where all data outputs are without curves: .obj .ply .glb .gltf";
 
 // Everything the user can say of the map, as said.
 struct MapRequest {

@@ -146,7 +146,8 @@ void require_no_input(const NamedFile& output, const std::vector<std::string>& i
 }  // namespace
 
 std::vector<std::string> map_extensions(std::vector<std::string> also) {
-  also.insert(also.begin(), {".vtu", ".obj", ".ply", ".msh", ".svg", ".png", ".html"});
+  also.insert(also.begin(),
+              {".vtu", ".obj", ".ply", ".glb", ".gltf", ".msh", ".svg", ".png", ".html"});
   return also;
 }
 
@@ -244,9 +245,10 @@ bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
 
 void FormatOptions::add_to(CLI::App& verb) {
   begin_group(verb, OptionGroup::Files);
-  verb.add_option("--refine", tessellation.refine,
-                  "pieces per edge in OBJ and PLY output, at least (default 1: cells stay one "
-                  "triangle where that is valid)")
+  verb.add_option(
+          "--refine", tessellation.refine,
+          "pieces per edge in OBJ, PLY and glTF output, at least (default 1: cells stay one "
+          "triangle where that is valid)")
       ->check(whole_number(1, 20));
   verb.add_option_function<std::string>(
           "--vtu",
@@ -272,7 +274,7 @@ void FormatOptions::add_to(CLI::App& verb) {
   add_pictures_to(verb);
   for (const auto& [name, extensions] :
        std::vector<std::pair<const char*, std::vector<std::string>>>{
-           {"--refine", {".obj", ".ply"}},
+           {"--refine", {".obj", ".ply", ".glb", ".gltf"}},
            {"--vtu", {".vtu"}},
            {"--msh", {".msh"}},
            {"--grid", {".svg"}},

@@ -62,9 +62,9 @@ class LiveLine {
     step_.clear();
     show();
   }
-  void note(const TraceEntry& entry) {
+  void say_of_step(std::string text) {
     const std::lock_guard lock(mutex_);
-    step_ = line(entry);
+    step_ = std::move(text);
     show();
   }
 
@@ -96,7 +96,7 @@ class LiveLine {
   std::condition_variable_any changed_;
   std::optional<Activity> activity_;
   Clock::time_point since_;
-  std::string step_;
+  std::string step_;  // the last one, or what came after it
   std::jthread thread_;
 };
 
@@ -141,12 +141,15 @@ class Progress::Display {
     if (log_) log_->begin(activity);
   }
   void note(const TraceEntry& e) {
-    if (live_) return live_->note(e);
+    if (live_) return live_->say_of_step(line(e));
     const bool is_told = is_verbose_ || e.degree != degree_ || e.record.iteration % 10 == 0;
     degree_ = e.degree;
     if (!is_told) return;
     log_->flush();
     say("{}\n", line(e));
+  }
+  void announce(std::string_view part) {
+    if (live_) live_->say_of_step(std::string(part));
   }
   void finish() {
     if (!log_) return;
@@ -169,6 +172,10 @@ Progress::~Progress() = default;
 
 void Progress::begin(Activity activity) {
   if (display_) display_->begin(activity);
+}
+
+void Progress::announce(std::string_view part) {
+  if (display_) display_->announce(part);
 }
 
 Directive Progress::after_step(const TraceEntry& row, const Vec&) {

@@ -6,9 +6,9 @@
 //   ...
 //   progress.finish();   // before the line that sums up
 //
-// A terminal shows which of the stages it is, for how long, and the last step: "[##..] 2 of 4
-// solving 1.2 s  degree 1  iteration 7 ..."; twice a second it is shown anew, by a thread of its
-// own, so that it never stands still. Elsewhere every activity leaves a
+// A terminal shows which of the stages it is, for how long, and the last step, or what of it is
+// under way: "[##..] 2 of 4 solving 1.2 s  degree 1  iteration 7 ..."; twice a second it is shown
+// anew, by a thread of its own, so that it never stands still. Elsewhere every activity leaves a
 // line with its seconds, and steps leave one for the first of a degree and every tenth, or for each
 // when verbose. Quiet runs say nothing.
 //
@@ -18,6 +18,7 @@
 
 #include <chrono>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "apps/command.h"
@@ -38,6 +39,7 @@ class Progress final : public RunObserver {
   Progress& operator=(const Progress&) = delete;
 
   void begin(Activity activity) override;
+  void announce(std::string_view part) override;
   Directive after_step(const TraceEntry& row, const Vec&) override;  // goes on
   // The last activity is over. Nothing is shown any more.
   void finish();

@@ -43,9 +43,11 @@ void write_maps(const FinishedRun& run, const Json& report, WrittenFiles& writte
     if (extension(path) == ".json") continue;
     written.write(path, [&] {
       if (extension(path) == ".csv") return write_trace(path, run.job.record.trace());
-      write_map(path, file, run.job.result.other_triangles ? nullptr : run.job.polygons.get(),
-                formats, proof_of_file(path, promise(run.job, path), file, formats));
-      if (!run.common.quiet) say_left_out(path, left_out(path, file, formats));
+      const PolygonMesh* const input =
+          run.job.result.other_triangles ? nullptr : run.job.polygons.get();
+      write_map(path, file, input, formats,
+                proof_of_file(path, promise(run.job, path), file, formats));
+      if (!run.common.quiet) say_left_out(path, left_out(path, file, formats, input));
     });
   }
   write_table(run, file, written);

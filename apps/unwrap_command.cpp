@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -27,10 +28,12 @@
 #include "apps/within_memory.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/results/atlas_job.h"
 #include "majorant/results/global_verdict.h"
+#include "majorant/results/obj_texture.h"
 
 namespace majorant::app {
 namespace {
@@ -41,6 +44,8 @@ struct UnwrapRequest {
   std::optional<double> weld;
   double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
   bool no_pack = false;
+  std::string scale;  // empty: as `map` allows
+  bool bake = false;  // the texture of an OBJ, too
 
   void add_to(CLI::App& verb);
   // Opens the job with the file, and says where to cut and how to pack. Throws Error(Unsupported)
@@ -53,14 +58,23 @@ void UnwrapRequest::add_to(CLI::App& verb) {
   seams.add_to(verb);
   begin_group(verb, OptionGroup::Charts);
   verb.add_option("--padding", padding,
-                  fmt::format("pixels between charts, at least ({})", padding))
+                  fmt::format("pixels between charts, and around them, at least ({})", padding))
       ->check(non_negative_number());
   verb.add_option("--resolution", resolution,
                   fmt::format("pixels along the side of the layout ({})", resolution))
       ->check(positive_number());
+  verb.add_option(
+          "--scale", scale,
+          "unit (default): the layout lies in the unit square; model (default with --pins or "
+          "--handles): a unit of it is one of the mesh")
+      ->check(one_of({"unit", "model"}));
   verb.add_flag("--no-pack", no_pack, "leave charts where they are, also on top of each other")
       ->excludes("--padding")
       ->excludes("--resolution");
+  verb.add_flag("--bake", bake,
+                "move the texture of an OBJ (map_Kd) to the new layout: OUT.png and OUT.mtl beside "
+                "OUT.obj; the layout is that of --normalize")
+      ->excludes("--no-pack");
   verb.add_option("--weld", weld,
                   "join vertices no farther apart than DISTANCE; 0: at equal positions (default: "
                   "only where no face shares a vertex)")
@@ -88,6 +102,8 @@ Json UnwrapRequest::to_json() const {
   options.update({{"padding", padding},
                   {"resolution", resolution},
                   {"no_pack", no_pack},
+                  {"scale", scale},
+                  {"bake", bake},
                   {"weld", weld ? Json(*weld) : Json()}});
   return options;
 }
@@ -100,6 +116,24 @@ struct UnwrapVerb {
   UnwrapRequest unwrap;
 };
 
+// The .obj among the outputs; null where there is none.
+const std::string* baked_output(const std::vector<std::string>& files) {
+  const auto found = std::find_if(files.begin(), files.end(), [](const std::string& path) {
+    return extension(path) == ".obj";
+  });
+  return found == files.end() ? nullptr : &*found;
+}
+
+// What --bake needs, and the files that it writes.
+std::vector<std::string> baked_files(const UnwrapVerb& request) {
+  if (!request.unwrap.bake) return {};
+  const std::string* const obj = baked_output(request.outputs.files);
+  if (format_of(request.map.input) != ".obj" || obj == nullptr)
+    throw Error(ErrorKind::Usage,
+                "--bake moves the texture of an OBJ and needs one as output, too: -o OUT.obj");
+  return {texture_file(*obj), material_file(*obj)};
+}
+
 Json options_of(const UnwrapVerb& request) {
   Json options = request.map.to_json();
   options.update(request.solve.to_json());
@@ -111,8 +145,21 @@ Json options_of(const UnwrapVerb& request) {
   return options;
 }
 
+// Targets of points are in units of the mesh.
+void choose_scale(UnwrapVerb& request) {
+  std::string& scale = request.unwrap.scale;
+  const bool has_targets = !(request.map.pins.empty() && request.map.handles.empty());
+  if (scale == "unit" && has_targets)
+    throw Error(ErrorKind::Usage, "--scale unit moves pins and handles; leave one of the two out");
+  if (scale == "model" && request.outputs.normalize)
+    throw Error(ErrorKind::Usage,
+                "--normalize is --scale unit, not --scale model; leave one of the two out");
+  if (scale.empty()) scale = has_targets ? "model" : "unit";
+}
+
 void require_usable(UnwrapVerb& request) {
   require_gpl_parts("unwrap");
+  if (request.unwrap.bake) request.outputs.normalize = true;  // what an image shows
   request.outputs.require_usable(request.map);
   if (request.outputs.turns_map())
     throw Error(
@@ -124,10 +171,12 @@ void require_usable(UnwrapVerb& request) {
                 fmt::format("--linear-solver {}: unwrap solves charts side by side, each by the "
                             "program's own solver; leave it out",
                             request.solve.linear_solver));
+  choose_scale(request);
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   require_writable(request.common,
-                   {{request.outputs.files, request.outputs.extensions},
+                   {{baked_files(request), {".png", ".mtl"}},
+                    {request.outputs.files, request.outputs.extensions},
                     {{request.outputs.distortion}, {".csv"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
                     request.unwrap.seams.file(), request.outputs.formats.readable_image()});
@@ -141,6 +190,7 @@ struct FinishedUnwrap {
   const AtlasJob& job;
   std::chrono::steady_clock::time_point start;  // of the run
   Progress& progress;
+  const std::optional<ObjTexture>& texture;  // to be baked
 };
 
 // Points with targets keep their charts where they put them.
@@ -168,10 +218,22 @@ void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
   for (const std::string& path : run.outputs.files)
     if (extension(path) != ".json")
       written.write(path, [&] {
-        write_map(path, file, run.job.polygons.get(), formats,
+        PolygonMesh moved;  // where its materials are in another file
+        const bool is_baked = run.texture && extension(path) == ".obj";
+        if (is_baked) moved = with_material_file(*run.job.polygons, path);
+        write_map(path, file, is_baked ? &moved : run.job.polygons.get(), formats,
                   proof_of_file(path, promise(run.job, path), file, formats));
-        if (!run.common.quiet) say_left_out(path, left_out(path, file, formats));
+        if (!run.common.quiet)
+          say_left_out(path, left_out(path, file, formats, run.job.polygons.get()));
       });
+  if (!run.texture) return;
+  const std::string& obj = *baked_output(run.outputs.files);
+  if (written.has(obj))
+    written.write(texture_file(obj), [&] {
+      or_interrupted("baking " + texture_file(obj), [&] {
+        bake_texture(*run.texture, *run.job.polygons, obj, run.job.record.stop());
+      });
+    });
 }
 
 void write_reports(const FinishedUnwrap& run, double write_seconds, WrittenFiles& written) {
@@ -240,6 +302,7 @@ int unwrap_file(UnwrapVerb request) {
   require_usable(request);
   const ThreadCount threads(usable_threads(request.common.threads));
   AtlasJob job(record);
+  std::optional<ObjTexture> texture;
   job.energy = request.map.energy;
   record.begin(Activity::Reading);
   or_interrupted("reading " + request.map.input, [&] {
@@ -248,6 +311,11 @@ int unwrap_file(UnwrapVerb request) {
       return read_mesh(request.map.input, record.start_stop(), strictness);
     });
     say_warnings(polygons.warnings);
+    if (request.unwrap.bake) {
+      texture = within_memory(request.map.input,
+                              [&] { return read_obj_texture(polygons, record.start_stop()); });
+      say_warnings(texture->warnings);
+    }
     request.unwrap.open(job, std::move(polygons), strictness);
     job.options.chart =
         read_options(request.map, *job.polygons, *job.surface.mesh, record.start_stop());
@@ -258,16 +326,16 @@ int unwrap_file(UnwrapVerb request) {
   solvers.apply(job.options.chart.solve);
   job.read_seconds = record.seconds();
   or_interrupted("unwrapping " + request.map.input, [&] { job.solve(); });
-  if (request.outputs.normalize && !job.place())
+  if (request.unwrap.scale == "unit" && !job.place())
     throw Error(ErrorKind::Invalid,
                 request.map.input +
-                    ": in the unit square its smallest triangles are too small for doubles; leave "
-                    "out --normalize");
+                    ": in the unit square its smallest triangles are too small for doubles; add "
+                    "--scale model");
   job.asked = options_of(request);
   job.linear_solver = solvers.section();
   job.memory = solvers.memory();
   job.prove();
-  return write_atlas({request.common, request.outputs, request.map, job, start, progress});
+  return write_atlas({request.common, request.outputs, request.map, job, start, progress, texture});
 }
 
 }  // namespace
@@ -285,7 +353,7 @@ void add_unwrap(CLI::App& app, Action* run) {
   request->common.add_to(verb);
   verb.footer(
       energy_help() +
-      "Example: majorant unwrap bunny.obj -o unwrapped.obj --normalize --report bunny.json");
+      "Example: majorant unwrap bunny.obj -o unwrapped.obj --padding 8 --report bunny.json");
   verb.callback([request, run] { *run = [request] { return unwrap_file(*request); }; });
 }
 

@@ -138,7 +138,7 @@ def run_blender(options, meshes, folder):
 def run_majorant(options, path, folder):
     import common
     out = Path(folder) / (path.stem + '.obj')
-    done = common.run([options.binary, 'unwrap', path, '-o', out, '--quiet', '--threads', 1,
+    done = common.run([options.binary, 'unwrap', path, '-o', out, '--scale', 'model', '--quiet', '--threads', 1,
                        *options.flags.split()], options.timeout)
     if done.code not in (0, 4):
         sys.exit(done.stderr)

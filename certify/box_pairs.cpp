@@ -1,6 +1,8 @@
 #include "majorant/certify/box_pairs.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -16,16 +18,17 @@ void BoxTree::visit_pairs(const VisitPair& visit) const {
 }
 
 void BoxTree::visit_meeting(const Box2& box, const std::function<void(Index)>& visit) const {
-  std::vector<Index> stack;
-  if (!nodes_.empty()) stack.push_back(0);
-  while (!stack.empty()) {
-    const Index node = stack.back();
+  // Halves of at most 2^31 boxes: one node of each level waits, and two of the last.
+  std::array<Index, std::numeric_limits<Index>::digits + 2> waiting;
+  int count = 0;
+  if (!nodes_.empty()) waiting[count++] = 0;
+  while (count > 0) {
+    const Index node = waiting[--count];
     const Node& n = at(node);
-    stack.pop_back();
     if (!n.box.meets(box)) continue;
     if (n.right >= 0) {
-      stack.push_back(n.right);
-      stack.push_back(node + 1);
+      waiting[count++] = n.right;
+      waiting[count++] = node + 1;
       continue;
     }
     for (Index place = n.begin; place < n.end; ++place)
@@ -70,7 +73,7 @@ bool BoxTree::between(Index a, Index b, const VisitPair& visit) const {
                  : between(a, b + 1, visit) && between(a, n.right, visit);
 }
 
-// All pairs of two leaves, which may be the same leaf.
+// Visits all pairs of two leaves, which may be the same leaf.
 bool BoxTree::all_pairs(const Node& m, const Node& n, const VisitPair& visit) const {
   for (Index i = m.begin; i < m.end; ++i)
     for (Index j = m.begin == n.begin ? i + 1 : n.begin; j < n.end; ++j) {

@@ -4,6 +4,7 @@
 //   if (check_boundary(map).result == ProofStatus::Proven) write_vtu("map.vtu", to_map_file(map));
 //
 // * global_injectivity.h: whether an image overlaps itself, from its boundary
+// * inverse_map.h: the points of a surface that a map takes to a point of the plane
 // * map_proof.h: a file as it is: orientation, seams, cuts, the surface, overlaps
 // * moved_layout.h: layouts that are turned, scaled and moved, proven where they end up
 //
@@ -11,6 +12,7 @@
 #pragma once
 
 #include "majorant/certify/global_injectivity.h"
+#include "majorant/certify/inverse_map.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/certify/moved_layout.h"
 

@@ -52,17 +52,17 @@ class CutMap {
   double diagonal() const;
   double mean_length() const;
 
-  // From and to, vertices of the input; "edge (12, 13)".
+  // The ends of a half-edge as vertices of the input, and as words: "edge (12, 13)".
   std::array<Index, 2> input_edge(Index half_edge) const;
   std::string place(Index half_edge) const;
 
   // The map of the surface cut along these half-edges (3 #F flags, both sides), which include all
   // that differ. With several pieces it is a map of all of them.
   BezierMap map_cut_along(const std::vector<char>& is_cut) const;
-  // The same with seams along all edges that differ or are unshared: turns are the ones that fit
-  // best, cones have the nearest number of quarter turns to the sum of their angles. Neither
-  // residual nor angles nor orientation are judged. Throws Error(Invalid) naming the edge when a
-  // mismatch exceeds kSeamTolerance (seams.h) of the mean length.
+  // Returns the same map with seams along all edges that differ or are unshared: turns are the ones
+  // that fit best, cones have the nearest number of quarter turns to the sum of their angles.
+  // Neither residual nor angles nor orientation are judged. Throws Error(Invalid) naming the edge
+  // when a mismatch exceeds kSeamTolerance (seams.h) of the mean length.
   BezierMap map_with_seams() const;
 
  private:
@@ -78,15 +78,15 @@ class CutMap {
 
 // Returns whether the file says which vertex of the input every corner of a cell is.
 bool knows_vertices(const MapFile& file);
-// Where it does not: a number for every point, equal for points at exactly the same place; those
-// where a known mesh has a vertex of a polygon have its (first) number.
+// For files that do not know them: returns a number for every point, equal for points at exactly
+// the same place; where `known` has a vertex of a polygon it is the (first) number of that vertex.
 Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known);
 
 // Returns whether the file holds a vertex of the input several times: whether its map is cut.
 bool is_cut(const MapFile& file);
-// Where a file that is to be written is cut: edges of the input, by their vertices, that are
-// unshared, each as often as the cells make an edge there. Decided from who shares points, not from
-// uv: what lies apart by mistake is none. Throws as CutMap.
+// Returns the edges of the input, by their vertices, along which a file that is to be written is
+// cut, each as often as the cells have it unshared. Shared points decide, not uv: what lies apart
+// by mistake is no cut. Throws as CutMap.
 std::vector<std::array<Index, 2>> unshared_edges(const MapFile& file, const std::string& name);
 
 }  // namespace majorant

@@ -85,7 +85,8 @@ class Sweep {
   int side(Index e, const Vector2& p) const {
     return orientation(point(left(e)), point(right(e)), p);
   }
-  // Two edges that the sweep line meets at the same time, without a contact to the left of it.
+  // Compares two edges that the sweep line meets at the same time, without a contact to the left of
+  // it.
   bool is_below(Index e, Index f) const {
     if (left(e) == left(f)) return side(e, point(right(f))) > 0;
     return earlier(left(e), left(f)) ? side(e, point(left(f))) > 0 : side(f, point(left(e))) < 0;
@@ -259,7 +260,8 @@ const PlanarCurve& curve_of(const BoundaryLoops& boundary, Index half_edge) {
 // The directions from a contact in which a point that is covered twice may lie: where two edges
 // cross it is to the left of both.
 std::vector<Vector2> directions_at(const PlanarCurve& a, const PlanarCurve& b) {
-  // For where edges have other directions than their ends, at a vertex say; chosen, not tuned.
+  // Several, since edges may have other directions than their ends, at a vertex say; chosen, not
+  // tuned.
   constexpr int kDirections = 6;
   const auto to_the_left = [](const PlanarCurve& curve) {
     const Vector2 along = (curve.back() - curve.front()).stableNormalized();
@@ -297,7 +299,7 @@ std::optional<DoubleCover> find_double_cover(const BoundaryLoops& boundary,
   return {};
 }
 
-// Every chart has one counterclockwise loop: these loops, by chart.
+// Finds the one counterclockwise loop that every chart has.
 Finding find_outer_loops(const BoundaryLoops& boundary, SubdivisionBudget& budget,
                          std::vector<const BoundaryLoop*>& outer) {
   outer.assign(to_size(boundary.charts), nullptr);

@@ -87,7 +87,7 @@ struct GlobalInjectivity {
   // counted up to a million.
   long pairs_left = 0;
   long subdivisions = 0;
-  // One line; empty when Proven and where the contacts say it all.
+  // The reason in one line; empty when Proven and where the contacts say it all.
   std::string reason;
 };
 

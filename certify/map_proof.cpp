@@ -67,7 +67,8 @@ double rounding_of_determinant(const MapFile& file, Index cell) {
   return 1.01 * (off * reach_of(file, cell).sum() + 2 * off * off);
 }
 
-// At a point of a cell; error: how far it may be from that of the digits, rounding here included.
+// The determinant at a point of a cell; error: how far it may be from that of the digits, rounding
+// here included.
 struct Determinant {
   double value = 0, error = 0;
 };
@@ -102,7 +103,7 @@ CellPositivity beyond_rounding(const MapFile& file, Index cell, const CellPositi
 // Edges of the input whose two sides may have other uv, told by their vertices.
 class AllowedEdges {
  public:
-  // Each as often as it is listed, in any order of its vertices; none given: all.
+  // Allows each edge as often as it is listed, in any order of its vertices; none given: all.
   explicit AllowedEdges(const std::optional<std::vector<std::array<Index, 2>>>& edges)
       : is_any_(!edges) {
     if (edges)
@@ -286,10 +287,11 @@ class MapProof::Judge {
       }
     if (has_numbers && file_.input_face.size() > 0)
       labels.assign(file_.input_face.begin(), file_.input_face.end());
-    SurfaceMatch match = match_surface(cells, *request_.surface, labels);
+    SurfaceMatch match = match_surface(cells, *request_.surface, labels, file_.points_rounding);
     if (!match.defect.empty())
-      match =
-          match_repaired(cells, *request_.surface, labels, request_.orientation).value_or(match);
+      match = match_repaired(cells, *request_.surface, labels, request_.orientation,
+                             file_.points_rounding)
+                  .value_or(match);
     if (!match.defect.empty()) {
       proof_.surface = {ProofStatus::Violated, match.defect};
       return;

@@ -83,9 +83,9 @@ class MapProof {
   // The verdict on all questions asked: Violated if a finding is, else Undecided if one is, else
   // Proven.
   ProofStatus verdict() const;
-  // In the order below, with their names.
+  // Returns the findings in the order below, with their names.
   std::vector<std::pair<std::string_view, const Finding*>> findings() const;
-  // The first that is not Proven, "positive: cell 7: ..."; empty when all are.
+  // Returns the first that is not Proven, "positive: cell 7: ..."; empty when all are.
   std::string first_defect() const;
 
   Finding surface;     // the cells are the faces of the surface

@@ -43,7 +43,7 @@ double distance_to(const Segment& s, const Vector2& p, double& scale) {
   return std::abs(cross(along, to_p)) / length;
 }
 
-// At most the distance of the segments.
+// Returns at most the distance of the segments.
 double distance_below(const Segment& a, const Segment& b) {
   if (segments_meet(a.from, a.to, b.from, b.to)) return 0;
   double scale = 0;
@@ -107,7 +107,7 @@ Box2 grown(Box2 box, double by) {
   return {box.low.array() - margin, box.high.array() + margin};
 }
 
-// All loops of all charts, in units in which nothing overflows, and who is where.
+// Holds all loops of all charts, in units in which nothing overflows, and who is where.
 class Layout {
  public:
   Layout(const std::vector<BezierMap>& charts, double unit, const std::vector<char>& fixed)

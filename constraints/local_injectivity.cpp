@@ -115,13 +115,16 @@ Vec vertex_angle_sums(const BezierTriangleSpace& space, VecIn x) {
     const Index node = space.cells()(e, local);
     return Vector2(x[2 * node], x[2 * node + 1]);
   };
-  for (Index e = 0; e < space.element_count(); ++e)
+  Points3 angles(space.element_count(), 3);
+  parallel_for(space.element_count(), kElementsOfATask, [&](Index e) {
     for (int k = 0; k < 3; ++k) {
       const Vector2 corner = point(e, k);
       const auto [right, left] = ix.beside_corner(k);
-      sums[space.cells()(e, k)] +=
-          std::abs(sector_angle(point(e, right) - corner, point(e, left) - corner));
+      angles(e, k) = std::abs(sector_angle(point(e, right) - corner, point(e, left) - corner));
     }
+  });
+  for (Index e = 0; e < space.element_count(); ++e)
+    for (int k = 0; k < 3; ++k) sums[space.cells()(e, k)] += angles(e, k);
   return sums;
 }
 

@@ -208,7 +208,7 @@ void PetscMatrix::from_petsc(::Vec from, Vec& to) const {
 // reach on Tutte's systems.
 constexpr double kAllThereIs = 1e-12;
 // Iterations of a solve with multigrid, and without: ten times what solves that converge
-// take (176 in 25 steps, docs/distributed.md); CG + ICC took 68 where multigrid broke down.
+// take: 176 in 25 steps, and 68 with ICC where multigrid broke down.
 constexpr PetscInt kMostWithMultigrid = 300, kMostWithIcc = 2000;
 // Matrices that begin on the rung that held, after a fall: a start of collapsed triangles
 // takes 5 to 15 steps until they are not.

@@ -58,10 +58,10 @@ class DetCoefficients {
   // Coefficients for control points c (D numbers per node) and a rigorous bound of the absolute
   // error of each, for finite c without overflow. out, error: count() numbers.
   void at_with_error(const double* c, double* out, double* error) const;
-  // The same in quadruple precision, rounded to double; error bounds accordingly smaller.
+  // Does the same in quadruple precision, rounded to double; error bounds are accordingly smaller.
   void at_with_error_quad(const double* c, double* out, double* error) const;
-  // The same in the plane without rounding, for control points that are integers: coefficients
-  // times a positive integer, the same for all.
+  // The same without rounding, for control points that are integers: coefficients times a positive
+  // integer, the same for all: the product of (degree of the factor)! over the factors of the cell.
   template <class Integer>
   std::vector<Integer> scaled(const std::vector<Integer>& c) const;
   // An affine map of the plane has one coefficient, a 2 by 2 determinant: the same numbers as
@@ -109,18 +109,49 @@ class DetCoefficients {
 };
 
 // Coefficient t has the denominator weight(t) = (sum of exponents)! / (product of their factorials)
-// in every factor of the cell, so that the product of the factorials is what is missing.
+// in every factor of the cell, so that the product of the factorials is what is missing. A cofactor
+// times its own weight is an integer, too, and the weight of its partner in a product is what the
+// numerator there has beside it.
 template <class Integer>
 std::vector<Integer> DetCoefficients::scaled(const std::vector<Integer>& c) const {
-  std::vector<std::array<Integer, 2>> derivatives;
-  for (const Difference& w : differences_)
-    derivatives.push_back({c[2 * w.plus] - c[2 * w.minus], c[2 * w.plus + 1] - c[2 * w.minus + 1]});
+  std::vector<Integer> derivatives(derivative_size());
+  Integer* at = derivatives.data();
+  for (int direction = 0; direction < dim_; ++direction)
+    for (int component = 0; component < dim_; ++component)
+      for (int r = starts_[to_size(direction)]; r < starts_[to_size(direction) + 1]; ++r)
+        *at++ = c[dim_ * differences_[r].plus + component] -
+                c[dim_ * differences_[r].minus + component];
+  const auto derivative = [&](int direction, int component, int r) -> const Integer& {
+    return derivatives[derivative_start(direction, component % dim_) + r];
+  };
+  const auto whole = [](double x) { return static_cast<std::int64_t>(x); };
+  const int u = dim_ - 2, v = dim_ - 1, columns = minors_.columns();
+  const auto scaled_minors = [&](int first, int second) {
+    std::vector<Integer> out(to_size(minors_.target_count()));
+    for (int e = 0; e < minors_.rows() * columns; ++e) {
+      const int r = e / columns, s = e % columns;
+      out[minors_.entries()[e].target] += whole(minors_.fractions()[e].numerator) *
+                                          (derivative(u, first, r) * derivative(v, second, s) -
+                                           derivative(u, second, r) * derivative(v, first, s));
+    }
+    return out;
+  };
   std::vector<Integer> out(to_size(count()));
-  for (std::size_t e = 0; e < minors_.entries().size(); ++e) {
-    const auto& a = derivatives[e / to_size(minors_.columns())];
-    const auto& b = derivatives[to_size(starts_[1]) + e % to_size(minors_.columns())];
-    out[minors_.entries()[e].target] +=
-        static_cast<std::int64_t>(minors_.fractions()[e].numerator) * (a[0] * b[1] - a[1] * b[0]);
+  if (dim_ == 2) {
+    out = scaled_minors(0, 1);
+  } else {
+    std::vector<double> weights(to_size(minors_.target_count()));
+    for (std::size_t e = 0; e < minors_.entries().size(); ++e)
+      weights[minors_.entries()[e].target] = minors_.fractions()[e].denominator;
+    for (int component = 0; component < 3; ++component) {
+      const std::vector<Integer> cofactor = scaled_minors(component + 1, component + 2);
+      for (int e = 0; e < products_.rows() * products_.columns(); ++e) {
+        const int r = e / products_.columns(), s = e % products_.columns();
+        out[products_.entries()[e].target] +=
+            whole(products_.fractions()[e].numerator / weights[s]) * derivative(0, component, r) *
+            cofactor[s];
+      }
+    }
   }
   for (int t = 0; t < count(); ++t)
     for (const int exponent : basis_.exponents(t))

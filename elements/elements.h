@@ -8,12 +8,14 @@
 //     element_space.h             ElementSpace: nodes, tables, certificates
 //     bernstein_space.h           triangles, quadrilaterals and tetrahedra of any degree, and what
 //                                 describes an element of your own (docs/elements.md)
+//     bezier_solid_spaces.h       hexahedra and wedges
 //     quadrature.h                rules on triangles, tetrahedra and products of simplices
 //     rest_shapes.h               the shapes that maps are measured against
 //     jacobian_net.h              Bernstein coefficients of J, for upper bounds
 #pragma once
 
 #include "majorant/elements/bernstein_space.h"
+#include "majorant/elements/bezier_solid_spaces.h"
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/jacobian_net.h"
 #include "majorant/elements/quadrature.h"

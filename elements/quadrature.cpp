@@ -30,7 +30,7 @@ Index column_count(const Factors& cell) {
   return columns;
 }
 
-// From a row of Quadrature::points to homogeneous coordinates, 1-t and t of a segment.
+// Makes homogeneous coordinates of a row of Quadrature::points, 1-t and t of a segment.
 void to_homogeneous(const Factors& cell, Eigen::Ref<const Point> point, Point& out) {
   out.resize(std::accumulate(cell.begin(), cell.end(), 0));
   Index from = 0, to = 0;
@@ -112,7 +112,7 @@ void add_graded(const Quadrature& rule, const Piece& t, double area, int levels,
   for (const Piece& child : subdivide(t, 2)) add_graded(rule, child, area / 4, levels - 1, builder);
 }
 
-// All (a, b, ...) of `count` numbers >= 0 with sum m.
+// Returns all (a, b, ...) of `count` numbers >= 0 with sum m.
 std::vector<Point> lattice_points(int count, int m) {
   if (count == 1) return {Point::Constant(1, m)};
   std::vector<Point> out;
@@ -124,7 +124,7 @@ std::vector<Point> lattice_points(int count, int m) {
   return out;
 }
 
-// All points of the cell whose homogeneous coordinates are multiples of 1/m, times m.
+// Returns all points of the cell whose homogeneous coordinates are multiples of 1/m, times m.
 std::vector<Point> lattice_points(const Factors& cell, int m) {
   std::vector<Point> out{Point(0)};
   for (const int corners : cell) {

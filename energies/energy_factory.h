@@ -119,12 +119,12 @@ class EnergyFactory {
                                                 const std::vector<Quadrature>& rules) const {
     return make_(std::move(space), rest, rules);
   }
-  // On the default rule of the space (ElementSpace::default_rule). Where J is not constant and the
-  // energy has a barrier, guarded_rule() adds the corners, with kCornerGuard.
+  // Makes the term on the default rule of the space (ElementSpace::default_rule). Where J is not
+  // constant and the energy has a barrier, guarded_rule() adds the corners, with kCornerGuard.
   std::shared_ptr<const DensityTerm> operator()(std::shared_ptr<const ElementSpace> space,
                                                 const RestShapes& rest) const;
-  // The same energy on a mesh made of these elements, in this order. Throws InvalidArgument for
-  // an element it does not know, InvalidArgument if it has no part().
+  // Returns the same energy on a mesh made of these elements, in this order. Throws InvalidArgument
+  // for an element it does not know, InvalidArgument if it has no part().
   EnergyFactory for_elements(std::span<const Index> elements) const;
 
  private:

@@ -71,7 +71,7 @@ class ElementValues {
   std::shared_ptr<const std::vector<T>> values_;
 };
 
-// As many numbers an element as a matrix has columns.
+// Holds as many numbers for each element as a matrix has columns.
 class ElementRows {
  public:
   explicit ElementRows(RowMatrix rows)
@@ -163,7 +163,7 @@ class GeneralDensity {
   std::string_view name() const { return name_; }
   bool supports(Curvature c) const { return c == Curvature::Projected || c == Curvature::Exact; }
 
-  // At J, row by row; data: what the formula takes beside J.
+  // Returns the value at J, row by row; data: what the formula takes beside J.
   template <class... Data>
   double value(const double (&z)[size], const Data&... data) const {
     const auto J = matrix<double>([&z](int r) { return z[r]; });

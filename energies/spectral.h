@@ -20,8 +20,8 @@
 
 namespace majorant {
 
-// No majorant(x, y) known. A majorant m >= 0 is what makes exact Hessian + m |d alpha|^2 a
-// majorizer where k is not convex; a declared fact, like Traits.
+// Says that no majorant(x, y) is known. A majorant m >= 0 is what makes exact Hessian + m |d
+// alpha|^2 a majorizer where k is not convex; a declared fact, like Traits.
 struct NoMajorant {};
 
 namespace detail {

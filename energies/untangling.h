@@ -25,7 +25,7 @@ class UntanglingDensity final : public IsotropicDensity<UntanglingDensity, NoMaj
                          {Domain::Everywhere, Convexity::Unknown, Reweighting::Refused}, {}),
         eps_(eps),
         lambda_(lambda) {}
-  // One parameter: eps.
+  // The one parameter is eps.
   UntanglingDensity with_parameters(const Vec& parameters) const {
     return UntanglingDensity(parameters[0], lambda_);
   }

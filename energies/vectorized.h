@@ -15,8 +15,8 @@
 
 namespace majorant {
 
-// For make_energy() and energy_factory() with this density. Throws InvalidArgument for a spectral()
-// formula that is not symmetric.
+// Returns the kernels for make_energy() and energy_factory() with this density. Throws
+// InvalidArgument for a spectral() formula that is not symmetric.
 template <detail::Isotropic Density>
 DensityKernels vectorized(const Density& density) {
   static_assert(

@@ -1,6 +1,7 @@
-// An element of one's own: Bezier hexahedra, which the library does not have. An element of
-// Bernstein polynomials is a description (BernsteinElement); tables, numbering and certificates
-// follow from it. Energies, constraints and solvers stay as they are.
+// An element of one's own: Bezier hexahedra, as if the library had none (its own are
+// BezierHexahedronSpace). An element of Bernstein polynomials is a description (BernsteinElement);
+// tables, numbering and certificates follow from it. Energies, constraints and solvers stay as they
+// are.
 //
 // Sample run:
 //   example_custom_element block.vtk
@@ -37,7 +38,7 @@ std::vector<Exponents> lattice(const Degrees& n) {
 // 2. The description: three factors of two corners, derivatives by r, s, t, halved in turn.
 BernsteinElement hexahedron(int degree) {
   constexpr int m = EdgeBisection::kMidpoint;
-  return {.name = "BezierHexahedronSpace",
+  return {.name = "Hexahedra",
           .degree = degree,
           .max_degree = 3,
           .factors = {2, 2, 2},
@@ -48,9 +49,9 @@ BernsteinElement hexahedron(int degree) {
                          {4, 5, {0, 1, 2, 3, 4, m}, {0, 1, 2, 3, m, 5}}}};
 }
 
-class BezierHexahedronSpace final : public BernsteinSpace {
+class Hexahedra final : public BernsteinSpace {
  public:
-  BezierHexahedronSpace(const Cells& cells, Index vertex_count, int degree)
+  Hexahedra(const Cells& cells, Index vertex_count, int degree)
       : BernsteinSpace(hexahedron(degree), cells, vertex_count) {}
 };
 
@@ -61,7 +62,7 @@ int main(int argc, char** argv) {
   for (Index v = 0; v < 12; ++v) vertices.row(v) << v % 3, v / 3 % 2, v / 6;
   Cells cells(2, 8);
   cells << 0, 1, 4, 3, 6, 7, 10, 9, 1, 2, 5, 4, 7, 8, 11, 10;
-  auto space = std::make_shared<const BezierHexahedronSpace>(cells, 12, 1);
+  auto space = std::make_shared<const Hexahedra>(cells, 12, 1);
   const RowMatrix nodes = space->node_positions(vertices);
   const RestShapes rest = curved_shapes(*space, nodes, space->default_rule(RestJacobian::Varying));
   auto energy = density<3, 3>("mips-3d", [](const auto& J) {

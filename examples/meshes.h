@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -65,6 +67,19 @@ inline majorant::Cells edges_of(const majorant::Cells& triangles) {
     cells.row(e) << edges[static_cast<std::size_t>(e)].first,
         edges[static_cast<std::size_t>(e)].second;
   return cells;
+}
+
+// Each vertex of the boundary with each edge of the boundary that it is not on: (vertex, a, b).
+inline majorant::Cells boundary_pairs(const majorant::Cells& triangles) {
+  std::set<std::pair<int, int>> sides;
+  for (const auto& t : triangles.rowwise())
+    for (int k = 0; k < 3; ++k)
+      if (!sides.erase({t[(k + 1) % 3], t[k]})) sides.insert({t[k], t[(k + 1) % 3]});
+  std::vector<int> list;
+  for (const auto& [vertex, next] : sides)
+    for (const auto& [a, b] : sides)
+      if (vertex != a && vertex != b) list.insert(list.end(), {vertex, a, b});
+  return Eigen::Map<const majorant::Cells>(list.data(), std::ssize(list) / 3, 3);
 }
 
 // [0, length] by [0, width]^2: unit cubes of six tetrahedra each, around a diagonal.

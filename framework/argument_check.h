@@ -20,10 +20,10 @@ class Partition;
 class StopCheck;
 
 void require_size(std::string_view what, Eigen::Index has, Eigen::Index needs);
-// As many or more: of unknowns that begin with those of a space, say.
+// Accepts as many or more: unknowns that begin with those of a space, say.
 void require_enough(std::string_view what, Eigen::Index has, Eigen::Index needs);
 void require_finite(std::string_view what, VecIn numbers);
-// Row by row, "row 3 of ... is not finite".
+// Names the row: "row 3 of ... is not finite".
 void require_finite_rows(std::string_view what, const Eigen::Ref<const RowMatrix>& rows);
 // 0 <= index < count.
 void require_index(std::string_view what, Eigen::Index index, Eigen::Index count);

@@ -19,7 +19,8 @@ class ScatterMap {
   ScatterMap(const ElementDofs& element_dofs, const Elimination& elimination,
              const SparsePattern& pattern);
 
-  // The same in a pattern that has more entries: slot k of the old one is places[k] there.
+  // Returns the same map in a pattern that has more entries: slot k of the old one is places[k]
+  // there.
   ScatterMap moved(const std::vector<Index>& places) const;
 
   // Adds factor * H of the element at position p of a batch.

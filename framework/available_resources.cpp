@@ -65,7 +65,7 @@ std::size_t memory_left_in(const std::string& folder, const MemoryFiles& files) 
   return *limit - std::min(taken, *limit);
 }
 
-// In processors; infinity is no quota: "max 100000" of version 2, -1 of version 1.
+// Returns the quota in processors; infinity is none: "max 100000" of version 2, -1 of version 1.
 double cpu_quota_of(const std::string& folder, int version) {
   double quota = -1, period = 0;  // microseconds
   if (version == 2) {

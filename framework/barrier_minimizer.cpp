@@ -79,7 +79,7 @@ class Phases {
     return phase;
   }
 
-  // To where the bounds are met.
+  // Leads the start to where the bounds are met.
   bool enter() {
     require_size("the start y", result_.y.size(), problem_.size());
     require_finite("the start y", result_.y);
@@ -147,7 +147,7 @@ class Phases {
     result_.phases.push_back(phase);
   }
 
-  // From where the run is; the number of iterations.
+  // Descends from where the run is and returns the number of iterations.
   int descend(StoppingRules rules, double start) {
     rules.max_iterations = iterations_left();
     Directive directive = Directive::Continue;  // the last answer

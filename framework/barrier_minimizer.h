@@ -47,7 +47,7 @@ struct BarrierOptions {
   NewtonOptions newton = {};
 };
 
-// One value of mu.
+// The run at one value of mu.
 struct BarrierPhase {
   double mu = 0;
   double gap = 0;      // m mu

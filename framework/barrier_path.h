@@ -29,10 +29,10 @@ class HeldBounds {
   const Bounds& bounds() const { return bounds_; }
   // The first that x does not meet; null: it meets all.
   const BarrierChecker* violated(VecIn x) const;
-  // From here on these are held. Throws InvalidArgument, with its name, where a bound is relaxed to
+  // Holds these from here on. Throws InvalidArgument, with its name, where a bound is relaxed to
   // nothing, or to what x does not meet either.
   void hold(VecIn x);
-  // In the order of bounds(); none before hold().
+  // The bounds that are held, in the order of bounds(); none before hold().
   const Bounds& held() const { return held_; }
   const std::vector<std::shared_ptr<const EnergyTerm>>& barriers() const { return barriers_; }
 

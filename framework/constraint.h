@@ -32,7 +32,7 @@ class ConstraintRows {
     Index unknown;  // negative: -1 - j is auxiliary unknown j
     double coefficient;
   };
-  // In absolute value, that counts as one: doubles have all integers up to there.
+  // The largest absolute value that counts as an integer: doubles have all integers up to there.
   static constexpr double kLargestInteger = 9007199254740992.0;
 
   // Starts a row; `label` names it in messages about contradictions. This, add() and end_row()

@@ -29,7 +29,7 @@ struct LocalValues {
   Eigen::MatrixXd hessian;
 };
 
-// One element of a term, evaluated alone.
+// Evaluates one element of a term alone.
 class ElementProbe {
  public:
   ElementProbe(const EnergyTerm& term, const TermState& state, Index element)
@@ -113,7 +113,7 @@ Curvature best_model(const EnergyTerm& term) {
   return Curvature::Exact;
 }
 
-// All comparisons of one element.
+// Makes all comparisons of one element.
 class ElementCheck {
  public:
   ElementCheck(const EnergyTerm& term, const TermState& state, Index element, VecIn x)

@@ -110,7 +110,7 @@ bool LineSearch::grow(double target) {
   return target > kWorthGrowing * best_step_ && accept(target);
 }
 
-// In the barrier phase: grows as long as that pays. Whether it did.
+// Grows the step as long as that pays, in the barrier phase. Returns whether it did.
 bool LineSearch::stride() {
   if (!(decrement_ > options_.barrier_decrement * std::abs(energy_))) return false;
   const double factor = std::min(kStride, options_.largest_growth);

@@ -1,8 +1,13 @@
 // The line search of all minimizers: stays inside the feasible set and goes towards the minimum of
 // the line.
 //
-//   LineSearch search(evaluator, options, y, p, energy, decrement);
-//   if (search.find(1.0) == LineSearch::Result::Accepted) y += search.step() * p;
+//   Evaluator evaluator(problem);
+//   Vec g;
+//   evaluator.gradient(y0, g);
+//   const Vec p = -g;   // a direction of descent
+//   const LineSearchOptions how;
+//   LineSearch search(evaluator, how, y0, p, evaluator.value(y0), p.dot(p));
+//   if (search.find(1.0) == LineSearch::Result::Accepted) y0 += search.step() * p;
 //
 // An acceptable step comes first (certified, Armijo, halving), then the minimum of the parabola
 // through E(0), E'(0) and E(s), as long as that pays. Positive semidefinite models overestimate

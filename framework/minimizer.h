@@ -147,8 +147,8 @@ class StoppingTest {
   // The stop where the iterations are used up.
   std::optional<Stop> before_step() const;
 
-  // Same: the next step minimizes the energy that this one did. A small step on a problem that has
-  // changed since is no sign of a minimum.
+  // `Same` says that the next step minimizes the energy that this one did. A small step on a
+  // problem that has changed since is no sign of a minimum.
   enum class Since { Same, ProblemChanged };
   Advice after(const StepResult& step, Since since = Since::Same);
 

@@ -47,7 +47,7 @@ class NewtonStepper::LaggedFactor {
   bool serves() const { return steps_ > 0; }
   void drop() { steps_ = 0; }
 
-  // After a Newton step from y, where the gradient was g.
+  // Starts anew after a Newton step from y, where the gradient was g.
   void renew(const Vec& y, const Vec& g, const Partition& partition, const IterationRecord& r,
              double relative_decrement) {
     steps_ = relative_decrement <= rules_.below && !is_short(r) ? rules_.steps : 0;

@@ -28,7 +28,7 @@ class Loop {
   Loop(Index count, int threads, const Task& work)
       : threads_(threads), count_(count), work_(work) {}
 
-  // All tasks that are left, one after the other.
+  // Runs all tasks that are left, one after the other.
   void run(int thread) noexcept {
     for (Index task; (task = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) {
       if (failed_.load(std::memory_order_relaxed)) return;
@@ -126,7 +126,7 @@ class Pool {
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
 
-  // As many threads are at work as it may have: they are others' then.
+  // Returns a loop that has tasks and fewer threads than it may have; null: none.
   Loop* one_to_join() const {
     for (Loop* loop : loops_)
       if (loop->joined < loop->threads() && busy_ < loop->threads() && loop->has_tasks())

@@ -114,8 +114,8 @@ void Partition::number() {
   for (Index i = 0; i < size_; ++i) global_[i] = static_cast<GlobalIndex>(numbers[i]);
 }
 
-// What the other ranks have for this one, neighbour by neighbour: values of owners for copies, or
-// the other way round.
+// Returns what the other ranks send to this one, neighbour by neighbour: values of owners for
+// copies, or the other way round.
 std::vector<double> Partition::send(const Vec& values, bool from_owners) const {
   require_size("Partition: the vector", values.size(), size_);
   std::vector<double> out, in;

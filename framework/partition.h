@@ -12,7 +12,7 @@
 //   Vec y = g;
 //   partition.copy_from_owners(y);         // every copy is its owner's
 //
-// Of vectors over a problem's unknowns: points and directions hold the owners' values in copies,
+// In vectors over a problem's unknowns, points and directions hold the owners' values in copies,
 // gradients hold 0 there. Where there are several ranks, all members of Ranks but rank() and
 // count(), and those of Partition that take vectors or agree on something, are collective: every
 // rank calls them, in the same order, or all wait forever. So decide from what has been agreed on,
@@ -45,11 +45,12 @@ class Ranks {
   virtual int rank() const = 0;  // 0 .. count() - 1
   virtual int count() const = 0;
 
-  // In place, entry by entry, over all ranks; as many entries everywhere. The same bits on every
-  // rank and in every run with as many ranks: sums are made in the order of the ranks.
+  // Adds in place, entry by entry, over all ranks, which have as many entries. The bits are the
+  // same on every rank and in every run with as many ranks: sums are made in the order of the
+  // ranks.
   virtual void sum(std::span<double> values) const = 0;
   virtual void min(std::span<double> values) const = 0;
-  // What rank 0 has. As many bytes everywhere.
+  // Every rank gets the bytes of rank 0; all give as many.
   virtual void broadcast(std::span<std::byte> bytes) const = 0;
 
   // Numbers for one rank, or from it. Nobody is told sizes: both sides know them.
@@ -65,7 +66,7 @@ class Ranks {
   double max(double value) const;
   bool all(bool value) const;
   bool any(bool value) const { return !all(!value); }
-  // What rank 0 has of a number or an enumerator.
+  // Returns the number or enumerator of rank 0.
   template <class T>
   T of_first(T value) const {
     broadcast(std::as_writable_bytes(std::span(&value, 1)));
@@ -81,13 +82,13 @@ using GlobalIndex = std::int64_t;
 
 class Partition {
  public:
-  // One process has all of them.
+  // Gives one process all of them.
   Partition() : Partition(0) {}
   explicit Partition(Index size);
 
-  // What two ranks share. `owned`: unknowns of this rank that the other has copies of; `copies`:
-  // those of which the other is the owner. The k-th copy there is the k-th owned here. Where `rank`
-  // is this one, copies[k] is another number of owned[k].
+  // The unknowns that two ranks share. `owned`: unknowns of this rank that the other has copies of;
+  // `copies`: those of which the other is the owner. The k-th copy there is the k-th owned here.
+  // Where `rank` is this one, copies[k] is another number of owned[k].
   struct Neighbour {
     int rank;
     std::vector<Index> owned, copies;
@@ -99,7 +100,7 @@ class Partition {
   const Ranks& ranks() const { return *ranks_; }
   const std::shared_ptr<const Ranks>& shared_ranks() const { return ranks_; }
   const std::vector<Neighbour>& neighbours() const { return neighbours_; }
-  // One process, and no copies: what is collective elsewhere does nothing.
+  // True for one process without copies: what is collective elsewhere does nothing.
   bool is_whole() const { return is_whole_; }
   Index size() const { return size_; }         // copies included
   Index owned_size() const { return owned_; }  // copies not
@@ -146,7 +147,7 @@ class Partition {
   GlobalIndex first_ = 0, global_size_;
 };
 
-// How the reduced unknowns of a problem are shared; one process has all of them.
+// Returns how the reduced unknowns of a problem are shared; one process has all of them.
 const Partition& partition_of(const Problem& problem);
 
 // A problem that ranks have together: each builds one of its own terms, on the unknowns that these
@@ -169,7 +170,7 @@ class SharedSolver : public LinearSolver {
 // solver knows one only.
 void analyze_shared(LinearSolver& solver, const SparsePattern& pattern, const Partition& partition);
 
-// Of the sum of several ranks' matrices, collective.
+// Returns the mean of the diagonal of the sum of all ranks' matrices. Collective.
 double mean_diagonal(const SparsePattern& pattern, const Vec& values, const Partition& partition);
 
 }  // namespace majorant

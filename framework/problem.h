@@ -146,9 +146,9 @@ class ProblemBuilder {
 // InvalidArgument for another number of unknowns, linearize() for a curvature that a term has not;
 // what a term throws leaves them as it is.
 
-// For one term at x (full unknowns): the unweighted values of its elements here, and its part of
-// the energy of the whole problem, weights included. Both poll the stop check between batches of
-// elements, as all evaluations do, and throw Stopped.
+// Return, for one term at x (full unknowns), the unweighted values of its elements here, and its
+// part of the energy of the whole problem, weights included. Both poll the stop check between
+// batches of elements, as all evaluations do, and throw Stopped.
 Vec element_values(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 double term_energy(const Problem& problem, TermId id, VecIn x, const StopCheck& stop = {});
 

@@ -188,6 +188,8 @@ class RunObserver {
   virtual ~RunObserver() = default;
   // The run begins something else.
   virtual void begin(Activity /*activity*/) {}
+  // What of the activity is under way, until the next step: "raising the degree to 2".
+  virtual void announce(std::string_view /*part*/) {}
   // A step was tried: of a minimizer by itself one that was taken, before the next one. y: the
   // point it reached, empty where the rows are those of a RunRecord. Anything but Continue ends the
   // solve with that status.
@@ -272,11 +274,15 @@ class RunRecord {
   void begin(Activity activity) const {
     if (observer_ && !is_part_) observer_->begin(activity);
   }
+  void announce(std::string_view part) const {
+    if (observer_ && !is_part_) observer_->announce(part);
+  }
   // The next iteration is the first one after this remedy.
   void mark(Remedy remedy) { remedy_ = remedy; }
   // At the end of a solve: the first iteration of the next one follows no remedy.
   void forget_mark() { remedy_.reset(); }
-  // For everything once there is a map, and before. Both may outlive the record.
+  // The first is for everything once there is a map, the second before. Both may outlive the
+  // record.
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
   Directive directive() const { return agreed(stop_()); }

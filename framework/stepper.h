@@ -52,15 +52,15 @@ class Stepper {
 
   using Outcome = StepResult::Outcome;
   using Step = StepResult;
-  // One step from y, which must be feasible; energy of y in, energy of the new y out. A step that
-  // its stop check ends is abandoned. Throws InvalidArgument for another number of unknowns.
+  // Takes one step from y, which must be feasible; energy of y in, energy of the new y out. A step
+  // that its stop check ends is abandoned. Throws InvalidArgument for another number of unknowns.
   Step step(Vec& y, double& energy);
 
   // Steps from y0 until a stopping rule, the observer or the stop check says so. An infeasible y0
   // is Status::Infeasible; outer loops that change the state of the problem call this repeatedly.
   // Throws as check_start().
   SolveResult minimize(Vec y0, const StoppingRules& rules, RunObserver* observer = nullptr);
-  // The same from a point that is known to be feasible, `energy` its value.
+  // Does the same from a point that is known to be feasible, `energy` its value.
   SolveResult descend_from(Vec y, double energy, const StoppingRules& rules,
                            RunObserver* observer = nullptr);
   // The loop of all of them: steps from descent.result.y until a rule or an answer ends it. What
@@ -84,7 +84,7 @@ class Stepper {
   // long as y and energy are as they were.
   virtual void advance(Vec& y, double& energy, Step& step) = 0;
 
-  // From gradient_ at y and a direction p, size() entries each: checks that p is finite and no
+  // Takes gradient_ at y and a direction p, size() entries each: checks that p is finite and no
   // ascent, applies the decrement rule, searches the line from the trial step `first`, moves y.
   void move_along(const Vec& p, double first, Vec& y, double& energy, Step& step);
 

@@ -49,7 +49,7 @@ class StopCheck {
   void poll() const {
     if (const Directive why = (*this)(); why != Directive::Continue) throw Stopped(why);
   }
-  // For loops over small things: polls at multiples of a number of them that takes some 0.1 ms.
+  // Polls, in loops over small things, at multiples of a number of them that takes some 0.1 ms.
   void poll_at(std::size_t index) const {
     if (index % kPeriod == 0) poll();
   }

@@ -141,7 +141,7 @@ double StoppingTest::remaining(std::ptrdiff_t window) const {
   return now * (now < before ? std::min(now / (before - now), most) : most);
 }
 
-// In one of the last steps that may be idle.
+// Returns whether one of the last steps that may be idle decreased the energy.
 bool StoppingTest::falls_visibly() const {
   const auto last = std::min<std::ptrdiff_t>(rules_.stall_iterations, std::ssize(decreases_));
   return std::any_of(decreases_.end() - last, decreases_.end(), [](double d) { return d > 0; });

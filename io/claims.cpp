@@ -98,6 +98,12 @@ std::array<Index, 2> as_edge(const Place& p) {
   return {as_integer(element(p, 0), 0), as_integer(element(p, 1), 0)};
 }
 
+double as_positive(const Place& p) {
+  const double number = as_number(p);
+  if (!(number > 0)) p.fail("is not positive");
+  return number;
+}
+
 ClaimedNormalization as_normalization(const Place& p) {
   const Place size = member(p, "size");
   const ClaimedNormalization n{as_point(member(p, "origin")), as_number(size)};
@@ -183,6 +189,7 @@ Claims parse_claims(const std::string& text, const std::string& file) {
   entries.read("other_triangles", as_bool, claims.other_triangles);
   entries.read("aligned", as_alignment, claims.aligned);
   entries.read("normalized", as_normalization, claims.normalized);
+  entries.read("layout_scale", as_positive, claims.layout_scale);
   entries.read(
       "pins", [](const Place& p) { return as_list(p, as_pin); }, claims.pins);
   entries.read(
@@ -199,6 +206,11 @@ Claims readable_claims(const std::string& text) {
   } catch (const Error&) {
     return {};
   }
+}
+
+double claimed_scale(const Claims& claims) {
+  if (claims.normalized) return claims.normalized->size;
+  return claims.layout_scale ? 1 / *claims.layout_scale : 1;
 }
 
 Held held_by(const Claims& claims) {

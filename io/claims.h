@@ -48,6 +48,7 @@ struct Claims {
   std::optional<bool> other_triangles;  // edges were flipped inside flat parts
   std::optional<Vector2> aligned;       // the direction, of length 1, that was turned to (1, 0)
   std::optional<ClaimedNormalization> normalized;
+  std::optional<double> layout_scale;  // uv units per unit of the surface, positive
   std::optional<std::vector<ClaimedPin>> pins;
   std::optional<std::vector<Cone>> cones;  // vertices of the input, quarter turns >= 1
   // Edges of the input, by their vertices (>= 0), whose two sides may have other uv: each as often
@@ -62,6 +63,9 @@ struct Claims {
 Claims parse_claims(const std::string& text, const std::string& file);
 // For pictures, which judge nothing: text that parse_claims() refuses claims nothing.
 Claims readable_claims(const std::string& text);
+
+// Units of the surface per unit of uv; 1 where nothing is said of it.
+double claimed_scale(const Claims& claims);
 
 // What kept the layout where it is, as far as it says: pins or handles, or a boundary.
 enum class Held { Nothing, Points, Boundary };

@@ -1,5 +1,5 @@
-// Maps as files: VTU (lossless), Gmsh, OBJ and PLY, tables of distortion, and the proof that a
-// writer runs before a file takes its name. Meshes are read by read_mesh.h.
+// Maps as files: VTU (lossless), Gmsh, OBJ, PLY and glTF, tables of distortion, and the proof that
+// a writer runs before a file takes its name. Meshes are read by read_mesh.h.
 //
 //   const PolygonMesh polygons = read_mesh("bunny.obj");
 //   const MapFile map = read_map("bunny.vtu");
@@ -177,6 +177,35 @@ std::string obj_text(const PolygonMesh& mesh);
 // Throws as write_obj does.
 void write_ply(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const TessellationOptions& options = {}, const FileVerification& verify = {});
+
+// A finished map as TEXCOORD_0 of a glTF 2.0 file, for engines and the web: .glb, or .gltf with its
+// data in it. As with write_obj, exact for degree 1; a map of higher degree is cut into straight
+// pieces.
+//
+//   const PolygonMesh cup = read_mesh("cup.glb");
+//   write_gltf("cup_uv.glb", file, &cup, {}, certification("cup_uv.glb", {.surface = &cup}));
+//
+// Where the input was glTF, its file comes back with all that it had: nodes, instances, materials,
+// skins, morph targets, animations, cameras, extras, points and lines, as they are. Where a
+// material shows textures by the old TEXCOORD_0, that becomes the next set, and texCoord of the
+// material follows (of a copy of the material where its meshes have other numbers of sets).
+// Vertices on cuts are there several times. Left out are tangents: they belong to the coordinates
+// of a normal texture. Images that were beside the input are in an output that is in another
+// folder. Of new vertices, on straight pieces of curves, all attributes lie between those of the
+// corners.
+//
+// Of other inputs: one mesh, of one primitive, with normals where all corners have them, colours
+// where all vertices have one, and _INPUT_VERTEX, the vertex of the input (from 0) as two 16-bit
+// numbers, low and high; files with new vertices have that, too. No names, groups, materials,
+// points and lines.
+//
+// Coordinates are floats, v points downwards: they are rounded first, what is read back is proven.
+// Throws as write_obj does, and Error(Invalid) for numbers beyond the range of floats.
+void write_gltf(const std::string& path, const MapFile& map, const PolygonMesh* input,
+                const TessellationOptions& options = {}, const FileVerification& verify = {});
+
+// Returns whether write_gltf() leaves out tangents that the input has.
+bool drops_tangents(const PolygonMesh& input);
 
 // The charts of an atlas as one map file.
 //

@@ -23,10 +23,7 @@ double product_integral(int n, int i, int j) {
 }  // namespace
 
 double layout_scale(const MapFile& file) {
-  if (!has_assumed_scale(file)) {
-    const Claims claims = parse_claims(file.claims, "");
-    return claims.normalized ? claims.normalized->size : 1;
-  }
+  if (!has_assumed_scale(file)) return claimed_scale(parse_claims(file.claims, ""));
   double layout = 0;
   for (Index c = 0; c < file.cells.rows(); ++c) layout += std::abs(image_area(file, c));
   const double surface = flat_triangles(file.points, file.cells.leftCols<3>()).measure.sum();

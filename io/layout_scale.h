@@ -14,10 +14,10 @@
 
 namespace majorant {
 
-// The factor of uv before it is compared with the surface: `normalized.size` of the claims; 1 for
-// claims without it; sqrt(area of the surface / area of the layout) for files without claims, the
-// areas of inverted cells counted as positive, and 1 where that is not finite. Throws
-// Error(Unreadable) for claims that `check` refuses.
+// The factor of uv before it is compared with the surface: that of the claims (claimed_scale());
+// sqrt(area of the surface / area of the layout) for files without claims, the areas of inverted
+// cells counted as positive, and 1 where that is not finite. Throws Error(Unreadable) for claims
+// that `check` refuses.
 double layout_scale(const MapFile& file);
 
 // Returns whether layout_scale() is that of equal areas.

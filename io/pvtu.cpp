@@ -14,8 +14,8 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/input_file.h"
-#include "majorant/io/internal/xml_tree.h"
 #include "majorant/io/io.h"
+#include "majorant/io/xml_tree.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/parametrization/maps/map_file.h"
 

@@ -28,19 +28,18 @@ void require_complete(const PolygonMesh& mesh) {
 }
 
 bool is_mesh_name(const std::string& path) {
-  constexpr std::array<std::string_view, 6> kFormats = {".obj", ".off", ".ply",
-                                                        ".stl", ".vtu", ".msh"};
+  constexpr std::array<std::string_view, 8> kFormats = {".obj", ".off", ".ply", ".stl",
+                                                        ".vtu", ".msh", ".glb", ".gltf"};
   return std::find(kFormats.begin(), kFormats.end(), format_of(path)) != kFormats.end();
 }
 
 std::string foreign_format(const std::string& path) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 22> kForeign = {{
-      {".fbx", "FBX"},   {".3mf", "3MF"},     {".dae", "COLLADA"}, {".blend", "Blender"},
-      {".usd", "USD"},   {".usda", "USD"},    {".usdc", "USD"},    {".usdz", "USD"},
-      {".glb", "GLB"},   {".gltf", "glTF"},   {".abc", "Alembic"}, {".3ds", "3DS"},
-      {".x3d", "X3D"},   {".wrl", "VRML"},    {".step", "STEP"},   {".stp", "STEP"},
-      {".iges", "IGES"}, {".igs", "IGES"},    {".amf", "AMF"},     {".lwo", "LightWave"},
-      {".ma", "Maya"},   {".max", "3ds Max"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kForeign = {{
+      {".fbx", "FBX"},     {".3mf", "3MF"},       {".dae", "COLLADA"}, {".blend", "Blender"},
+      {".usd", "USD"},     {".usda", "USD"},      {".usdc", "USD"},    {".usdz", "USD"},
+      {".abc", "Alembic"}, {".3ds", "3DS"},       {".x3d", "X3D"},     {".wrl", "VRML"},
+      {".step", "STEP"},   {".stp", "STEP"},      {".iges", "IGES"},   {".igs", "IGES"},
+      {".amf", "AMF"},     {".lwo", "LightWave"}, {".ma", "Maya"},     {".max", "3ds Max"},
   }};
   const std::string extension = format_of(path);
   for (const auto& [known, name] : kForeign)
@@ -55,15 +54,17 @@ PolygonMesh read_mesh(const std::string& path, const StopCheck& stop, Strictness
   if (extension == ".ply") return read_ply(path, read_whole_file(path, stop), stop, strictness);
   if (extension == ".stl") return read_stl(path, read_whole_file(path, stop), stop);
   if (extension == ".msh") return read_msh_mesh(path, read_whole_file(path, stop), stop);
+  if (extension == ".glb" || extension == ".gltf")
+    return read_gltf(path, read_whole_file(path, stop), stop, strictness);
   if (extension == ".vtu") return mesh_from_map(read_vtu(path, stop), path);
   if (const std::string format = foreign_format(path); !format.empty())
     throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: {} files are not read; export the mesh as .obj, .ply or .stl from "
+                fmt::format("{}: {} files are not read; export the mesh as .obj, .glb or .ply from "
                             "a program that reads them",
                             path, format));
   throw Error(ErrorKind::Unreadable,
-              fmt::format("{}: unknown mesh format {}; use .obj, .off, .ply, .stl, .vtu or .msh, "
-                          "or one of them with .gz",
+              fmt::format("{}: unknown mesh format {}; use .obj, .off, .ply, .stl, .glb, .gltf, "
+                          ".vtu or .msh, or one of them with .gz",
                           path, in_quotes(extension)));
 }
 

@@ -16,6 +16,10 @@
 //     .vtu  written by majorant (io.h): the corner points, uv as texture coordinates
 //     .msh  of gmsh, version 4.1, ascii: the corners of its triangles, of any degree; views u and v
 //           as texture coordinates
+//     .glb .gltf  glTF 2.0: triangles, strips and fans of all meshes, each once, where the first
+//           node that shows it puts it (a skinned one where it is itself); TEXCOORD_0 as texture
+//           coordinates, v upwards; vertices of a mesh at exactly one place are one. All else is
+//           kept for write_gltf() (io.h). Files that it names are beside it or below
 //     .obj.gz .off.gz ...  the same, compressed by gzip
 //
 // Readers believe nothing but the syntax: finite coordinates, vertex indices in range, polygons of
@@ -55,13 +59,16 @@ enum class Strictness {
 
 // Throws Error(Unreadable, "file:line: what is wrong; remedy") for an unknown extension, a missing
 // file, or content that breaks the rules above; Error(Unsupported) for a foreign_format; Stopped.
+// A glTF file is damaged (Unreadable) where it announces more than it has or nodes are their own
+// ancestors; compressed geometry and images, unknown extensions that it requires, and files that it
+// names elsewhere are Unsupported.
 PolygonMesh read_mesh(const std::string& path, const StopCheck& stop = {},
                       Strictness strictness = Strictness::Shape);
 
-// A map from a file: .vtu, .pvtu, .msh, or a mesh with texture coordinates (degree 1), .obj or
-// .ply. Of a mesh everything but the texture coordinates may be broken, as read_mesh() has it,
-// unless strictness is Everything. Throws Error(Unreadable) when it cannot be read or holds no map,
-// Error(Unsupported) as read_mesh(); Stopped.
+// A map from a file: .vtu, .pvtu, .msh, or a mesh with texture coordinates (degree 1), .obj, .ply,
+// .glb or .gltf. Of a mesh everything but the texture coordinates may be broken, as read_mesh() has
+// it, unless strictness is Everything. Throws Error(Unreadable) when it cannot be read or holds no
+// map, Error(Unsupported) as read_mesh(); Stopped.
 MapFile read_map(const std::string& path, const StopCheck& stop = {},
                  Strictness strictness = Strictness::Texcoords);
 

@@ -11,6 +11,7 @@
 // repair() (repair.h) makes a surface of what is none.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,9 +24,13 @@ namespace majorant {
 // contents: programs print ten digits and more, and one digit is lost to sums.
 inline constexpr double kTenDigits = 1e-9;
 
+struct GltfScene;  // of io/
+
 struct PolygonMesh {
   std::string file;                          // for messages; may be empty
   std::vector<Vector3> positions;            // #V, model units
+  double position_rounding = 0;              // how far each may be from what it was made of, where
+                                             // the file has floats
   std::vector<std::vector<Index>> polygons;  // #P lists of >= 3 vertex indices, 0-based
   std::vector<long> polygon_lines;           // #P line (or record) numbers, 1-based; may be empty
 
@@ -42,6 +47,7 @@ struct PolygonMesh {
   std::vector<std::vector<Index>> polygon_normals;  // like polygon_texcoords
   std::vector<std::pair<Index, std::string>>
       directives;  // (polygon it precedes, line): names, groups, materials, points and lines
+  std::shared_ptr<const GltfScene> gltf;  // of a glTF file all that there is, for its writer
 
   // Parts of the file that a reader left out, a sentence each that begins with file and line, for
   // the program to say.

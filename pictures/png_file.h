@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "majorant/parametrization/baking/raster.h"
 #include "majorant/pictures/color_scale.h"
 
 namespace majorant {
@@ -25,6 +26,13 @@ std::string encode_png(const PixelImage& image);
 // Reads a PNG of any colours and depths as 8-bit RGB, transparent parts on white. Throws
 // Error(Unreadable), naming the file, for what is no .png or too large.
 PixelImage read_png(const std::string& path);
+
+// The numbers of a PNG, 1 to 4 channels of 8 or 16 bits; fewer bits, palettes and transparent
+// colours as 8 bits a channel. bytes: of the file. Throws as read_image() (image_file.h).
+Raster decode_png(const std::string& path, const std::string& bytes);
+// 8 or 16 bits; says that colours are sRGB where they are. Throws Error(Usage) for floats, more
+// than 4 channels, and where libpng fails.
+std::string encode_png(const Raster& image, Transfer transfer);
 
 }  // namespace majorant
 

@@ -48,6 +48,7 @@ std::string claims(const AtlasJob& job, const MapFile& file) {
               {"seams", false},
               {"bijective", job.atlas.packing.has_value()},
               {"normalized", normalized_section(job.square)},
+              {"layout_scale", 1 / scale_of(job)},
               {"pins", pins_section(job)},
               {"other_triangles", false},
               {"cuts", unshared_edges(file, job.polygons->file)},
@@ -118,6 +119,7 @@ Json result_section(const AtlasJob& job) {
               {"sigma_min", all.sigma_min},
               {"locally_injective", all.locally_injective},
               {"min_det_bound", min_det},
+              {"layout_scale", 1 / scale_of(job)},
               {"charts", atlas.charts.size()},
               {"stretch_l2", stretch.l2},
               {"stretch_max", stretch.max}};

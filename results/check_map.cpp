@@ -77,9 +77,7 @@ CheckedEnergy measure_as_claimed(const MapFile& file, const BezierMap& map, cons
   CheckedEnergy out;
   out.name = claimed_energy(claims);
   out.is_best_scale = says_nothing_of_scale(file);
-  out.scale = out.is_best_scale   ? best_scale(file, map, others, stop)
-              : claims.normalized ? claims.normalized->size
-                                  : 1;
+  out.scale = out.is_best_scale ? best_scale(file, map, others, stop) : claimed_scale(claims);
   measures = measure_normalized(map, out.scale, energy_of(claims, findings), stop);
   out.without_area = static_cast<Index>(map.mesh().rest_triangles().size());
   if (out.without_area < map.mesh().face_count()) out.value = others.mean(measures.face_value);

@@ -66,6 +66,7 @@ std::string claims(const MapJob& job, const MapFile& file) {
               {"bijective", job.options.map.injectivity == MapInjectivity::Global},
               {"aligned", aligned_section(job)},
               {"normalized", normalized_section(job)},
+              {"layout_scale", 1 / scale_of(job)},
               {"pins", pins},
               {"other_triangles", job.result.other_triangles},
               {"cuts", unshared_edges(file, job.polygons->file)},
@@ -86,6 +87,7 @@ Json result_section(const MapJob& job) {
   if (!r.measures.cut_short)
     result["distortion"] = distortion_section({&r.measures.distortion}, scale_of(job));
   add_global_injectivity(result, *r.map, r.measures, job.boundary);
+  result["layout_scale"] = 1 / scale_of(job);
   result["start"] = start_taken(job);
   result["variables"] = r.variables;
   result["initial_value"] = r.initial_value;

@@ -1,8 +1,10 @@
 #include "majorant/results/write_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
+#include <string_view>
 
 #include "majorant/io/claims.h"
 #include "majorant/io/io.h"
@@ -17,7 +19,12 @@ std::string extension(const std::string& path) {
 }
 
 bool is_straight_map_data(const std::string& path) {
-  return extension(path) == ".obj" || extension(path) == ".ply";
+  constexpr std::array<std::string_view, 4> kStraight = {".obj", ".ply", ".glb", ".gltf"};
+  return std::find(kStraight.begin(), kStraight.end(), extension(path)) != kStraight.end();
+}
+
+bool is_gltf(const std::string& path) {
+  return extension(path) == ".glb" || extension(path) == ".gltf";
 }
 
 bool is_map_data(const std::string& path) {
@@ -54,10 +61,14 @@ FileVerification proof_of_file(const std::string& path, const ProofRequest& prom
 }
 
 std::vector<std::string> left_out(const std::string& path, const MapFile& map,
-                                  const MapFormats& formats) {
+                                  const MapFormats& formats, const PolygonMesh* input) {
   if (extension(path) == ".msh" && formats.msh == MshContent::Image) return {"the surface"};
-  if (is_straight_map_data(path) && map.degree > 1) return {"curves, but straight pieces of them"};
-  return {};
+  std::vector<std::string> what;
+  if (is_straight_map_data(path) && map.degree > 1)
+    what.emplace_back("curves, but straight pieces of them");
+  if (is_gltf(path) && input != nullptr && drops_tangents(*input))
+    what.emplace_back("tangents, which belong to other texture coordinates");
+  return what;
 }
 
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
@@ -67,6 +78,7 @@ void write_map(const std::string& path, const MapFile& map, const PolygonMesh* i
   if (e == ".msh") write_msh(path, map, formats.msh, verify);
   if (e == ".obj") write_obj(path, map, input, formats.tessellation, verify);
   if (e == ".ply") write_ply(path, map, input, formats.tessellation, verify);
+  if (is_gltf(path)) write_gltf(path, map, input, formats.tessellation, verify);
   if (e == ".svg") write_svg(path, map, formats.svg);
   if (e == ".png") {
     PngOptions png = formats.png;

@@ -23,6 +23,7 @@ std::string extension(const std::string& path);
 // The formats that hold a map as data, and of these those without curves.
 bool is_map_data(const std::string& path);
 bool is_straight_map_data(const std::string& path);
+bool is_gltf(const std::string& path);
 
 // Compared for formats that say which vertices and faces of the input their own are.
 ProofRequest::FaceLabels labels_in(const std::string& path);
@@ -37,7 +38,7 @@ Overlap allowed_overlap(const ProofRequest& promise);
 
 // Options of single formats.
 struct MapFormats {
-  TessellationOptions tessellation;  // of OBJ and PLY
+  TessellationOptions tessellation;  // of OBJ, PLY and glTF
   VtuCells vtu = VtuCells::Bezier;
   MshContent msh = MshContent::Image;
   SvgOptions svg;
@@ -51,13 +52,13 @@ FileVerification proof_of_file(const std::string& path, const ProofRequest& prom
                                const MapFile& map, const MapFormats& formats);
 
 // The parts of the geometry that a data file of that name does not hold: "the surface", "curves,
-// but straight pieces of them".
+// but straight pieces of them", and tangents of the input (or null).
 std::vector<std::string> left_out(const std::string& path, const MapFile& map,
-                                  const MapFormats& formats);
+                                  const MapFormats& formats, const PolygonMesh* input);
 
-// .vtu .msh .obj .ply .svg .png .html; of other names nothing is written. input may be null.
-// verify: of formats that hold data; pictures (.svg, .png, .html) have nothing to verify. Throws as
-// the writers do.
+// .vtu .msh .obj .ply .glb .gltf .svg .png .html; of other names nothing is written. input may be
+// null. verify: of formats that hold data; pictures (.svg, .png, .html) have nothing to verify.
+// Throws as the writers do.
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const MapFormats& formats, const FileVerification& verify = {});
 

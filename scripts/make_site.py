@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The site: docs/, README.md and the pages of the public headers, with a search, in build/site.
+"""The site: docs/, README.md, the viewer and the pages of the public headers, with a search, in build/site.
 
 Copies the pages into build/site_pages, where links to files outside of docs/ become links to copies of these
 files, lets doxygen (scripts/doxygen_filter.py) and mkdocs (mkdocs.yml) make their pages, and checks that every link
@@ -60,6 +60,10 @@ def copy_pages():
     for page in [*(ROOT / 'docs').glob('*.md'), *(ROOT / name for name in OTHERS)]:
         text = with_links(page, page.read_text())
         (PAGES / OTHERS.get(page.name, page.name)).write_text(text)
+    (PAGES / 'viewer.md').write_text('---\nhide: [navigation, toc]\n---\n\n# The viewer\n\nA page that `majorant parametrize -o creature.html --snapshots 16` '
+                                     'wrote, [by itself](creature.html); [what it shows](pictures.md#what-it-shows).\n\n'
+                                     '<iframe src="creature.html" title="the map of the creature" '
+                                     'style="width: 100%; height: 90vh; border: 1px solid gray"></iframe>\n')
     (PAGES / 'api.md').write_text('# Headers\n\n<a href="api/files.html">Every public header</a>, with examples, and '
                                   '<a href="api/annotated.html">every class</a>.\n')
 
@@ -91,7 +95,7 @@ class Links(html.parser.HTMLParser):
         values = dict(attributes)
         self.anchors |= {values.get('id'), values.get('name')}
         for key in ('href', 'src'):
-            if values.get(key) and tag in ('a', 'img', 'link', 'script'):
+            if values.get(key) and tag in ('a', 'img', 'link', 'script', 'iframe'):
                 self.targets.append(values[key])
 
 

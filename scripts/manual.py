@@ -71,8 +71,32 @@ def helps(program):
     def ask(*words):  # on lines as long as they are
         return Help(subprocess.run([program, *words, '--help'], check=True, text=True, stdout=subprocess.PIPE,
                                    env=dict(os.environ, COLUMNS='10000')).stdout)
-    top = ask()
-    return top, {verb: ask(verb) for verb, _ in top.sections['Verbs']}
+    top, verbs = ask(), {}
+    for verb, _ in top.sections['Verbs']:
+        text = ask(verb)
+        inner = {'%s %s' % (verb, word): ask(verb, word) for word, _ in text.sections.get('Verbs', [])}
+        verbs.update(inner or {verb: text})
+    return top, verbs
+
+
+class Merged:
+    """What completions offer behind a first word: the verbs behind it, and the options of all of them."""
+
+    def __init__(self, words, texts):
+        self.words, self.summary = words, texts[0].summary
+        self._options = {tuple(option.names): option for text in texts for option in text.options()}
+
+    def options(self):
+        return list(self._options.values())
+
+
+def by_first_word(verbs):
+    found = {}
+    for verb, text in verbs.items():
+        first, _, rest = verb.partition(' ')
+        found.setdefault(first, []).append((rest, text))
+    return {first: Merged([rest for rest, _ in inner if rest], [text for _, text in inner])
+            for first, inner in found.items()}
 
 
 def roff(text):
@@ -154,7 +178,7 @@ _majorant "$@"
 
 
 def names_of(text):
-    return ' '.join(name for option in text.options() for name in option.names)
+    return ' '.join(getattr(text, 'words', []) + [name for option in text.options() for name in option.names])
 
 
 def bash_completion(top, verbs):
@@ -238,6 +262,7 @@ def main():
                              stdout=subprocess.PIPE).stdout.split()[1]
     page = '\n'.join(man_page(top, verbs, version)) + '\n'
     arguments.man.write_bytes(gzip.compress(page.encode(), 9, mtime=0))
+    verbs = by_first_word(verbs)
     arguments.bash.write_text(bash_completion(top, verbs))
     arguments.zsh.write_text(zsh_completion(top, verbs))
     arguments.fish.write_text('\n'.join(fish_completion(top, verbs)) + '\n')

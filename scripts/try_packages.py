@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Installs the Debian packages of a build in a Debian that has nothing else, and runs the README there.
+"""Installs the Debian packages of a build in a Debian that has nothing else, and maps a mesh there.
 
     scripts/try_packages.py build/release                    majorant and libmajorant-dev, by cpack
     scripts/try_packages.py build/release --install          `cmake --install` instead, its libraries by apt
@@ -91,8 +91,8 @@ def check_contents(name, path):
     print(fields)
 
 
-def readme_example(root):
-    """The commands under `Two commands`, for a mesh of ours; what is written is proven again there."""
+def first_commands(root):
+    """First commands, on a mesh of ours; what they write is proven again there."""
     root.copy(SOURCE / 'meshes/creature.obj', 'in.obj')
 
     def in_work(*words):
@@ -123,7 +123,7 @@ def main():
         if not (root.path / 'usr').exists():
             make_root(root.path, arguments.mirror)
         run_in(root, packages, arguments)
-    print('the README example runs in a Debian that has nothing else')
+    print('first commands run in a Debian that has nothing else')
 
 
 def run_in(root, packages, arguments):
@@ -143,7 +143,7 @@ def run_in(root, packages, arguments):
         root.run('apt-get', 'install', '-qq', '-y', '--no-install-recommends',
                  *('/%s/%s' % (INSIDE, path.name) for path in debs))
         root.run('dpkg', '--verify', 'majorant')
-    readme_example(root)
+    first_commands(root)
 
 
 if __name__ == '__main__':

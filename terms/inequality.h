@@ -135,7 +135,7 @@ Inequality<N, Block, F> inequality(std::string name, Cells nodes, F g) {
 
 class Bounds {
  public:
-  // One for each of the full unknowns, -inf or +inf where there is none. Throws
+  // Takes a bound for each of the full unknowns, -inf or +inf where there is none. Throws
   // Error unless lower < upper and both have the same size.
   Bounds(Vec lower, Vec upper);
 

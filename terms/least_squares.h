@@ -99,7 +99,7 @@ struct Residuals {
   std::array<double, 3> rho(double s) const {
     return loss ? loss(s) : std::array<double, 3>{s, 1, 0};
   }
-  // One residual, or each of several.
+  // Visits the one residual, or each of several.
   template <class R, class Visit>
   static void for_each(const R& residuals, const Visit& visit) {
     if constexpr (std::is_invocable_v<Visit, const R&>)

@@ -28,7 +28,7 @@ struct LinearExpression {
 class QuadraticPenalty final : public EnergyTerm {
  public:
   static constexpr std::size_t kLongestRow = 512;
-  // One element per row. Throws InvalidArgument when a row has no unknowns, or more than
+  // Makes an element of each row. Throws InvalidArgument when a row has no unknowns, or more than
   // kLongestRow.
   explicit QuadraticPenalty(const std::vector<LinearExpression>& rows);
   explicit QuadraticPenalty(const Constraint& constraint);

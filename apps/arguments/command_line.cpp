@@ -123,7 +123,13 @@ std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::strin
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   if (chosen.empty()) return fmt::format("{} (see majorant --help)", error.what());
-  const CLI::App& verb = *chosen.front();
+  const CLI::App* innermost = chosen.front();
+  std::string name = innermost->get_name();
+  while (!innermost->get_subcommands().empty()) {
+    innermost = innermost->get_subcommands().front();
+    name += " " + innermost->get_name();
+  }
+  const CLI::App& verb = *innermost;
   std::string problem = error.what();
   const std::vector<std::string> extra = verb.remaining();
   // An unknown option explains what else is wrong: its value is taken for a file.
@@ -132,7 +138,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
     problem = about_extra(app, verb, *option);
   else if (!extra.empty())
     problem = about_extra(app, verb, extra.front());
-  return fmt::format("{} (see majorant {} --help)", problem, verb.get_name());
+  return fmt::format("{} (see majorant {} --help)", problem, name);
 }
 
 }  // namespace majorant::app

@@ -115,6 +115,7 @@ std::string options_of(const CLI::App& app, const std::string& group, std::size_
 std::string usage_line(const CLI::App& app, const std::string& name) {
   std::string line = "Usage: " + name;
   const bool has_verbs = !app.get_subcommands([](const CLI::App*) { return true; }).empty();
+  if (has_verbs && app.get_parent() != nullptr) return line + " VERB [OPTIONS] ...\n";
   if (has_verbs) return line + " VERB [OPTIONS] ...\n       " + name + " input output\n";
   for (const CLI::Option* option : app.get_options()) {
     if (!option->get_positional() || option->nonpositional()) continue;

@@ -159,7 +159,7 @@ void add_check(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand("check", "measure a finished map and test its claims");
   begin_group(verb, OptionGroup::Files);
   verb.add_option("result", request->result,
-                  "result: .vtu, .msh, or .obj or .ply with texture coordinates")
+                  "result: .vtu, .msh, or .obj, .ply, .glb or .gltf with texture coordinates")
       ->required();
   verb.add_option("--surface", request->surface, "the mesh it should be a map of")
       ->type_name("FILE");

@@ -196,7 +196,7 @@ std::string linear_solver_table(const std::vector<LinearSolverRun>& runs) {
   return text;
 }
 
-struct Request {
+struct CompareRequest {
   CommonOptions common;
   MapRequest map;
   std::vector<std::string> outputs, methods, linear_solvers;
@@ -265,7 +265,7 @@ std::string processor() {
 }
 
 // Under Ctrl-C alone: the time limit is that of the methods.
-Contest make_contest(const Request& request) {
+Contest make_contest(const CompareRequest& request) {
   RunRecord limits(std::numeric_limits<double>::infinity(), request.max_iterations,
                    interruption_flag());
   set_output_stop(limits.stop());
@@ -298,7 +298,7 @@ Contest make_contest(const Request& request) {
 }
 
 // The methods asked for, each once; all of them without a wish.
-std::vector<const Method*> wanted_methods(const Request& request) {
+std::vector<const Method*> wanted_methods(const CompareRequest& request) {
   std::vector<const Method*> wanted;
   for (std::string name : request.methods) {
     std::erase(name, ' ');
@@ -317,7 +317,7 @@ std::vector<const Method*> wanted_methods(const Request& request) {
   return wanted;
 }
 
-std::vector<std::string> wanted_linear_solvers(const Request& request) {
+std::vector<std::string> wanted_linear_solvers(const CompareRequest& request) {
   const std::vector<std::string> names = linear_solver_names();
   std::vector<std::string> wanted;
   for (std::string name : request.linear_solvers) {
@@ -333,7 +333,7 @@ std::vector<std::string> wanted_linear_solvers(const Request& request) {
 }
 
 // One after the other, on one thread.
-std::vector<LinearSolverRun> measure_linear_solvers(const Request& request,
+std::vector<LinearSolverRun> measure_linear_solvers(const CompareRequest& request,
                                                     const Contest& contest) {
   const ThreadCount one(1);
   std::vector<LinearSolverRun> runs;
@@ -347,7 +347,7 @@ std::vector<LinearSolverRun> measure_linear_solvers(const Request& request,
 }
 
 // Returns whether what the method needs can be loaded; asked for by name it must.
-bool can_be_had(const Method& method, const Request& request) {
+bool can_be_had(const Method& method, const CompareRequest& request) {
   if (!method.load) return true;
   try {
     method.load();
@@ -361,7 +361,7 @@ bool can_be_had(const Method& method, const Request& request) {
 }
 
 // Without those that the contest is not for; asked for by name, that is an error.
-std::vector<const Method*> choose(const Request& request, const Contest& contest) {
+std::vector<const Method*> choose(const CompareRequest& request, const Contest& contest) {
   std::vector<const Method*> chosen;
   for (const Method* m : wanted_methods(request)) {
     const std::string why = m->obstacle ? m->obstacle(contest) : std::string();
@@ -407,7 +407,7 @@ Json linear_solvers_section(const std::vector<LinearSolverRun>& runs) {
   return rows;
 }
 
-Json report_of(const Request& request, const Comparison& comparison,
+Json report_of(const CompareRequest& request, const Comparison& comparison,
                const std::vector<LinearSolverRun>& solvers) {
   Json options = request.map.to_json();
   options.erase("curvature");  // part of the methods' names
@@ -442,7 +442,7 @@ Json report_of(const Request& request, const Comparison& comparison,
   return report;
 }
 
-WrittenFiles write(const Request& request, const Comparison& comparison,
+WrittenFiles write(const CompareRequest& request, const Comparison& comparison,
                    const std::vector<LinearSolverRun>& solvers) {
   WrittenFiles written;
   std::vector<std::string> paths = request.outputs;
@@ -457,7 +457,7 @@ WrittenFiles write(const Request& request, const Comparison& comparison,
   return written;
 }
 
-int compare(const Request& request) {
+int compare(const CompareRequest& request) {
   require_writable(request.common, {{request.outputs, {".csv", ".html", ".json"}}},
                    request.map.inputs());
   if (!(request.time_limit >= 0) || !(request.tolerance > 0))
@@ -490,8 +490,8 @@ int compare(const Request& request) {
 }  // namespace
 
 void add_compare(CLI::App& app, Action* run) {
-  auto request = std::make_shared<Request>();
-  Request& r = *request;
+  auto request = std::make_shared<CompareRequest>();
+  CompareRequest& r = *request;
   CLI::App& verb = *app.add_subcommand("compare", "solve one problem with many methods");
   r.map.add_to(verb, "3");
   r.map.init = "tutte";  // far enough from the minimum to compare the ways there

@@ -1,14 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the experiments one after the other, and writes their results into docs/experiments.md.
+"""Runs the experiments one after the other, and writes their results into docs/method.md.
 
---write puts the section that each script left in --out between its marks in the page, its picture into the
-folder experiments/ beside the page, and a table of all of them on top. Exit code 0 if every script ended
-with 0.
+--write puts a row for each script that left its section in --out into the table of the page, and its picture into
+the folder experiments/ beside the page. Exit code 0 if every script ended with 0.
 
 Sample runs:
-  bench/experiments/all.py --write docs/experiments.md
+  bench/experiments/all.py --write docs/method.md
   bench/experiments/all.py figure_5 figure_9 --out build/experiments
   bench/experiments/all.py --quick --out /tmp/quick
 """
@@ -60,48 +59,30 @@ def run(name, options):
     return done.returncode == 0
 
 
-def summary(sections):
-    rows = []
-    for name, text in sections.items():
-        title = re.match(r'## (.*)', text).group(1)
-        seen = re.search(r'^\*\*Seen: (\w+)\.\*\*$', text, re.M).group(1)
-        open_ones = re.findall(r'^\| (.*?) \| .* \| (?:\*\*no\*\*|not tried) \|$', text, re.M)
-        rows.append(['[%s](#%s)' % (title, anchor(title)), seen, '; '.join(open_ones)])
-    return '\n'.join(common.markdown_table(['experiment', 'seen', 'what is not'], rows)) + '\n'
+def claim(name):
+    """Of the paper, by the docstring of the script."""
+    return ' '.join(re.search(r'^Claim.*?: (.*?)(?=\n\n)', (HERE / (name + '.py')).read_text(), re.M | re.S)[1].split())
 
 
-def anchor(title):
-    """Of a heading, as GitHub makes them."""
-    return re.sub(r'[^\w -]', '', title.lower()).replace(' ', '-')
+def row(name, section):
+    """The line of the page on an experiment, by the section that it left."""
+    title = re.match(r'## (.*)', section)[1]
+    seen = re.search(r'^\*\*Seen: (\w+)\.\*\*$', section, re.M)[1]
+    others = re.findall(r'^\| (.*?) \| (.*) \| (?:\*\*no\*\*|not tried) \|$', section, re.M)
+    return '| [%s](experiments/%s.svg) | %s | %s | %s |' % (
+        title.split(': ')[0], name, claim(name), seen, '; '.join('%s: %s' % other for other in others))
 
 
 def write_page(page, out):
-    """Every section that is in `out`; the others stay."""
-    pictures = page.parent / 'experiments'
-    pictures.mkdir(exist_ok=True)
+    """The rows of all sections that are in `out`; the others stay."""
     text = page.read_text()
+    (page.parent / 'experiments').mkdir(exist_ok=True)
     for name in scripts():
-        section = out / (name + '.md')
-        if section.exists():
-            text = replaced(text, name + '.py', section.read_text())
-            shutil.copyfile(out / (name + '.svg'), pictures / (name + '.svg'))
-    sections = {name: between(text, name + '.py') for name in scripts()}
-    page.write_text(replaced(text, 'all.py', summary(sections)))
-
-
-def marks(name):
-    return '<!-- %s -->\n' % name, '<!-- end of %s -->' % name
-
-
-def between(text, name):
-    begin, end = marks(name)
-    return text.split(begin)[1].split(end)[0]
-
-
-def replaced(text, name, inside):
-    begin, end = marks(name)
-    head, rest = text.split(begin)
-    return head + begin + inside + end + rest.split(end)[1]
+        if (out / (name + '.md')).exists():
+            line = row(name, (out / (name + '.md')).read_text())
+            text = re.sub(r'^\| \[.*\]\(experiments/%s\.svg\) .*$' % name, lambda _: line, text, flags=re.M)
+            shutil.copyfile(out / (name + '.svg'), page.parent / 'experiments' / (name + '.svg'))
+    page.write_text(text)
 
 
 def main():

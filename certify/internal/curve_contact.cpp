@@ -145,8 +145,8 @@ Relation relation(const Piece<Real>& a, const Piece<Real>& b) {
   return crossing ? Relation::Crossing : Relation::Unknown;
 }
 
-// Some place of two pieces, known to cross, where parts smaller than `size` may do so. False once
-// `work` is used up.
+// Finds some place of two pieces, known to cross, where parts smaller than `size` may do so. False
+// once `work` is used up.
 template <class Real>
 bool find_crossing(const Piece<Real>& a, const Piece<Real>& b, Real size, int& work,
                    Direction<Real>& place) {
@@ -272,7 +272,7 @@ class Search {
   long steps_ = Limits<Real>::kSteps;
 };
 
-// In double, then in quadruple precision. run(Search&, Real) starts the search.
+// Decides in double, then in quadruple precision. run(Search&, Real) starts the search.
 template <class Run>
 CurveContact decide(const Vector2& origin, SubdivisionBudget& budget, const Run& run) {
   Search<double> quick(origin, budget);

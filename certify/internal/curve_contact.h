@@ -64,7 +64,7 @@ CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b,
 // Any point that the curve passes twice.
 CurveContact contact_with_itself(const PlanarCurve& a, SubdivisionBudget& budget);
 
-// The same with the limit of a single pair only.
+// Do the same with the limit of a single pair only.
 CurveContact contact_between(const PlanarCurve& a, const PlanarCurve& b);
 CurveContact contact_of_neighbours(const PlanarCurve& a, const PlanarCurve& b);
 CurveContact contact_with_itself(const PlanarCurve& a);

@@ -18,8 +18,8 @@
 
 namespace majorant::curve_piece {
 
-// Of products that underflow; more than any of the sums below collects. A sum has at most 2
-// (degree + 1) products.
+// Bounds the error of products that underflow: more than any of the sums below collects, which have
+// at most 2 (degree + 1) products.
 constexpr double kUnderflow = 64 * std::numeric_limits<double>::denorm_min();
 
 template <class Real>

@@ -10,7 +10,8 @@
 namespace majorant {
 namespace {
 
-// For every vertex the first one on the boundary at the same place with the same uv, itself inside.
+// Returns for every vertex the first one on the boundary at the same place with the same uv, inside
+// itself.
 std::vector<Index> first_of_equals(const BezierMap& map) {
   const std::vector<char> is_boundary = map.mesh().boundary_flags();
   std::map<std::array<double, 5>, Index> known;

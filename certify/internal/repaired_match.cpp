@@ -95,12 +95,12 @@ class Triangle {
 class FaceMatcher {
  public:
   FaceMatcher(const SurfaceMesh& cells, const PolygonMesh& surface, const RepairedSurface& repaired,
-              const std::vector<Index>& face_of_cell)
+              const std::vector<Index>& face_of_cell, double rounding)
       : cells_(cells),
         surface_(surface),
         repaired_(repaired),
         face_of_cell_(face_of_cell),
-        close_(match_tolerance(box_of(surface))),
+        close_(match_tolerance(box_of(surface)) + rounding),
         place_(weld(surface, 0)) {}
 
   SurfaceMatch run() {
@@ -143,7 +143,7 @@ class FaceMatcher {
  private:
   static constexpr Index kNew = -1;  // place of a vertex that the surface lacks
 
-  // Of the vertices of the cells; says which one the surface lacks, or has elsewhere.
+  // Returns which vertex of the cells the surface lacks or has elsewhere; empty: none.
   std::string name_places() {
     std::vector<char> is_used(place_.size(), 0);
     for (const auto& polygon : surface_.polygons)
@@ -229,8 +229,9 @@ class FaceMatcher {
     return true;
   }
 
-  // Of a polygon whose corners are at different places: n - 2 triangles whose edges are those of
-  // the polygon, once each, and pairs that cancel are a disk; none faces the other way.
+  // Accepts a triangulation of a polygon whose corners are at different places: n - 2 triangles
+  // whose edges are those of the polygon, once each, and pairs that cancel are a disk; none faces
+  // the other way.
   bool take_triangulation(Index p, const std::vector<Index>& faces) {
     const auto size = static_cast<Index>(surface_.polygons[p].size());
     if (size == 3) return false;
@@ -360,7 +361,8 @@ class FaceMatcher {
     return false;
   }
 
-  // From the cell across all edges that are no border; empty if one of these has no other side.
+  // Goes from the cell across all edges that are no border; empty if one of these has no other
+  // side.
   std::vector<Index> region_of(const Region& region, Index seed) const {
     if (!region.has(seed)) return {};
     std::vector<Index> cells{seed};
@@ -377,7 +379,8 @@ class FaceMatcher {
     return cells;
   }
 
-  // Where the same pieces are there twice, edges inside of a face may have been opened.
+  // Returns the cell across a half-edge, also of an edge inside of a face that was opened because
+  // the same pieces are there twice; -1: none of the region.
   Index across(const Region& region, Index h, const std::set<Index>& known) const {
     if (const Index o = cells_.opposite(h); o >= 0) {
       const bool is_in = known.contains(face_of(o)) || region.has(face_of(o));
@@ -407,12 +410,12 @@ class FaceMatcher {
 
 std::optional<SurfaceMatch> match_repaired(const SurfaceMesh& cells, const PolygonMesh& surface,
                                            const std::vector<Index>& face_of_cell,
-                                           Orientation orientation) {
+                                           Orientation orientation, double rounding) {
   if (surface.polygons.empty()) return {};
   const RepairedSurface repaired =
       repair(surface, {.orientation = orientation, .numerics = Numerics::AsGiven});
   if (!takes_apart(repaired)) return {};
-  return FaceMatcher(cells, surface, repaired, face_of_cell).run();
+  return FaceMatcher(cells, surface, repaired, face_of_cell, rounding).run();
 }
 
 }  // namespace majorant

@@ -21,7 +21,7 @@
 namespace majorant {
 namespace {
 
-// Of a polygon of the surface, which is on its left.
+// A side of a polygon of the surface, which is on its left.
 struct Side {
   Index from, to;  // vertices of the surface
   Index face;
@@ -63,10 +63,11 @@ class Groups {
 class Matcher {
  public:
   Matcher(const SurfaceMesh& cells, const PolygonMesh& surface,
-          const std::vector<Index>& face_of_cell)
+          const std::vector<Index>& face_of_cell, double rounding)
       : cells_(cells),
         surface_(surface),
         face_of_cell_(face_of_cell),
+        rounding_(rounding),
         sides_(sides_of(surface)),
         face_left_(to_size(cells.half_edge_count()), kUnknown) {}
 
@@ -117,7 +118,7 @@ class Matcher {
       for (const Index v : polygon) used_[v] = 1;
     const Eigen::AlignedBox3d box = box_of(surface_);
     size_ = box.sizes().maxCoeff();
-    close_ = match_tolerance(box);
+    close_ = match_tolerance(box) + rounding_;
   }
 
   void check_vertices() const {
@@ -157,7 +158,7 @@ class Matcher {
     return other < 0 ? kOutside : sides_[other].face;
   }
 
-  // Of all sides those that are no edge of the cells as they are, in order. For the others notes
+  // Returns the sides that are no edge of the cells as they are, in order. For the others it notes
   // which faces lie on both sides: no two have a half-edge in common, nor one with those that
   // follow() goes along.
   std::vector<Index> sides_to_follow(const PairOrder& order) {
@@ -182,7 +183,7 @@ class Matcher {
     return left;
   }
 
-  // Of the vertices of the cells, where edges lead.
+  // Returns the vertices of the cells to which edges of the cells lead from `vertex`.
   const std::vector<Index>& neighbours(Index vertex) {
     if (neighbours_.empty()) {
       neighbours_.resize(to_size(cells_.vertex_count()));
@@ -221,7 +222,7 @@ class Matcher {
     return {};
   }
 
-  // Where a new vertex lies on an edge of the surface, between 0 and 1.
+  // Returns where a new vertex lies on an edge of the surface, between 0 and 1, if it does.
   std::optional<double> place_along(const Side& edge, Index vertex) const {
     if (surface_vertex(vertex) >= 0) return {};
     const Vector3 start = place(edge.from), step = place(edge.to) - start;
@@ -398,6 +399,7 @@ class Matcher {
   const SurfaceMesh& cells_;
   const PolygonMesh& surface_;
   const std::vector<Index>& face_of_cell_;
+  double rounding_;                             // of the cells
   double size_ = 0, close_ = 0;                 // of the surface; what counts as the same place
   std::vector<char> used_;                      // vertices of the surface with a face
   std::vector<Side> sides_;                     // of the surface, polygon by polygon
@@ -408,7 +410,7 @@ class Matcher {
   SurfaceMatch match_;
 };
 
-// As SurfaceMesh takes it.
+// Returns the surface as SurfaceMesh takes it.
 PolygonMesh triangulated(const PolygonMesh& surface) {
   PolygonMesh out;
   out.positions = surface.positions;
@@ -420,15 +422,15 @@ PolygonMesh triangulated(const PolygonMesh& surface) {
 }  // namespace
 
 SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
-                           const std::vector<Index>& face_of_cell) {
+                           const std::vector<Index>& face_of_cell, double rounding) {
   try {
-    return Matcher(cells, surface, face_of_cell).run();
+    return Matcher(cells, surface, face_of_cell, rounding).run();
   } catch (const Mismatch& mismatch) {
     const bool has_polygons = std::any_of(surface.polygons.begin(), surface.polygons.end(),
                                           [](const auto& p) { return p.size() > 3; });
     if (!has_polygons || !face_of_cell.empty()) return {mismatch.line};
     // Pieces of the triangles of a polygon that is not flat.
-    const SurfaceMatch triangles = match_surface(cells, triangulated(surface));
+    const SurfaceMatch triangles = match_surface(cells, triangulated(surface), {}, rounding);
     return triangles.defect.empty() ? triangles : SurfaceMatch{mismatch.line};
   }
 }

@@ -29,9 +29,9 @@ struct SurfaceMatch {
 
 // cells: vertices of the surface have its numbers as input_vertex(); others are new. face_of_cell:
 // what the file says, the face each cell belongs to, or empty; where it says so, there are no new
-// vertices. Positions may be off by 1e-9 of the surface's size.
+// vertices. Positions may be off by 1e-9 of the surface's size, and by `rounding` of the cells.
 SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
-                           const std::vector<Index>& face_of_cell = {});
+                           const std::vector<Index>& face_of_cell = {}, double rounding = 0);
 
 }  // namespace majorant
 

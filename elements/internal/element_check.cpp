@@ -116,7 +116,7 @@ double value(const BernsteinBasis& basis, int k, const Coordinates& x) {
   return value;
 }
 
-// All coordinates are positive.
+// Requires that all coordinates are positive.
 double derivative(const BernsteinBasis& basis, int k, const Coordinates& x, int by) {
   const auto q = to_size(by);
   return value(basis, k, x) * basis.exponents(k)[q] / x[q];

@@ -7,8 +7,8 @@
 
 namespace majorant {
 
-// Before tables are built: the degree, factors that span 2 or 3 dimensions, derivatives and cuts
-// inside one factor, corners that come first. Throws InvalidArgument with what is wrong.
+// Checks before tables are built: the degree, factors that span 2 or 3 dimensions, derivatives and
+// cuts inside one factor, corners that come first. Throws InvalidArgument with what is wrong.
 // BernsteinElement::basis() checks the rest, that node orders name every function once.
 void check_description(const BernsteinElement& element);
 

@@ -95,7 +95,8 @@ std::vector<int> ordered_nodes(const NodeLattice& lattice, const NodeLattice::Pa
   return nodes;
 }
 
-// Of all parts, corners in the order of their vertices; that of edges is made once.
+// The order of the nodes of each part when its corners are in the order of their vertices; that of
+// edges is made once.
 class NodeOrder {
  public:
   NodeOrder(const NodeLattice& lattice, const Cells& cells) : lattice_(lattice), cells_(cells) {

@@ -16,7 +16,7 @@ enum class InstructionSet { Baseline, Avx2, Avx512 };
 std::vector<InstructionSet> instruction_sets();  // of this machine, the widest last
 InstructionSet widest_instruction_set();
 
-// In the order of named_energies(); `set` must be one of instruction_sets().
+// Returns the energies in the order of named_energies(); `set` must be one of instruction_sets().
 std::vector<NamedEnergy> named_energies(InstructionSet set);
 
 }  // namespace majorant

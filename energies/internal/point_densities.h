@@ -112,7 +112,7 @@ class PointwiseJacobian {
 
   [[gnu::always_inline]] PointwiseJacobian(const Function& function, const PointBatch& points)
       : function_(function), points_(points) {}
-  // One model for both: projection_weight says which.
+  // Has one model for both: projection_weight says which.
   [[gnu::always_inline]] static constexpr bool defines(Curvature c) {
     return c == Curvature::Exact;
   }

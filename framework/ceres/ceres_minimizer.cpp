@@ -20,7 +20,7 @@ namespace {
 
 using CeresSolver = ceres::GradientProblemSolver;
 
-// What the function and the callback share.
+// The function and the callback share this.
 struct Run {
   Run(const Problem& problem, const CeresOptions& o, RunObserver* observes)
       : evaluator(problem), options(o), observer(observes) {}
@@ -130,8 +130,8 @@ class Callback final : public ceres::IterationCallback {
   const Vec& y_;
 };
 
-// Of the energy at the start: what a gradient step has to gain for a point not to be a minimum.
-// Above the rounding of energies that are sums over thousands of elements.
+// A gradient step has to gain this part of the energy at the start for a point not to be a minimum.
+// It is above the rounding of energies that are sums over thousands of elements.
 constexpr double kLeastGain = 1e-12;
 
 // Returns whether some step along the negative gradient gains `least`, from where the linear model

@@ -45,8 +45,9 @@ bool is_semidefinite(const double* k) {
 // about 30.
 void clamp_eigenvalues(int size, double projection_weight, double* k);
 
-// The same by Jacobi's rotations: faster for N up to 4, and in a few rotations where blocks couple
-// like the ends of a spring, of which half are tried first. Nothing but what is negative changes.
+// Does the same by Jacobi's rotations: faster for N up to 4, and in a few rotations where blocks
+// couple like the ends of a spring, of which half are tried first. Nothing but what is negative
+// changes.
 template <int N>
 void clamp_by_rotations(double projection_weight, double* k) {
   double a[N][N], v[N][N] = {}, largest = 0;

@@ -123,7 +123,7 @@ void AssemblyTree::find_parents() {
   child_starts_.pop_back();
 }
 
-// By counting: first how many entries each front has, then each entry where it belongs.
+// A counting sort: it counts the entries of each front, then puts each entry where it belongs.
 void AssemblyTree::place_entries(const SparsePattern& pattern) {
   std::vector<Index> position(order_.size());
   for (std::size_t k = 0; k < order_.size(); ++k) position[order_[k]] = static_cast<Index>(k);

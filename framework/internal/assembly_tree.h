@@ -22,13 +22,12 @@
 
 namespace majorant {
 
-// Of the graph of blocks: in which order they are eliminated, and which of them together. A
-// supernode comes after those that touch it and with nothing in between that does not (a
-// postorder).
+// The order in which the blocks of a graph are eliminated, and which of them together. It is a
+// postorder: a supernode comes after those that touch it, with nothing in between that does not.
 struct BlockElimination {
   std::vector<Index> order;             // blocks
   std::vector<Index> supernode_starts;  // positions: supernodes of neighbours in that order
-  // By supernode: positions that it touches, ascending, its own first.
+  // For each supernode the positions that it touches, ascending, its own first.
   std::vector<std::size_t> structure_starts;
   std::vector<Index> structure;
 };
@@ -41,7 +40,7 @@ class AssemblyTree {
     std::size_t panel;           // where its part of the factor begins
     std::size_t below;           // of its rows below, in the arrays below
     std::size_t entries;         // likewise of the matrix's entries
-    // Of the panel, and of its update, (rows - columns) columns.
+    // The strides of the panel and of its update, which has (rows - columns) columns.
     std::ptrdiff_t stride, update_stride;
     std::size_t panel_size() const { return static_cast<std::size_t>(stride) * to_size(columns); }
     std::size_t update_size() const {

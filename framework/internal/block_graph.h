@@ -18,7 +18,7 @@ namespace majorant {
 // Pairs of blocks.
 using BlockEdges = std::vector<std::pair<Index, Index>>;
 
-// Every edge once, at its smaller node.
+// Has every edge once, at its smaller node.
 class BlockGraph {
  public:
   explicit BlockGraph(const SparsePattern& pattern);

@@ -63,7 +63,7 @@ void visit_unknowns(const ElementDofs& s, const Elimination& z, Index e, const V
     }
 }
 
-// For each element its first unknown that more than kWide elements have, or -1.
+// Returns for each element its first unknown that more than kWide elements have, or -1.
 std::vector<Index> wide_unknowns(const ElementDofs& s, const Elimination& z) {
   std::vector<Index> count(to_size(z.reduced_size()), 0), last(to_size(z.reduced_size()), -1);
   for (Index e = 0; e < s.element_count(); ++e)

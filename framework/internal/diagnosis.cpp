@@ -67,8 +67,8 @@ double stable_norm(const Partition& partition, VecIn v) {
   return largest > 0 ? largest * partition.norm(v / largest) : 0;
 }
 
-// Whether the energy falls along p, faster and faster, as far as can be seen and no checker
-// objects; then where to.
+// Returns the energy that it falls to, if it falls along p faster and faster, as far as can be seen
+// and no checker objects.
 std::optional<double> falls_forever(Evaluator& evaluator, VecIn y, double energy, const Vec& p) {
   const Partition& partition = partition_of(evaluator.problem());
   const double length = std::max(1.0, stable_norm(partition, y)) / stable_norm(partition, p);

@@ -21,7 +21,8 @@ namespace majorant {
 struct FrontKernels {
   // Rows that are worked on together: the doubles of the widest vector.
   static constexpr Index kTile = 8;
-  // From one column to the next: 64 bits, since a panel may have more than 2^31 numbers.
+  // The distance from one column to the next: 64 bits, since a panel may have more than 2^31
+  // numbers.
   using Stride = std::ptrdiff_t;
 
   const char* name;  // of the instruction set: "AVX-512"

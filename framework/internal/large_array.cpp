@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// Of x86-64 and, with pages of 4 KiB, ARM; others get what they have.
+// The size of a large page on x86-64 and, with pages of 4 KiB, on ARM.
 constexpr std::size_t kLargePage = std::size_t(1) << 21;
 
 }  // namespace

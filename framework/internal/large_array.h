@@ -3,8 +3,8 @@
 //   const LargeArray values = large_array(1000);   // throws std::bad_alloc
 //   values[0] = 1;
 //
-// In pages of 2 MiB, where the system has them for who asks: touching memory for the first time
-// costs as much as a Cholesky factorization of a mesh writes into it, page by page.
+// The array is in pages of 2 MiB, where the system has them for who asks: touching memory for the
+// first time costs as much as a Cholesky factorization of a mesh writes into it, page by page.
 #pragma once
 
 #include <cstddef>

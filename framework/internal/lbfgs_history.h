@@ -25,9 +25,10 @@ class History {
   History(int capacity, double cautious) : capacity_(capacity), cautious_(cautious) {}
 
   bool empty() const { return pairs_.empty(); }
-  // No pairs; what visit() adds next still begins where it was last.
+  // Forgets all pairs; what visit() adds next still begins where it was last.
   void clear() { pairs_.clear(); }
-  // No pairs, at y with the gradient g. partition: of both, outlives the history.
+  // Forgets all pairs and begins at y with the gradient g. partition: of both, outlives the
+  // history.
   void start(const Vec& y, const Vec& g) {
     static const Partition whole;
     start(y, g, whole);

@@ -67,7 +67,8 @@ MultifrontalFactor::Scratch MultifrontalFactor::scratch(int thread, int threads)
           updates_.get() + roots_size_ + to_size(thread) * stack_size_, threads};
 }
 
-// From the top down: a subtree that is small enough is a task, the root of another one is above.
+// Goes down from the top: a subtree that is small enough is a task, the root of another one is
+// above.
 void MultifrontalFactor::make_tasks() {
   const auto count = static_cast<Index>(tree_.fronts().size()) - 1;
   if (threads_ == 1) {

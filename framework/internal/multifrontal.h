@@ -31,7 +31,7 @@ class MultifrontalFactor {
   explicit MultifrontalFactor(const AssemblyTree& tree,
                               const FrontKernels& kernels = front_kernels());
 
-  // Of all that factorize() allocates: the factor, updates that wait, scratch.
+  // Returns the bytes of all that factorize() allocates: the factor, updates that wait, scratch.
   std::size_t bytes() const;
 
   // H + shift * I; values parallel to the pattern's rows. False: not positive definite.
@@ -45,13 +45,13 @@ class MultifrontalFactor {
     double operations;
   };
   struct Work;  // of one factorize()
-  // What a thread works on while it factorizes fronts: packed columns, updates that wait.
+  // A thread works on this while it factorizes fronts: packed columns, updates that wait.
   struct Scratch {
     double *packed, *stack;
     int threads;  // that may share the work on a front
   };
 
-  // Where the lower triangle of a product goes: rows by columns, of a sum of `depth` terms.
+  // The lower triangle of a product goes here: rows by columns, each a sum of `depth` terms.
   struct Target {
     double* values;
     FrontKernels::Stride stride;
@@ -90,8 +90,8 @@ class MultifrontalFactor {
   std::vector<std::size_t> update_places_;
   std::vector<char> is_root_;
   std::size_t roots_size_ = 0, stack_size_ = 0;
-  // By front: how many of its rows below belong to its task; where what it takes out of the others
-  // waits for its turn, fronts being in the order of the tree.
+  // For each front, in the order of the tree: how many of its rows below belong to its task, and
+  // where its updates of the other rows wait for their turn.
   std::vector<Index> inside_;
   std::vector<std::size_t> outside_places_;
   LargeArray panels_, updates_, packed_;

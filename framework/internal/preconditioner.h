@@ -28,7 +28,7 @@ class Preconditioner {
   // Assembles the Hessian at y, size() entries, and factorizes it, shifted as little as it takes
   // (factorize_shifted). false when that fails, then solve() must not be called. Stopped.
   bool factorize(VecIn y, const StopCheck& stop = {});
-  // The same at the first call alone, whose costs `record` gets; curvature and shift it gets at
+  // Does so at the first call alone, whose costs `record` gets; curvature and shift it gets at
   // every call. false: there is no metric.
   bool factorize_once(VecIn y, IterationRecord& record, const StopCheck& stop);
   // The reason why a factorization failed, in words. Collective.

@@ -21,7 +21,7 @@ struct Tree {
   std::vector<Index> count;   // positions that are structure, its own included
 };
 
-// For every position those before it that are joined with it.
+// Lists for every position those before it that are joined with it.
 struct Earlier {
   std::vector<Index> starts, positions;
 

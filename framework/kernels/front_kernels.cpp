@@ -70,7 +70,8 @@ inline void multiply(const double* a, Index a_tile, Stride a_stride, const doubl
   }
 }
 
-// From `width` columns of one tile of rows, what the columns first to column - 1 put on them.
+// Subtracts from `width` columns of one tile of rows what the columns first to column - 1 put on
+// them.
 inline void subtract_earlier(double* panel, Stride stride, Index row, Index first, Index column,
                              Index width) {
   for (Index c = 0; c < width; c += kColumns) {

@@ -18,6 +18,8 @@ PolygonMesh read_off(const std::string& path, std::string content, const StopChe
                      Strictness strictness);
 PolygonMesh read_ply(const std::string& path, std::string content, const StopCheck& stop,
                      Strictness strictness);
+PolygonMesh read_gltf(const std::string& path, const std::string& content, const StopCheck& stop,
+                      Strictness strictness);
 PolygonMesh read_stl(const std::string& path, std::string content, const StopCheck& stop);
 
 // Throws Error(Unreadable) if the mesh has no vertices, no faces or more than 32-bit numbering

@@ -15,7 +15,7 @@
 
 namespace majorant {
 
-// No file beyond is believed. VTK has no cells beyond 10; chosen, not tuned.
+// Files of higher degrees are refused. VTK has no cells beyond 10; chosen, not tuned.
 inline constexpr int kHighestFileDegree = 32;
 
 // Number of control points of degree n.

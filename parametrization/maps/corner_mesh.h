@@ -19,7 +19,7 @@ struct CornerMesh {
   Cells vertices, texcoord_ids;    // by triangle, three each
 };
 
-// As mesh_from_map() says it (map_file.h), without the lists of a polygon mesh.
+// Returns the mesh of mesh_from_map() (map_file.h), without the lists of a polygon mesh.
 CornerMesh corner_mesh(const MapFile& map, const std::string& file);
 
 }  // namespace majorant

@@ -62,10 +62,10 @@ PointDistortion distortion_of(const Eigen::Matrix2d& J);
 // for proofs: a face whose det J is not positive everywhere has an infinite stretch only if a point
 // finds it.
 
-// Per face, one column each, named as files have them: means over the face of sigma_1, sigma_2,
-// sigma_1 sigma_2 (area of the image over area of the face) and sigma_1 / sigma_2; the root mean
-// square of the stretch, L2(T) of [SSGH01]; its largest sampled value, Linf(T). NaN for faces
-// without an area.
+// The columns of values of faces, named as files have them: means over the face of sigma_1,
+// sigma_2, sigma_1 sigma_2 (area of the image over area of the face) and sigma_1 / sigma_2; the
+// root mean square of the stretch, L2(T) of [SSGH01]; its largest sampled value, Linf(T). NaN for
+// faces without an area.
 inline constexpr std::array<std::string_view, 6> kFaceDistortionNames{
     "sigma_1", "sigma_2", "area_distortion", "angle_distortion", "stretch_l2", "stretch_linf"};
 using FaceDistortion = Eigen::Matrix<double, Eigen::Dynamic, kFaceDistortionNames.size()>;
@@ -73,7 +73,8 @@ using FaceDistortion = Eigen::Matrix<double, Eigen::Dynamic, kFaceDistortionName
 struct MapDistortion {
   FaceDistortion faces;  // #F by 6
   Vec area;              // #F, of the faces on the surface; 0 for those that do not count
-  // At the 7 points of Radon's rule in each face that counts, at one where the map is affine.
+  // A sample: they are at the 7 points of Radon's rule in each face that counts, at one where the
+  // map is affine.
   struct Sample {
     PointDistortion at;
     double weight;  // area that it stands for

@@ -97,6 +97,7 @@ MapFile to_map_file(const PolygonMesh& textured) {
                 textured.file + ": not every corner has texture coordinates");
   MapFile file;
   file.warnings = textured.warnings;
+  file.points_rounding = textured.position_rounding;
   std::vector<std::pair<Index, Index>> corners;  // of the cells: (vertex, texture coordinate)
   std::vector<Index> faces;
   corners.reserve(3 * textured.polygons.size());

@@ -22,11 +22,12 @@ namespace majorant {
 
 struct MapFile {
   int degree = 1;
-  Points3 points;       // #N by 3, control points of the flat surface triangles
-  Points2 uv;           // #N by 2, control points of the map
-  Points2 uv_rounding;  // #N by 2, how far the digits of the file (decimals; values that uv
-                        // was computed from) may be from uv; empty: not at all
-  Cells cells;          // #F by (n+1)(n+2)/2, point numbers in VTK order
+  Points3 points;              // #N by 3, control points of the flat surface triangles
+  double points_rounding = 0;  // how far each may be from what it was made of (floats of a file)
+  Points2 uv;                  // #N by 2, control points of the map
+  Points2 uv_rounding;         // #N by 2, how far the digits of the file (decimals; values that uv
+                               // was computed from) may be from uv; empty: not at all
+  Cells cells;                 // #F by (n+1)(n+2)/2, point numbers in VTK order
   Eigen::VectorXi input_vertex;  // #N, vertex of the input mesh, -1 where there is none
   Eigen::VectorXi input_face;    // #F, face (polygon) of the input mesh, 0-based
   Vec distortion;                // #F, mean density; may be empty

@@ -24,23 +24,24 @@ class MapPart {
  public:
   virtual ~MapPart() = default;
   virtual const Ranks& ranks() const = 0;
-  // Of 2 unknowns per node of a space over this rank's faces. Collective.
+  // Returns the partition of 2 unknowns per node of a space over this rank's faces. Collective.
   virtual std::shared_ptr<const Partition> unknowns(const BezierTriangleSpace& space) const = 0;
   // Nodes on the boundary of the whole surface, sorted.
   virtual std::vector<Index> boundary_nodes(const BezierTriangleSpace& space) const = 0;
   // This rank's numbers, if any, of the vertex that holds the translations of a map that nothing
   // else holds: the same vertex of the whole surface on every rank.
   virtual std::vector<Index> gauge_vertex() const = 0;
-  // What is not injective of the whole map, proven to that depth of bisection; empty: nothing.
+  // Returns what is not injective of the whole map, proven to that depth of bisection; empty:
+  // nothing.
   // rest_det: as LocalInjectivity takes it. Collective.
   virtual std::string obstacle(const BezierMap& map, const Vec& rest_det, int depth) const = 0;
-  // Of the whole map; but face_value and min_det are of the faces here, distortion is of none.
-  // unproven: what is not proven of it; empty: nothing is amiss. Collective.
+  // Measures the whole map; but face_value and min_det are of the faces here, distortion is of
+  // none. unproven: what is not proven of it; empty: nothing is amiss. Collective.
   virtual MapMeasures measure(const BezierMap& map, const EnergySum& energy,
                               std::string& unproven) const = 0;
 };
 
-// What holds for the whole map, from what a rank knows of it.
+// Returns the ranks that share the map; one process alone where it has no part.
 const Ranks& ranks_of(const MapSpecification& spec);
 
 }  // namespace majorant

@@ -126,7 +126,7 @@ class Translations {
     }
   }
 
-  // Of those that are left: the unknowns that stop them, where x has them.
+  // Returns the unknowns that stop the translations that are left, with their values in x.
   std::vector<FixedUnknown> stopped(VecIn x) const {
     std::vector<FixedUnknown> unknowns;
     for (Index t = 0; t < count(); ++t) {
@@ -160,7 +160,7 @@ double energy_of(const MapExtension& added, VecIn x) {
   return sum;
 }
 
-// What must be held so that the pieces of a map cannot be translated.
+// Returns what must be held so that the pieces of a map cannot be translated.
 FixedUnknowns gauge(const MapSpecification& spec, const BezierTriangleSpace& space, VecIn start) {
   const std::vector<Index> vertices = gauge_vertices(spec, space);
   Translations translations(space, vertices);

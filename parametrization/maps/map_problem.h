@@ -26,7 +26,7 @@ class MapPart;
 // units of the rest shapes.
 struct MapSpecification {
   MapSpecification() = default;
-  // What MapOptions says without units.
+  // Takes over what MapOptions says without units.
   explicit MapSpecification(const MapOptions& asked);
 
   EnergySum energy = MapOptions().energy;
@@ -42,7 +42,7 @@ struct MapSpecification {
   // Null: the whole map. Else all of the above is that of a part of it; seams, aligned
   // edges and angles at the boundary cannot be asked for.
   std::shared_ptr<const MapPart> part;
-  // What a caller adds, of the degree of the problem; null: nothing.
+  // Terms and constraints that a caller adds at the degree of the problem; null: none.
   std::shared_ptr<const MapExtension> added;
 };
 
@@ -50,7 +50,7 @@ struct MapSpecification {
 double whole_area(const MapSpecification& spec);
 // Nodes on the boundary of the uncut surface, sorted.
 std::vector<Index> boundary_of(const MapSpecification& spec, const BezierTriangleSpace& space);
-// For problems of a map alone: a builder of its unknowns.
+// Returns a builder of the unknowns of a map, for problems of that map alone.
 ProblemBuilder map_builder(const MapSpecification& spec, const BezierTriangleSpace& space);
 
 using DensityTerms = std::vector<std::shared_ptr<const DensityTerm>>;
@@ -61,7 +61,7 @@ DensityTerms energy_terms(const MapSpecification& spec,
                           const std::shared_ptr<const BezierTriangleSpace>& space,
                           const std::vector<Quadrature>& rules);
 
-// Per vertex, the smallest vertex of its component of the (cut) surface.
+// Returns for each vertex the smallest vertex of its component of the (cut) surface.
 std::vector<Index> vertex_components(const BezierTriangleSpace& space);
 
 // Vertices that map_problem() holds because nothing else holds the translations of their piece of

@@ -67,7 +67,7 @@ Quadrature single_point(const Barycentric& xi) {
   return q;
 }
 
-// At one point at least; m.cut_short where stopped before the others.
+// Samples one point at least; sets m.cut_short where it is stopped before the others.
 void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                      const StopCheck& stop, MapMeasures& m) {
   const std::vector<Barycentric> points = extreme_samples(map.degree());

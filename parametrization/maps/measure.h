@@ -25,7 +25,7 @@ struct MapMeasures {
   double sigma_max = 0, sigma_min = 0;  // sampled extreme singular values
   MapDistortion distortion;             // of no faces where cut short
   Vec min_det;  // #F certified lower bound of det J (<= 0: not proven positive)
-  // All min_det > 0 and interior angle sums 2 pi, at cones their angle.
+  // True where all min_det > 0 and interior angle sums are 2 pi, at cones their angle.
   bool locally_injective = false;
   double seam_residual = 0;           // constraints.h, model units
   double max_boundary_angle = 0;      // radians, largest sector sum at a boundary vertex
@@ -37,7 +37,7 @@ struct MapMeasures {
 double mean_density(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                     Vec& face_value);
 
-// After a stop, or when it comes meanwhile, only what is needed to judge the map. Throws
+// Measures a map; after a stop, or when it comes meanwhile, only what is needed to judge it. Throws
 // InvalidArgument for energies of another number of faces.
 MapMeasures measure_map(const BezierMap& map, const EnergySum& energy, const StopCheck& stop = {});
 // Measures a map whose control points were divided by `scale` after it was made, in the units of

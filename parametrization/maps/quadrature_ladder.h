@@ -18,8 +18,8 @@ struct QuadratureRules {
   // Total weight of guard points at the corners, level 0; measured by bench/tune.py
   // quadrature.corner_guard.
   double corner_guard = 1e-3;
-  // The same above, where they also cover the edges; measured by bench/tune.py
-  // quadrature.boundary_guard.
+  // The weight of guard points at levels above 0, where they also cover the edges; measured by
+  // bench/tune.py quadrature.boundary_guard.
   double boundary_guard = 3e-3;
   // Levels above 0, each halves the subtriangles; measured by bench/tune.py quadrature.refinements.
   int refinements = 4;

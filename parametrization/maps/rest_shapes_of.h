@@ -15,7 +15,8 @@
 
 namespace majorant {
 
-// One per face. The mesh scaled by `scale`: positions first, then their differences.
+// Returns a rest shape for each face of the mesh scaled by `scale`: positions first, then their
+// differences.
 RestShapes rest_shapes(const SurfaceMesh& mesh, double scale = 1);
 
 // The rest shape of one face alone, as element 0.

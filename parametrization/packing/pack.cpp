@@ -72,6 +72,19 @@ struct Candidate {
   Placements placements;
 };
 
+// Along the side of the square that the border surrounds.
+double inner_pixels(const PackOptions& options) {
+  return options.resolution - 2 * options.padding_pixels;
+}
+
+// The border, as wide as the padding, around the square.
+void add_border(const PackOptions& options, Packing& packing) {
+  const double inner = packing.side;
+  packing.side *= options.resolution / inner_pixels(options);
+  packing.origin.array() -= (packing.side - inner) / 2;
+  packing.fill *= (inner / packing.side) * (inner / packing.side);
+}
+
 class Packer {
  public:
   Packer(const std::vector<BezierMap>& charts, const PackOptions& options, const StopCheck& stop)
@@ -80,7 +93,7 @@ class Packer {
         stop_(stop),
         least_distance_(charts.size() < 2
                             ? kLeastGap  // one chart has no neighbour
-                            : std::max(options.padding_pixels / options.resolution, kLeastGap)),
+                            : std::max(options.padding_pixels / inner_pixels(options), kLeastGap)),
         freedom_(charts.size(), AllowedRotations::Any) {
     for (std::size_t k = 0; k < options.fixed.size(); ++k)
       if (options.fixed[k]) freedom_[k] = AllowedRotations::None;
@@ -224,7 +237,14 @@ Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options,
     throw InvalidArgument(
         fmt::format("pack: {} flags for {} charts", options.fixed.size(), charts.size()));
   if (charts.empty()) return {};
-  return Packer(charts, options, stop).pack();
+  if (!(inner_pixels(options) > 0))
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("packing: a border of {:.6g} pixels leaves nothing of {:.6g}; less "
+                            "padding or a higher resolution would do",
+                            options.padding_pixels, options.resolution));
+  Packing packing = Packer(charts, options, stop).pack();
+  add_border(options, packing);
+  return packing;
 }
 
 }  // namespace majorant

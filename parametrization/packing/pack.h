@@ -27,13 +27,15 @@
 namespace majorant {
 
 struct PackOptions {
-  // Any two charts are at least padding_pixels / resolution of the square's side apart.
+  // Any two charts are at least padding_pixels / resolution of the square's side apart, and each
+  // is as far from its border, so that textures may be repeated.
   // padding_pixels >= 0, resolution, the pixels along the side, > 0. A usual texture, and
   // two levels of its mipmaps that do not bleed; chosen, not tuned.
   double padding_pixels = 4;
   double resolution = 1024;
   // One flag a chart (empty: none): it stays where it is, to the bit. The square's lower left
-  // corner is that of their common box. Nothing is promised of the distance of two of them.
+  // corner is that of their common box, but for the border. Nothing is promised of the distance of
+  // two of them.
   std::vector<char> fixed = {};
 };
 
@@ -46,7 +48,8 @@ struct Packing {
   std::vector<BezierMap> charts;         // in the order given; their digits are final
   std::vector<LayoutMotion> placements;  // of each
   Vector2 origin = Vector2::Zero();      // lower left corner of the square, model units
-  double side = 0;                       // of the square that contains all control points
+  double side = 0;                       // of the square that contains all control points, border
+                                         // included
   double fill = 0;                       // area of the charts / side^2
   double distance = 0;                   // proven: of any two charts, not both fixed, at least this
   PackMethod method = PackMethod::Skyline;

@@ -1,5 +1,7 @@
 #include "majorant/parametrization/solve/degree_schedule.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "majorant/parametrization/maps/map_part.h"
@@ -95,6 +97,7 @@ SolveResult DegreeSchedule::optimize(bool last) {
 
 // Ranks may round the nodes of a shared edge differently: they are the owner's.
 void DegreeSchedule::elevate() {
+  record_.announce(fmt::format("raising the degree to {}", map_.degree() + 1));
   map_ = map_.elevated();
   if (setup_.map.part) {
     Vec x = map_.control_points();

@@ -37,8 +37,8 @@ class DegreeSchedule {
 
   // Sets the state that map() came with, for the next solver of its degree.
   void resume(State state) { state_ = std::move(state); }
-  // For a start of degree 1 at which the energy asked for is not finite (an exponential of Tutte's
-  // map): to the minimum of one that is finite on every injective map.
+  // Leads a start of degree 1 at which the energy asked for is not finite (an exponential of
+  // Tutte's map) to the minimum of one that is finite on every injective map.
   void enter();
   // energy: of map(). What is returned is of the last degree that was optimized; a limit may end
   // the run below the last one. Throws what DegreeSolver does, but Stopped.

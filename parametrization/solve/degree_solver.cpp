@@ -22,7 +22,7 @@
 namespace majorant {
 namespace {
 
-// As the options make it for this problem; called by the constructor of the stepper alone.
+// Returns the solver that the options make for this problem; the stepper's constructor calls it.
 SolverFactory solver_of(const SolveOptions& options, const Problem& problem, Ordering ordering) {
   if (!options.linear_solver) return {};
   return
@@ -307,7 +307,8 @@ Descent::Answer DegreeSolver::MapDescent::after_step(const StepResult& step) {
   return answer;
 }
 
-// Every step on the energy as the last one's faces have weighted it anew; ends where none is stiff.
+// Takes every step on the energy as the last one's faces have weighted it; ends where none is
+// stiff.
 class DegreeSolver::SoftStart final : public MapDescent {
  public:
   SoftStart(DegreeSolver& solver, RunRecord& record)
@@ -603,7 +604,7 @@ DegreeSolver::RemedyOutcome DegreeSolver::follow_barrier(SolveResult& result, Ru
     RemedyCounts counts;
     result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),
                      counts, record);
-    // On the same rules, which may have become finer on the way.
+    // Both energies are on the same rules, which may have become finer on the way.
     const double before = own_energy(best.x), gained = before - own_energy(x_);
     add_use(uses_, Remedy::FollowBarrier, std::max(gained, 0.0));
     if (!(gained > 0)) result = back_to(best, stalled, result.status);

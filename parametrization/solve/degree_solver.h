@@ -60,19 +60,20 @@ class DegreeSolver {
   DegreeSolver(const Setup& setup, MapDomain& domain,
                std::shared_ptr<const BezierTriangleSpace> space, const Vec& x);
 
-  // For a start of enormous energy (a Tutte map with nearly collapsed triangles): steps on
+  // Takes, from a start of enormous energy (a Tutte map with nearly collapsed triangles), steps on
   // sum A sqrt(density) by reweighting, until the mean density is moderate. Otherwise the stiff
   // triangles' rounding errors drive everything else, and which minimum is reached is chance.
   void soft_start(RunRecord& record);
-  // Until one iteration decreases the energy by less than `tolerance`; no remedy is tried. For
-  // degrees on the way.
+  // Descends until one iteration decreases the energy by less than `tolerance`, without remedies:
+  // for degrees on the way.
   SolveResult approach(double tolerance, RunRecord& record, Phase phase = Phase::Newton);
-  // To the documented stopping rules, with all remedies.
+  // Descends to the documented stopping rules, with all remedies.
   SolveResult finish(RunRecord& record);
   // None on the way around a stall: that leads on from x(), or back to where it began. May be asked
   // by setup.watch.
   std::optional<State> state() const;
-  // Before any step. Throws InvalidArgument for levels that the setup's quadrature does not have.
+  // Called before any step. Throws InvalidArgument for levels that the setup's quadrature does not
+  // have.
   void resume(State state);
   // The record of a step from here, for its cost; the step is not taken, and in no trace.
   IterationRecord try_step();

@@ -120,7 +120,8 @@ double largest_distance(const Vec& a, const Vec& b) {
   return largest;
 }
 
-// Of the vertex that holds a free map: of several ranks its owner alone says so.
+// Returns the position of the vertex that holds a free map: of several ranks its owner alone says
+// it.
 Vector2 gauge_position(const MapSpecification& spec, const BezierTriangleSpace& space,
                        const std::vector<Index>& gauge, const Vec& uv) {
   if (!spec.part) return uv.segment<2>(2 * gauge.front());

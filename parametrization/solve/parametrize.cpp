@@ -97,7 +97,8 @@ class Run {
     return ranks().sum(area > 0 ? area * mean() : 0) / ranks().sum(area);
   }
 
-  // Of a part. depth: of bisection, at least.
+  // Throws Error(kind) where the map of a part is not proven injective. depth: of bisection, at
+  // least.
   void require_injective(ErrorKind kind, const char* what, int depth) const {
     const std::string obstacle = setup_.map.part->obstacle(
         map_, 2 * setup_.map.rest.measure, std::max(depth, options_.solve.injectivity_depth));
@@ -105,7 +106,7 @@ class Run {
       throw Error(kind, fmt::format("{} is not injective: {}", what, obstacle));
   }
 
-  // After every row of the trace; all ranks have the same rows.
+  // Called after every row of the trace; all ranks have the same rows.
   void keep_at(const TraceEntry& row, const MapView& at) {
     ++iterations_;
     if (keeping_.every == 0 || ++since_kept_ < keeping_.every) return;

@@ -88,8 +88,8 @@ std::string_view start_name(StartMethod method);  // "auto", "tutte", "multireso
 // without holes, Error(Usage) when the given one has the wrong size; Stopped.
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop = {},
                 StartMethod* taken = nullptr);
-// The same within the limits of a run (RunRecord::start_stop()), which the steps on coarser levels
-// are noted in.
+// Does the same within the limits of a run (RunRecord::start_stop()), which records the steps on
+// coarser levels.
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& record,
                 StartMethod* taken = nullptr);
 
@@ -108,8 +108,8 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options, RunRecord& record);
 ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
                                   const ParametrizationOptions& options);
-// From a map of degree 1 instead, of a disk or of any cut surface whose seams then hold exactly
-// (start.h); options.map.initial is ignored. The start must satisfy its seams to rounding.
+// Starts from a map of degree 1 instead, of a disk or of any cut surface whose seams then hold
+// exactly (start.h); options.map.initial is ignored. The start must satisfy its seams to rounding.
 ParametrizationResult parametrize(const BezierMap& start, const ParametrizationOptions& options,
                                   RunRecord& record);
 

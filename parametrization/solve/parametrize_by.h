@@ -15,7 +15,8 @@
 
 namespace majorant {
 
-// As parametrize() from a start; SolverRules{} are its rules. record outlives the call.
+// Does what parametrize() does from a start, whose rules are SolverRules{}. record outlives the
+// call.
 ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
                                      const ParametrizationOptions& options, RunRecord& record);
 
@@ -29,7 +30,7 @@ struct RunState {
   int iterations = 0;        // of this run
 };
 
-// How a run is kept on its way.
+// Tells how often a run keeps its state, and who takes it.
 struct Keeping {
   int every = 0;  // iterations; 0: never
   // Called after so many iterations and where a limit ends the run, on all ranks together. Where
@@ -37,11 +38,11 @@ struct Keeping {
   std::function<void(const RunState&)> keep;
 };
 
-// As parametrize() from a start that meets its pins, of the part of a map that this rank has;
-// collective. start, options: of the part (NormalizedStart says what each rank has). The result's
-// map is this rank's, its measures are MapPart::measure()'s, the rest is of the whole map; the
-// record of rank 0 decides when to stop. from: where an earlier run of the same start and options
-// was, none: at the start; Error(Unreadable) where that is not injective.
+// Does what parametrize() does, from a start that meets its pins, for the part of a map that this
+// rank has; collective. start, options: of the part (NormalizedStart says what each rank has). The
+// result's map is this rank's, its measures are MapPart::measure()'s, the rest is of the whole map;
+// the record of rank 0 decides when to stop. from: where an earlier run of the same start and
+// options was, none: at the start; Error(Unreadable) where that is not injective.
 ParametrizationResult parametrize_part(std::shared_ptr<const MapPart> part, const BezierMap& start,
                                        const ParametrizationOptions& options, RunRecord& record,
                                        const Keeping& keeping = {},

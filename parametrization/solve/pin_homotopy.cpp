@@ -102,7 +102,7 @@ BezierMap moved_to_pins(const BezierMap& map, const std::vector<Pin>& pins) {
   return map.with(map.shared_space(), std::move(x));
 }
 
-// The same with every library, unlike std::shuffle.
+// Gives the same order with every library, unlike std::shuffle.
 void shuffle(std::vector<Pin>& pins, std::mt19937& random) {
   for (std::size_t k = pins.size(); k > 1; --k) std::swap(pins[k - 1], pins[random() % k]);
 }

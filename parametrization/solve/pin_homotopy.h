@@ -44,7 +44,7 @@ class PinHomotopy {
   const BezierMap& map() const { return map_; }
   // Solves at degree 1 with all pins and handles soft, at equal parts of their ways.
   void walk(int steps, double weight);
-  // The same, one pin after the other: those that are there are held softly, the others go along.
+  // Does so one pin after the other: those that are there are held softly, the others go along.
   // False as soon as one does not arrive.
   bool walk_in_turn(const std::vector<Pin>& order, int steps, double weight);
   // Sets the pins exactly, if the map stays valid: nothing else moves.

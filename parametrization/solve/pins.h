@@ -14,14 +14,14 @@
 
 namespace majorant {
 
-// The same, where pins and handles without a target get the place that `start` has for them.
+// Returns the options, in which pins and handles without a target get the place that `start` has.
 // Throws InvalidArgument for vertices that do not exist.
 MapOptions with_targets(const BezierMap& start, MapOptions asked);
 
 // Pins this close to where the start has their vertex are there, up to rounding. Model units;
 // start: 2 numbers per vertex.
 double pin_tolerance(VecIn start);
-// The same of a start in parts, of which this is the largest coordinate.
+// Returns the same for a start in parts, of which this is the largest coordinate.
 double pin_tolerance(double largest_coordinate);
 
 // Returns whether all pins are where the start has them. They must have targets and exist.

@@ -135,8 +135,9 @@ void add_triangle(const Pieces& pieces, Index c, const MapPieces::Piece& piece, 
 template <class Pieces>
 class PolygonTransfer {
  public:
-  PolygonTransfer(const Pieces& pieces, const PolygonMesh& input, const InputFaces& faces)
-      : pieces_(pieces), input_(input), faces_(faces) {}
+  PolygonTransfer(const Pieces& pieces, const PolygonMesh& input, const InputFaces& faces,
+                  std::vector<PolygonOrigin>* origins)
+      : pieces_(pieces), input_(input), faces_(faces), origins_(origins) {}
 
   PolygonMesh run() {
     for (auto* lists : {&result_.polygons, &result_.polygon_texcoords})
@@ -184,13 +185,21 @@ class PolygonTransfer {
       for (const Index c : faces_.cells(face)) add_pieces(face, c);
       return;
     }
-    const auto keep = [is_turned = is_turned(face)](std::vector<Index> list) {
+    const auto keep = [is_turned = is_turned(face)](auto list) {
       if (is_turned) std::reverse(list.begin(), list.end());
       return list;
     };
+    if (origins_) origins_->push_back({static_cast<Index>(face), keep(all_corners(face))});
     result_.polygons.push_back(keep(input_.polygons[face]));
     result_.polygon_texcoords.push_back(keep(std::move(texcoords)));
     if (has_normals()) result_.polygon_normals.push_back(keep(input_.polygon_normals[face]));
+  }
+
+  std::vector<PlaceOnPolygon> all_corners(std::size_t face) const {
+    std::vector<PlaceOnPolygon> places;
+    for (std::size_t k = 0; k < input_.polygons[face].size(); ++k)
+      places.push_back({{k, k, k}, Barycentric::Unit(0)});
+    return places;
   }
 
   // Returns whether the map has the face with the other side up: its cells run backwards around it.
@@ -235,6 +244,11 @@ class PolygonTransfer {
     const std::vector<Index> normals = normals_of_points(face, c);
     for (const auto& piece : pieces_.pieces(c)) {
       add_triangle(pieces_, c, piece, result_);
+      if (origins_) {
+        origins_->push_back({static_cast<Index>(face), {}});
+        for (const int p : piece.corners)
+          origins_->back().corners.push_back({faces_.corners[c], pieces_.points(c)[p].xi});
+      }
       if (!has_normals()) continue;
       result_.polygon_normals.emplace_back();
       if (normals.empty()) continue;
@@ -264,6 +278,7 @@ class PolygonTransfer {
   const Pieces& pieces_;
   const PolygonMesh& input_;
   const InputFaces& faces_;
+  std::vector<PolygonOrigin>* origins_;
   PolygonMesh result_;
 };
 
@@ -279,22 +294,25 @@ PolygonMesh mesh_of(const Pieces& pieces) {
 }
 
 template <class Pieces>
-PolygonMesh mesh_of(const Pieces& pieces, const PolygonMesh* input, const InputFaces& faces) {
-  return input != nullptr ? PolygonTransfer<Pieces>(pieces, *input, faces).run() : mesh_of(pieces);
+PolygonMesh mesh_of(const Pieces& pieces, const PolygonMesh* input, const InputFaces& faces,
+                    std::vector<PolygonOrigin>* origins) {
+  return input != nullptr ? PolygonTransfer<Pieces>(pieces, *input, faces, origins).run()
+                          : mesh_of(pieces);
 }
 
 }  // namespace
 
 PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
-                           const TessellationOptions& options) {
+                           const TessellationOptions& options,
+                           std::vector<PolygonOrigin>* origins) {
   CornerMesh coarse = corner_mesh(map, "");
   InputFaces faces;
   if (input != nullptr) faces = find_input(map, *input, coarse);
   if (map.degree == 1 && options.refine == 1)
-    return mesh_of(WholeCells(std::move(coarse)), input, faces);
+    return mesh_of(WholeCells(std::move(coarse)), input, faces, origins);
   MapPieces pieces(map, std::move(coarse), options.refine);
   cut_until_positive(pieces, options.overlap);
-  return mesh_of(pieces, input, faces);
+  return mesh_of(pieces, input, faces, origins);
 }
 
 }  // namespace majorant

@@ -12,6 +12,9 @@
 // Not for formats that keep curves: write_vtu() loses nothing.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/map_file.h"
 
@@ -27,6 +30,18 @@ struct TessellationOptions {
   Overlap overlap = Overlap::Allowed;  // Excluded: for maps that are injective as a whole
 };
 
+// A place on a polygon of the input: between three corners of it, with these weights.
+struct PlaceOnPolygon {
+  std::array<std::size_t, 3> corners;
+  Barycentric weights;
+};
+
+// The polygon of the input that one of the result is, or is a piece of, and where its corners are.
+struct PolygonOrigin {
+  Index polygon = 0;
+  std::vector<PlaceOnPolygon> corners;
+};
+
 // `input`: the mesh that the map was made from, or null. The result has its vertices (also
 // unreferenced ones), then new ones; its polygons in their order, with groups, materials, normals
 // and colours. A polygon stays as it is where none of its cells is cut, no cut of the surface
@@ -40,8 +55,10 @@ struct TessellationOptions {
 //
 // Throws Error(Usage) if refine < 1 or the result needs more than 2^31 vertices, Error(Invalid) if
 // the map does not belong to `input`, or naming cells for which no such triangles are found.
+// origins, if given: one per polygon of the result; none without input.
 PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
-                           const TessellationOptions& options = {});
+                           const TessellationOptions& options = {},
+                           std::vector<PolygonOrigin>* origins = nullptr);
 
 }  // namespace majorant
 

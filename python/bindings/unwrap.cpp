@@ -48,7 +48,7 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   RepairOptions how;
   how.weld = keyword<std::optional<double>>(keywords, "weld");
   const bool is_strict = keyword<bool>(keywords, "strict"),
-             normalizes = keyword<bool>(keywords, "normalize");
+             into_square = keyword<std::string>(keywords, "scale") == "unit";
   run([&] {
     job.open(*given, how);
     return true;
@@ -68,12 +68,12 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
 
   const bool is_placed = run([&] {
     job.solve();
-    return !normalizes || job.place();
+    return !into_square || job.place();
   });
   if (!is_placed)
     throw Error(ErrorKind::Invalid,
                 "in the unit square its smallest triangles are too small for doubles; take "
-                "normalize=False");
+                "scale='model'");
   if (job.atlas.status() == Status::Failed)
     throw Error(ErrorKind::Invalid, "no valid map: failed, " + message_of(job.atlas));
   const auto file = run([&] {

@@ -121,7 +121,8 @@ def seamless(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'symme
 
 def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stretch: float | None = None, degree: int = 1,
            energy: Energy = 'symmetric-dirichlet', uv: ArrayLike | None = None, pack: bool = True,
-           padding: float = _options.PADDING, resolution: float = _options.RESOLUTION, normalize: bool = False,
+           padding: float = _options.PADDING, resolution: float = _options.RESOLUTION,
+           scale: str | None = None, normalize: bool = False,
            weld: float | None = None, strict: bool = False, pins: Points | None = None,
            handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
            curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
@@ -129,7 +130,7 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
            time_limit: float | None = None, threads: int = 0, callback: Callback | None = None) -> Map:
     """Any mesh - closed, with handles, in pieces, with defects - as charts that do not overlap.
 
-        r = majorant.unwrap(V, F, normalize=True)
+        r = majorant.unwrap(V, F, padding=8)
         r.corner_uv                          # (#F, 3, 2), in the unit square
         r.charts                             # (#F,)
 
@@ -137,7 +138,9 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     the seams that vertices have whose weld joins them); 'sharp' or 'sharp=40', along
     edges of that many degrees; or (#E, 2) vertices of edges. max_stretch: up to which 'auto' and
     'sharp' leave a chart uncut. pack: into one square, padding pixels apart where it has resolution
-    pixels a side; normalize: that square is the unit square. weld: distance up to which vertices are
+    pixels a side and a border as wide as padding. scale: 'unit' (default): that square is the unit
+    square, energies are those at the size of V; 'model' (default with pins or handles, whose targets
+    are in its units): uv has the units of V. normalize=True is scale='unit'. weld: distance up to which vertices are
     joined; strict: refuse what would be repaired (UnsupportedError). callback: called after every
     step of charts with some thousand faces, and after the last one of those with fewer, which are
     solved side by side; one that ends the run before the charts are packed leaves no layout, which
@@ -147,6 +150,13 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     mesh = _arrays.mesh(V, F, uv)
     if normalize is True and (pins or handles):
         raise UsageError('normalize moves pins and handles; leave one of the two out')
+    if normalize is True and scale == 'model':
+        raise UsageError("normalize is scale='unit'; leave one of the two out")
+    if scale == 'unit' and (pins or handles):
+        raise UsageError("scale='unit' moves pins and handles; leave one of the two out")
+    _options.truth('normalize', normalize)
+    if scale is None:
+        scale = 'model' if pins or handles else 'unit'
     if uv is not None and weld is None and not (isinstance(seams, str) and seams == 'uv'):
         raise UsageError("uv is for seams='uv', or for what weld joins; say one of them, or leave it out")
     if pack is False and (padding != _options.PADDING or resolution != _options.RESOLUTION):
@@ -159,7 +169,7 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         'pack': _options.truth('pack', pack),
         'padding': _options.number('padding', padding, 0, zero=True),
         'resolution': _options.number('resolution', resolution, 0),
-        'normalize': _options.truth('normalize', normalize),
+        'scale': _options.choice('scale', scale, ('unit', 'model')),
         'weld': None if weld is None else _options.number('weld', weld, 0, zero=True),
         'strict': _options.truth('strict', strict),
     }
@@ -234,7 +244,7 @@ def check(result: Map | str | os.PathLike, V: ArrayLike | None = None, F: Faces 
 
 
 def read(path: str | os.PathLike) -> Map:
-    """A finished map: .vtu, .msh, or .obj and .ply with texture coordinates.
+    """A finished map: .vtu, .msh, or .obj, .ply, .glb and .gltf with texture coordinates.
 
     Nothing is believed: `check` says whether it is valid. Raises ReadError naming the place.
     """
@@ -244,7 +254,7 @@ def read(path: str | os.PathLike) -> Map:
 
 
 def read_mesh(path: str | os.PathLike) -> tuple[Doubles, Any]:
-    """V and F of a mesh: .obj .off .ply .stl .vtu .msh, also .gz.
+    """V and F of a mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz.
 
     F is an array where all faces have equally many corners, else a list of arrays. What the file has
     besides and is broken - texture coordinates, normals, colours, one line too many - is left out,

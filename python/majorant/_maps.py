@@ -16,7 +16,7 @@ from ._errors import UnsupportedError, UsageError
 from ._types import Doubles, Integers
 
 QUANTITIES = ('density', 'area', 'angle', 'sigma-max', 'sigma-min')
-FORMATS = ('.vtu', '.obj', '.ply', '.msh', '.svg', '.png', '.html')
+FORMATS = ('.vtu', '.obj', '.ply', '.glb', '.gltf', '.msh', '.svg', '.png', '.html')
 
 
 class Map:
@@ -192,7 +192,7 @@ class Map:
     def save(self, path: str | os.PathLike, *, refine: int = 1, vtu: str = 'bezier', msh: str = 'image') -> None:
         """Writes the map; the extension says how. Written means certified.
 
-        .vtu holds everything, losslessly. .obj and .ply are V and F with texture coordinates: curved
+        .vtu holds everything, losslessly. .obj, .ply, .glb and .gltf are V and F with texture coordinates: curved
         faces are cut into as many straight ones as it takes for these to be valid (refine: at least
         refine * refine of every face). .msh is for gmsh (msh='image' or 'surface'). .svg, .png and
         .html are to look at. vtu='lagrange' writes cells that more programs know.

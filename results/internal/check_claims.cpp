@@ -176,11 +176,6 @@ constexpr double kDistortionClose = 1e-2;
 // Energies may vanish at isometries. As kTenDigits.
 constexpr double kZeroEnergy = 1e-9;
 
-// The scale that a normalized result was made in.
-double claimed_scale(const Claims& claims) {
-  return claims.normalized ? claims.normalized->size : 1.0;
-}
-
 // Points of the map by vertex of the input mesh.
 std::vector<Index> find_vertex(const MapFile& file, Index input_vertex) {
   std::vector<Index> points;
@@ -359,6 +354,11 @@ void check_claims(const CheckedMap& checked, Findings& findings) {
     findings.add_open("the claimed energy: could not be decided: stopped before it was measured");
   findings.require(claims.degree.value_or(file.degree) == file.degree,
                    fmt::format("degree {} is not the one claimed", file.degree));
+  if (claims.normalized && claims.layout_scale)
+    findings.require(
+        std::abs(*claims.layout_scale * claims.normalized->size - 1) <= kClose,
+        fmt::format("the claimed layout_scale {:g} is not that of the claimed size {:g}",
+                    *claims.layout_scale, claims.normalized->size));
   check_pins(file, claims, findings);
   check_seams(checked, findings);
   if (claims.boundary == BoundaryCondition::Fixed) check_boundary_claim(checked, findings);

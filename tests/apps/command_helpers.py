@@ -51,6 +51,15 @@ def majorant(*args, cwd=None):
                                   stderr=subprocess.PIPE, timeout=300))
 
 
+def verb_names():
+    """The verbs that help lists, those behind a word with it: `mesh check`."""
+    def listed(*words):
+        verbs = majorant(*words, '--help').out.split('Verbs:\n')
+        return re.findall(r'^  (\w+) ', verbs[1].split('\n\n')[0], re.MULTILINE) if len(verbs) > 1 else []
+    return [' '.join([verb] + inner) for verb in listed()
+            for inner in ([[word] for word in listed(verb)] or [[]])]
+
+
 class CommandTest(unittest.TestCase):
     """A fresh folder per test; refusals are checked for what every refusal owes the user."""
 

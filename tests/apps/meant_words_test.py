@@ -75,7 +75,7 @@ class MeantWords(CommandTest):
     def test_formats_that_are_not_read(self):
         for args, name in [(['x.fbx', 'd.obj'], 'FBX'), (['model.3mf', '-o', 'd.obj'], '3MF'),
                            (['unwrap', 'x.FBX', '-o', 'd.obj'], 'FBX'), (['info', 'x.dae'], 'COLLADA'),
-                           (['check', 'x.glb'], 'GLB'), (['parametrize', 'x.usdz', 'd.obj'], 'USD'),
+                           (['check', 'x.3ds'], '3DS'), (['parametrize', 'x.usdz', 'd.obj'], 'USD'),
                            (['convert', 'x.blend', 'd.obj'], 'Blender')]:
             self.refused(UNSUPPORTED, *args, says='%s files are not read; export the mesh as .obj' % name)
 

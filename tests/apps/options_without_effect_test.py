@@ -15,10 +15,10 @@ ALWAYS = {
     '--weights': '', '--boundary-angles': 'a demand', '--quadrature': 'the rule, whatever the degree',
     '--boundary': '', '--curvature': '', '--elevation': 'the way to the degree, also to the first',
     '--bijective': '', '--improve-mesh': 'depends on the mesh', '--tolerance': '', '--max-iterations': '',
-    '--time-limit': '', '--normalize': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
+    '--time-limit': '', '--normalize': '', '--scale': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
     '--petsc-options': 'for whichever solver a run comes to',
-    '--linear-solvers': 'measures them',
+    '--linear-solvers': 'measures them', '--list': '',
 }
 
 # option -> (the words without effect, outputs, what is said); for every verb that has it
@@ -56,12 +56,8 @@ OF_VERBS = {
 SOLVED_BY_PETSC = {'parametrize', 'seamless', 'deform'}
 
 
-def verbs():
-    return re.findall(r'^  (\w+) ', majorant('--help').out.split('Verbs:')[1].split('\n\n')[0], re.MULTILINE)
-
-
 def options_of(verb):
-    return sorted(set(re.findall(r'^  (?:-\w, )?(--[a-z-]+)', majorant(verb, '--help').out, re.MULTILINE)))
+    return sorted(set(re.findall(r'^  (?:-\w, )?(--[a-z-]+)', majorant(*verb.split(), '--help').out, re.MULTILINE)))
 
 
 class OptionsWithoutEffect(CommandTest):
@@ -73,7 +69,7 @@ class OptionsWithoutEffect(CommandTest):
 
     def test_every_option_has_a_row(self):
         found = set()
-        for verb in verbs():
+        for verb in verb_names():
             for option in options_of(verb):
                 found.add(option)
                 self.assertEqual(sum([option in ALWAYS, option in CASES, verb in OF_VERBS.get(option, {})]), 1,
@@ -81,11 +77,11 @@ class OptionsWithoutEffect(CommandTest):
         self.assertEqual(found, set(ALWAYS) | set(CASES) | set(OF_VERBS))
 
     def test_words_for_petsc_where_it_never_solves(self):
-        for verb in verbs():
+        for verb in verb_names():
             with self.subTest(verb=verb):
                 self.assertEqual('--petsc-options' in options_of(verb), verb in SOLVED_BY_PETSC)
                 if verb not in SOLVED_BY_PETSC:
-                    outcome = majorant(verb, generated('cap'), '--petsc-options', '-info')
+                    outcome = majorant(*verb.split(), generated('cap'), '--petsc-options', '-info')
                     self.assertEqual(outcome.code, USAGE, outcome.err)
                     self.assertIn('--petsc-options', outcome.err)
 
@@ -96,14 +92,14 @@ class OptionsWithoutEffect(CommandTest):
         self.run_ok('parametrize', mesh, '-o', self.path('PICTURE.png'), '--quiet', '--degree', 1)
         self.run_ok('parametrize', mesh, '-o', self.path('map.vtu'), '--quiet', '--degree', 1)
         tried = 0
-        for verb in verbs():
+        for verb in verb_names():
             for option in options_of(verb):
                 case = self.case(option, verb)
                 if case is None:
                     continue
                 words, outputs, says = case
                 words = [self.path('PICTURE.png') if w == 'PICTURE' else w for w in words]
-                run = [verb, self.path('map.vtu') if verb == 'convert' else mesh, *words]
+                run = [*verb.split(), self.path('map.vtu') if verb == 'convert' else mesh, *words]
                 run += ['--pins', handles] if verb == 'deform' else []
                 for k, extension in enumerate(outputs if verb != 'compare' else ['.csv']):
                     run += ['-o', self.path('out%d%s' % (k, extension))]

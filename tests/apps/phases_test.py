@@ -89,7 +89,8 @@ class Terminal(CommandTest):
                              (['unwrap'], ['reading', 'cutting', 'solving', 'packing', 'proving', 'writing'])):
             text = self.said(*verb, generated('cap'), self.path('a.vtu'))
             *live, last = text.split(CLEAR)
-            shown = [re.fullmatch(r'\[(#+)(\.*)\] (\d) of (\d) (\w+) \d+\.\d s  (degree .*)?', line) for line in live]
+            shown = [re.fullmatch(r'\[(#+)(\.*)\] (\d) of (\d) (\w+) \d+\.\d s  '
+                                  r'(degree .*|raising the degree to 2)?', line) for line in live]
             names = [line[5] for line in shown]
             self.assertTrue(all((len(line[1]), len(line[1] + line[2])) == (int(line[3]), int(line[4]))
                                 for line in shown), live)
@@ -97,6 +98,7 @@ class Terminal(CommandTest):
             self.assertEqual({int(line[4]) for line in shown}, {len(phases)})
             self.assertEqual(list(dict.fromkeys(names)), phases)
             self.assertLess(max(map(len, live)), 80)
+            self.assertEqual(any('raising the degree to 2' in line for line in live), '2' in verb)
             self.assertEqual(logged(text), [])
             self.assertIn('converged', last)  # the line is taken away before
             self.assertTrue(last.endswith('\n'))

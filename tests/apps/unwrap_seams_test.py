@@ -174,17 +174,20 @@ class Packed(UnwrapTest):
             layout, report = self.clean_but_padding(padding, resolution)
             self.assertGreaterEqual(report['result']['distance'],
                                     padding / resolution * report['result']['side'])
-            self.assertAlmostEqual(report['result']['side'], layout.side() / layout.scale)
+            self.assertAlmostEqual(report['result']['side'] * report['result']['layout_scale'], 1)
+            self.assertAlmostEqual(layout.side() / layout.scale, 1 - 2 * padding / resolution)
             self.assertAlmostEqual(report['result']['fill'], self.filled(layout), places=9)
 
     def clean_but_padding(self, padding, resolution):
         layout, report = self.unwrap(self.many(), '--padding', padding, '--resolution', resolution)
         self.assertEqual(layout.overlapping(), [])
-        self.apart(layout, str(padding), str(resolution))
+        least = Fraction(str(padding)) / Fraction(str(resolution)) * layout.scale * (1 - Fraction(1, 10**12))
+        self.assertGreaterEqual(layout.nearest_charts(), least ** 2)
         return layout, report
 
     def filled(self, layout):
-        return sum(layout.area(k) for k in range(len(layout.faces))) / 2 / layout.side() ** 2
+        """Of the unit square."""
+        return sum(layout.area(k) for k in range(len(layout.faces))) / 2 / layout.scale ** 2
 
     def test_no_padding(self):
         layout, _ = self.unwrap(self.many(), '--padding', 0)
@@ -209,7 +212,7 @@ class Packed(UnwrapTest):
         layout, report = self.clean(self.many(), '--normalize')
         self.judged()
         self.assertTrue(all(0 <= x <= layout.scale for p in layout.uv for x in p))
-        self.assertGreater(layout.side() / layout.scale, 0.999)
+        self.assertGreater(layout.side() / layout.scale, 0.99)
 
     def pinned(self, targets):
         return self.write('pins.json', json.dumps(

@@ -33,7 +33,7 @@ class Surfaces(UnwrapTest):
     def test_one_scale_for_all(self):
         """A developable surface keeps all its lengths, whatever is beside it."""
         flat = grid(3, lambda x, y: 0)
-        layout, report = self.clean(self.mesh(*both(flat, sphere(3))))
+        layout, report = self.clean(self.mesh(*both(flat, sphere(3))), '--scale', 'model')
         k = next(k for k, chart in enumerate(layout.charts) if 0 in chart)
         area = sum(layout.area(face) for face in layout.charts[k]) / 2 / layout.scale ** 2
         self.assertAlmostEqual(area, 1, places=6)
@@ -247,7 +247,7 @@ l 1 9
 
     def test_numbers_of_the_report_are_those_of_the_layout(self):
         points, faces = both(sphere(2), torus(6, 4, 0))
-        layout, report = self.clean(self.mesh(points, faces))
+        layout, report = self.clean(self.mesh(points, faces), '--scale', 'model')
         sides = {}
         for face, texture in zip(layout.faces, layout.texture):
             for i in range(3):

@@ -1,11 +1,13 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""bench/experiments: every script still works, on tiny meshes; docs/experiments.md has a section, a
-picture and an answer for each."""
+"""bench/experiments: every script still works, on tiny meshes; docs/method.md has the claim, a picture and an
+answer for each."""
 import csv
+import importlib.util
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -24,35 +26,28 @@ import experiment  # noqa: E402
 
 
 def missing():
-    """What the scripts need and is not there: the public meshes and the programs of bench/."""
+    """What the scripts need and is not there: the public meshes, the programs of bench/, matplotlib."""
     programs = ('majorant_paper_method', 'solver_cost')
     return ([] if (MESHES / 'disks').exists() else ['../shared/data/public/disks']) + [
-        'bench/' + name for name in programs if not (BUILD / 'bench' / name).exists()]
+        'bench/' + name for name in programs if not (BUILD / 'bench' / name).exists()] + [
+        'python3-matplotlib'] * (not importlib.util.find_spec('matplotlib'))
 
 
 class ThePage(unittest.TestCase):
-    text = (SOURCE / 'docs/experiments.md').read_text()
+    text = (SOURCE / 'docs/method.md').read_text()
+    rows = re.findall(r'^\| \[([^]]+)\]\(experiments/(\w+)\.svg\) \| (.*?) \| (\w+) \| (.*) \|$', text, re.M)
 
-    def test_has_a_section_for_each_script(self):
-        self.assertEqual(re.findall(r'^<!-- (\w+)\.py -->$', self.text, re.M), ['all', *every.scripts()])
-        for name in every.scripts():
-            section = every.between(self.text, name + '.py')
-            self.assertIn('    bench/experiments/%s.py\n' % name, section)
-            self.assertRegex(section, r'\*\*Seen: (yes|partly|no)\.\*\*')
-
-    def test_says_on_top_what_the_sections_say(self):
-        sections = {name: every.between(self.text, name + '.py') for name in every.scripts()}
-        self.assertEqual(every.between(self.text, 'all.py'), every.summary(sections))
+    def test_has_a_row_for_each_script(self):
+        self.assertEqual([row[1] for row in self.rows], every.scripts())
+        for _, name, claim, seen, others in self.rows:
+            with self.subTest(name):
+                self.assertEqual(claim, every.claim(name))
+                self.assertIn(seen, ('yes', 'partly', 'no'))
+                self.assertEqual(seen == 'yes', not others)
 
     def test_pictures_are_there_and_no_others(self):
         shown = re.findall(r'\]\(experiments/(\w+\.svg)\)', self.text)
         self.assertEqual(sorted(shown), sorted(p.name for p in (SOURCE / 'docs/experiments').iterdir()))
-
-    def test_claims_are_those_of_the_docstrings(self):
-        for name in every.scripts():
-            claim = re.search(r'^Claim.*?(?=\n\n)', (FOLDER / (name + '.py')).read_text(), re.M | re.S)
-            self.assertIn(' '.join(claim.group().split()),
-                          ' '.join(every.between(self.text, name + '.py').split()))
 
 
 class TheAnswer(unittest.TestCase):
@@ -81,6 +76,19 @@ class TheScripts(unittest.TestCase):
         names = sorted(path.name for path in self.out.iterdir())
         self.assertEqual(names, sorted(name + suffix for name in every.scripts()
                                        for suffix in ('.csv', '.md', '.svg')))
+
+    def test_results_become_rows_of_the_page(self):
+        page = self.out.parent / (self.out.name + '_page') / 'method.md'
+        page.parent.mkdir()
+        self.addCleanup(shutil.rmtree, page.parent)
+        page.write_text(re.sub(r'\| (yes|partly|no) \|.*', '| none | |', ThePage.text))
+        every.write_page(page, self.out)
+        rows = [line for line in page.read_text().splitlines() if line.startswith('| [')]
+        self.assertEqual(len(rows), len(every.scripts()))
+        for name, line in zip(every.scripts(), rows):
+            self.assertIn('(experiments/%s.svg)' % name, line)
+            self.assertRegex(line, r'\| (yes|partly|no) \|')
+        self.assertEqual(len(list((page.parent / 'experiments').iterdir())), len(rows))
 
     def test_files_are_what_they_should_be(self):
         for name in every.scripts():

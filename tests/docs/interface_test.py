@@ -31,7 +31,7 @@ def alone(*words):
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE))
 
 
-VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'info']
+VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'bake', 'info', 'mesh check']
 
 
 def page():
@@ -69,7 +69,7 @@ class Flags(unittest.TestCase):
         documented = self.documented()
         self.assertGreaterEqual(len(documented), 35)
         for verb in VERBS:
-            text = majorant(verb, '--help').out
+            text = majorant(*verb.split(), '--help').out
             flags = set(re.findall(r'^  (?:-\w, )?(--[a-z][a-z-]*)', text, re.M))
             self.assertGreaterEqual(len(flags), 7)
             for flag in flags:
@@ -104,9 +104,9 @@ class Flags(unittest.TestCase):
             self.assertIn('majorant parametrize', done.err)
 
     def test_every_verb(self):
-        text = majorant('--help').out.split('Verbs:\n')[1].split('\n\n')[0]
-        self.assertEqual(re.findall(r'^  (\w+)', text, re.M), VERBS)
-        self.assertEqual([row[0].strip('`').split()[0] for row in rows(section('Verbs'))], VERBS)
+        self.assertEqual(helpers.verb_names(), VERBS)
+        named = [re.match('`(.*?) [A-Z]', row[0])[1] for row in rows(section('Verbs'))]
+        self.assertEqual(named, VERBS)
 
 
 class Codes(unittest.TestCase):
@@ -139,6 +139,7 @@ def keys(value, path=''):
             yield from keys(inner, path + '[]')
     elif path:
         path = re.sub(r'^polygons\.\d+$', 'polygons.CORNERS', path)
+        path = re.sub(r'^mesh\.elements\.\w+$', 'mesh.elements.TYPE', path)
         path = re.sub(r'^(linear_solver)\.[\w-]+\.', r'\1.RUNG.', path)
         path = re.sub(r'^(result\.distortion)\.\w+\.(?=\w+$)', r'\1.QUANTITY.', path)
         yield re.sub(r'^(proofs|methods\[\]\.within)\.(\w+(?:\.\d+)?)',
@@ -148,7 +149,7 @@ def keys(value, path=''):
 class Reports(CommandTest):
     def report(self, verb, *args, code=0):
         """The keys of the report of a run, and which of them were there."""
-        self.run_ok(verb, *args, '--report', self.path('report.json'), '--quiet', '--force',
+        self.run_ok(*verb.split(), *args, '--report', self.path('report.json'), '--quiet', '--force',
                     code=code)
         with open(self.path('report.json')) as f:
             self.found.setdefault(verb, []).append(set(keys(json.load(f))))
@@ -192,6 +193,7 @@ class Reports(CommandTest):
         self.report('convert', result, self.path('image.msh'))
         self.report('parametrize', helpers.generated('buckle'), self.path('b.vtu'), '--seams', 'auto',
                     '--degree', 1)
+        self.report('bake', with_uv, '--from', disk, '--attribute', 'position', '-o', self.path('b.npy'))
         self.report('info', disk)
         self.report('info', disk, '--plan')
         self.report('info', self.write('small.obj', helpers.obj_text(
@@ -200,6 +202,7 @@ class Reports(CommandTest):
         self.report('info', cut)
         self.report('info', self.path('image.msh'))
         self.report('info', inverted)
+        self.report('mesh check', self.write('two.mesh', TWO_TETRAHEDRA))
         self.has_petsc = os.path.exists(os.path.join(os.path.dirname(helpers.BINARY), 'libmajorant_petsc.so'))
         if self.has_petsc:
             self.report('parametrize', disk, self.path('b.vtu'), '--degree', 1, '--linear-solver', 'mumps')
@@ -232,6 +235,21 @@ class Reports(CommandTest):
                 shown = seen | (set.union(*self.found['parametrize'], *self.found['seamless'])
                                 if verb in verbs['runs'] else set())
                 self.assertFalse(known - shown, 'keys of docs/interface.md that no report has')
+
+
+TWO_TETRAHEDRA = '''MeshVersionFormatted 2
+Dimension 3
+Vertices 5
+0 0 0 0
+1 0 0 0
+0 1 0 0
+0 0 1 0
+1 1 1 0
+Tetrahedra 2
+1 2 3 4 7
+2 3 4 5 7
+End
+'''
 
 
 def ribbon_of_more_than_a_turn():

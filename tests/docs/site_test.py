@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/make_site.py makes the site without a warning, with a search, and finds links that lead nowhere."""
+"""scripts/make_site.py makes the site without a warning, with a search and the viewer, and finds links that lead
+nowhere."""
 import os
 import shutil
 import subprocess
@@ -37,6 +38,8 @@ class Site(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout)
         site = self.root / 'build/site'
         self.assertIn('seamless', (site / 'search/search_index.json').read_text())
+        self.assertIn('<iframe src="creature.html"', (site / 'viewer.html').read_text())
+        self.assertEqual((site / 'creature.html').read_bytes(), (SOURCE / 'docs/creature.html').read_bytes())
         self.assertGreater(len(list((site / 'api').glob('*.html'))), 100)
         for page in (self.root / 'docs').glob('*.md'):
             self.assertTrue((site / page.with_suffix('.html').name).exists(), page.name)
@@ -44,9 +47,13 @@ class Site(unittest.TestCase):
     def test_links_that_lead_nowhere(self):
         page = self.root / 'docs/start.md'
         page.write_text(page.read_text() + '\n[a](method.md#no-such-heading)\n')
+        (self.root / 'docs/creature.html').unlink()
+        (self.root / 'README.md').unlink()  # the copy links to it, too
+        (self.root / 'README.md').write_text('# majorant\n')
         done = self.make('--no-headers')
         self.assertEqual(done.returncode, 1)
         self.assertIn('start.html: no method.html#no-such-heading', done.stdout)
+        self.assertIn('viewer.html: no creature.html', done.stdout)
 
 
 if __name__ == '__main__':

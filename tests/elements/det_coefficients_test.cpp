@@ -69,6 +69,24 @@ class Det : public testing::TestWithParam<test::ElementCase> {
   const DetCoefficients det_{element()};
 };
 
+// Rationals stand for integers of any size.
+TEST_P(Det, IntegersGiveTheSameTimesAFactor) {
+  Random random(11);
+  Control c;
+  std::vector<Rational> whole;
+  for (std::size_t k = 0; k < unknowns(); ++k)
+    whole.emplace_back(c.emplace_back(std::round(random.uniform(-9, 9))));
+  Rational factor = 1;
+  std::size_t at = 0;
+  for (const int corners : element().factors) {
+    int degree = 0;
+    for (int k = 0; k < corners; ++k) degree += det_.basis().exponents(0)[at++];
+    factor *= test::factorial(degree);
+  }
+  const std::vector<Rational> expected = exact(c), found = det_.scaled(whole);
+  for (std::size_t t = 0; t < size(); ++t) EXPECT_EQ(found[t], expected[t] * factor) << t;
+}
+
 TEST_P(Det, DegreesAreTheOnesStated) {
   // In a factor of dimension k, k derivatives have degree n - 1 and the others n.
   Degrees expected;

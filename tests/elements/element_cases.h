@@ -16,6 +16,7 @@
 
 #include "exact_polynomials.h"
 #include "majorant/elements/bernstein_space.h"
+#include "majorant/elements/bezier_solid_spaces.h"
 #include "product_elements.h"
 #include "support.h"
 
@@ -76,7 +77,7 @@ inline CellMesh hexahedron_grid() {
   CellMesh out{Cells(8, 8), cube_vertices()};
   for (int cube = 0; cube < 8; ++cube)
     for (int k = 0; k < 8; ++k)
-      out.cells(cube, k) = cube_origin(cube) + k % 2 + 3 * (k / 2 % 2 + 3 * (k / 4));
+      out.cells(cube, k) = cube_origin(cube) + (k + 1) / 2 % 2 + 3 * (k / 2 % 2 + 3 * (k / 4));
   return out;
 }
 
@@ -154,15 +155,15 @@ inline std::vector<ElementCase> all_elements() {
   add<BezierTetrahedronSpace>(out, "tetrahedron", tetrahedron_grid(), even_permutations(4),
                               walkington_rule(), 4);
   add<BezierQuadSpace>(out, "quad", quad_grid(), cyclic(4), tensor_gauss_rule(4), 4);
-  // Turned about t, and by half a turn about s or the bisector of r and s.
-  add<HexahedronSpace>(
+  // Turned about t, and by half a turn about s.
+  add<BezierHexahedronSpace>(
       out, "hexahedron", hexahedron_grid(),
-      {{0, 1, 2, 3, 4, 5, 6, 7}, {1, 3, 0, 2, 5, 7, 4, 6}, {5, 4, 7, 6, 1, 0, 3, 2}},
+      {{0, 1, 2, 3, 4, 5, 6, 7}, {1, 2, 3, 0, 5, 6, 7, 4}, {5, 4, 7, 6, 1, 0, 3, 2}},
       product_rule(tensor_gauss_rule(3), gauss_rule(3)), 3);
   const std::vector<std::vector<int>> of_wedges{
       {0, 1, 2, 3, 4, 5}, {1, 2, 0, 4, 5, 3}, {3, 5, 4, 0, 2, 1}};
-  add<WedgeSpace>(out, "wedge", wedge_grid(), of_wedges, product_rule(radon_rule(), gauss_rule(3)),
-                  3);
+  add<BezierWedgeSpace>(out, "wedge", wedge_grid(), of_wedges,
+                        product_rule(radon_rule(), gauss_rule(3)), 3);
   add<UprightWedgeSpace>(out, "upright_wedge", wedge_grid(), of_wedges,
                          product_rule(gauss_rule(3), radon_rule()), 3);
   return out;

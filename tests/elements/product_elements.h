@@ -1,5 +1,5 @@
-// Elements that the library does not have, described as a user would: products of three segments,
-// and of a triangle and a segment, whose factors differ.
+// Elements described as a user would, in orders of their own: products of three segments, and of a
+// triangle and a segment, whose factors differ.
 #pragma once
 
 #include <algorithm>
@@ -91,8 +91,6 @@ class ProductSpace final : public BernsteinSpace {
   ProductSpace(const Cells& cells, Index vertex_count, int degree)
       : BernsteinSpace(describe(degree), cells, vertex_count) {}
 };
-using HexahedronSpace = ProductSpace<hexahedron>;
-using WedgeSpace = ProductSpace<wedge>;
 using UprightWedgeSpace = ProductSpace<upright_wedge>;
 
 }  // namespace majorant::test

@@ -4,6 +4,7 @@
 #include "energies/density_fixture.h"
 #include "energies/linear_tetrahedra.h"
 #include "majorant/elements/bernstein_space.h"
+#include "majorant/elements/bezier_solid_spaces.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/problem.h"
 
@@ -13,6 +14,9 @@ namespace {
 const RowMatrix kTriangle{{0, 0}, {2, 0}, {0.5, 1}};
 const RowMatrix kTetrahedron{{0, 0, 0}, {1, 0, 0}, {0.25, 1, 0}, {0, 0.5, 1}};
 const RowMatrix kSquare{{0, 0}, {1, 0}, {1.5, 1}, {0.5, 1}};
+const RowMatrix kCube{{0, 0, 0}, {1, 0, 0}, {1.5, 1, 0}, {0.5, 1, 0},
+                      {0, 0, 1}, {1, 0, 1}, {1.5, 1, 1}, {0.5, 1, 1}};
+const RowMatrix kWedge{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0.5, 1, 1}};
 
 template <class Space>
 std::shared_ptr<const Space> one_cell(const RowMatrix& corners, int degree) {
@@ -38,6 +42,8 @@ TEST(DefaultRule, HasTheFewestPointsThatAreEnough) {
   EXPECT_EQ(sizes<BezierTetrahedronSpace>(kTetrahedron, constant, 5), (I{1, 4, 14, 24, 46}));
   EXPECT_EQ(sizes<BezierTetrahedronSpace>(kTetrahedron, varying, 3), (I{1, 14, 24}));
   EXPECT_EQ(sizes<BezierQuadSpace>(kSquare, varying, 3), (I{4, 9, 16}));
+  EXPECT_EQ(sizes<BezierHexahedronSpace>(kCube, varying, 3), (I{8, 27, 125}));
+  EXPECT_EQ(sizes<BezierWedgeSpace>(kWedge, varying, 3), (I{6, 21, 80}));
 }
 
 // Mean of |J|^2 over one cell, for random control points.
@@ -67,6 +73,9 @@ TEST(DefaultRule, IntegratesTheSquareOfTheJacobianExactly) {
     expect_exact<BezierTriangleSpace, 2>(kTriangle, degree, exact_rule({3}, 12));
     expect_exact<BezierTetrahedronSpace, 3>(kTetrahedron, degree, exact_rule({4}, 8));
     expect_exact<BezierQuadSpace, 2>(kSquare, degree, tensor_gauss_rule(9));
+    if (degree > 2) continue;
+    expect_exact<BezierHexahedronSpace, 3>(kCube, degree, exact_rule({2, 2, 2}, 9));
+    expect_exact<BezierWedgeSpace, 3>(kWedge, degree, exact_rule({3, 2}, 9));
   }
 }
 

@@ -184,7 +184,7 @@ TEST_F(DroppedPartsOf, FilesThatAreMapsNeedTheirTextureCoordinates) {
 
 TEST_F(DroppedPartsOf, FormatsThatAreNotReadAreNamed) {
   for (const auto& [name, format] :
-       {std::pair("a.fbx", "FBX"), {"A.3MF", "3MF"}, {"a.dae.gz", "COLLADA"}, {"a.glb", "GLB"}}) {
+       {std::pair("a.fbx", "FBX"), {"A.3MF", "3MF"}, {"a.dae.gz", "COLLADA"}, {"a.3ds", "3DS"}}) {
     EXPECT_EQ(foreign_format(name), format);
     expect_contains(error_message(ErrorKind::Unsupported, [&] { read_mesh(name); }), {format});
   }

@@ -66,7 +66,7 @@ class Packages(Folder):
 
     def test_nothing_is_missing(self):
         self.system(sudo='refuses', apt='refuses')
-        self.assertEqual(self.install('packages_test.txt', 'packages_python.txt'), (0, '', ''))
+        self.assertEqual(self.install('packages_test.txt', 'packages_core.txt', 'packages_python.txt'), (0, '', ''))
 
     def test_root_installs_what_is_missing(self):
         self.system(['zlib1g-dev', 'libmetis-dev'], user=0, sudo='no')

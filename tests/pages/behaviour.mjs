@@ -113,6 +113,8 @@ const scenes = {
       summary: document.getElementById('summary').textContent,
       heading: document.querySelector('#facts h2').textContent,
       isPast: document.getElementById('facts').classList.contains('past'),
+      numbers: Object.fromEntries([...document.querySelectorAll('#facts div:first-child dt')].map(
+          (name) => [name.textContent, name.nextSibling.textContent])),
     }));
     const atEnd = await said();
     await page.evaluate(() => window.majorantPage.app.state.set({frame: 0}));

@@ -155,6 +155,11 @@ async function touch(page) {
     const before = await stateOf(page);
     await fingers(page, [[at(0.4, 0.5), at(0.5, 0.5), at(0.6, 0.55)]]);
     const dragged = await stateOf(page);
+    const hinted = await page.evaluate(
+        (view) => document.getElementById(view).classList.contains('hinting'), view);
+    await fingers(page, [[at(0.3, 0.5), at(0.4, 0.5), at(0.5, 0.55)],
+                         [at(0.5, 0.5), at(0.6, 0.5), at(0.7, 0.55)]]);
+    const turned = await stateOf(page);
     await page.click('#home');
     await fingers(page, [[at(0.45, 0.5), at(0.4, 0.5), at(0.3, 0.5)],
                          [at(0.55, 0.5), at(0.6, 0.5), at(0.7, 0.5)]]);
@@ -166,8 +171,12 @@ async function touch(page) {
     await settled(page);
     const tapped = await stateOf(page);
     await page.evaluate(() => window.majorantPage.app.state.set({pinned: null}));
-    found[view] = {before, dragged, pinched, tapped};
+    found[view] = {before, dragged, hinted, turned, pinched, tapped};
   }
+  const box = await boxOf(page, '#layout');
+  const x = box.left + box.width / 2;
+  await fingers(page, [[0.8, 0.6, 0.4, 0.2].map((y) => [x, box.top + y * box.height])]);
+  await page.waitForTimeout(300);
   found.scroll = await page.evaluate(() => scrollY);
   return found;
 }

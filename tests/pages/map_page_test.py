@@ -109,7 +109,12 @@ class MapPage(CommandTest):
         self.assertEqual((found['atEnd']['heading'], found['atEnd']['isPast']), ('Measured', False))
         self.assertIn('iteration 0', found['inFilm']['summary'])
         self.assertNotIn(value, found['inFilm']['summary'])
-        self.assertEqual((found['inFilm']['heading'], found['inFilm']['isPast']), ('Measured, of the result', True))
+        self.assertEqual((found['inFilm']['heading'], found['inFilm']['isPast']),
+                         ('Measured, iteration 0', True))
+        start = json.loads(self.read('a.json'))['result']['initial_value']
+        self.assertAlmostEqual(float(found['inFilm']['numbers']['energy']), start, delta=1e-3 * start)
+        self.assertNotEqual(found['inFilm']['numbers']['largest density'],
+                            found['atEnd']['numbers']['largest density'])
         self.assertEqual(found['after'], found['atEnd'])
 
     def test_a_saved_picture_says_which_side_is_which(self):

@@ -4,7 +4,7 @@
 #include "io/cube_map.h"
 #include "io/io_test_helpers.h"
 #include "majorant/energies/energy_factory.h"
-#include "majorant/io/internal/xml_tree.h"
+#include "majorant/io/xml_tree.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/pictures.h"

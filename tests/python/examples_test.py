@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every ```python block of docs/python.md is a program by itself, and ends well."""
+"""Every ```python block of docs/python.md and docs/tutorials.md is a program by itself, and ends well."""
 import re
 import subprocess
 import sys
@@ -11,13 +11,15 @@ import pytest
 
 PAGE = (helpers.SOURCE / 'docs/python.md').read_text()
 EXAMPLES = re.findall(r'^```python\n(.*?)^```', PAGE, re.S | re.M)
+TUTORIALS = re.findall(r'^```python\n(.*?)^```', (helpers.SOURCE / 'docs/tutorials.md').read_text(), re.S | re.M)
 
 
 def test_there_are_seven():
     assert len(EXAMPLES) == 7 and PAGE.count('```python') == 7 and 'Each of the seven examples' in PAGE
+    assert TUTORIALS
 
 
-@pytest.mark.parametrize('text', EXAMPLES)
+@pytest.mark.parametrize('text', EXAMPLES + TUTORIALS, ids=[str(k) for k in range(len(EXAMPLES + TUTORIALS))])
 def test_runs(text, tmp_path):
     (tmp_path / 'meshes').symlink_to(helpers.MESHES)
     done = subprocess.run([sys.executable, '-W', 'error', '-c', text], cwd=tmp_path, env=helpers.environment(),

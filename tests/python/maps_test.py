@@ -258,8 +258,16 @@ def test_maps_say_whether_they_overlap(tmp_path):
 
 def test_unwrap_fits_the_unit_square():
     V, F = helpers.octahedron()
-    r = majorant.unwrap(V, F, normalize=True)
-    assert r.corner_uv.min() >= 0 and r.corner_uv.max() <= 1 and (areas(r.corner_uv) > 0).all()
+    r = majorant.unwrap(V, F)
+    border = 4 / 1024
+    assert r.corner_uv.min() >= border - 1e-12 and r.corner_uv.max() <= 1 - border + 1e-12
+    assert (areas(r.corner_uv) > 0).all()
+    assert np.array_equal(majorant.unwrap(V, F, normalize=True).corner_uv, r.corner_uv)
+    model = majorant.unwrap(V, F, scale='model')
+    scale = r.report['result']['layout_scale']
+    assert model.report['result']['layout_scale'] == 1
+    assert areas(model.corner_uv).sum() * scale ** 2 == pytest.approx(areas(r.corner_uv).sum())
+    assert r.report['result']['value'] == pytest.approx(model.report['result']['value'])
     two = majorant.unwrap(np.vstack([V, V + 5]), np.vstack([F, F + 6]))
     assert set(two.charts) == {0, 1}
     cut = majorant.unwrap(V, F, seams=[[0, 2], [2, 1], [1, 3]])

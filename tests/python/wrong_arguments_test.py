@@ -102,6 +102,9 @@ WRONG = [
     (lambda: majorant.unwrap(V, F, seams='sharp=200'), "seams='200' is no number above 0 to 180"),
     (lambda: majorant.unwrap(V, F, max_stretch=1), 'max_stretch=1 is no number above 1'),
     (lambda: majorant.unwrap(V, F, normalize=True, pins={0: (0, 0)}), 'normalize moves pins'),
+    (lambda: majorant.unwrap(V, F, scale='unit', pins={0: (0, 0)}), "scale='unit' moves pins"),
+    (lambda: majorant.unwrap(V, F, scale='model', normalize=True), "normalize is scale='unit'"),
+    (lambda: majorant.unwrap(V, F, scale='mm'), "scale='mm' is none of 'unit', 'model'"),
     (lambda: majorant.seamless(V, F, cones=[3]), 'cones is no dictionary'),
     (lambda: majorant.seamless(V, F, cones={3: 0}), 'cones[3]=0 is no integer from 1'),
 ]

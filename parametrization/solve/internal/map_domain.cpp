@@ -20,7 +20,7 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       rules_(rules.scaffold),
       relaxing_(newton_options(Curvature::Projected, rules, stop, ScaffoldedDomain::ordering())),
       share_(rules_.share) {
-  // One for all relaxations: patterns differ little, and it knows the last one's ordering.
+  // All relaxations share a solver: patterns differ little, and it knows the last one's ordering.
   const std::shared_ptr<LinearSolver> solver = make_direct_solver(ScaffoldedDomain::ordering());
   relaxing_.linear_solver = [solver] { return solver; };
 }

@@ -38,7 +38,7 @@ class MapDomain {
 
   // The unknowns of a problem for a map with these control points, which come first.
   virtual Vec unknowns(VecIn map) const = 0;
-  // As map_problem(), on the unknowns x.
+  // Does what map_problem() does, on the unknowns x.
   virtual MapProblem build(const MapSpecification& map,
                            const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                            const DensityTerms& terms,
@@ -71,7 +71,7 @@ class MapDomain {
 
   virtual void elevate(const std::shared_ptr<const BezierTriangleSpace>& /*higher*/) {}
 
-  // To come back to a place: the surroundings as they were there, none where there are none.
+  // The surroundings at a place, to come back to it; none where there are none.
   virtual std::optional<Scaffold> surroundings() const { return {}; }
   virtual void restore(const std::optional<Scaffold>&) {}
   virtual FlipCounts flips() const { return {}; }

@@ -28,8 +28,8 @@ std::vector<Index> worst_faces(const Vec& error, double allowed) {
   return worst;
 }
 
-// The same of the faces of all ranks, without sorting them: those above a threshold, the largest
-// that leaves no more than `allowed`, found by bisection.
+// Does the same with the faces of all ranks, without sorting them: takes those above a threshold,
+// the largest that leaves no more than `allowed`, found by bisection.
 std::vector<Index> worst_faces(const Vec& error, double allowed, const Ranks& ranks) {
   const auto left_below = [&](double threshold) {
     return ranks.sum((error.array() <= threshold).select(error.array(), 0).sum());

@@ -14,14 +14,14 @@ class QuadratureLevels {
   QuadratureLevels(QuadratureLadder ladder, Index face_count)
       : ladder_(std::move(ladder)), level_(to_size(face_count), 0) {}
 
-  // All rules of the ladder, guarded ones first, as terms number them.
+  // Returns all rules of the ladder, guarded ones first, as terms number them.
   std::vector<Quadrature> rules() const;
   const std::vector<RuleId>& of_faces() const { return level_; }
 
-  // As of_faces() had them once; none: the lowest. Throws InvalidArgument for another number of
-  // faces and levels that the ladder does not have.
+  // Sets the levels as of_faces() had them once; none: the lowest. Throws InvalidArgument for
+  // another number of faces and levels that the ladder does not have.
   void set(std::vector<RuleId> levels);
-  // One level finer, where there is one; whether any face here has changed.
+  // Takes one level finer, where there is one; returns whether any face here has changed.
   bool refine(const std::vector<Index>& faces);
   // Refines the faces whose integrals are worst, until the error of the rest is below `allowed` of
   // the energy, both of the whole map; whether any face of it has changed. terms: on rules().

@@ -131,12 +131,14 @@ TEST(Packers, cells_cover_curves_and_what_is_around_them) {
 
 TEST(Packers, pack_is_never_worse_than_shelves) {
   const std::vector<BezierMap> charts = mixed_charts();
+  const double inner = 1024 - 2 * 4;  // pixels within the border
   const PackingJob job =
-      packing_job(charts, std::vector<AllowedRotations>(charts.size()), 4.0 / 1024 * (1 + 1e-5));
+      packing_job(charts, std::vector<AllowedRotations>(charts.size()), 4 / inner * (1 + 1e-5));
   const auto shelves = smallest_square(job, [&](double width) { return skyline_strip(job, width); },
                                        {1.5 * std::sqrt(job.area), 1.25, 14});
   ASSERT_TRUE(shelves);
-  EXPECT_GE(pack(charts).fill, job.area / (shelves->side * shelves->side) * (1 - 1e-12));
+  const double side = shelves->side * 1024 / inner;
+  EXPECT_GE(pack(charts).fill, job.area / (side * side) * (1 - 1e-12));
 }
 
 }  // namespace

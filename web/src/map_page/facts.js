@@ -6,6 +6,8 @@
 import {byId, element} from './elements.js';
 import {middleOf} from './map_data.js';
 import {count, degreeName, readable} from './numbers.js';
+import {extremePlaces, sampleSingularValues} from './sampling.js';
+import {valuesOf} from './scales.js';
 
 const resultNames = [
   ['value', 'energy'], ['max_density', 'largest density'], ['sigma_max', 'largest \u03c3\u2081'],
@@ -41,7 +43,25 @@ function numbersOf(facts) {
   for (const [key, name] of resultNames)
     if (typeof sources[key] === 'number')
       list.append(element('dt', {}, name), element('dd', {}, readable(sources[key])));
-  return list.childElementCount > 0 ? [element('h2', {'data-of': 'result'}, 'Measured'), list] : [];
+  return list;
+}
+
+// The same of a map of the film, as far as its control points tell: at the places that reports take.
+function numbersOfFrame({map, energy, scales}, frame) {
+  const {uv, degree, energy: value} = map.snapshots[frame];
+  const {S, s} = sampleSingularValues(map, uv, extremePlaces(degree));
+  const most = (from, of) => from.reduce((best, _, at) => Math.max(best, of(at)), -Infinity);
+  const isOver = s.some((x) => !(x > 0));
+  const rows = [['energy', value]];
+  if (scales.density)
+    rows.push(['largest density', isOver ? Infinity
+                                         : most(S, (at) => valuesOf.density(S[at], s[at], energy))]);
+  rows.push(['largest \u03c3\u2081', most(S, (at) => S[at])],
+            ['smallest \u03c3\u2082', -most(s, (at) => -s[at])]);
+  const list = element('dl');
+  for (const [name, number] of rows)
+    list.append(element('dt', {}, name), element('dd', {}, readable(number)));
+  return list;
 }
 
 function proofsOf(facts) {
@@ -63,7 +83,10 @@ function proofsOf(facts) {
 export function writeFacts(app) {
   const {map, state} = app;
   const {facts} = map;
-  const parts = [...numbersOf(facts), ...proofsOf(facts)];
+  const ofResult = numbersOf(facts);
+  const measured = element('div', {}, element('h2', {}, 'Measured'), ofResult);
+  const parts = [...proofsOf(facts)];
+  if (ofResult.childElementCount > 0) parts.unshift(measured);
   if (facts.message)
     parts.push(element('p', {className: 'note'}, `${wordsOf(facts.status)}: ${facts.message}`));
   if (Object.keys(facts).length > 0)
@@ -71,14 +94,15 @@ export function writeFacts(app) {
                        element('pre', {tabindex: 0}, JSON.stringify(facts, null, 1))));
   byId('facts').append(...parts);
   byId('facts').hidden = parts.length === 0;
-  // What the film shows is not what was measured.
+  // Numbers are those of the map that the film shows; what was proven stays that of the result.
   state.watch(['frame'], () => {
     const isResult = state.frame === null;
     byId('summary').textContent = summaryOf(map, state.frame);
     byId('facts').classList.toggle('past', !isResult);
-    const heading = byId('facts').querySelector('h2');
-    if (heading?.dataset.of === 'result')
-      heading.textContent = isResult ? 'Measured' : 'Measured, of the result';
+    measured.replaceChildren(
+        element('h2', {}, isResult ? 'Measured'
+            : `Measured, iteration ${readable(map.snapshots[state.frame].iteration)}`),
+        isResult ? ofResult : numbersOfFrame(app, state.frame));
   });
 }
 

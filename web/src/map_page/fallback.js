@@ -30,7 +30,7 @@ function outlineOf(map, face) {
 
 function colorsOf(app) {
   const {map, state} = app;
-  const scale = app.scales[state.show];
+  const {scale} = app;
   if (!scale)
     return (face) => (map.chart ? tints[map.chart[face] % tints.length] : app.css('--press'));
   const {S, s} = sampleSingularValues(map, map.uv, [[1 / 3, 1 / 3, 1 / 3]]);
@@ -99,7 +99,7 @@ export function showWithoutWebGl(app) {
   const canvas = byId('canvas');
   const pixel = window.devicePixelRatio || 1;
   const outlines = Array.from({length: app.map.faceCount}, (_, face) => outlineOf(app.map, face));
-  app.state.watch(['show', 'theme'], () => draw(app, outlines, canvas, pixel));
+  app.state.watch(['show', 'range', 'theme'], () => draw(app, outlines, canvas, pixel));
   new ResizeObserver(() => draw(app, outlines, canvas, pixel)).observe(byId('stage'));
   pointAtCells(app, canvas, pixel);
 }

@@ -23,14 +23,20 @@ export class Histogram {
     this.note = element('p', {className: 'note'});
     this.svg = svgElement('svg', {'role': 'group', 'aria-label': 'Histogram by area',
                                     'shape-rendering': 'crispEdges'});
-    this.section.append(this.heading, this.svg, this.note);
+    this.fit = element('button', {
+      type: 'button', className: 'plain', title: 'Colours from isometry to what 99.5 % of the ' +
+          'surface are within; again: the scale that all maps share',
+      onclick: () => app.state.set({range: app.state.range ? null : this.fittedRange(), brush: null}),
+    }, 'fit colours');
+    this.section.append(element('div', {className: 'heading'}, this.heading, this.fit), this.svg,
+                        this.note);
     this.listen();
-    app.state.watch(['show', 'frame'], () => this.fill());
+    app.state.watch(['show', 'frame', 'range'], () => this.fill());
     app.state.watch(['brush'], () => this.draw());
     new ResizeObserver(() => this.draw()).observe(this.section);
   }
 
-  get scale() { return this.app.scales[this.app.state.show]; }
+  get scale() { return this.app.scale; }
 
   samples() {
     const {map, uv} = this.app;
@@ -39,6 +45,14 @@ export class Histogram {
       this.sampledUv = uv;
     }
     return this.sampled;
+  }
+
+  fittedRange() {
+    const {map, energy, state, scales} = this.app;
+    const {S, s, perFace} = this.samples();
+    const value = valuesOf[state.show];
+    return scales[state.show].fitted(S.map((_, at) => (s[at] > 0 ? value(S[at], s[at], energy) : NaN)),
+                                     S.map((_, at) => map.areas[Math.floor(at / perFace)]));
   }
 
   // Areas of the surface by position on the scale.
@@ -147,6 +161,7 @@ export class Histogram {
   write() {
     const {state, map} = this.app;
     this.heading.textContent = this.app.titles[state.show];
+    this.fit.setAttribute('aria-pressed', state.range !== null);
     const notes = [];
     if (state.brush) {
       const [from, to] = state.brush.map((position) => readable(this.scale.value(position), 3));

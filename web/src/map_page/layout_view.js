@@ -10,7 +10,9 @@ import {CellFinder} from './cell_finder.js';
 import {Chords} from './chords.js';
 import {evaluate} from './map_data.js';
 import * as markShaders from './mark_shaders.js';
-import {Mesh, cellsGeometry, flatGeometry, material} from './stage.js';
+import {
+  Mesh, cellsGeometry, flatGeometry, material, whereCoveredTwice, windowGeometry,
+} from './stage.js';
 import {View} from './view.js';
 
 export class LayoutView extends View {
@@ -19,7 +21,7 @@ export class LayoutView extends View {
     const [c, s] = shared.map.direction;
     camera.position.set(0, 0, 1);
     camera.up.set(-s, c, 0);
-    super('layout', stage, element, camera, shared);
+    super('layout', stage, element, camera, TOUCH.DOLLY_PAN, shared);
     const {uvBounds, turnedBounds} = shared.map;
     this.extent = 1.08 * turnedBounds.size / uvBounds.size;
     this.cells = new CellFinder(shared.map);
@@ -27,13 +29,16 @@ export class LayoutView extends View {
     Object.assign(this.controls, {
       enableRotate: false, zoomToCursor: true, minZoom: 0.2, maxZoom: 2000,
       mouseButtons: {LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN},
-      touches: {ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN},
     });
     const [x, y] = this.upright(turnedBounds.center);
     this.setPose([(x - uvBounds.center[0]) / uvBounds.size,
                   (y - uvBounds.center[1]) / uvBounds.size, 1]);
     this.homePose = this.pose();
     if (shared.map.scaffold) this.addScaffold(shared.map.scaffold);
+    if (shared.map.facts.result?.globally_injective !== true)
+      this.hatch = this.add(Mesh, windowGeometry(),
+                            material(markShaders.hatchVertex, markShaders.hatchFragment,
+                                     this.uniforms, whereCoveredTwice), 1.5);
   }
 
   // From the axes of the view to those of uv.
@@ -76,6 +81,18 @@ export class LayoutView extends View {
     const size = Math.max(box[2] - box[0], box[3] - box[1]) / map.uvBounds.size;
     const {x, y} = this.pointAt(place);
     this.setPose([x, y, Math.min(1500, Math.max(1, 0.1 / Math.max(size, 1e-6)))]);
+  }
+
+  // Into the middle, as large as they fit.
+  showFaces(faces) {
+    const {map: {uvBounds}, uv} = this.shared;
+    const boxes = this.cells.boxes(uv);
+    const [low, high] = [[0, 1], [2, 3]].map((part, which) => part.map((d) => faces.reduce(
+        (end, face) => (which ? Math.max : Math.min)(end, boxes[4 * face + d]),
+        which ? -Infinity : Infinity)));
+    const size = Math.max(high[0] - low[0], high[1] - low[1], 1e-6 * uvBounds.size);
+    this.setPose([...[0, 1].map((d) => (0.5 * (low[d] + high[d]) - uvBounds.center[d]) / uvBounds.size),
+                  Math.min(1500, uvBounds.size * this.extent / (1.2 * size))]);
   }
 
   addScaffold(scaffold) {

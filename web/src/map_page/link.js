@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The view as part of the address: #face=12&show=area&eye=0,0,1&... Unknown words are ignored.
+// What is seen as part of the address: #face=12&show=area&eye=0,0,1&... Words of what is as at the
+// beginning are left out, unknown ones ignored.
 
 const kPause = 250;  // ms after the last change
 
@@ -13,46 +14,71 @@ function numbersOf(text, length) {
   return numbers.length === length && numbers.every(Number.isFinite) ? numbers : null;
 }
 
+const flag = (text) => ({0: false, 1: true})[text];
+const oneOf = (values) => (text) => (values.includes(text) ? text : undefined);
+const within = (low, high) => (text) =>
+    (Number(text) >= low && Number(text) <= high ? Number(text) : undefined);
+const rising = (text) => {
+  const pair = numbersOf(text, 2);
+  return pair && pair[0] < pair[1] ? pair : undefined;
+};
+
+// The words of what is switched: of what in the state, and what their texts mean; undefined: nothing.
+function wordsOf({map, titles, toggles}) {
+  const words = {
+    show: {of: 'show', read: oneOf(Object.keys(titles))},
+    texture: {of: 'texture', read: oneOf(['checker', 'grid', 'numbers'])},
+    squares: {of: 'squares', read: (text) => within(-9, 9)(text) && Math.round(Number(text))},
+    range: {of: 'range', read: rising},
+    brush: {of: 'brush', read: rising},
+    straight: {of: 'wipe', read: within(0, 1)},
+    frame: {of: 'frame', read: (text) => (map.snapshots[text] ? Number(text) : undefined)},
+    picture: {of: 'pictureScale', read: (text) => ({2: 2, 4: 4})[text]},
+    transparent: {of: 'isTransparent', read: flag},
+  };
+  for (const name of toggles) words[name] = {of: name, read: flag};
+  return words;
+}
+
+const textOf = (value) => {
+  if (Array.isArray(value)) return rounded(value);
+  return typeof value === 'boolean' ? Number(value) : value;
+};
+
 function addressOf(app) {
   const {state, surface, layout} = app;
-  const words = new Map();
+  const texts = new Map();
   if (state.pinned) {
-    words.set('face', state.pinned.face);
+    texts.set('face', state.pinned.face);
     if (state.pinned.xi.some((x) => Math.abs(x - 1 / 3) > 1e-6))
-      words.set('at', rounded(state.pinned.xi.slice(0, 2)));
+      texts.set('at', rounded(state.pinned.xi.slice(0, 2)));
   }
-  if (state.show !== app.firstShown) words.set('show', state.show);
-  if (state.texture !== 'checker' && state.texture !== 'image') words.set('texture', state.texture);
-  if (state.brush) words.set('brush', rounded(state.brush));
-  if (state.wipe > 0) words.set('straight', state.wipe);
-  if (state.frame !== null) words.set('frame', state.frame);
-  if (surface.wasMoved()) words.set('eye', rounded(surface.pose()));
-  if (layout.wasMoved()) words.set('layout', rounded(layout.pose()));
-  return [...words].map(([name, value]) => `${name}=${value}`).join('&');
+  for (const [word, {of, read}] of Object.entries(wordsOf(app))) {
+    const text = textOf(state[of]);
+    if (state[of] !== state.defaults[of] && read(String(text)) !== undefined) texts.set(word, text);
+  }
+  if (surface.wasMoved()) texts.set('eye', rounded(surface.pose()));
+  if (layout.wasMoved()) texts.set('layout', rounded(layout.pose()));
+  return [...texts].map(([word, text]) => `${word}=${text}`).join('&');
 }
 
 function follow(app) {
   const {state, map} = app;
-  const words = new Map(location.hash.slice(1).split('&').map((word) => word.split('=')));
-  const changes = {};
-  const face = Number(words.get('face') ?? NaN);
+  const texts = new Map(location.hash.slice(1).split('&').map((word) => word.split('=')));
+  const changes = {pinned: null};
+  const face = Number(texts.get('face') ?? NaN);
   if (Number.isInteger(face) && face >= 0 && face < map.faceCount) {
-    const [a, b] = numbersOf(words.get('at'), 2) ?? [1 / 3, 1 / 3];
+    const [a, b] = numbersOf(texts.get('at'), 2) ?? [1 / 3, 1 / 3];
     changes.pinned = {face, xi: [a, b, 1 - a - b]};
   }
-  if (app.titles[words.get('show')]) changes.show = words.get('show');
-  if (words.get('texture') === 'grid') changes.texture = 'grid';
-  const brush = numbersOf(words.get('brush'), 2);
-  if (brush && brush[0] < brush[1]) changes.brush = brush;
-  const wipe = Number(words.get('straight') ?? NaN);
-  if (wipe >= 0 && wipe <= 1) changes.wipe = wipe;
-  const frame = Number(words.get('frame') ?? NaN);
-  if (map.snapshots[frame]) changes.frame = frame;
+  for (const [word, {of, read}] of Object.entries(wordsOf(app)))
+    changes[of] = (texts.has(word) ? read(texts.get(word)) : undefined) ?? state.defaults[of];
   state.set(changes);
-  const eye = numbersOf(words.get('eye'), 7);
+  app.goHome();
+  const eye = numbersOf(texts.get('eye'), 7);
   if (eye) app.surface.setPose(eye);
   else if (changes.pinned) app.surface.turnTo(changes.pinned);
-  const layout = numbersOf(words.get('layout'), 3);
+  const layout = numbersOf(texts.get('layout'), 3);
   if (layout) app.layout.setPose(layout);
 }
 
@@ -61,7 +87,7 @@ export function keepAddress(app) {
   const write = () => {
     const address = addressOf(app);
     if (`#${address}` === location.hash || (!address && !location.hash)) return;
-    history.replaceState(null, '', `#${address}`);
+    history.replaceState(null, '', location.href.split('#')[0] + (address && `#${address}`));
   };
   const later = () => {
     clearTimeout(timer);
@@ -69,7 +95,7 @@ export function keepAddress(app) {
   };
   follow(app);
   window.addEventListener('hashchange', () => follow(app));
-  app.state.watch(['pinned', 'show', 'texture', 'brush', 'wipe', 'frame'], later);
+  app.state.watch(['pinned', ...Object.values(wordsOf(app)).map(({of}) => of)], later);
   for (const view of [app.surface, app.layout])
     view.controls.addEventListener('change', later);
 }

@@ -3,20 +3,23 @@
 
 // The page: its parts, and what they share (`app`).
 
-import {RepeatWrapping, Texture} from 'three';
-
-import {byId, choice, element} from './elements.js';
+import {byId} from './elements.js';
 import {parseEnergy} from './energies.js';
 import {listFaults, listOverlaps, writeFacts} from './facts.js';
 import {showWithoutWebGl} from './fallback.js';
 import {Film} from './film.js';
+import {addHelp} from './help.js';
 import {Histogram} from './histogram.js';
+import {numberedSquares, takeImages} from './images.js';
 import {followKeys} from './keyboard.js';
 import {LayoutView} from './layout_view.js';
+import {Legend} from './legend.js';
 import {keepAddress} from './link.js';
 import {readMap} from './map_data.js';
 import {Marks, themeColor} from './marks.js';
-import {pictureOf, savePicture, sidesOf} from './picture.js';
+import {partnerOf} from './partner.js';
+import {pictureOf} from './picture.js';
+import {addSearch, listCharts} from './places.js';
 import {followPointer} from './pointer.js';
 import {Readout, measure} from './readout.js';
 import {Scale} from './scales.js';
@@ -24,13 +27,13 @@ import {Stage, flatGeometry} from './stage.js';
 import {State} from './state.js';
 import {SurfaceView} from './surface_view.js';
 import {fillControl} from './textures.js';
-import {makeUniforms} from './uniforms.js';
+import {makeChoices, makeViewTools} from './toolbar.js';
+import {checkerFrame, checkerWidth, makeUniforms} from './uniforms.js';
 
 const symbols = {
   'sigma-max': '\u03c3\u2081', 'sigma-min': '\u03c3\u2082', 'area': '\u03c3\u2081\u03c3\u2082',
   'angle': '\u03c3\u2081/\u03c3\u2082', 'density': 'density',
 };
-const labels = {...symbols, texture: 'texture', area: 'area', angle: 'angle', chart: 'charts'};
 
 function titlesOf(map, scales) {
   const known = {
@@ -50,75 +53,25 @@ function makeApp() {
   const data = JSON.parse(byId('data').textContent);
   const map = readMap(data);
   const scales = Object.fromEntries(data.scales.map((scale) => [scale.name, new Scale(scale)]));
+  const isDeformation = map.claims.init === 'planar';
   const state = new State({
-    show: data.scales.some(({name}) => name === data.show) ? data.show : 'texture', texture: 'checker', wipe: 0, edges: true, seams: true, cones: true,
-    points: true, scaffold: true, faults: true, overlaps: map.cones.length === 0, brush: null, hovered: null, pinned: null,
-    frame: null, theme: 0,
+    show: data.scales.some(({name}) => name === data.show) ? data.show : 'texture',
+    texture: 'checker', squares: 0, rest: isDeformation, wipe: 0, range: null, brush: null,
+    edges: true, seams: true, cones: true, points: true, scaffold: true, faults: true,
+    overlaps: map.cones.length === 0, square: map.isInSquare,
+    hovered: null, pinned: null, frame: null, pictureScale: 1, isTransparent: false, theme: 0,
   });
   return {
-    map, scales, state, symbols, energy: parseEnergy(map.claims.energy), uv: map.uv,
-    titles: titlesOf(map, scales), firstShown: state.show,
+    map, scales, state, symbols, isDeformation, energy: parseEnergy(map.claims.energy), uv: map.uv,
+    titles: titlesOf(map, scales),
+    // Of what is shown, with the ends that were chosen.
+    get scale() {
+      const scale = scales[state.show];
+      return scale && state.range && scale.takes(state.range) ? scale.withRange(...state.range)
+                                                              : scale;
+    },
     css: (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim(),
   };
-}
-
-function makeToolbar({state, titles}) {
-  choice(byId('show'), Object.keys(titles).map((name) => [name, labels[name], titles[name]]),
-         state, 'show', (name) => state.set({show: name, brush: null}));
-}
-
-// What only makes sense where there are pictures.
-function makeViewTools(app) {
-  const {state, marks} = app;
-  choice(byId('texture'), [['checker', 'checker'], ['grid', 'grid'], ['image', 'image\u2026']],
-         state, 'texture', (texture) => {
-           if (texture === 'image') byId('image-file').click();
-           else state.set({texture});
-         });
-  state.watch(['show'], () => { byId('texture').hidden = state.show !== 'texture'; });
-  byId('wipe').addEventListener('input', () => state.set({wipe: byId('wipe').value / 100}));
-  const toggles = [['edges', 'edges'], ['seams', 'seams'], ['cones', 'cones'],
-                   ['points', 'points'], ['scaffold', 'scaffold'], ['overlaps', 'overlaps'], ['faults', 'faults']];
-  for (const [name, label] of toggles) {
-    if (name !== 'edges' && !marks.has[name]) continue;
-    const button = element('button', {
-      type: 'button', onclick: () => state.set({[name]: !state[name]}),
-    }, label);
-    state.watch([name], () => button.setAttribute('aria-pressed', state[name]));
-    byId('toggles').append(button);
-  }
-  byId('home').addEventListener('click', () => app.goHome());
-  byId('save').addEventListener('click', () => savePicture(app));
-}
-
-// An image from the disk, by the button or dropped anywhere.
-function takeImages(app) {
-  const {state, uniforms, stage} = app;
-  const input = byId('image-file');
-  const take = async (file) => {
-    if (!file) return;
-    try {
-      const image = new Texture(await createImageBitmap(file, {imageOrientation: 'flipY'}));
-      image.flipY = false;
-      image.wrapS = image.wrapT = RepeatWrapping;
-      image.anisotropy = 8;
-      image.needsUpdate = true;
-      uniforms.uImage.value?.dispose();
-      uniforms.uImage.value = image;
-      state.set({show: 'texture', texture: 'image'});
-      stage.request();
-      byId('notice').hidden = true;
-    } catch {
-      byId('notice').textContent = `${file.name} is no image that this browser reads.`;
-      byId('notice').hidden = false;
-    }
-  };
-  input.addEventListener('change', () => take(input.files[0]));
-  document.addEventListener('dragover', (event) => event.preventDefault());
-  document.addEventListener('drop', (event) => {
-    event.preventDefault();
-    take(event.dataTransfer.files[0]);
-  });
 }
 
 // State to uniforms.
@@ -128,9 +81,20 @@ function drawState(app) {
     change();
     stage.request();
   });
-  redraw(['show', 'texture'], () => {
-    const scale = app.scales[state.show];
-    app.picture = {name: state.show === 'chart' ? 'chart' : state.texture};
+  app.layImage = () => {
+    app.numbers ??= numberedSquares();
+    uniforms.uImage.value = state.texture === 'image' ? app.image : app.numbers;
+  };
+  redraw(['squares'], () => {
+    uniforms.uChecker.value =
+        checkerFrame(map.uvBounds, checkerWidth(map.uvBounds, state.squares));
+  });
+  redraw(['show', 'texture', 'range', 'rest'], () => {
+    const {scale} = app;
+    const isImage = ['image', 'numbers'].includes(state.texture);
+    app.picture = {name: isImage ? 'image' : state.texture, isAtRest: state.rest};
+    if (state.show === 'chart') app.picture = {name: 'chart'};
+    if (state.show === 'texture' && isImage) app.layImage();
     if (!scale) return;
     app.picture = {name: 'heat', quantity: state.show};
     uniforms.uScale.value = scale.uniform;
@@ -141,17 +105,9 @@ function drawState(app) {
     uniforms.uColors.value.needsUpdate = true;
   });
   redraw(['brush'], () => { uniforms.uBrush.value = state.brush ?? [0, 1]; });
-  redraw(['wipe'], () => {
-    byId('wipe').value = 100 * state.wipe;
-    for (const line of document.querySelectorAll('.wipe')) {
-      line.hidden = state.wipe === 0;
-      line.style.left = `${100 * state.wipe}%`;
-      line.replaceChildren(...sidesOf(map).map((name) => element('b', {}, name)));
-    }
-  });
   redraw(['edges'], () => { uniforms.uEdges.value = state.edges ? 0.3 : 0; });
   redraw(['faults'], () => { uniforms.uFaultsShown.value = state.faults; });
-  redraw(['scaffold'], () => {});
+  redraw(['scaffold', 'wipe', 'overlaps'], () => {});
   redraw(['hovered', 'pinned'], () => {
     uniforms.uHovered.value = state.hovered?.face ?? -1;
     uniforms.uPinned.value = state.pinned?.face ?? -1;
@@ -169,9 +125,9 @@ function drawState(app) {
 }
 
 function addViews(app) {
-  const {state} = app;
-  app.faulty = new Set(app.map.faults.map(({face}) => face));
-  Object.assign(app, makeUniforms(app), {flatCells: flatGeometry(app.map.faceCount, app.faulty)});
+  const {state, map} = app;
+  app.faulty = new Set(map.faults.map(({face}) => face));
+  Object.assign(app, makeUniforms(app), {flatCells: flatGeometry(map.faceCount, app.faulty)});
   app.stage = new Stage(byId('canvas'));
   app.surface = new SurfaceView(app.stage, byId('surface'), app);
   app.layout = new LayoutView(app.stage, byId('layout'), app);
@@ -183,8 +139,14 @@ function addViews(app) {
     state.set({pinned: place});
     for (const view of [app.surface, app.layout]) view.focusOn(place);
   };
+  app.showFaces = (faces) => {
+    for (const view of [app.surface, app.layout]) view.showFaces(faces);
+  };
+  app.partnerOf = partnerOf(map);
   drawState(app);
   app.marks = new Marks(app);
+  app.toggles = ['edges', 'seams', 'cones', 'points', 'scaffold', 'square', 'rest', 'overlaps',
+                 'faults'].filter((name) => app.marks.has[name]);
   makeViewTools(app);
   takeImages(app);
   new Film(app);
@@ -212,16 +174,20 @@ function start() {
   const hasWebGl = document.createElement('canvas').getContext('webgl2') !== null;
   if (!hasWebGl) {
     delete app.titles.texture;
-    app.state.show = Object.keys(app.titles)[0];
+    app.state.set({show: Object.keys(app.titles)[0]});
     app.focusOn = (place) => app.state.set({pinned: place});
   }
-  makeToolbar(app);
+  makeChoices(app);
   if (hasWebGl) addViews(app);
   else showWithoutWebGl(app);
   new Histogram(app);
+  new Legend(app);
   new Readout(app);
   listFaults(app);
   listOverlaps(app);
+  listCharts(app);
+  addSearch(app);
+  addHelp();
   exposeApp(app);
 }
 

@@ -128,6 +128,8 @@ export function readMap(data) {
   map.uvBounds = boundsOf(map.uv, 2);
   map.turnedBounds = boundsOf(turnedAlong(map.direction, map.uv), 2);
   map.bounds = boundsOf(map.positions, 3);
+  // Made for the unit square, or of whoever knows none but that.
+  map.isInSquare = Boolean(map.claims.normalized) || map.scaleIsAssumed;
   map.contacts = contactsOf(map);
   addGeometry(map);
   return map;

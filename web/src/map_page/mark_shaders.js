@@ -10,9 +10,9 @@ export const linesVertex = (map, view, straight) => `${placeGlsl(map, view, stra
 uniform vec2 uViewport;  // in pixels
 uniform float uPixel;
 in vec3 position;  // t along the line, side -1 or 1, width
-in vec3 line;      // cell; edge 0 (01), 1 (12), 2 (20), or 3: corner to target; corner
+in vec3 line;      // cell; edge 0 (01), 1 (12), 2 (20), 3: corner to target, 4: target alone; corner
 in vec3 tint;
-in vec2 target;
+in vec4 target;    // in the frame of the layout
 out vec3 vTint;
 vec3 along(float t, int edge) {
   if (edge == 0) return vec3(1.0 - t, t, 0.0);
@@ -21,8 +21,9 @@ vec3 along(float t, int edge) {
 vec4 pointAt(float t) {
   int face = int(line.x), edge = int(line.y), corner = int(line.z);
   if (edge < 3) return placeAt(face, along(t, edge));
+  if (edge == 4) return uCamera * vec4(mix(target.xy, target.zw, t), 0.0, 1.0);
   vec4 from = placeAt(face, vec3(corner == 0, corner == 1, corner == 2));
-  return ${view === 'surface' ? 'from' : 'mix(from, uCamera * vec4(target, 0.0, 1.0), t)'};
+  return ${view === 'surface' ? 'from' : 'mix(from, uCamera * vec4(target.xy, 0.0, 1.0), t)'};
 }
 void main() {
   vTint = tint;
@@ -95,4 +96,19 @@ void main() {
   float small = 1.0 - smoothstep(0.06, 0.35, max(width.x, max(width.y, width.z)) / uPixel);
   float edge = small * (1.0 - smoothstep(0.1 * uPixel, 0.9 * uPixel, near));
   fragment = vec4(mix(uPaper, uInk, 0.04 + 0.22 * edge), 1.0);
+}`;
+
+// Stripes over all of a view, where the stencil lets them.
+export const hatchVertex = `
+in vec3 position;  // of the window, -1 to 1
+void main() { gl_Position = vec4(position.xy, 0.0, 1.0); }`;
+
+export const hatchFragment = `
+precision highp float;
+uniform float uPixel;
+uniform vec3 uMeets;
+out vec4 fragment;
+void main() {
+  bool isStripe = mod(gl_FragCoord.x - gl_FragCoord.y, 7.0 * uPixel) < 2.0 * uPixel;
+  fragment = vec4(uMeets, isStripe ? 0.9 : 0.16);
 }`;

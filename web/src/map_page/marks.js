@@ -11,7 +11,7 @@ export const tints = [
   '#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#7a5195', '#6b8e23',
   '#b5651d', '#c43d5a',
 ];
-const kMeets = '#e6007a';  // where the layout meets itself
+export const kMeets = '#e6007a';  // where the layout meets itself
 export const rgbOf = (hex) =>
     [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
 
@@ -53,20 +53,25 @@ export class Marks {
     this.app = app;
     this.edges = outlineEdges(app.map);
     this.places = cornerPlaces(app.map);
-    app.state.watch(['seams', 'points', 'overlaps', 'theme'], () => this.drawLines());
+    app.state.watch(['seams', 'points', 'overlaps', 'square', 'theme'], () => this.drawLines());
+    app.state.watch(['hovered', 'pinned'], () => this.followPartners());
     app.state.watch(['cones', 'points', 'overlaps', 'hovered', 'pinned', 'theme'],
                     () => this.drawDots());
   }
 
   // Which toggles have something to show.
   get has() {
-    const {map} = this.app;
+    const {map, isDeformation} = this.app;
+    const isOverlapping = map.facts.result?.globally_injective === false;
     return {
+      edges: true,
       seams: this.edges.some((edge) => edge.kind !== 'boundary'),
       cones: map.cones.length > 0,
       points: map.points.length > 0,
       scaffold: map.scaffold !== null,
-      overlaps: map.contacts.length > 0,
+      square: true,
+      rest: isDeformation,
+      overlaps: map.contacts.length > 0 || isOverlapping,
       faults: map.faults.length > 0,
     };
   }
@@ -85,12 +90,41 @@ export class Marks {
     const targets = !state.points ? [] : map.points.flatMap(({corners, target, hold}) =>
         corners.map((corner) => ({
           ...this.places[corner], edge: 3, width: 1.6, tint: this.tintOf(hold),
-          target: target.map((x, d) => (x - map.uvBounds.center[d]) / map.uvBounds.size),
+          target: this.framed(target),
         })));
     const meeting = this.meeting.map((place) => ({...place, width: 3.2, tint: rgbOf(kMeets)}));
-    surface.setLines([...lines, ...meeting]);
-    layout.setLines([...lines, ...targets, ...meeting]);
+    const sides = this.partners.flatMap(({here, there}) => [here, there])
+        .map((side) => ({...side, width: 4, tint: themeColor('--accent')}));
+    surface.setLines([...lines, ...meeting, ...sides]);
+    layout.setLines([...lines, ...this.square, ...targets, ...meeting, ...sides]);
     stage.request();
+  }
+
+  // uv in the frame of the layout.
+  framed(uv) {
+    const {center, size} = this.app.map.uvBounds;
+    return uv.map((x, d) => (x - center[d % 2]) / size);
+  }
+
+  // The unit square.
+  get square() {
+    if (!this.app.state.square) return [];
+    return [[0, 0, 1, 0], [1, 0, 1, 1], [1, 1, 0, 1], [0, 1, 0, 0]].map((side) => ({
+      face: 0, edge: 4, width: 1.4, tint: themeColor('--soft'), target: this.framed(side),
+    }));
+  }
+
+  // The cuts that what is pointed at and selected lies at, with their other sides.
+  get partners() {
+    const {state: {hovered, pinned}, partnerOf} = this.app;
+    return [hovered, pinned].filter(Boolean).map(partnerOf).filter(Boolean);
+  }
+
+  followPartners() {
+    const key = this.partners.map(({here}) => `${here.face}/${here.edge}`).join();
+    if (key === this.partnerKey) return;
+    this.partnerKey = key;
+    this.drawLines();
   }
 
   // Edges that meet others in the layout.
@@ -117,6 +151,8 @@ export class Marks {
         for (const corner of corners) dots.push(this.dotAt(corner, 4, this.tintOf(hold)));
     for (const {face, edge} of this.meeting)
       dots.push({face, xi: middleOf(edge), radius: 5, tint: rgbOf(kMeets)});
+    for (const {foot, place} of this.partners)
+      for (const at of [foot, place]) dots.push({...at, radius: 4, tint: themeColor('--accent')});
     for (const place of [state.hovered, state.pinned])
       if (place) dots.push({...place, radius: 5, tint: themeColor('--accent')});
     for (const view of [surface, layout]) view.setDots(dots);

@@ -9,7 +9,7 @@ import {degreeName} from './numbers.js';
 const kBarHeight = 14;  // CSS pixels
 
 function drawLegend(pen, app, x, y, width, pixel) {
-  const scale = app.scales[app.state.show];
+  const {scale} = app;
   if (!scale) return;
   pen.font = `${13 * pixel}px system-ui, sans-serif`;
   pen.textAlign = 'left';
@@ -54,20 +54,25 @@ function drawWipe(pen, app, view, top) {
   });
 }
 
-// A canvas with what is seen.
+// A canvas with what is seen, `state.pictureScale` pixels a CSS pixel.
 export function pictureOf(app) {
   const {stage, state} = app;
-  stage.render();
+  return stage.drawnAt(state.pictureScale, () => composed(app));
+}
+
+// The views, drawn already, with title and legend.
+function composed(app) {
+  const {stage, state} = app;
   const source = stage.canvas;
   const pixel = stage.renderer.getPixelRatio();
   const canvas = document.createElement('canvas');
-  const legend = app.scales[state.show] ? 76 * pixel : 0;
+  const legend = app.scale ? 76 * pixel : 0;
   const head = 44 * pixel;
   canvas.width = source.width;
   canvas.height = source.height + head + legend;
   const pen = canvas.getContext('2d');
   pen.fillStyle = app.css('--back');
-  pen.fillRect(0, 0, canvas.width, canvas.height);
+  if (!state.isTransparent) pen.fillRect(0, 0, canvas.width, canvas.height);
   pen.fillStyle = app.css('--ink');
   pen.font = `600 ${17 * pixel}px system-ui, sans-serif`;
   pen.fillText(app.map.title, 14 * pixel, 28 * pixel);

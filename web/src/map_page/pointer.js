@@ -1,13 +1,33 @@
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Mouse and touch on the views: pointing shows, a click keeps. Dragging is the cameras' business.
+// Mouse and touch on the views: pointing shows, a click keeps. Dragging is the cameras' business, by
+// two fingers where there are fingers: one of them scrolls the page.
 
 const kClickSlack = 5;  // CSS pixels a click may move
+const kHintTime = 1600;  // ms
+
+// Leaves one finger to the browser, and says so where it moves on a view.
+function shareFingers({element}) {
+  element.style.touchAction = 'pan-x pan-y';
+  let timer = null;
+  const hint = (isShown) => {
+    element.classList.toggle('hinting', isShown);
+    clearTimeout(timer);
+    if (isShown) timer = setTimeout(hint, kHintTime, false);
+  };
+  for (const kind of ['touchstart', 'touchmove'])
+    element.addEventListener(kind, (event) => {
+      const isOne = event.touches.length < 2;
+      if (!isOne) event.preventDefault();
+      if (kind === 'touchmove' || !isOne) hint(isOne);
+    }, {passive: false});
+}
 
 export function followPointer(app) {
   const {state, surface, layout} = app;
   for (const view of [surface, layout]) {
+    shareFingers(view);
     let down = null;
     let waiting = null;
     const show = () => {

@@ -34,6 +34,8 @@ function linesOf(app, place) {
     if (name in values) lines.push([app.symbols[name], readable(values[name], 6)]);
   const vertices = cornersOf(map, face).map((corner) => map.inputVertex?.[corner] ?? corner);
   lines.push(['vertices', vertices.map((x) => readable(x)).join('  ')]);
+  const partner = app.partnerOf?.(place);
+  if (partner) lines.push(['across the cut', `face ${readable(partner.place.face)}`]);
   const fault = map.faults.find((entry) => entry.face === face);
   if (fault) lines.push(['fails', fault.text]);
   return lines;
@@ -60,7 +62,7 @@ export class Readout {
     if (state.hovered) columns.push(column('Pointed at', state.hovered));
     if (columns.length === 0)
       columns.push(element('p', {className: 'note'},
-                           'Point at a face for its numbers; click to keep them.'));
+                           'Point at a face for its numbers and, at a cut, for its other side; click to keep them.'));
     this.body.replaceChildren(...columns);
     const said = state.pinned ? linesOf(this.app, state.pinned).map((l) => l.join(' ')).join(', ')
                               : '';

@@ -3,7 +3,7 @@
 
 // Singular values at even places of all faces, for histograms and for pictures without WebGL.
 
-import {cellSize, lastTriangle} from './bezier.js';
+import {cellSize, lastTriangle, multiIndices} from './bezier.js';
 
 // Middles of the k * k triangles that a triangle is cut into: each stands for the same area.
 export function evenPlaces(k) {
@@ -15,6 +15,13 @@ export function evenPlaces(k) {
       if (i + j < k - 1) add(3 * i + 2, 3 * j + 2);
     }
   return places;
+}
+
+// The places at which reports look for extremes of a map of that degree: (i, j, k) / 8, or the middle
+// where the map is affine.
+export function extremePlaces(degree) {
+  if (degree === 1) return [[1 / 3, 1 / 3, 1 / 3]];
+  return multiIndices(8).map((index) => index.map((x) => x / 8));
 }
 
 // Coefficients of n (q0 - q2) and n (q1 - q2) at a place, by local index.

@@ -5,6 +5,10 @@
 // (pictures/color_scale.h is where they come from).
 
 import {densityAt} from './energies.js';
+import {readable} from './numbers.js';
+
+const kBeyond = 0.005;    // of the area, beyond each end of a fitted scale
+const kLeastSpan = 1e-3;  // of log s: what is as good as isometric is not blown up
 
 export const valuesOf = {
   'density': (S, s, energy) => densityAt(energy, S, s),
@@ -44,6 +48,42 @@ export class Scale {
       return this.neutral + this.unit * Math.expm1(low + position * (high - low));
     return this.neutral *
         Math.exp(position < 0.5 ? (1 - 2 * position) * low : (2 * position - 1) * high);
+  }
+
+  // Whether these can be its ends: isometry is the lower one, or between them.
+  takes([low, high]) {
+    return this.diverging ? low > 0 && low < this.neutral && this.neutral < high
+                          : low >= this.neutral && low < high;
+  }
+
+  // The same with other ends, which ticks name.
+  withRange(low, high) {
+    const scale = Object.assign(Object.create(Scale.prototype), this, {low, high});
+    const from = low > 0 && high > 2 * low ? 0 : low;  // of what is rounded
+    const inner = [1, 2, 3].map((k) => from + Number((scale.value(k / 4) - from).toPrecision(2)));
+    if (this.diverging) inner[1] = this.neutral;
+    scale.ticks = [low, ...inner.filter((x) => x > low && x < high), high].map(
+        (value) => ({value, label: readable(value, 5), position: scale.position(value)}));
+    return scale;
+  }
+
+  // The same from isometry to what nearly all of the surface is within: `values`, each with its
+  // area. Beyond the fitted ends, too, colours are those of the ends.
+  fitted(values, areas) {
+    const order = Array.from(values.keys()).filter((k) => Number.isFinite(values[k]))
+        .sort((a, b) => values[a] - values[b]);
+    const total = order.reduce((sum, k) => sum + areas[k], 0);
+    const quantile = (part) => {
+      let sum = 0;
+      return values[order.find((k) => (sum += areas[k]) >= part * total) ?? order.at(-1)];
+    };
+    if (order.length === 0) return [this.low, this.high];
+    const far = Math.max(kLeastSpan, this.stretched(quantile(1 - kBeyond)),
+                         this.diverging ? -this.stretched(quantile(kBeyond)) : 0);
+    const rounded = (x) => Number(x.toPrecision(3));
+    if (this.diverging)
+      return [rounded(this.neutral * Math.exp(-far)), rounded(this.neutral * Math.exp(far))];
+    return [this.neutral, this.neutral + rounded(this.unit * Math.expm1(far))];
   }
 
   color(position) {

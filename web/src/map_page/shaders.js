@@ -44,15 +44,17 @@ const passes = {
 //     name       of colors or passes
 //     quantity   of heat maps and their pass
 //     straight   of the straight map of the same corners
+//     isAtRest   the texture lies on the surface, which is planar, not in the layout
 //     isCoarse   the layout is cut less finely than wanted: places in cells are improved
-function planOf(map, {view, name, quantity, straight, isCoarse}) {
+function planOf(map, {view, name, quantity, straight, isAtRest, isCoarse}) {
   const shown = colors[name] ?? passes[name];
+  const liesOnSurface = isAtRest && shown.needs === 'value' && !(name in passes);
   const improves = view === 'layout' && isCoarse && !straight;
   const evaluates = improves || shown.needs === 'jacobian' ||
-      (shown.needs === 'value' && view === 'surface');
+      (shown.needs === 'value' && view === 'surface' && !liesOnSurface);
   const {locals} = pieceOf(map, straight);
   return {
-    shown, view, straight, improves, evaluates, isPass: name in passes, quantity,
+    shown, view, straight, improves, evaluates, liesOnSurface, isPass: name in passes, quantity,
     flat: evaluates && locals.length <= kMostFlat ? locals.length : 0,
   };
 }
@@ -107,6 +109,7 @@ uniform float uUnit;         // of the scale
 uniform vec2 uBrush;         // positions on it that are selected
 uniform vec3 uChecker;       // cells along the size of uv, phase of u and v
 uniform vec3 uImageFrame;    // likewise of the image
+uniform vec3 uRestFrame;     // from the frame of the surface to that of uv, of planar surfaces
 uniform vec3 uFlipped;
 
 vec2 singularValues(mat3x2 d, vec4 rest) {
@@ -183,7 +186,8 @@ const details = (map, view) => `
       ? 'color *= 0.72 + 0.28 * abs(dot(normalize(vNormal), uEye));' : ''}`;
 
 export function facesFragment(map, energy, picture) {
-  const {shown, view, straight, improves, evaluates, isPass, quantity, flat} = planOf(map, picture);
+  const {shown, view, straight, improves, evaluates, liesOnSurface, isPass, quantity, flat} =
+      planOf(map, picture);
   const fetch = fetched(map, straight, 'vFace');
   const points = flat ? fetch.map(flatName) : fetch;
   const evaluate = `bezier(${points.join(', ')}, xi, uv, d);`;
@@ -211,6 +215,8 @@ void main() {
   ${evaluates ? evaluate : ''}
   ${improves ? improvePlace(evaluate) : ''}
   ${view === 'layout' ? 'uv = vUv;' : ''}
+  ${liesOnSurface
+      ? 'uv = ofCorners(uCorner, vFace, xi).xy * uRestFrame.x + uRestFrame.yz;' : ''}
   ${shown.needs === 'jacobian'
       ? 'vec2 sigma = singularValues(d, texelFetch(uRest, at(vFace), 0));' : ''}
   ${isPass ? `fragment = ${shown.glsl};` : `

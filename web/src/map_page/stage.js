@@ -4,8 +4,8 @@
 // One WebGL canvas with two views, drawn when something changed: scenes, cameras, render passes.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute, GLSL3, Mesh, Points,
-  RawShaderMaterial, Scene, WebGLRenderer, WebGLRenderTarget,
+  AlwaysStencilFunc, BufferAttribute, BufferGeometry, Color, DoubleSide, Float32BufferAttribute,
+  GLSL3, IncrementStencilOp, LessStencilFunc, Mesh, Points, RawShaderMaterial, Scene, WebGLRenderer, WebGLRenderTarget,
 } from 'three';
 
 // Everything is one long list, as renderers in software take instances one by one.
@@ -65,7 +65,7 @@ export function cellsGeometry({pieces, edges}, top) {
 export const flatGeometry = (count, top = new Set()) => cellsGeometry(
     {pieces: new Uint8Array(count).fill(1), edges: new Uint8Array(3 * count).fill(1)}, top);
 
-// lines: [{face, edge, width, corner, tint, target}], bands of piecesOf(face) pieces each.
+// lines: [{face, edge, width, corner, tint, target}] as mark_shaders.js takes them, bands of piecesOf(face) pieces each.
 export function linesGeometry(lines, piecesOf) {
   const positions = [], targets = [], tints = [], places = [], indices = [];
   for (const {face, edge, width, corner, tint, target} of lines) {
@@ -76,7 +76,7 @@ export function linesGeometry(lines, piecesOf) {
         positions.push(k / pieces, side, width);
         places.push(face, edge, corner ?? 0);
         tints.push(...tint);
-        targets.push(...(target ?? [0, 0]));
+        targets.push(...[0, 1, 2, 3].map((d) => target?.[d] ?? 0));
       }
     for (let k = first; k < first + 2 * pieces; k += 2)
       indices.push(k, k + 2, k + 3, k, k + 3, k + 1);
@@ -84,7 +84,7 @@ export function linesGeometry(lines, piecesOf) {
   const floats = (values, size) => [Float32Array.from(values), size];
   return indexedGeometry({
     position: floats(positions, 3), line: floats(places, 3), tint: floats(tints, 3),
-    target: floats(targets, 2),
+    target: floats(targets, 4),
   }, Uint32Array.from(indices));
 }
 
@@ -112,13 +112,26 @@ export function drawable(Kind, geometry, itsMaterial, order) {
   return object;
 }
 
+// Options of materials: of what counts how often it covers each sample, and of what is drawn where
+// that is more than once.
+export const counted = {
+  stencilWrite: true, stencilFunc: AlwaysStencilFunc, stencilZPass: IncrementStencilOp,
+};
+export const whereCoveredTwice = {
+  stencilWrite: true, stencilFunc: LessStencilFunc, stencilRef: 1, transparent: true,
+  depthTest: false, depthWrite: false,
+};
+// A triangle that covers the window.
+export const windowGeometry = () => indexedGeometry(
+    {position: [Float32Array.of(-1, -1, 0, 3, -1, 0, -1, 3, 0), 3]}, Uint32Array.of(0, 1, 2));
+
 export {Mesh, Points, Scene};
 
 export class Stage {
   // canvas: covers all views. views: see view.js.
   constructor(canvas) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true,
+    this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true, stencil: true,
                                        preserveDrawingBuffer: true});
     this.renderer.info.autoReset = false;
     this.renderer.setClearColor(new Color(0, 0, 0), 0);
@@ -170,6 +183,26 @@ export class Stage {
       renderer.render(view.scene, view.camera);
     }
     this.drawCalls = renderer.info.render.calls;
+  }
+
+  // What act() makes of the canvas while all views are drawn on it with so many device pixels a CSS
+  // pixel, or as many as the graphics card can do.
+  drawnAt(pixelRatio, act) {
+    const {renderer} = this;
+    const {width, height} = this.canvas.parentElement.getBoundingClientRect();
+    const most = renderer.capabilities.maxTextureSize / Math.max(width, height);
+    const usual = renderer.getPixelRatio();
+    const setRatio = (ratio) => {
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(width, height, false);
+      this.render();
+    };
+    setRatio(Math.min(pixelRatio, most));
+    try {
+      return act();
+    } finally {
+      setRatio(usual);
+    }
   }
 
   // The view with another picture (shaders.js), one texel a CSS pixel, read back: bytes r, g, b, a by

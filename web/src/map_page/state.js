@@ -5,10 +5,11 @@
 //
 //   state.watch(['show', 'brush'], draw);   // called once now, and after every change of either
 //   state.set({show: 'area', brush: null});
+//   state.set(state.defaults);              // as at the beginning
 
 export class State {
   constructor(values) {
-    Object.assign(this, values);
+    Object.assign(this, values, {defaults: values});
     this.watchers = [];
   }
 

@@ -3,7 +3,7 @@
 
 // The surface in 3D: an orbit around it, and which face a ray meets.
 
-import {OrthographicCamera, Vector3} from 'three';
+import {OrthographicCamera, TOUCH, Vector3} from 'three';
 
 import {cornersOf, positionOf} from './map_data.js';
 import {meet} from './ray.js';
@@ -20,7 +20,7 @@ export class SurfaceView extends View {
     const {eye} = shared.map;
     camera.up.set(...(Math.abs(eye[1]) > kSteep ? [0, 0, 1] : [0, 1, 0]));  // before OrbitControls look
     camera.position.set(...eye).setLength(kDistance);
-    super('surface', stage, element, camera, shared);
+    super('surface', stage, element, camera, TOUCH.DOLLY_ROTATE, shared);
     this.extent = kExtent;
     Object.assign(this.controls, {minZoom: 0.2, maxZoom: 500, zoomToCursor: true});
     const {middle, size} = this.shownFrom(eye);
@@ -91,6 +91,21 @@ export class SurfaceView extends View {
     const {normal, size} = this.shapeOf(place.face);
     const zoom = Math.min(400, Math.max(1, 0.2 / size));
     this.setPose([...normal, ...this.pointAt(place), zoom]);
+  }
+
+  // Turns faces to the eye, in the middle, as large as they fit.
+  showFaces(faces) {
+    const sum = new Vector3(), middle = new Vector3();
+    const corners = faces.flatMap((face) => [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(
+        (xi) => this.pointAt({face, xi})));
+    for (let k = 0; k < corners.length; k += 3) {
+      const [p, q, r] = corners.slice(k, k + 3);
+      sum.add(q.clone().sub(p).cross(r.clone().sub(p)));
+    }
+    for (const corner of corners) middle.addScaledVector(corner, 1 / corners.length);
+    const far = corners.reduce((most, corner) => Math.max(most, corner.distanceTo(middle)), 1e-6);
+    const normal = sum.length() > 0 ? sum.normalize() : new Vector3(0, 0, 1);
+    this.setPose([...normal, ...middle, Math.min(400, 0.5 * kExtent / far)]);
   }
 
   // Turns the camera around its target by radians.

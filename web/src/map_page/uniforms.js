@@ -3,23 +3,34 @@
 
 // What the programs of both views share: textures of the map, and what the state says.
 
-import {tints, rgbOf} from './marks.js';
+import {kMeets, tints, rgbOf} from './marks.js';
 import * as textures from './textures.js';
 
 const kCheckers = 40;  // along the layout, at least half of them
 
-// [cells along the layout's size, phase of u and v]: a cell is 1, 2 or 5 times a power of ten wide.
-function checkerFrame({size, center}) {
+// The width of a square of the checkerboard, 1, 2 or 5 times a power of ten; steps: how many of
+// these wider.
+export function checkerWidth({size}, steps) {
   const wanted = size / kCheckers;
-  const power = 10 ** Math.floor(Math.log10(wanted));
-  const width = power * [1, 2, 5, 10].find((digit) => digit * power >= wanted);
+  const power = Math.floor(Math.log10(wanted));
+  const first = [1, 2, 5, 10].findIndex((digit) => digit * 10 ** power >= wanted);
+  const step = first + steps + 3 * power;
+  return [1, 2, 5][((step % 3) + 3) % 3] * 10 ** Math.floor(step / 3);
+}
+
+// [squares along the layout's size, phase of u and v].
+export function checkerFrame({size, center}, width) {
   return [size / width, ...center.map((c) => (c / width) % 2)];
 }
 
+// From positions in the frame of the surface to uv in that of the layout.
+const restFrame = ({uvBounds}, center, radius) =>
+    [radius, ...[0, 1].map((d) => center[d] - uvBounds.center[d])].map((x) => x / uvBounds.size);
+
 // An image fills the unit square of layouts that were made for one, and the square around the
 // middle of others.
-function imageFrame({claims, scaleIsAssumed, uvBounds: {size, center}}) {
-  return claims.normalized || scaleIsAssumed ? [size, ...center] : [1, 0.5, 0.5];
+function imageFrame({isInSquare, uvBounds: {size, center}}) {
+  return isInSquare ? [size, ...center] : [1, 0.5, 0.5];
 }
 
 export function makeUniforms({map}) {
@@ -42,10 +53,12 @@ export function makeUniforms({map}) {
     uScale: [0, 0, 1, 0],
     uUnit: 1,
     uBrush: [0, 1],
-    uChecker: checkerFrame(map.uvBounds),
+    uChecker: [1, 0, 0],
+    uRestFrame: restFrame(map, center, radius),
     uImageFrame: imageFrame(map),
     uAccent: [0, 0, 0],
     uFlipped: rgbOf('#d600be'),
+    uMeets: rgbOf(kMeets),
     uFaultsShown: true,
     uEdges: 0,
     uEye: [0, 0, 1],

@@ -8,12 +8,15 @@ import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 
 import * as markShaders from './mark_shaders.js';
 import * as shaders from './shaders.js';
-import {Mesh, Points, Scene, dotsGeometry, drawable, linesGeometry, material} from './stage.js';
+import {
+  Mesh, Points, Scene, counted, dotsGeometry, drawable, linesGeometry, material,
+} from './stage.js';
 
 export class View {
   // kind: 'surface' or 'layout'; shared: what main.js shares between views: map, energy, uniforms,
   // what is shown.
-  constructor(kind, stage, element, camera, shared) {
+  // touches: what two fingers do.
+  constructor(kind, stage, element, camera, touches, shared) {
     Object.assign(this, {kind, stage, element, camera, shared, scene: new Scene()});
     this.uniforms = {
       ...shared.uniforms,
@@ -24,6 +27,7 @@ export class View {
     this.lineList = [];
     this.addObjects();
     this.controls = new OrbitControls(camera, element);
+    this.controls.touches = {ONE: null, TWO: touches};
     this.controls.addEventListener('change', () => stage.request(this));
     stage.views.push(this);
   }
@@ -62,7 +66,8 @@ export class View {
     if (!this.programs.has(key)) {
       const ofView = {...picture, view: this.kind};
       this.programs.set(key, material(shaders.facesVertex(map, ofView),
-                                      shaders.facesFragment(map, energy, ofView), this.uniforms));
+                                      shaders.facesFragment(map, energy, ofView), this.uniforms,
+                                      this.kind === 'layout' ? counted : {}));
     }
     return this.programs.get(key);
   }
@@ -117,6 +122,7 @@ export class View {
     for (const object of this.lines) object.visible &&= this.lineList.length > 0;
     this.dots.visible &&= this.dots.geometry.attributes.position.count > 0;
     if (this.scaffold) this.scaffold.visible &&= state.scaffold;
+    if (this.hatch) this.hatch.visible &&= state.overlaps;
   }
 
   // An orthographic camera whose height at zoom 1 is `extent`, or its width where that is less.

@@ -1,4 +1,4 @@
-#include "majorant/io/internal/xml_tree.h"
+#include "majorant/io/xml_tree.h"
 
 #include <fmt/format.h>
 

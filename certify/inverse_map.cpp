@@ -1,0 +1,371 @@
+#include "majorant/certify/inverse_map.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "majorant/certify/box_pairs.h"
+#include "majorant/elements/bernstein.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/rounding.h"
+#include "majorant/mesh/exact_predicates.h"
+
+namespace majorant {
+namespace {
+
+constexpr int kMostControlPoints = control_point_count(BezierTriangleSpace::kMaxDegree);
+// The bound c of |I - A J| below which the projected iteration decides: at its fixed point the
+// distance |s| from the piece exceeds c |s| / (1 - c) for c < 1/2. Less, for rounding.
+constexpr double kContraction = 0.49;
+// Bisections of a face. Where det J > 0 some are enough; this many leave 2^-15 of each edge.
+constexpr int kDeepest = 30;
+// Steps of the iteration: Newton's at first, then those that contract at least by kContraction, to
+// the last digit.
+constexpr int kNewtonSteps = 8, kMostSteps = 72;
+// Times the rounding of A f: a point that lies so far outside of a piece is still taken for one on
+// its edge, since uv is rounded itself.
+constexpr double kBeyond = 8;
+// Points that a task of locate() takes.
+constexpr Index kPointsOfTask = 512;
+
+// A point of a face that the map takes to uv, and how far off its coordinates may be.
+struct Found {
+  Preimage preimage;
+  double radius;
+
+  bool is_zero(int corner) const { return preimage.barycentric[corner] <= radius; }
+};
+
+Eigen::Matrix2d columns(const Vector2& a, const Vector2& b) {
+  Eigen::Matrix2d m;
+  m << a, b;
+  return m;
+}
+
+// The nearest point of the triangle t >= 0, t0 + t1 <= 1.
+Vector2 projected(const Vector2& t) {
+  const Vector2 on_axes[] = {{std::clamp(t[0], 0.0, 1.0), 0}, {0, std::clamp(t[1], 0.0, 1.0)}};
+  if (t[0] >= 0 && t[1] >= 0 && t[0] + t[1] <= 1) return t;
+  const double s = std::clamp((1 + t[0] - t[1]) / 2, 0.0, 1.0);
+  Vector2 nearest(s, 1 - s);
+  for (const Vector2& p : on_axes)
+    if ((p - t).squaredNorm() < (nearest - t).squaredNorm()) nearest = p;
+  return nearest;
+}
+
+// A part of a face: the control points of the map there, less uv.
+class Piece {
+ public:
+  Piece(const BezierMap& map, Index face, const Vector2& uv) : degree_(map.degree()) {
+    const TriangleIndices& indices = TriangleIndices::of_degree(degree_);
+    const auto points = map.control_uv();
+    const auto nodes = map.space().cells().row(face);
+    for (int local = 0; local < indices.count(); ++local) {
+      const auto [i, j, k] = indices.multi(local);
+      at(i, j) = points.row(nodes[local]).transpose() - uv;
+    }
+    corners_.setIdentity();
+  }
+
+  // The two halves, cut from the first edge to the corner opposite; the next cut of each half goes
+  // to the new corner (newest vertex bisection), which keeps the shapes.
+  std::array<Piece, 2> halves() const {
+    std::array<Piece, 2> half{Piece(degree_), Piece(degree_)};
+    for (int k = 0; k <= degree_; ++k) {
+      const int m = degree_ - k;
+      std::array<Vector2, BezierTriangleSpace::kMaxDegree + 1> row;  // from corner 0 to corner 1
+      for (int j = 0; j <= m; ++j) row[j] = at(m - j, j);
+      for (int l = 0; l <= m; ++l) {
+        // Of corners (2, 0, middle): k, m - l, l; of (1, 2, middle): m - l, k, l.
+        half[0].at(k, m - l) = row[0];
+        half[1].at(m - l, k) = row[m - l];
+        for (int j = 0; j < m - l; ++j) row[j] = (row[j] + row[j + 1]) / 2;
+      }
+    }
+    const Barycentric middle = (corners_.col(0) + corners_.col(1)) / 2;
+    half[0].corners_ << corners_.col(2), corners_.col(0), middle;
+    half[1].corners_ << corners_.col(1), corners_.col(2), middle;
+    return half;
+  }
+
+  // Whether the control points surround the origin as far as their box tells.
+  bool may_reach_origin() const {
+    Vector2 low = points_[0], high = points_[0];
+    for (int p = 1; p < control_point_count(degree_); ++p) {
+      low = low.cwiseMin(points_[p]);
+      high = high.cwiseMax(points_[p]);
+    }
+    return (low.array() <= 0).all() && (high.array() >= 0).all();
+  }
+
+  enum class Outcome { None, One, Cut };
+  // Decides whether the piece has a preimage of uv, or asks for halves.
+  Outcome solve(Found& found) const {
+    const Eigen::Matrix2d straight = derivative_at({1.0 / 3, 1.0 / 3}).second.inverse();
+    const double c = straight.allFinite() ? deviation(straight) : 1;
+    if (!(c < kContraction)) return Outcome::Cut;
+    double largest = 0;
+    for (int p = 0; p < control_point_count(degree_); ++p)
+      largest = std::max(largest, points_[p].norm());
+    // Of A f: rounding of de Casteljau's averages, of the difference to uv, and of the product.
+    const double rounding = straight.norm() * kUnitRoundoff<double> * (8 * degree_ + 16) * largest;
+    Vector2 t(1.0 / 3, 1.0 / 3);
+    for (int step = 0; step < kMostSteps; ++step) {
+      const auto [value, jacobian] = derivative_at(t);
+      const Vector2 s = -(straight * value);
+      const double distance = s.norm() + rounding;
+      if ((projected(t + s) - (t + s)).norm() > c / (1 - c) * distance + kBeyond * rounding)
+        return Outcome::None;
+      if (s.norm() <= 2 * kBeyond * rounding) {
+        found = located(t, distance / (1 - c));
+        return Outcome::One;
+      }
+      const Vector2 newton = -(jacobian.inverse() * value);
+      t = projected(step < kNewtonSteps && newton.allFinite() ? t + newton : t + s);
+    }
+    return Outcome::Cut;
+  }
+
+  // Where the piece is, for want of more.
+  Found undecided() const {
+    Found found = located({1.0 / 3, 1.0 / 3}, 0);
+    found.preimage.proven = false;
+    return found;
+  }
+
+ private:
+  explicit Piece(int degree) : degree_(degree) {}
+
+  // Rows of equal i: of degree n the first one has n + 1 points.
+  int place(int i, int j) const { return i * (degree_ + 1) - i * (i - 1) / 2 + j; }
+  Vector2& at(int i, int j) { return points_[place(i, j)]; }
+  const Vector2& at(int i, int j) const { return points_[place(i, j)]; }
+
+  // The map less uv, and its derivatives by t0 and t1, at barycentric coordinates t0, t1, 1 - t0 -
+  // t1 of the piece.
+  std::pair<Vector2, Eigen::Matrix2d> derivative_at(const Vector2& t) const {
+    const double last = 1 - t[0] - t[1];
+    std::array<Vector2, kMostControlPoints> p;
+    std::copy_n(points_.begin(), control_point_count(degree_), p.begin());
+    // In place, the points of degree m in rows as `place` has them for the whole degree.
+    for (int m = degree_ - 1; m >= 1; --m)
+      for (int i = 0; i <= m; ++i)
+        for (int j = 0; j <= m - i; ++j)
+          p[place(i, j)] =
+              t[0] * p[place(i + 1, j)] + t[1] * p[place(i, j + 1)] + last * p[place(i, j)];
+    const Vector2 &a = p[place(1, 0)], &b = p[place(0, 1)], &o = p[place(0, 0)];
+    return {t[0] * a + t[1] * b + last * o, degree_ * columns(a - o, b - o)};
+  }
+
+  // A bound of |I - A J| on the piece: J is a convex combination of differences of control points.
+  double deviation(const Eigen::Matrix2d& straight) const {
+    double largest = 0;
+    for (int i = 0; i < degree_; ++i)
+      for (int j = 0; j < degree_ - i; ++j) {
+        const Eigen::Matrix2d d =
+            degree_ * columns(at(i + 1, j) - at(i, j), at(i, j + 1) - at(i, j));
+        largest = std::max(largest, (Eigen::Matrix2d::Identity() - straight * d).norm());
+      }
+    return largest;
+  }
+
+  Found located(const Vector2& t, double radius) const {
+    Found found;
+    found.radius = 2 * radius + 8 * kUnitRoundoff<double>;
+    Barycentric& xi = found.preimage.barycentric;
+    xi = (corners_ * Barycentric(t[0], t[1], 1 - t[0] - t[1])).cwiseMax(0.0);
+    xi /= xi.sum();
+    found.preimage.on_edge = xi.minCoeff() <= found.radius;
+    return found;
+  }
+
+  int degree_;
+  std::array<Vector2, kMostControlPoints> points_;
+  Eigen::Matrix3d corners_;  // a column each: barycentric coordinates of the face
+};
+
+// All preimages of the piece. Two pieces may find the same one on the edge that they share.
+void append_of_piece(const Piece& piece, int depth, std::vector<Found>& found) {
+  if (!piece.may_reach_origin()) return;
+  Found one;
+  const Piece::Outcome outcome = piece.solve(one);
+  if (outcome == Piece::Outcome::None) return;
+  if (outcome == Piece::Outcome::Cut && depth < kDeepest) {
+    for (const Piece& half : piece.halves()) append_of_piece(half, depth + 1, found);
+    return;
+  }
+  if (outcome == Piece::Outcome::Cut) one = piece.undecided();
+  for (const Found& other : found)
+    if ((other.preimage.barycentric - one.preimage.barycentric).norm() <= other.radius + one.radius)
+      return;
+  found.push_back(one);
+}
+
+// Exactly: of a triangle of either orientation.
+void append_of_triangle(const std::array<Vector2, 3>& corner, const Vector2& uv,
+                        std::vector<Found>& found) {
+  const int sense = orientation(corner[0], corner[1], corner[2]);
+  Found one{{}, 0};
+  std::array<double, 3> weight{};
+  for (int k = 0; k < 3; ++k) {
+    const Vector2 &a = corner[(k + 1) % 3], &b = corner[(k + 2) % 3];
+    if (sense == 0) {
+      if (!on_segment(a, b, uv)) continue;
+      one.preimage.proven = false;  // of a triangle without area
+      weight = {1, 1, 1};
+      break;
+    }
+    const int side = sense * orientation(a, b, uv);
+    if (side < 0) return;
+    if (side == 0) {
+      one.preimage.on_edge = true;
+      continue;
+    }
+    const Vector2 p = a - uv, q = b - uv;
+    weight[k] =
+        std::max(sense * (p.x() * q.y() - p.y() * q.x()), std::numeric_limits<double>::min());
+  }
+  const double sum = weight[0] + weight[1] + weight[2];
+  if (!(sum > 0)) return;
+  for (int k = 0; k < 3; ++k) one.preimage.barycentric[k] = weight[k] / sum;
+  found.push_back(one);
+}
+
+std::shared_ptr<const BoxTree> boxes_of(const BezierMap& map) {
+  const auto points = map.control_uv();
+  const Cells& cells = map.space().cells();
+  std::vector<Box2> boxes;
+  boxes.reserve(static_cast<std::size_t>(cells.rows()));
+  for (Index f = 0; f < cells.rows(); ++f) {
+    Box2 box{points.row(cells(f, 0)), points.row(cells(f, 0))};
+    for (const Index node : cells.row(f)) {
+      if (!points.row(node).allFinite())
+        throw InvalidArgument(fmt::format("InverseMap: control point {} is not finite", node));
+      box.low = box.low.cwiseMin(points.row(node).transpose());
+      box.high = box.high.cwiseMax(points.row(node).transpose());
+    }
+    boxes.push_back(box);
+  }
+  return std::make_shared<const BoxTree>(std::move(boxes));
+}
+
+// Whether both are the same point of the surface, on an edge or at a vertex that their faces share.
+bool is_same_point(const SurfaceMesh& mesh, const Found& a, const Found& b) {
+  if (!a.preimage.on_edge || !b.preimage.on_edge || a.preimage.face == b.preimage.face)
+    return false;
+  const double reach = a.radius + b.radius + 16 * kUnitRoundoff<double>;
+  for (int k = 0; k < 3; ++k) {
+    if (!a.is_zero((k + 2) % 3)) continue;
+    if (a.is_zero(k) || a.is_zero((k + 1) % 3)) {  // a vertex
+      const Index vertex = mesh.faces()(a.preimage.face, a.is_zero(k) ? (k + 1) % 3 : k);
+      for (int l = 0; l < 3; ++l)
+        if (mesh.faces()(b.preimage.face, l) == vertex && b.is_zero((l + 1) % 3) &&
+            b.is_zero((l + 2) % 3))
+          return true;
+    }
+    const Index across = mesh.opposite(3 * a.preimage.face + k);
+    if (across < 0 || face_of(across) != b.preimage.face) continue;
+    if (std::abs(a.preimage.barycentric[k] - b.preimage.barycentric[corner_of(next(across))]) <=
+        reach)
+      return true;
+  }
+  return false;
+}
+
+bool is_on_border(const SurfaceMesh& mesh, const Found& p) {
+  for (int k = 0; k < 3; ++k)
+    if (p.is_zero((k + 2) % 3) && mesh.opposite(3 * p.preimage.face + k) < 0) return true;
+  return false;
+}
+
+// The search for the preimages of one point after the other; its memory serves all of them.
+class Search {
+ public:
+  Search(const BezierMap& map, const BoxTree& tree) : map_(map), tree_(tree) {}
+
+  // By ascending faces, shared points once. Valid until the next call.
+  const std::vector<Found>& preimages(const Vector2& uv) {
+    found_.clear();
+    if (!uv.allFinite()) return found_;
+    candidates_.clear();
+    uv_ = uv;
+    // One pointer, for std::function to keep it without an allocation.
+    tree_.visit_meeting({uv, uv}, [this](Index face) { visit(face); });
+    if (candidates_.size() < 2) return candidates_;
+    std::stable_sort(candidates_.begin(), candidates_.end(), [](const Found& a, const Found& b) {
+      return a.preimage.face < b.preimage.face;
+    });
+    for (const Found& one : candidates_)
+      if (std::none_of(found_.begin(), found_.end(),
+                       [&](const Found& other) { return is_same_point(map_.mesh(), one, other); }))
+        found_.push_back(one);
+    return found_;
+  }
+
+ private:
+  void visit(Index face) {
+    of_face_.clear();
+    if (map_.degree() == 1) {
+      const auto points = map_.control_uv();
+      const auto nodes = map_.space().cells().row(face);
+      append_of_triangle({points.row(nodes[0]), points.row(nodes[1]), points.row(nodes[2])}, uv_,
+                         of_face_);
+    } else {
+      append_of_piece(Piece(map_, face, uv_), 0, of_face_);
+    }
+    for (Found& one : of_face_) {
+      one.preimage.face = face;
+      candidates_.push_back(one);
+    }
+  }
+
+  const BezierMap& map_;
+  const BoxTree& tree_;
+  Vector2 uv_;
+  std::vector<Found> of_face_, candidates_, found_;
+};
+
+}  // namespace
+
+InverseMap::InverseMap(BezierMap map) : map_(std::move(map)), tree_(boxes_of(map_)) {}
+
+std::vector<Preimage> InverseMap::preimages(const Vector2& uv) const {
+  std::vector<Preimage> result;
+  Search search(map_, *tree_);
+  for (const Found& one : search.preimages(uv)) result.push_back(one.preimage);
+  return result;
+}
+
+InverseMap::Points InverseMap::locate(const Points2& uv, const StopCheck& stop) const {
+  Points points;
+  const auto count = static_cast<Index>(uv.rows());
+  points.face.assign(to_size(count), -1);
+  points.barycentric = Points3::Zero(count, 3);
+  std::vector<char> undecided(to_size(count), 0);  // bytes: tasks write side by side
+  parallel_tasks((count + kPointsOfTask - 1) / kPointsOfTask, [&](Index task, int) {
+    stop.poll();
+    Search search(map_, *tree_);
+    const Index last = std::min(count, (task + 1) * kPointsOfTask);
+    for (Index k = task * kPointsOfTask; k < last; ++k) {
+      const std::vector<Found>& found = search.preimages(uv.row(k));
+      if (found.empty()) continue;
+      const Found& first = found.front();
+      points.face[to_size(k)] = first.preimage.face;
+      points.barycentric.row(k) = first.preimage.barycentric;
+      undecided[to_size(k)] = !first.preimage.proven || (map_.degree() > 1 && found.size() == 1 &&
+                                                         is_on_border(map_.mesh(), first));
+    }
+  });
+  points.is_undecided.assign(undecided.begin(), undecided.end());
+  return points;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,74 @@
+// From the layout back to the surface: the points of a surface that a map takes to a point of the
+// plane, proven.
+//
+//   const InverseMap inverse(map);
+//   for (const Preimage& p : inverse.preimages({0.25, 0.5}))   // of a seamless map: all of them
+//     std::cout << p.face << ": " << p.barycentric.transpose() << "\n";
+//
+//   const Points2 uv = Points2::Random(1000, 2);
+//   const InverseMap::Points found = inverse.locate(uv);       // one of each, on all threads
+//   // found.face[k] == -1: proven to lie outside of the layout
+//
+// A map whose layout does not overlap has exactly one preimage of every point inside, none of those
+// outside. A point on an edge that several faces share belongs to the smallest of these faces.
+//
+// Straight faces are decided exactly. A curved face is cut into pieces on which a linear map A
+// straightens it, |I - A J| <= c < 1/2 for all Jacobians J (bounded by their control points): there
+// xi -> xi + A (uv - f(xi)), followed by the projection onto the piece, contracts, and its fixed
+// point is the one preimage or proves that there is none. Rounding is bounded: what lies closer to
+// an edge than it reaches is said to be on it.
+//
+// Not for maps that are torn or inconsistent: MapFile and MapProof come first. Not for the nearest
+// point of a layout: a point outside has no preimage.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/parametrization/maps/bezier_map.h"
+
+namespace majorant {
+
+class BoxTree;
+
+struct Preimage {
+  Index face = -1;
+  Barycentric barycentric = Barycentric::Zero();  // >= 0, sum 1 to rounding
+  // Whether it may lie on an edge of the face: of straight faces exactly, of curved ones to within
+  // rounding. Then it may be a preimage of points just outside.
+  bool on_edge = false;
+  // False: det J is not provably positive around it, so that there may be more, or none.
+  bool proven = true;
+};
+
+class InverseMap {
+ public:
+  // Keeps a copy of the map. O(#F log #F). Throws InvalidArgument where control points are not
+  // finite.
+  explicit InverseMap(BezierMap map);
+
+  // All preimages of uv, by ascending faces; a point that faces share once, by the smallest of
+  // them. O(log #F) and a microsecond or so for each face whose control points surround uv. None
+  // for a uv that is not finite.
+  std::vector<Preimage> preimages(const Vector2& uv) const;
+
+  struct Points {
+    std::vector<Index> face;         // #P: -1 where there is no preimage
+    Points3 barycentric;             // #P by 3; 0 where there is none
+    std::vector<bool> is_undecided;  // #P: not proven, or on the border to within rounding
+  };
+  // The first preimage of every row of uv, #P by 2. Polls `stop`: Stopped.
+  Points locate(const Points2& uv, const StopCheck& stop = {}) const;
+
+  const BezierMap& map() const { return map_; }
+
+ private:
+  BezierMap map_;
+  std::shared_ptr<const BoxTree> tree_;  // of the boxes around the control points of the faces
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,432 @@
+#include "majorant/io/internal/gltf_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/base64.h"
+#include "majorant/io/byte_cursor.h"
+#include "majorant/io/input_file.h"
+#include "majorant/io/json_depth.h"
+#include "majorant/io/reading_limit.h"
+
+namespace majorant {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kVersion = 2;
+constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+constexpr std::string_view kMagic = "glTF";
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+constexpr std::size_t kLargestStride = 252;
+
+struct Compression {
+  std::string_view extension, name;
+};
+constexpr std::array<Compression, 4> kCompressions = {{
+    {"KHR_draco_mesh_compression", "Draco compression"},
+    {"EXT_meshopt_compression", "meshopt compression"},
+    {"KHR_meshopt_compression", "meshopt compression"},
+    {"KHR_texture_basisu", "KTX2 textures"},
+}};
+
+// Extensions that may be required: geometry is what it is without them, or read as they say.
+constexpr std::array<std::string_view, 8> kUnderstood = {
+    "KHR_mesh_quantization", "KHR_texture_transform", "KHR_lights_punctual",
+    "KHR_animation_pointer", "KHR_xmp_json_ld",       "EXT_mesh_gpu_instancing",
+    "EXT_texture_webp",      "EXT_texture_avif"};
+constexpr std::string_view kMaterials = "KHR_materials_";
+
+constexpr std::array<std::pair<std::string_view, std::size_t>, 7> kWidths = {
+    {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
+
+constexpr std::array<const char*, 11> kLists = {"accessors", "animations", "buffers", "bufferViews",
+                                                "images",    "materials",  "meshes",  "nodes",
+                                                "scenes",    "skins",      "textures"};
+
+[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+  throw Error(ErrorKind::Unsupported, fmt::format("{}: {}", path, what));
+}
+
+std::uint32_t number_at(const std::string& content, std::size_t place) {
+  return load_bytes<std::uint32_t>(content.data() + place, ByteOrder::Little);
+}
+
+std::string without_escapes(const std::string& uri) {
+  std::string text;
+  for (std::size_t k = 0; k < uri.size(); ++k) {
+    const std::string digits = uri.substr(k + 1, 2);
+    const bool is_escape = uri[k] == '%' && digits.size() == 2 &&
+                           digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+    text += is_escape ? static_cast<char>(std::stoi(digits, nullptr, 16)) : uri[k];
+    if (is_escape) k += 2;
+  }
+  return text;
+}
+
+bool is_data(std::string_view uri) { return uri.starts_with("data:"); }
+
+}  // namespace
+
+std::size_t size_of(GltfComponent component) {
+  switch (component) {
+    case GltfComponent::Byte:
+    case GltfComponent::UByte:
+      return 1;
+    case GltfComponent::Short:
+    case GltfComponent::UShort:
+      return 2;
+    case GltfComponent::UInt:
+    case GltfComponent::Float:
+      return 4;
+  }
+  return 0;
+}
+
+std::uint32_t GltfElements::integer(std::size_t element, std::size_t k) const {
+  const char* at = bytes.data() + element * element_size() + k * size_of(component);
+  if (component == GltfComponent::UByte) return load_bytes<std::uint8_t>(at, ByteOrder::Little);
+  if (component == GltfComponent::UShort) return load_bytes<std::uint16_t>(at, ByteOrder::Little);
+  return load_bytes<std::uint32_t>(at, ByteOrder::Little);
+}
+
+double GltfElements::value(std::size_t element, std::size_t k) const {
+  const char* at = bytes.data() + element * element_size() + k * size_of(component);
+  const auto number = [&]<class T>(T) -> double {
+    const auto x = static_cast<double>(load_bytes<T>(at, ByteOrder::Little));
+    if (!normalized || component == GltfComponent::Float) return x;
+    return std::max(x / static_cast<double>(std::numeric_limits<T>::max()), -1.0);
+  };
+  switch (component) {
+    case GltfComponent::Byte:
+      return number(std::int8_t{});
+    case GltfComponent::UByte:
+      return number(std::uint8_t{});
+    case GltfComponent::Short:
+      return number(std::int16_t{});
+    case GltfComponent::UShort:
+      return number(std::uint16_t{});
+    case GltfComponent::UInt:
+      return number(std::uint32_t{});
+    case GltfComponent::Float:
+      return number(float{});
+  }
+  return 0;
+}
+
+std::string file_of_uri(const std::string& path, const std::string& uri) {
+  const std::string name = without_escapes(uri);
+  const auto outside = [&] {
+    refuse(path, fmt::format("it names the file {}, and files are read from its own folder and "
+                             "those below alone; copy it there, or embed it",
+                             in_quotes(name)));
+  };
+  if (name.empty() || name.find_first_of(std::string_view("\0\\", 2)) != std::string::npos)
+    outside();
+  if (name.substr(0, name.find('/')).find(':') != std::string::npos) outside();
+  const fs::path relative(name);
+  if (relative.is_absolute() ||
+      std::any_of(relative.begin(), relative.end(), [](const fs::path& p) { return p == ".."; }))
+    outside();
+  std::error_code failed;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(path, failed).parent_path(), failed);
+  const fs::path file = fs::weakly_canonical(folder / relative, failed);
+  const fs::path way = file.lexically_relative(folder);
+  if (way.empty() || *way.begin() == "..") outside();  // by a link
+  return (fs::path(path).parent_path() / relative).string();
+}
+
+GltfDocument::GltfDocument(const std::string& path, const std::string& content,
+                           const StopCheck& stop)
+    : path_(path), given_(content.size()) {
+  parse(content);
+  require_supported();
+  require_sound_lists();
+  load_buffers(stop);
+  std::size_t ignored = 0;
+  for (std::size_t k = 0; k < list("bufferViews").size(); ++k) view(k, ignored);
+  for (std::size_t k = 0; k < list("accessors").size(); ++k) layout(k, "accessors");
+}
+
+void GltfDocument::damaged(const std::string& problem) const {
+  throw Error(ErrorKind::Unreadable, fmt::format("{}: {}; damaged file", path_, problem));
+}
+
+void GltfDocument::parse(const std::string& content) {
+  std::string text;
+  if (!content.starts_with(kMagic)) {
+    text = content;
+    require_text(path_, text);
+  } else {
+    const auto truncated = [&] {
+      throw Error(ErrorKind::Unreadable, path_ + ": the file is truncated");
+    };
+    if (content.size() < kHeader + kChunkHeader) truncated();
+    if (const std::uint32_t version = number_at(content, 4); version != kVersion)
+      refuse(path_, fmt::format("GLB of version {}, read is 2; export it as glTF 2.0", version));
+    if (number_at(content, 8) > content.size()) truncated();
+    for (std::size_t at = kHeader, chunk = 0; at + kChunkHeader <= content.size(); ++chunk) {
+      const std::size_t size = number_at(content, at);
+      const std::uint32_t kind = number_at(content, at + 4);
+      at += kChunkHeader;
+      if (size > content.size() - at) truncated();
+      if (chunk == 0 && kind != kJsonChunk) damaged("its first chunk is no JSON");
+      if (chunk == 0) text = content.substr(at, size);
+      if (chunk == 1 && kind == kBinaryChunk) {
+        binary_ = content.substr(at, size);
+        has_binary_ = true;
+      }
+      at += size;
+    }
+  }
+  require_shallow_json(path_, text);
+  try {
+    json_ = Gltf::parse(text);
+  } catch (const Gltf::exception&) {
+    throw Error(ErrorKind::Unreadable, path_ + ": broken JSON; no glTF file, or truncated");
+  }
+  if (!json_.is_object()) damaged("no JSON object");
+}
+
+void GltfDocument::require_supported() const {
+  const auto asset = json_.find("asset");
+  if (asset == json_.end() || !asset->is_object() || !asset->contains("version") ||
+      !(*asset)["version"].is_string())
+    damaged("it has no asset.version; no glTF file");
+  if (const auto version = (*asset)["version"].get<std::string>(); !version.starts_with("2."))
+    refuse(path_,
+           fmt::format("glTF of version {}, read is 2; export it as glTF 2.0", in_quotes(version)));
+  for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
+    const auto names = json_.find(key);
+    if (names == json_.end()) continue;
+    if (!names->is_array()) damaged(fmt::format("{} is no list", key));
+    for (const Gltf& entry : *names) {
+      if (!entry.is_string()) damaged(fmt::format("{} has an entry that is no name", key));
+      const auto name = entry.get<std::string>();
+      for (const Compression& known : kCompressions)
+        if (name == known.extension)
+          refuse(path_, fmt::format("{} ({}) is not read; export the model without it", known.name,
+                                    known.extension));
+      const bool is_understood =
+          name.starts_with(kMaterials) ||
+          std::find(kUnderstood.begin(), kUnderstood.end(), name) != kUnderstood.end();
+      if (std::string_view(key) == "extensionsRequired" && !is_understood)
+        refuse(path_, fmt::format("it requires the extension {}, which is not read; export the "
+                                  "model without it",
+                                  in_quotes(name)));
+    }
+  }
+}
+
+void GltfDocument::require_sound_lists() const {
+  for (const char* name : kLists) {
+    const auto list = json_.find(name);
+    if (list == json_.end()) continue;
+    if (!list->is_array()) damaged(fmt::format("{} is no list", name));
+    for (const Gltf& entry : *list)
+      if (!entry.is_object()) damaged(fmt::format("an entry of {} is no object", name));
+  }
+  for (const Gltf& image : list("images")) {
+    const std::string kind = image.contains("mimeType") && image["mimeType"].is_string()
+                                 ? image["mimeType"].get<std::string>()
+                                 : "";
+    if (kind == "image/ktx2")
+      refuse(path_, "KTX2 textures are not read; export the model without them");
+    if (!image.contains("uri")) continue;
+    if (!image["uri"].is_string()) damaged("images: uri is no text");
+    if (const auto uri = image["uri"].get<std::string>(); !is_data(uri)) file_of_uri(path_, uri);
+  }
+}
+
+const Gltf& GltfDocument::list(const char* name) const {
+  static const Gltf kNone = Gltf::array();
+  const auto found = json_.find(name);
+  return found == json_.end() ? kNone : *found;
+}
+
+std::size_t GltfDocument::index(const Gltf& object, const char* key, const char* name) const {
+  // Sums and products with small numbers stay below 2^64.
+  constexpr std::uint64_t kLargest = std::uint64_t{1} << 53;
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number_unsigned() ||
+      found->get<std::uint64_t>() > kLargest)
+    damaged(fmt::format("{}: {} is no number of anything", name, key));
+  return found->get<std::size_t>();
+}
+
+std::optional<std::size_t> GltfDocument::optional_index(const Gltf& object, const char* key,
+                                                        const char* name) const {
+  if (!object.contains(key)) return std::nullopt;
+  return index(object, key, name);
+}
+
+std::string GltfDocument::bytes_of(const std::string& uri, const StopCheck& stop) const {
+  if (!is_data(uri)) return read_whole_file(file_of_uri(path_, uri), stop);
+  constexpr std::string_view kBase64 = ";base64,";
+  const std::size_t begin = uri.find(kBase64);
+  if (begin == std::string::npos) damaged("buffers: uri is no base64 data");
+  std::string text = uri.substr(begin + kBase64.size());
+  constexpr std::size_t kGroup = 4;
+  while (text.size() % kGroup != 0) text += '=';
+  std::optional<std::string> bytes = decode_base64(text);
+  if (!bytes) damaged("buffers: uri is no base64 data");
+  return *std::move(bytes);
+}
+
+void GltfDocument::load_buffers(const StopCheck& stop) {
+  const ReadingLimit limit(path_);
+  std::map<std::string, std::size_t> known;  // by uri, so that no file is read twice
+  std::size_t held = given_;
+  for (const Gltf& entry : list("buffers")) {
+    const std::size_t size = index(entry, "byteLength", "buffers");
+    std::string bytes;
+    if (entry.contains("uri")) {
+      if (!entry["uri"].is_string()) damaged("buffers: uri is no text");
+      const auto uri = entry["uri"].get<std::string>();
+      const auto [place, is_new] = known.try_emplace(uri, buffers_.size());
+      bytes = is_new ? bytes_of(uri, stop) : buffers_[place->second];
+      if (is_new) given_ += bytes.size();
+    } else if (buffers_.empty() && has_binary_) {
+      bytes = std::move(binary_);
+    } else if (size > 0) {
+      damaged(fmt::format("buffers: there are no bytes of buffer {}", buffers_.size()));
+    }
+    if (bytes.size() < size)
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: buffer {} has {} bytes, announced are {}; the file is truncated",
+                              path_, buffers_.size(), bytes.size(), size));
+    held += bytes.size();
+    limit.require(held);
+    bytes.resize(size);
+    buffers_.push_back(std::move(bytes));
+  }
+}
+
+std::string_view GltfDocument::view(std::size_t k, std::size_t& stride) const {
+  const Gltf& views = list("bufferViews");
+  if (k >= views.size()) damaged(fmt::format("bufferView {} out of range", k));
+  const Gltf& entry = views[k];
+  const std::size_t b = index(entry, "buffer", "bufferViews");
+  if (b >= buffers_.size()) damaged(fmt::format("bufferViews: buffer {} out of range", b));
+  const std::size_t offset = optional_index(entry, "byteOffset", "bufferViews").value_or(0);
+  const std::size_t size = index(entry, "byteLength", "bufferViews");
+  if (offset > buffers_[b].size() || size > buffers_[b].size() - offset)
+    damaged(fmt::format("bufferView {} goes beyond its buffer", k));
+  stride = optional_index(entry, "byteStride", "bufferViews").value_or(0);
+  if (stride > kLargestStride) damaged(fmt::format("bufferView {}: byteStride {}", k, stride));
+  return std::string_view(buffers_[b]).substr(offset, size);
+}
+
+void GltfDocument::take(std::size_t bytes) const {
+  // Morph targets of which few vertices move, as programs write them, stay below.
+  constexpr std::size_t kMostOfAByte = 100;
+  const std::size_t most = ReadingLimit::kOnTop + kMostOfAByte * given_;
+  if (bytes > most || taken_ > most - bytes)
+    damaged("it announces far more elements than it has bytes");
+  taken_ += bytes;
+}
+
+GltfDocument::Layout GltfDocument::layout(std::size_t accessor, std::string_view what) const {
+  const Gltf& accessors = list("accessors");
+  if (accessor >= accessors.size())
+    damaged(fmt::format("{}: accessor {} out of range", what, accessor));
+  const Gltf& entry = accessors[accessor];
+  const auto bad = [&](std::string_view problem) {
+    damaged(fmt::format("accessor {} ({}): {}", accessor, what, problem));
+  };
+  Layout layout;
+  GltfElements& out = layout.elements;
+  const std::size_t component = index(entry, "componentType", "accessors");
+  constexpr std::array<std::size_t, 6> kComponents = {5120, 5121, 5122, 5123, 5125, 5126};
+  if (std::find(kComponents.begin(), kComponents.end(), component) == kComponents.end())
+    bad("unknown componentType");
+  out.component = static_cast<GltfComponent>(component);
+  const auto type = entry.find("type");
+  const auto* const width = std::find_if(kWidths.begin(), kWidths.end(), [&](const auto& known) {
+    return type != entry.end() && type->is_string() && *type == known.first;
+  });
+  if (width == kWidths.end()) bad("unknown type");
+  out.width = width->second;
+  out.normalized = entry.contains("normalized") && entry["normalized"] == true;
+  out.count = index(entry, "count", "accessors");
+  if (out.count == 0) bad("it has no elements");
+  const std::size_t size = out.element_size();
+  const std::size_t offset = optional_index(entry, "byteOffset", "accessors").value_or(0);
+  if (const auto k = optional_index(entry, "bufferView", "accessors")) {
+    std::size_t stride = 0;
+    const std::string_view bytes = view(*k, stride);
+    layout.stride = stride == 0 ? size : stride;
+    if (offset > bytes.size() || size > bytes.size() - offset ||
+        out.count - 1 > (bytes.size() - offset - size) / layout.stride)
+      bad("it goes beyond its bufferView");
+    layout.first = bytes.substr(offset);
+  } else if (out.count > std::numeric_limits<std::uint32_t>::max()) {
+    bad("too many elements");
+  }
+  return layout;
+}
+
+std::size_t GltfDocument::count(std::size_t accessor, std::string_view what) const {
+  return layout(accessor, what).elements.count;
+}
+
+GltfElements GltfDocument::elements(std::size_t accessor, std::string_view what) const {
+  const Layout from = layout(accessor, what);
+  GltfElements out = from.elements;
+  const std::size_t size = out.element_size();
+  take(out.count * size);
+  if (from.first.empty()) {
+    out.bytes.assign(out.count * size, '\0');
+  } else {
+    out.bytes.reserve(out.count * size);
+    for (std::size_t e = 0; e < out.count; ++e)
+      out.bytes += from.first.substr(e * from.stride, size);
+  }
+  const Gltf& entry = list("accessors")[accessor];
+  if (const auto sparse = entry.find("sparse"); sparse != entry.end()) scatter_sparse(*sparse, out);
+  return out;
+}
+
+void GltfDocument::scatter_sparse(const Gltf& sparse, GltfElements& out) const {
+  const auto part = [&](const char* key) -> const Gltf& {
+    if (!sparse.is_object() || !sparse.contains(key) || !sparse[key].is_object())
+      damaged(fmt::format("accessors: sparse.{} is no object", key));
+    return sparse[key];
+  };
+  const Gltf &indices = part("indices"), &values = part("values");
+  const std::size_t count = index(sparse, "count", "sparse");
+  GltfElements places;
+  const std::size_t component = index(indices, "componentType", "sparse.indices");
+  places.component = static_cast<GltfComponent>(component);
+  if (places.component != GltfComponent::UByte && places.component != GltfComponent::UShort &&
+      places.component != GltfComponent::UInt)
+    damaged("sparse.indices: componentType is none of indices");
+  const auto bytes_of_part = [&](const Gltf& of, std::size_t size, const char* name) {
+    std::size_t ignored = 0;
+    const std::string_view bytes = view(index(of, "bufferView", name), ignored);
+    const std::size_t offset = optional_index(of, "byteOffset", name).value_or(0);
+    if (offset > bytes.size() || count > (bytes.size() - offset) / size)
+      damaged(fmt::format("{} go beyond their bufferView", name));
+    return bytes.substr(offset, count * size);
+  };
+  const std::size_t size = out.element_size();
+  places.bytes = bytes_of_part(indices, size_of(places.component), "sparse.indices");
+  const std::string_view elements = bytes_of_part(values, size, "sparse.values");
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t place = places.integer(k);
+    if (place >= out.count) damaged(fmt::format("sparse.indices: {} out of range", place));
+    out.bytes.replace(place * size, size, elements.substr(k * size, size));
+  }
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,455 @@
+#include "majorant/parametrization/baking/bake.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+#include "majorant/framework/parallel.h"
+#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/parametrization/baking/texel_grid.h"
+#include "majorant/parametrization/maps/distortion.h"
+
+namespace majorant {
+namespace {
+
+constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+// Rows of texels of a task.
+constexpr int kRowsOfBand = 16;
+// Straight pieces along the edge of a curved face, for what it covers of texels beside its centres:
+// chords of 8 leave a 64th of the sagitta.
+constexpr int kPiecesOfCurve = 8;
+
+Vector3 position_at(const SurfaceMesh& mesh, const SurfacePlace& place) {
+  Vector3 p = Vector3::Zero();
+  for (Index k = 0; k < 3; ++k)
+    p += place.barycentric[k] * mesh.input_position(mesh.faces()(place.face, k));
+  return p;
+}
+
+// A straight piece of a face in the plane.
+struct Piece {
+  std::array<Vector2, 3> uv;
+  Index face;
+  int part;  // of the face
+};
+
+// The faces as straight pieces, and which of them reach into which band of rows.
+class Pieces {
+ public:
+  Pieces(const BezierMap& map, const TexelGrid& grid) {
+    divide(map.degree() == 1 ? 1 : kPiecesOfCurve);
+    const Points2 uv = map.sample(points_);
+    const auto per_face = static_cast<Index>(points_.size());
+    for (Index f = 0; f < map.mesh().face_count(); ++f)
+      for (std::size_t part = 0; part < parts_.size(); ++part) {
+        Piece piece{{}, f, static_cast<int>(part)};
+        for (std::size_t k = 0; k < 3; ++k) piece.uv[k] = uv.row(per_face * f + parts_[part][k]);
+        pieces_.push_back(piece);
+      }
+    sort_into_bands(grid);
+  }
+
+  template <class Visit>
+  void for_band(int band, const Visit& visit) const {
+    for (std::size_t i = first_[to_size(band)]; i < first_[to_size(band) + 1]; ++i)
+      visit(pieces_[in_band_[i]]);
+  }
+
+  // Of the face, where the barycentric coordinates are those of the piece.
+  SurfacePlace place(const Piece& piece, const Barycentric& xi) const {
+    SurfacePlace place{piece.face, Barycentric::Zero()};
+    for (Index k = 0; k < 3; ++k)
+      place.barycentric += xi[k] * points_[to_size(parts_[to_size(piece.part)][to_size(k)])];
+    return place;
+  }
+
+ private:
+  void divide(int n) {
+    std::vector<std::vector<Index>> number(to_size(n) + 1);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n - i; ++j) {
+        number[to_size(i)].push_back(static_cast<Index>(points_.size()));
+        points_.emplace_back(static_cast<double>(i) / n, static_cast<double>(j) / n,
+                             static_cast<double>(n - i - j) / n);
+      }
+    const auto at = [&](int i, int j) { return number[to_size(i)][to_size(j)]; };
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n - i; ++j) {
+        parts_.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+        if (j + 1 < n - i) parts_.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+  }
+
+  void sort_into_bands(const TexelGrid& grid) {
+    const int bands = (grid.height() + kRowsOfBand - 1) / kRowsOfBand;
+    const auto for_bands_of = [&](const Piece& piece, const auto& visit) {
+      const auto [least, most] = std::minmax({piece.uv[0].y(), piece.uv[1].y(), piece.uv[2].y()});
+      // A row more on both sides: rows() rounds.
+      const int top = std::max(grid.row(most) - 1, 0);
+      const int bottom = std::min(grid.row(least) + 1, grid.height() - 1);
+      for (int b = top / kRowsOfBand; b <= bottom / kRowsOfBand; ++b) visit(to_size(b));
+    };
+    first_.assign(to_size(bands) + 1, 0);
+    for (const Piece& piece : pieces_) for_bands_of(piece, [&](std::size_t b) { ++first_[b + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    in_band_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for_bands_of(pieces_[i], [&](std::size_t b) { in_band_[next[b]++] = i; });
+  }
+
+  std::vector<Barycentric> points_;           // of a face
+  std::vector<std::array<Index, 3>> parts_;   // of a face, by points
+  std::vector<Piece> pieces_;                 // face by face
+  std::vector<std::size_t> first_, in_band_;  // by band
+};
+
+// What is found of a texel before it has a value.
+struct Covered {
+  SurfacePlace place;
+  double area = 0;  // of the face that covers most
+  Texel texel = Texel::Empty;
+};
+
+// The one that a texel shows: the first that is proven, where there is one.
+SurfacePlace shown(const std::vector<Preimage>& found) {
+  const auto proven =
+      std::find_if(found.begin(), found.end(), [](const Preimage& p) { return p.proven; });
+  const Preimage& one = proven == found.end() ? found.front() : *proven;
+  return {one.face, one.barycentric};
+}
+
+// Memory of a task, and the face that its last answer came from.
+struct Scratch {
+  explicit Scratch(int channels) : value(to_size(channels)), sum(value), one(value) {}
+  std::vector<float> value, sum, one;
+  Index likely = -1;
+};
+
+class Baker {
+ public:
+  Baker(const InverseMap& layout, const BakeOptions& options, const PlaceOf& place_of,
+        const SurfaceValues& values)
+      : layout_(layout),
+        options_(options),
+        place_of_(place_of),
+        values_(values),
+        grid_(options.width, options.height),
+        pieces_(layout.map(), grid_),
+        chart_of_(face_components(layout.map().mesh().opposites())),
+        texels_(to_size(options.width) * to_size(options.height), Texel::Empty),
+        baked_{{options.width, options.height, values.channels, options.depth}, {}} {
+    const Index charts =
+        chart_of_.empty() ? 0 : *std::max_element(chart_of_.begin(), chart_of_.end()) + 1;
+    has_texel_ = std::vector<std::atomic<char>>(to_size(charts));
+  }
+
+  BakedImage run(const StopCheck& stop) {
+    const int bands = (options_.height + kRowsOfBand - 1) / kRowsOfBand;
+    std::vector<BakeCounts> counts(to_size(bands));
+    parallel_tasks(bands, [&](Index band, int) {
+      stop.poll();
+      bake_band(static_cast<int>(band), counts[to_size(band)], stop);
+    });
+    BakeCounts& all = baked_.counts;
+    for (const BakeCounts& c : counts) {
+      all.covered += c.covered;
+      all.doubly_covered += c.doubly_covered;
+      all.undecided += c.undecided;
+      all.partly += c.partly;
+      all.misses += c.misses;
+    }
+    all.texels = static_cast<long>(texels_.size());
+    all.charts = static_cast<Index>(has_texel_.size());
+    for (const auto& has : has_texel_) all.charts_without_texels += has ? 0 : 1;
+    fill_from_nearest(baked_.image, texels_, options_.padding, stop);
+    return std::move(baked_);
+  }
+
+ private:
+  void bake_band(int band, BakeCounts& counts, const StopCheck& stop) {
+    const int top = band * kRowsOfBand, bottom = std::min(top + kRowsOfBand, options_.height);
+    std::vector<Covered> covered(to_size(bottom - top) * to_size(options_.width));
+    find_centers(top, bottom, covered, counts, stop);
+    pieces_.for_band(band, [&](const Piece& piece) { cover(piece, top, bottom, covered); });
+    Scratch scratch(values_.channels);
+    for (int y = top; y < bottom; ++y) {
+      stop.poll();
+      for (int x = 0; x < options_.width; ++x)
+        write(x, y, covered[place_in_band(x, y - top)], counts, scratch);
+    }
+  }
+
+  std::size_t place_in_band(int x, int row) const {
+    return to_size(row) * to_size(options_.width) + to_size(x);
+  }
+
+  void find_centers(int top, int bottom, std::vector<Covered>& covered, BakeCounts& counts,
+                    const StopCheck& stop) const {
+    for (int y = top; y < bottom; ++y) {
+      stop.poll();
+      for (int x = 0; x < options_.width; ++x) {
+        const std::vector<Preimage> found = layout_.preimages(grid_.center(x, y));
+        if (found.empty()) continue;
+        const auto proven =
+            std::count_if(found.begin(), found.end(), [](const Preimage& p) { return p.proven; });
+        ++counts.covered;
+        counts.doubly_covered += proven > 1 ? 1 : 0;
+        counts.undecided += proven == 0 ? 1 : 0;
+        Covered& texel = covered[place_in_band(x, y - top)];
+        texel.place = shown(found);
+        texel.texel = Texel::Centre;
+      }
+    }
+  }
+
+  // Texels of the band that have no centre in a chart and some of this piece.
+  void cover(const Piece& piece, int top, int bottom, std::vector<Covered>& covered) const {
+    const auto [left, right] = std::minmax({piece.uv[0].x(), piece.uv[1].x(), piece.uv[2].x()});
+    const auto [low, high] = std::minmax({piece.uv[0].y(), piece.uv[1].y(), piece.uv[2].y()});
+    const int first = std::max(grid_.column(left) - 1, 0);
+    const int last = std::min(grid_.column(right) + 1, options_.width - 1);
+    const int above = std::max(grid_.row(high) - 1, top);
+    const int below = std::min(grid_.row(low) + 1, bottom - 1);
+    for (int y = above; y <= below; ++y)
+      for (int x = first; x <= last; ++x) {
+        Covered& texel = covered[place_in_band(x, y - top)];
+        if (texel.texel == Texel::Centre || !interiors_meet(piece.uv, grid_.box(x, y))) continue;
+        const ClippedTriangle part = clipped(piece.uv, grid_.box(x, y));
+        if (texel.texel == Texel::Part && !(part.area > texel.area)) continue;
+        texel = {pieces_.place(piece, part.centroid), part.area, Texel::Part};
+      }
+  }
+
+  void write(int x, int y, const Covered& covered, BakeCounts& counts, Scratch& scratch) {
+    Texel texel = covered.texel;
+    std::vector<float>& value = scratch.value;
+    std::fill(value.begin(), value.end(), values_.background);
+    if (texel != Texel::Empty) {
+      counts.partly += texel == Texel::Part ? 1 : 0;
+      has_texel_[to_size(chart_of_[to_size(covered.place.face)])].store(1,
+                                                                        std::memory_order_relaxed);
+      if (!find_value(x, y, covered.place, scratch)) {
+        texel = Texel::Miss;
+        ++counts.misses;
+      }
+    }
+    texels_[to_size(y) * to_size(options_.width) + to_size(x)] = texel;
+    for (int c = 0; c < values_.channels; ++c)
+      baked_.image.set(
+          x, y, c,
+          options_.depth == PixelDepth::Float || texel == Texel::Empty || texel == Texel::Miss
+              ? value[to_size(c)]
+              : encoded(value[to_size(c)], options_.transfer, c, values_.channels));
+  }
+
+  // False where nothing is known. The mean of the samples that lie in charts, where there are some.
+  bool find_value(int x, int y, const SurfacePlace& place, Scratch& scratch) const {
+    const int n = options_.samples;
+    std::vector<float>& sum = scratch.sum;
+    std::fill(sum.begin(), sum.end(), 0.0F);
+    int known = 0;
+    for (int i = 0; n > 1 && i < n * n; ++i) {
+      const double across = (i % n + 0.5) / n, down = (i / n + 0.5) / n;
+      const std::vector<Preimage> found = layout_.preimages(grid_.point(x + across, y + down));
+      if (found.empty() || !value_at(shown(found), scratch.one, scratch.likely)) continue;
+      ++known;
+      for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += scratch.one[c];
+    }
+    if (known == 0) return value_at(place, scratch.value, scratch.likely);
+    for (std::size_t c = 0; c < sum.size(); ++c)
+      scratch.value[c] = sum[c] / static_cast<float>(known);
+    return true;
+  }
+
+  // False, and value as it was, where nothing is known.
+  bool value_at(const SurfacePlace& place, std::vector<float>& value, Index& likely) const {
+    const std::optional<SurfacePlace> carrier = place_of_(place, likely);
+    if (!carrier) return false;
+    likely = carrier->face;
+    values_.at(*carrier, value.data());
+    return true;
+  }
+
+  const InverseMap& layout_;
+  const BakeOptions& options_;
+  const PlaceOf& place_of_;
+  const SurfaceValues& values_;
+  TexelGrid grid_;
+  Pieces pieces_;
+  std::vector<Index> chart_of_;  // by face
+  std::vector<Texel> texels_;
+  std::vector<std::atomic<char>> has_texel_;  // by chart
+  BakedImage baked_;
+};
+
+void write_vector(const Vector3& v, float* value) {
+  for (Index k = 0; k < 3; ++k) value[k] = static_cast<float>(v[k]);
+}
+
+}  // namespace
+
+std::optional<PlaceOf> same_places(const SurfaceMesh& surface, const SurfaceMesh& carrier) {
+  const Vector3 extent =
+      (carrier.positions().colwise().maxCoeff() - carrier.positions().colwise().minCoeff())
+          .transpose();
+  const double tolerance = kTenDigits * extent.norm();
+  std::unordered_multimap<Index, Index> faces_of;  // of the carrier, by polygon
+  for (Index f = 0; f < carrier.face_count(); ++f) faces_of.emplace(carrier.input_face(f), f);
+  struct Same {
+    Index face;
+    std::array<Index, 3> corner;  // of it, by those of the face of `surface`
+  };
+  std::vector<Same> same(to_size(surface.face_count()));
+  const auto matches = [&](Index f, Index other, Same& match) {
+    match.face = other;
+    for (Index k = 0; k < 3; ++k) {
+      const Index v = surface.faces()(f, k);
+      Index found = -1;
+      for (Index l = 0; l < 3 && found < 0; ++l) {
+        const Index w = carrier.faces()(other, l);
+        if (surface.input_vertex(v) == carrier.input_vertex(w) &&
+            (surface.input_position(v) - carrier.input_position(w)).norm() <= tolerance)
+          found = l;
+      }
+      if (found < 0) return false;
+      match.corner[to_size(k)] = found;
+    }
+    return true;
+  };
+  for (Index f = 0; f < surface.face_count(); ++f) {
+    const auto [begin, end] = faces_of.equal_range(surface.input_face(f));
+    if (std::none_of(begin, end,
+                     [&](const auto& entry) { return matches(f, entry.second, same[to_size(f)]); }))
+      return std::nullopt;
+  }
+  return [same = std::move(same)](const SurfacePlace& of, Index) {
+    const Same& match = same[to_size(of.face)];
+    SurfacePlace place{match.face, Barycentric::Zero()};
+    for (Index k = 0; k < 3; ++k) place.barycentric[match.corner[to_size(k)]] += of.barycentric[k];
+    return std::optional(place);
+  };
+}
+
+PlaceOf nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance) {
+  return [&surface, &tree, distance](const SurfacePlace& of,
+                                     Index likely) -> std::optional<SurfacePlace> {
+    const NearestPoint found = tree.nearest(position_at(surface, of), likely);
+    if (!(found.distance <= distance)) return std::nullopt;
+    return SurfacePlace{found.face, found.barycentric};
+  };
+}
+
+SurfaceValues position_values(const SurfaceMesh& mesh) {
+  return {3,
+          [&mesh](const SurfacePlace& place, float* value) {
+            write_vector(position_at(mesh, place), value);
+          },
+          kNothing};
+}
+
+SurfaceValues normal_values(const SurfaceMesh& mesh) {
+  return {3,
+          [&mesh](const SurfacePlace& place, float* value) {
+            const auto p = [&](Index k) -> Vector3 {
+              return mesh.positions().row(mesh.faces()(place.face, k));
+            };
+            write_vector((p(1) - p(0)).cross(p(2) - p(0)).stableNormalized(), value);
+          },
+          0};
+}
+
+SurfaceValues normal_values(Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor> corners) {
+  const auto kept = std::make_shared<const decltype(corners)>(std::move(corners));
+  return {3,
+          [kept](const SurfacePlace& place, float* value) {
+            Vector3 normal = Vector3::Zero();
+            for (Index k = 0; k < 3; ++k)
+              normal += place.barycentric[k] * kept->row(place.face).segment<3>(3 * k).transpose();
+            write_vector(normal.stableNormalized(), value);
+          },
+          0};
+}
+
+SurfaceValues face_values(const SurfaceMesh& mesh) {
+  return {1,
+          [&mesh](const SurfacePlace& place, float* value) {
+            *value = static_cast<float>(mesh.input_face(place.face));
+          },
+          -1};
+}
+
+SurfaceValues table_of_faces(RowMatrix rows) {
+  const auto kept = std::make_shared<const RowMatrix>(std::move(rows));
+  return {static_cast<int>(kept->cols()),
+          [kept](const SurfacePlace& place, float* value) {
+            for (Index c = 0; c < kept->cols(); ++c)
+              value[c] = static_cast<float>((*kept)(place.face, c));
+          },
+          kNothing};
+}
+
+SurfaceValues table_of_vertices(const SurfaceMesh& mesh, RowMatrix rows) {
+  const auto kept = std::make_shared<const RowMatrix>(std::move(rows));
+  return {static_cast<int>(kept->cols()),
+          [&mesh, kept](const SurfacePlace& place, float* value) {
+            for (Index c = 0; c < kept->cols(); ++c) {
+              double sum = 0;
+              for (Index k = 0; k < 3; ++k)
+                sum += place.barycentric[k] * (*kept)(mesh.faces()(place.face, k), c);
+              value[c] = static_cast<float>(sum);
+            }
+          },
+          kNothing};
+}
+
+SurfaceValues texture_values(const BezierMap& layout, const Raster& image, Transfer transfer,
+                             Filter filter) {
+  const auto decoder = std::make_shared<const ColorDecoder>(image, transfer);
+  return {image.channels(),
+          [&layout, &image, decoder, filter](const SurfacePlace& place, float* value) {
+            sample(image, *decoder, layout.evaluate(place.face, place.barycentric), filter, value);
+          },
+          0};
+}
+
+bool is_in_unit_square(const BezierMap& map) {
+  return map.control_points().minCoeff() >= 0 && map.control_points().maxCoeff() <= 1;
+}
+
+BakedImage bake(const InverseMap& layout, const BakeOptions& options, const PlaceOf& place_of,
+                const SurfaceValues& values, const StopCheck& stop) {
+  return Baker(layout, options, place_of, values).run(stop);
+}
+
+TexelDensity texel_density(const BezierMap& map, int width, int height) {
+  const MapDistortion measured = measure_distortion(map);
+  const auto area_column = std::distance(
+      kFaceDistortionNames.begin(),
+      std::find(kFaceDistortionNames.begin(), kFaceDistortionNames.end(), "area_distortion"));
+  const double texels = static_cast<double>(width) * height;
+  TexelDensity density{std::numeric_limits<double>::infinity(), 0, 0};
+  double area = 0;
+  for (Index f = 0; f < measured.area.size(); ++f) {
+    const double here = std::sqrt(std::abs(measured.faces(f, area_column)) * texels);
+    if (!(measured.area[f] > 0) || !std::isfinite(here)) continue;
+    density.min = std::min(density.min, here);
+    density.max = std::max(density.max, here);
+    density.mean += measured.area[f] * here;
+    area += measured.area[f];
+  }
+  if (!(area > 0)) return {};
+  density.mean /= area;
+  return density;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

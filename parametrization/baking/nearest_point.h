@@ -1,0 +1,59 @@
+// The nearest points of a triangle surface, by Boost.Geometry's R-tree over the boxes of its faces.
+//
+//   const SurfaceTree tree(mesh->positions(), mesh->faces());
+//   const NearestPoint p = tree.nearest({0, 0, 1});
+//   std::cout << p.face << " at " << p.distance << "\n";
+//   const auto all = tree.locate(Points3::Random(1000, 3));   // on all threads
+//
+// Exact but for rounding: boxes are visited by ascending distance until the next one is farther
+// than the best point found. Of faces at one distance any may be named. Faces without an area count
+// as the segments or points that they are.
+//
+// Not for rays, and not for points inside of solids: there is no sign.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+struct NearestPoint {
+  Index face = -1;
+  Barycentric barycentric = Barycentric::Zero();  // >= 0, sum 1 to rounding
+  double distance = 0;
+};
+
+// The nearest point of the triangle of these corners; its face is -1.
+NearestPoint nearest_of_triangle(const Vector3& a, const Vector3& b, const Vector3& c,
+                                 const Vector3& p);
+
+class SurfaceTree {
+ public:
+  // positions: #V by 3, faces: #F by 3, at least one. Copied. O(#F log #F). Throws InvalidArgument
+  // for no faces and positions that are not finite.
+  SurfaceTree(Points3 positions, Cells faces);
+  ~SurfaceTree();
+  SurfaceTree(SurfaceTree&&) noexcept;
+  SurfaceTree& operator=(SurfaceTree&&) noexcept;
+
+  // likely: a face that is near, or -1: an answer for a neighbouring point makes this one fast.
+  NearestPoint nearest(const Vector3& p, Index likely = -1) const;
+  // Of every row of p, #P by 3. Polls `stop`: Stopped.
+  std::vector<NearestPoint> locate(const Points3& p, const StopCheck& stop = {}) const;
+
+ private:
+  struct Boxes;
+  NearestPoint of_face(Index face, const Vector3& p) const;
+
+  Points3 positions_;
+  Cells faces_;
+  std::unique_ptr<const Boxes> boxes_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

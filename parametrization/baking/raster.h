@@ -1,0 +1,100 @@
+// Images of numbers: what is baked from and into.
+//
+//   Raster image(640, 480, 3, PixelDepth::Eight);
+//   image.set(0, 0, 2, 1.0F);                      // the top left pixel, its third channel
+//   const float blue = image.value(0, 0, 2);       // 1
+//   const ColorDecoder decoder(image, Transfer::Srgb);
+//   float color[3];
+//   sample(image, decoder, {0.5, 0.5}, Filter::Bilinear, color);   // in linear light
+//
+// The texture's square is [0, 1]^2, u to the right and v upwards as in OBJ: pixel (x, y), rows from
+// the top as in PNG, has its centre at u = (x + 1/2) / width, v = 1 - (y + 1/2) / height.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/framework/types.h"
+
+namespace majorant {
+
+// How a channel is kept: 0 to 1 in steps of 1/255 or 1/65535, or any float.
+enum class PixelDepth { Eight, Sixteen, Float };
+// Srgb: of integer colours, those of IEC 61966-2-1; alpha is never encoded. Signed: -1 to 1 as 0 to
+// 1, directions. Linear: the numbers are what they are.
+enum class Transfer { Linear, Srgb, Signed };
+enum class Filter { Nearest, Bilinear };
+
+class Raster {
+ public:
+  // All 0. channels: 1 to 4 of a picture, an alpha channel is the last one of 2 and 4; others of
+  // arrays. Throws InvalidArgument for sizes below 1.
+  Raster(int width, int height, int channels, PixelDepth depth);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int channels() const { return channels_; }
+  PixelDepth depth() const { return depth_; }
+
+  float value(int x, int y, int channel) const;
+  // Of integer depths rounded to the nearest; below 0 and NaN: 0, above 1: 1.
+  void set(int x, int y, int channel, float value);
+  // The number that an integer channel has, without its scale.
+  unsigned code(int x, int y, int channel) const;
+  void copy_pixel(int to_x, int to_y, int from_x, int from_y);
+
+  // Row after row from the top, channels together, in the machine's byte order.
+  std::vector<unsigned char>& bytes() { return bytes_; }
+  const std::vector<unsigned char>& bytes() const { return bytes_; }
+  std::size_t bytes_of_channel() const;
+  std::size_t bytes_of_row() const;
+
+ private:
+  std::size_t place(int x, int y, int channel) const;  // in channels
+
+  int width_, height_, channels_;
+  PixelDepth depth_;
+  std::vector<unsigned char> bytes_;
+};
+
+float srgb_to_linear(float value);
+float linear_to_srgb(float value);
+
+// What the numbers of a raster stand for: the transfer undone, by a table for integers.
+class ColorDecoder {
+ public:
+  ColorDecoder(const Raster& raster, Transfer transfer);
+  float operator()(const Raster& raster, int x, int y, int channel) const;
+
+ private:
+  bool has_alpha_;
+  std::vector<float> table_;  // by code; empty: as they are
+};
+
+// value, of a channel, as it is put into a raster of that depth.
+float encoded(float value, Transfer transfer, int channel, int channels);
+
+// The value at uv, all channels. Textures repeat beyond their square.
+void sample(const Raster& raster, const ColorDecoder& decoder, const Vector2& uv, Filter filter,
+            float* value);
+
+// What a pixel holds.
+enum class Texel : std::uint8_t {
+  Empty,
+  Centre,  // its centre lies in a chart
+  Part,    // a part of it lies in a chart, its centre does not
+  Miss     // lies in a chart, but what it shows was not found
+};
+
+// Pixels that are Empty and no farther than `padding` from one that is Centre or Part get the
+// nearest one's value, and so does every Miss, however far; distances between centres. Polls
+// `stop`. texels: by pixel, row after row. O(#pixels).
+void fill_from_nearest(Raster& raster, const std::vector<Texel>& texels, int padding,
+                       const StopCheck& stop = {});
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

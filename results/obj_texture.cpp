@@ -1,0 +1,214 @@
+#include "majorant/results/obj_texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/atomic_file.h"
+#include "majorant/io/input_file.h"
+#include "majorant/pictures/image_file.h"
+
+namespace majorant {
+namespace {
+
+constexpr std::string_view kSpaces = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(kSpaces);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
+}
+
+// The first word of a line, and the rest.
+std::pair<std::string_view, std::string_view> split(std::string_view line) {
+  line = trimmed(line);
+  const std::size_t end = std::min(line.find_first_of(kSpaces), line.size());
+  return {line.substr(0, end), trimmed(line.substr(end))};
+}
+
+std::string beside(const std::string& obj, const char* extension) {
+  return std::filesystem::path(obj).replace_extension(extension).string();
+}
+
+struct Material {
+  std::string map;  // file of map_Kd, or empty
+  std::array<float, 3> color{1, 1, 1};
+};
+
+// The file that a map_Kd line names: behind its options, each of which has one value or two.
+std::string image_name(std::string_view rest, const std::string& file) {
+  while (rest.starts_with('-')) {
+    const auto [option, after] = split(rest);
+    if (option == "-s" || option == "-o" || option == "-t")
+      throw Error(
+          ErrorKind::Unsupported,
+          fmt::format("{}: map_Kd {}: a texture that is scaled or moved is not baked; apply "
+                      "that to the texture coordinates",
+                      file, option));
+    rest = split(after).second;
+    if (option == "-mm") rest = split(rest).second;
+  }
+  std::string name(rest);
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
+class MaterialReader {
+ public:
+  explicit MaterialReader(ObjTexture& texture) : texture_(texture) {}
+
+  void read(const std::string& path, const StopCheck& stop) {
+    std::string text = read_whole_file(path, stop);
+    require_text(path, text);
+    std::istringstream lines(text);
+    Material* current = nullptr;
+    for (std::string line; std::getline(lines, line);) {
+      texture_.lines.push_back(line);
+      const auto [word, rest] = split(line);
+      if (word == "newmtl") current = &materials[std::string(rest)];
+      if (!current) continue;
+      if (word == "Kd") {
+        std::istringstream numbers{std::string(rest)};
+        for (float& c : current->color) numbers >> c;
+      }
+      if (word == "map_Kd")
+        current->map =
+            (std::filesystem::path(path).parent_path() / image_name(rest, path)).string();
+    }
+  }
+
+  std::map<std::string, Material, std::less<>> materials;
+
+ private:
+  ObjTexture& texture_;
+};
+
+// Of another kind than map_Kd, which lies in the old layout.
+bool is_other_map(std::string_view word) {
+  constexpr std::array<std::string_view, 7> kMaps{"bump", "norm",  "disp",    "decal",
+                                                  "refl", "map_d", "map_bump"};
+  return word != "map_Kd" &&
+         (word.starts_with("map_") || std::find(kMaps.begin(), kMaps.end(), word) != kMaps.end());
+}
+
+Raster of_color(const std::array<float, 3>& color) {
+  Raster pixel(1, 1, 3, PixelDepth::Eight);
+  for (int c = 0; c < 3; ++c) pixel.set(0, 0, c, color[static_cast<std::size_t>(c)]);
+  return pixel;
+}
+
+std::string materials_text(const ObjTexture& texture, const std::string& image) {
+  std::string text;
+  for (const std::string& line : texture.lines) {
+    const std::string_view word = split(line).first;
+    if (is_other_map(word)) continue;
+    text += word == "map_Kd" ? "map_Kd " + image : line;
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+ObjTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop) {
+  ObjTexture texture;
+  MaterialReader reader(texture);
+  const std::filesystem::path folder = std::filesystem::path(polygons.file).parent_path();
+  for (const auto& [polygon, line] : polygons.directives) {
+    const auto [word, rest] = split(line);
+    if (word == "mtllib") reader.read((folder / std::string(rest)).string(), stop);
+  }
+  const bool has_map =
+      std::any_of(reader.materials.begin(), reader.materials.end(),
+                  [](const auto& material) { return !material.second.map.empty(); });
+  if (!has_map || polygons.polygon_texcoords.empty())
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: has no texture to move: texture coordinates, and an mtllib with a "
+                            "map_Kd",
+                            polygons.file));
+  std::map<std::string, int, std::less<>> number_of_map;
+  std::map<std::string, int, std::less<>> number_of_material;
+  const auto number = [&](const std::string& name) {
+    const auto known = number_of_material.find(name);
+    if (known != number_of_material.end()) return known->second;
+    const auto material = reader.materials.find(name);
+    const Material of = material == reader.materials.end() ? Material() : material->second;
+    const auto next = static_cast<int>(texture.images.size());
+    const auto [map, is_new] =
+        number_of_map.try_emplace(of.map.empty() ? " " + name : of.map, next);
+    if (is_new)
+      texture.images.push_back(of.map.empty() ? of_color(of.color) : read_image(of.map, stop));
+    return number_of_material[name] = map->second;
+  };
+  auto directive = polygons.directives.begin();
+  std::string material;
+  for (std::size_t p = 0; p < polygons.polygons.size(); ++p) {
+    for (; directive != polygons.directives.end() && to_size(directive->first) <= p; ++directive)
+      if (const auto [word, rest] = split(directive->second); word == "usemtl") material = rest;
+    texture.image_of_polygon.push_back(number(material));
+  }
+  for (const std::string& line : texture.lines)
+    if (const std::string_view word = split(line).first; is_other_map(word))
+      texture.warnings.push_back(
+          fmt::format("{}: {} is not moved to the new layout, and left out", polygons.file, word));
+  return texture;
+}
+
+std::string texture_file(const std::string& obj) { return beside(obj, ".png"); }
+std::string material_file(const std::string& obj) { return beside(obj, ".mtl"); }
+
+PolygonMesh with_material_file(PolygonMesh polygons, const std::string& obj) {
+  const std::string line =
+      "mtllib " + std::filesystem::path(material_file(obj)).filename().string();
+  const auto is_library = [](const auto& directive) {
+    return split(directive.second).first == "mtllib";
+  };
+  const auto first =
+      std::find_if(polygons.directives.begin(), polygons.directives.end(), is_library);
+  if (first != polygons.directives.end()) {
+    first->second = line;
+    polygons.directives.erase(
+        std::remove_if(std::next(first), polygons.directives.end(), is_library),
+        polygons.directives.end());
+  }
+  polygons.file = obj;
+  return polygons;
+}
+
+void bake_texture(ObjTexture texture, const PolygonMesh& old, const std::string& obj,
+                  const StopCheck& stop) {
+  BakeJob job;
+  job.target = read_bake_surface(obj, Texcoords::Needed, stop);
+  job.carrier = bake_surface(old, Texcoords::Needed, stop);
+  int side = 1;
+  bool is_wide = false;
+  for (const Raster& image : texture.images) {
+    side = std::max({side, image.width(), image.height()});
+    is_wide = is_wide || image.depth() != PixelDepth::Eight;
+  }
+  job.options.width = job.options.height = side;
+  job.options.depth = is_wide ? PixelDepth::Sixteen : PixelDepth::Eight;
+  job.options.transfer = Transfer::Srgb;
+  job.images = std::move(texture.images);
+  job.image_of_polygon = std::move(texture.image_of_polygon);
+  job.run(stop);
+  if (!job.is_proven())
+    throw Error(ErrorKind::Invalid,
+                fmt::format("{}: its layout overlaps, so that its texture cannot be baked", obj));
+  const std::string image = texture_file(obj);
+  write_baked(image, job);
+  write_file_atomically(material_file(obj),
+                        materials_text(texture, std::filesystem::path(image).filename().string()));
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

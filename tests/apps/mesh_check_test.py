@@ -1,0 +1,188 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""`majorant mesh check` on meshes that gmsh and VTK write, of every kind and degree; exit codes and what is said."""
+import json
+import os
+import re
+import unittest
+
+import command_helpers as helpers
+from command_helpers import INVALID, UNREADABLE, UNSUPPORTED, USAGE, CommandTest, majorant
+
+try:
+    import gmsh
+except ImportError:
+    gmsh = None
+try:
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+except ImportError:
+    vtkXMLUnstructuredGridReader = None
+
+TETRAHEDRA = '''MeshVersionFormatted 2
+Dimension 3
+Vertices 5
+0 0 0 0
+1 0 0 0
+0 1 0 0
+0 0 1 0
+1 1 1 0
+Tetrahedra 2
+1 2 3 4 7
+2 3 4 5 8
+End
+'''
+
+
+@unittest.skipIf(gmsh is None, 'no python3-gmsh')
+class OfGmsh(CommandTest):
+    """Balls, cylinders and boxes: valid in gmsh's own order of nodes means that it is read as it is."""
+
+    def setUp(self):
+        super().setUp()
+        gmsh.initialize()
+        self.addCleanup(gmsh.finalize)
+        gmsh.option.setNumber('General.Terminal', 0)
+
+    def model(self, kind):
+        gmsh.clear()
+        if kind == 'tetrahedra':
+            gmsh.model.occ.addSphere(0, 0, 0, 1)
+        elif kind in ('triangles', 'quads'):
+            gmsh.model.occ.addDisk(0, 0, 0, 1, 1)
+        else:
+            gmsh.model.occ.addRectangle(0, 0, 0, 1, 1)
+            gmsh.model.occ.extrude([(2, 1)], 0, 0, 1, [2], [1], recombine=True)
+        gmsh.model.occ.synchronize()
+        gmsh.option.setNumber('Mesh.RecombineAll', int(kind in ('quads', 'hexahedra')))
+        gmsh.option.setNumber('Mesh.MeshSizeMin', 0.5)
+        gmsh.option.setNumber('Mesh.MeshSizeMax', 0.5)
+        dim = 2 if kind in ('triangles', 'quads') else 3
+        if kind in ('quads', 'hexahedra'):
+            gmsh.option.setNumber('Mesh.Algorithm', 8)
+            gmsh.option.setNumber('Mesh.SubdivisionAlgorithm', 1 if kind == 'quads' else 0)
+        gmsh.model.addPhysicalGroup(dim, [tag for _, tag in gmsh.model.getEntities(dim)], 77)
+        gmsh.model.mesh.generate(dim)
+
+    def test_every_kind_degree_version_and_encoding(self):
+        for kind in ('triangles', 'quads', 'tetrahedra', 'wedges', 'hexahedra'):
+            self.model(kind)
+            for degree in (1, 2, 3, 4):
+                gmsh.model.mesh.setOrder(degree)
+                for version in (2.2, 4.1):
+                    for binary in (0, 1):
+                        with self.subTest(kind=kind, degree=degree, version=version, binary=binary):
+                            gmsh.option.setNumber('Mesh.MshFileVersion', version)
+                            gmsh.option.setNumber('Mesh.Binary', binary)
+                            gmsh.write(self.path('a.msh'))
+                            self.run_ok('mesh', 'check', self.path('a.msh'), '--report', self.path('r.json'))
+                            with open(self.path('r.json')) as f:
+                                report = json.load(f)
+                            mesh = report['mesh']
+                            self.assertEqual((report['status'], mesh['orders']), ('valid', [degree]))
+                            self.assertGreater(mesh['elements'][kind], 3)
+                            self.assertGreater(mesh['min_scaled_jacobian'], 0.05)
+                            if version == 2.2:
+                                self.assertEqual(mesh['worst'][0]['region'], 77)
+
+    def test_serendipity(self):
+        gmsh.option.setNumber('Mesh.SecondOrderIncomplete', 1)
+        for kind in ('quads', 'wedges', 'hexahedra'):
+            self.model(kind)
+            gmsh.model.mesh.setOrder(2)
+            gmsh.write(self.path('a.msh'))
+            self.assertIn('serendipity', self.run_ok('mesh', 'check', self.path('a.msh')).out)
+
+    def test_agrees_with_its_own_bounds(self):
+        """AnalyseMeshQuality's least det J, which is by [-1, 1] on segments, on tangled cells."""
+        self.model('tetrahedra')
+        gmsh.model.mesh.setOrder(3)
+        tags, points, _ = gmsh.model.mesh.getNodes(3)
+        for k, tag in enumerate(tags[::3]):
+            x = points[9 * k:9 * k + 3] + 0.2 * (k % 3 - 1)
+            gmsh.model.mesh.setNode(tag, x, [])
+        gmsh.write(self.path('a.msh'))
+        done = majorant('mesh', 'check', self.path('a.msh'), '--report', self.path('r.json'), '--list', 10000)
+        self.assertEqual(done.code, INVALID)
+        with open(self.path('r.json')) as f:
+            worst = {e['element']: e for e in json.load(f)['mesh']['worst']}
+        self.assertEqual(len(worst), len(gmsh.model.mesh.getElements(3)[1][0]))
+        elements = list(worst)
+        least = gmsh.model.mesh.getElementQualities(elements, 'minSJ') if hasattr(
+            gmsh.model.mesh, 'getElementQualities') else None
+        if least is not None:
+            for element, value in zip(elements, least):
+                self.assertEqual(value > 0, worst[element]['verdict'] == 'valid', element)
+
+
+class Verdicts(CommandTest):
+    def test_valid(self):
+        done = self.run_ok('mesh', 'check', self.write('a.mesh', TETRAHEDRA))
+        self.assertRegex(done.out, r'\A\S+: valid: det J > 0 all over; 2 tetrahedra of degree 1; min det J in '
+                                   r'\[1, 1\], scaled Jacobian at least 0\.\d+, 0\.\d+ in the mean\n\Z')
+        self.assertEqual(self.run_ok('mesh', 'check', self.path('a.mesh'), '-q').out, '')
+
+    def test_turned(self):
+        path = self.write('a.mesh', TETRAHEDRA.replace('2 3 4 5 8', '3 2 4 5 8'))
+        done = self.run_ok('mesh', 'check', path, code=INVALID)
+        self.assertIn(': invalid: 1 of 2 elements have det J <= 0 somewhere, 1 of them everywhere; ', done.out)
+        self.assertRegex(done.out, r'\n  element 2 \(tetrahedra, region 8\): min det J in \[-2, -2\] at ')
+        both = self.write('b.mesh', TETRAHEDRA.replace('2 3 4 5 8', '3 2 4 5 8').replace('1 2 3 4 7', '2 1 3 4 7'))
+        self.assertIn('all 2 elements are turned around', self.run_ok('mesh', 'check', both, code=INVALID).out)
+
+    def test_report_on_stdout(self):
+        path = self.write('a.mesh', TETRAHEDRA)
+        done = self.run_ok('mesh', 'check', path, '--report', '-')
+        self.assertEqual(json.loads(done.out)['command'], 'mesh check')
+        self.assertIn(': valid: ', done.err)
+
+    def test_the_same_on_any_number_of_threads(self):
+        path = self.write('a.mesh', TETRAHEDRA)
+        outs = {self.run_ok('mesh', 'check', path, '--threads', n).out for n in (1, 2, 3)}
+        self.assertEqual(len(outs), 1)
+
+    def test_refusals(self):
+        self.check_refusal(UNREADABLE, 'none.mesh')
+        self.check_refusal(UNREADABLE, self.write('a.msh', 'hello'))
+        self.check_refusal(UNSUPPORTED, self.write('a.obj', 'v 0 0 0\n'))
+        self.check_refusal(UNSUPPORTED, self.write('p.mesh', TETRAHEDRA.replace('Tetrahedra 2', 'Pyramids 2')))
+        self.check_refusal(USAGE, self.write('a.mesh', TETRAHEDRA), '-o', self.path('bad.obj'))
+        self.check_refusal(UNREADABLE, self.write('b.mesh', TETRAHEDRA[:100]))
+
+    def check_refusal(self, code, *words):
+        done = majorant('mesh', 'check', *words)
+        self.assertEqual(done.code, code, done.err)
+        self.assertEqual(done.err.count('\n'), 1, done.err)
+        self.assertEqual(done.out, '')
+
+
+class BadElements(CommandTest):
+    @unittest.skipIf(vtkXMLUnstructuredGridReader is None, 'no VTK')
+    def test_as_a_vtu(self):
+        path = self.write('a.mesh', TETRAHEDRA.replace('2 3 4 5 8', '3 2 4 5 8'))
+        self.run_ok('mesh', 'check', path, '-o', self.path('bad.vtu'), code=INVALID)
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(self.path('bad.vtu'))
+        reader.Update()
+        grid = reader.GetOutput()
+        self.assertEqual((grid.GetNumberOfCells(), grid.GetCellType(0)), (1, 10))
+        self.assertEqual(grid.GetCellData().GetArray('number').GetValue(0), 2)
+        self.assertEqual(grid.GetCellData().GetArray('min_det_high').GetValue(0), -2)
+        again = self.run_ok('mesh', 'check', self.path('bad.vtu'), code=INVALID)
+        self.assertIn('all 1 elements are turned around', again.out)
+
+
+class Public(CommandTest):
+    FOLDER = os.path.join(helpers.SHARED, 'data', 'public', 'volumes')
+
+    @helpers.where(FOLDER)
+    def test_tangled_ones_are_named(self):
+        for name, least in (('generated/tangled_o2_n4_25.msh', 1), ('mfem/jagged.mesh', 1)):
+            done = self.run_ok('mesh', 'check', os.path.join(self.FOLDER, name), code=INVALID)
+            count = int(re.search(r'invalid: (\d+) of \d+ elements', done.out)[1])
+            self.assertGreaterEqual(count, least)
+            self.assertEqual(done.out.count('\n  element '), min(count, 10))
+
+
+if __name__ == '__main__':
+    helpers.main()

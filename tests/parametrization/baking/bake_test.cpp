@@ -1,0 +1,132 @@
+// What texels show: positions of the surface they lie on, of straight and of curved layouts; thin
+// charts, overlaps, misses.
+#include "majorant/parametrization/baking/bake.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "counted_stop.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/parametrization/baking/texel_grid.h"
+#include "mesh/test_meshes.h"
+#include "parametrization/maps/test_maps.h"
+
+namespace majorant {
+namespace {
+
+// The grid of height `bumpy`, its layout the plane below it, shrunk into the unit square.
+BezierMap plane_map(int n, int degree) {
+  const auto mesh = surface(grid(n, bumpy));
+  Vec uv(2 * mesh->vertex_count());
+  for (Index v = 0; v < mesh->vertex_count(); ++v)
+    uv.segment<2>(2 * v) = Vector2(0.1, 0.2) + 0.7 * mesh->positions().row(v).head<2>().transpose();
+  return elevated_to(BezierMap::linear(mesh, uv), degree);
+}
+
+BakeOptions floats(int width, int height) {
+  BakeOptions options;
+  options.width = width;
+  options.height = height;
+  options.padding = 0;
+  options.depth = PixelDepth::Float;
+  return options;
+}
+
+TEST(Bake, PositionsOfTexelCenters) {
+  for (const int degree : {1, 2, 3}) {
+    const BezierMap map = degree == 1 ? plane_map(6, 1) : shaken(plane_map(6, degree), 2e-3, 5);
+    const auto same = same_places(map.mesh(), map.mesh());
+    ASSERT_TRUE(same);
+    const BakedImage baked =
+        bake(InverseMap(map), floats(64, 48), *same, position_values(map.mesh()));
+    EXPECT_EQ(baked.counts.texels, 64 * 48);
+    EXPECT_EQ(baked.counts.doubly_covered, 0);
+    EXPECT_EQ(baked.counts.undecided, 0);
+    EXPECT_EQ(baked.counts.misses, 0);
+    EXPECT_EQ(baked.counts.charts, 1);
+    EXPECT_EQ(baked.counts.charts_without_texels, 0);
+    EXPECT_GT(baked.counts.partly, 50);
+    EXPECT_NEAR(static_cast<double>(baked.counts.covered), 0.49 * 64 * 48, 60);
+    if (degree > 1) continue;
+    const TexelGrid texels(64, 48);
+    for (int y = 0; y < 48; ++y)
+      for (int x = 0; x < 64; ++x) {
+        const Vector2 at = (texels.center(x, y) - Vector2(0.1, 0.2)) / 0.7;
+        if (at.minCoeff() < 0 || at.maxCoeff() > 1) continue;
+        for (const int c : {0, 1}) EXPECT_NEAR(baked.image.value(x, y, c), at[c], 1e-6);
+      }
+  }
+}
+
+TEST(Bake, SameForAnyNumberOfThreads) {
+  const BezierMap map = shaken(plane_map(5, 2), 2e-3, 6);
+  const SurfaceTree tree(map.mesh().positions(), map.mesh().faces());
+  BakeOptions options = floats(50, 70);
+  options.padding = 3;
+  options.samples = 2;
+  const auto once = [&](int threads) {
+    const ThreadCount count(threads);
+    return bake(InverseMap(map), options, nearest_places(map.mesh(), tree, 1),
+                position_values(map.mesh()))
+        .image.bytes();
+  };
+  const auto bytes = [](const std::vector<unsigned char>& all) {
+    return std::string(all.begin(), all.end());
+  };
+  EXPECT_EQ(bytes(once(1)), bytes(once(4)));
+}
+
+TEST(Bake, ChartsThinnerThanATexelHaveTexels) {
+  // Triangles between the centres of two columns, one as thin as doubles allow.
+  // corner.
+  const auto mesh = surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  for (const Vector2& across : {Vector2(1e-9, 0), Vector2(1e-16, 0)}) {
+    Vec uv(6);
+    uv << Vector2(0.26, 0.3), Vector2(0.26, 0.3) + across, Vector2(0.26, 0.8);
+    const BezierMap map = BezierMap::linear(mesh, uv);
+    const BakedImage baked =
+        bake(InverseMap(map), floats(8, 8), *same_places(*mesh, *mesh), position_values(*mesh));
+    EXPECT_EQ(baked.counts.covered, 0);
+    EXPECT_EQ(baked.counts.charts_without_texels, 0);
+    EXPECT_EQ(baked.counts.partly, 5);
+    EXPECT_NEAR(baked.image.value(2, 3, 1), (0.5625 - 0.3) / 0.5, 0.02);
+  }
+}
+
+TEST(Bake, CountsOverlapsAndMisses) {
+  const auto mesh = surface(grid(1, flat));  // two faces
+  Vec uv(8);
+  for (Index v = 0; v < 4; ++v) uv.segment<2>(2 * v) = mesh->positions().row(v).head<2>();
+  const Vec flat_uv = uv;
+  uv.segment<2>(2 * 1) = Vector2(0.1, 0.8);  // (1, 0) folded over the diagonal
+  const BakedImage folded = bake(InverseMap(BezierMap::linear(mesh, uv)), floats(16, 16),
+                                 *same_places(*mesh, *mesh), position_values(*mesh));
+  EXPECT_GT(folded.counts.doubly_covered, 20);
+  const auto far = surface(polygon_mesh({{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}}, {{0, 1, 2}}));
+  const SurfaceTree tree(far->positions(), far->faces());
+  EXPECT_FALSE(same_places(*mesh, *far));
+  const BakedImage partial = bake(InverseMap(BezierMap::linear(mesh, flat_uv)), floats(16, 16),
+                                  nearest_places(*mesh, tree, 0.05), face_values(*far));
+  EXPECT_EQ(partial.counts.covered, 256);
+  EXPECT_EQ(partial.counts.doubly_covered, 0);
+  EXPECT_NEAR(static_cast<double>(partial.counts.misses), 256 - 36 - 13, 12);
+  for (int k = 0; k < 16; ++k) EXPECT_EQ(partial.image.value(k, k, 0), 0);  // filled
+}
+
+TEST(Bake, DensityAndStops) {
+  const BezierMap map = plane_map(4, 1);
+  const TexelDensity density = texel_density(map, 100, 100);
+  EXPECT_LE(density.min, density.mean);
+  EXPECT_LE(density.mean, density.max);
+  EXPECT_NEAR(density.max, 70, 2);  // where it is flat
+  EXPECT_THROW(bake(InverseMap(map), floats(64, 64), *same_places(map.mesh(), map.mesh()),
+                    position_values(map.mesh()), CountedStop(3).check()),
+               Stopped);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

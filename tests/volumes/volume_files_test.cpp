@@ -1,0 +1,215 @@
+// Meshes of volumes read, checked and written back: of the public collection, and small ones of
+// every format made here.
+#include "majorant/volumes/volume_files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/input_file.h"
+#include "public_data.h"
+
+namespace majorant {
+namespace {
+
+namespace fs = std::filesystem;
+
+class VolumeFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("majorant_volumes_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& content) const {
+    std::ofstream(file(name), std::ios::binary) << content;
+    return file(name);
+  }
+  // Nothing moved: the bytes of the file. One coordinate moved: it alone.
+  void expect_written_back(const std::string& path) const {
+    VolumeMesh mesh = read_volume_mesh(path);
+    EXPECT_EQ(volume_mesh_content(mesh), read_whole_file(path)) << path;
+    const Points3 before = mesh.points;
+    const Index moved = static_cast<Index>(mesh.points.rows()) / 2;
+    mesh.points(moved, 0) = std::nextafter(mesh.points(moved, 0), 1e9);
+    mesh.points(moved, 1) = 0.1 + 0.2;
+    const std::string out = file("back" + fs::path(path).extension().string());
+    write_volume_mesh(out, mesh);
+    const VolumeMesh back = read_volume_mesh(out);
+    EXPECT_EQ(back.points, mesh.points) << path;
+    ASSERT_EQ(back.blocks.size(), mesh.blocks.size());
+    for (std::size_t b = 0; b < back.blocks.size(); ++b) {
+      EXPECT_EQ(back.blocks[b].nodes, mesh.blocks[b].nodes);
+      EXPECT_EQ(back.blocks[b].numbers, mesh.blocks[b].numbers);
+      EXPECT_EQ(back.blocks[b].regions, mesh.blocks[b].regions);
+    }
+    mesh.points = before;
+    EXPECT_EQ(volume_mesh_content(mesh), read_whole_file(path)) << path;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(VolumeFiles, PublicMeshesAreReadCheckedAndWrittenBack) {
+  const fs::path folder = public_data("volumes");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
+  // Those that are not valid, and how many elements are not.
+  const std::map<std::string, bool> tangled{{"jagged.mesh", true},
+                                            {"tangled_o2_n4_25.msh", true},
+                                            {"tangled_o2_n6_120.msh", true},
+                                            {"tangled_o2_n8_400.msh", true}};
+  int files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".msh" && extension != ".mesh") continue;
+    SCOPED_TRACE(entry.path().string());
+    ++files;
+    expect_written_back(entry.path());
+    const VolumeMesh mesh = read_volume_mesh(entry.path());
+    const VolumeCheck check = check_volume_mesh(mesh);
+    EXPECT_EQ(check.undecided(), 0);
+    EXPECT_TRUE(check.disagreements.empty());
+    EXPECT_TRUE(check.crowded.empty());
+    EXPECT_EQ(check.invalid() > 0, tangled.count(entry.path().filename()) > 0);
+    EXPECT_EQ(check.least_scaled_jacobian() > 0, check.invalid() == 0);
+  }
+  EXPECT_EQ(files, 28);
+}
+
+const std::string kMedit =
+    "MeshVersionFormatted 2\nDimension 3\nVertices 5\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 2\n1 1 1 3\n"
+    "Triangles 1\n1 3 2 9\nTetrahedra 2\n1 2 3 4 7\n2 3 4 5 8\nCorners 1\n1\nEnd\n";
+const std::string kMfem =
+    "MFEM mesh v1.0\n# two squares\ndimension\n2\nelements\n2\n1 3 0 1 4 3\n2 3 1 2 5 "
+    "4\nboundary\n1\n"
+    "7 1 0 1\nvertices\n6\n2\n0 0\n1 0\n2 0\n0 1\n1 1\n2 1\n";
+const std::string kOldGmsh =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 4 \"part\"\n$EndPhysicalNames\n"
+    "$Nodes\n5\n10 0 0 0\n20 1 0 0\n30 0 1 0\n4000 0 0 1\n50 1 1 1\n$EndNodes\n"
+    "$Elements\n3\n1 15 2 9 9 10\n12 4 2 4 1 10 20 30 4000\n13 4 2 4 1 20 30 4000 "
+    "50\n$EndElements\n"
+    "$NodeData\nanything\n$EndNodeData\n";
+
+const std::vector<std::pair<std::string, std::string>> kSmall{
+    {"a.mesh", kMedit}, {"b.mesh", kMfem}, {"c.msh", kOldGmsh}};
+
+TEST_F(VolumeFiles, SmallOnesOfEveryFormat) {
+  for (const auto& [name, content] : kSmall) {
+    const std::string path = write(name, content);
+    expect_written_back(path);
+    const VolumeCheck check = check_volume_mesh(read_volume_mesh(path));
+    EXPECT_TRUE(check.is_valid()) << name;
+    EXPECT_EQ(check.cells.size(), 2u);
+  }
+  const VolumeMesh mesh = read_volume_mesh(file("c.msh"));
+  EXPECT_EQ(mesh.blocks[1].numbers, (std::vector<std::int64_t>{12, 13}));
+  EXPECT_EQ(mesh.blocks[1].regions, (std::vector<int>{4, 4}));
+}
+
+TEST_F(VolumeFiles, WhatIsWrongIsFound) {
+  // The second tetrahedron turned around; then a third on the face of both.
+  std::string turned = kMedit, crowded = kMedit;
+  turned.replace(turned.find("2 3 4 5 8"), 9, "3 2 4 5 8");
+  const VolumeCheck one = check_volume_mesh(read_volume_mesh(write("turned.mesh", turned)));
+  EXPECT_EQ(one.invalid(), 1);
+  EXPECT_EQ(one.inverted(), 1);
+  crowded.replace(crowded.find("Tetrahedra 2"), 12, "Tetrahedra 3\n2 3 4 5 8");
+  const VolumeCheck two = check_volume_mesh(read_volume_mesh(write("crowded.mesh", crowded)));
+  EXPECT_FALSE(two.is_valid());
+  EXPECT_GE(two.crowded.size(), 1u);
+  // Two triangles of degree 2 with a common edge and a middle each.
+  const std::string torn =
+      "MeshVersionFormatted 2\nDimension 2\nVertices 10\n0 0 0\n2 0 0\n0 2 0\n2 2 0\n1 0 0\n1 1 0\n"
+      "0 1 0\n1.25 1 0\n2 1 0\n1 2 0\nTrianglesP2 2\n1 2 3 5 6 7 1\n2 4 3 9 10 8 1\nEnd\n";
+  const VolumeCheck three = check_volume_mesh(read_volume_mesh(write("torn.mesh", torn)));
+  EXPECT_EQ(three.invalid(), 0);
+  ASSERT_EQ(three.disagreements.size(), 1u);
+  std::string joined = torn;
+  joined.replace(joined.find("1.25 1 0"), 8, "1 1 0");
+  EXPECT_TRUE(check_volume_mesh(read_volume_mesh(write("joined.mesh", joined))).is_valid());
+}
+
+TEST_F(VolumeFiles, SurfacesInSpaceAreSeenFromTheirStraightCells) {
+  // A triangle of degree 2 that stands upright, its edges bulging out of its plane.
+  const std::string bulging =
+      "MeshVersionFormatted 2\nDimension 3\nVertices 6\n0 0 0 0\n0 2 0 0\n0 0 2 0\n0.5 1 0 0\n0.5 "
+      "1 1 0\n"
+      "0.5 0 1 0\nTrianglesP2 1\n1 2 3 4 5 6 1\nEnd\n";
+  const VolumeCheck check = check_volume_mesh(read_volume_mesh(write("b.mesh", bulging)));
+  EXPECT_TRUE(check.is_surface);
+  EXPECT_TRUE(check.is_valid());
+  EXPECT_NEAR(check.cells[0].range.high, 4, 1e-9);
+}
+
+struct Refusal {
+  const char* name;
+  std::string content;
+  ErrorKind kind;
+  const char* says;
+};
+
+TEST_F(VolumeFiles, RefusalsNameWhatIsWrong) {
+  const auto changed = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const auto unreadable = ErrorKind::Unreadable;
+  const auto unsupported = ErrorKind::Unsupported;
+  const std::vector<Refusal> refusals{
+      {"a.msh", "", unreadable, "not a gmsh file"},
+      {"a.msh", changed(kOldGmsh, "2.2", "4.0"), unsupported, "MSH 4.0"},
+      {"a.msh", changed(kOldGmsh, "12 4 2", "12 7 2"), unsupported, "pyramids"},
+      {"a.msh", changed(kOldGmsh, "12 4 2", "12 31 2"), unsupported, "type 31"},
+      {"a.msh", changed(kOldGmsh, "10 20 30 4000\n", "10 20 30 4\n"), unreadable, "node 4"},
+      {"a.msh", changed(kOldGmsh, "20 1 0 0", "10 1 0 0"), unreadable, "two nodes"},
+      {"a.msh", changed(kOldGmsh, "20 1 0 0", "20 nan 0 0"), unreadable, "no finite number"},
+      {"a.msh", changed(kOldGmsh, "$Nodes\n5", "$Nodes\n500000000"), unreadable,
+       "more than the file"},
+      {"a.msh", kOldGmsh.substr(0, kOldGmsh.find("$EndElements")), unreadable, "$EndElements"},
+      {"a.mesh", changed(kMfem, "v1.0", "NURBS mesh v1.0"), unsupported, "NURBS"},
+      {"a.mesh", changed(kMfem, "1 3 0 1 4 3", "1 7 0 1 4 3"), unsupported, "pyramids"},
+      {"a.mesh", changed(kMfem, "1 3 0 1 4 3", "1 3 0 1 4 33"), unreadable, "vertex 33"},
+      {"a.mesh", changed(kMfem, "2 1\n", ""), unreadable, "missing"},
+      {"a.mesh", changed(kMedit, "Tetrahedra 2", "Pyramids 2"), unsupported, "Pyramids"},
+      {"a.mesh", changed(kMedit, "2 3 4 5 8", "2 3 4 6 8"), unreadable, "vertex 6"},
+      {"a.mesh", "v 0 0 0\n", unreadable, "not a mesh of MFEM"},
+      {"a.obj", "v 0 0 0\n", unsupported, ".obj"},
+      {"a.vtu", "<VTKFile/>", unreadable, "UnstructuredGrid"}};
+  for (const Refusal& refusal : refusals) {
+    SCOPED_TRACE(refusal.says);
+    try {
+      read_volume_mesh(write(refusal.name, refusal.content));
+      ADD_FAILURE() << "read";
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), refusal.kind) << e.what();
+      EXPECT_NE(std::string(e.what()).find(refusal.says), std::string::npos) << e.what();
+      EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
+    }
+  }
+}
+
+// Cut anywhere, or with a byte changed: read, or refused, never more.
+TEST_F(VolumeFiles, DamagedFilesAreRefused) {
+  for (const auto& [name, content] : kSmall)
+    for (std::size_t k = 0; k < content.size(); ++k)
+      for (const bool is_cut : {true, false}) {
+        std::string damaged = is_cut ? content.substr(0, k) : content;
+        if (!is_cut) damaged[k] = static_cast<char>(33 + 7 * k % 90);
+        try {
+          check_volume_mesh(read_volume_mesh(write(name, damaged)));
+        } catch (const Error&) {
+        }
+      }
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

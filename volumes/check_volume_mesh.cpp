@@ -1,0 +1,252 @@
+#include "majorant/volumes/check_volume_mesh.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/volumes/internal/reference_cell.h"
+
+namespace majorant {
+namespace {
+
+// Some 10 us of work at least, between two polls at most some ms.
+constexpr Index kPiece = 64;
+
+// The coordinates of a cell's nodes.
+void gather(const VolumeMesh& mesh, const CellBlock& block, Index cell, std::vector<double>& out) {
+  out.clear();
+  for (const Index node : block.nodes.row(cell))
+    for (int c = 0; c < 3; ++c) out.push_back(mesh.points(node, c));
+}
+
+// The directions of the plane that a cell of a surface is looked at in: two of length about 1,
+// across the normal of the straight cell. What they are as doubles is what is proven about.
+Eigen::Matrix<double, 2, 3> plane_of(CellShape shape, const std::vector<double>& nodes) {
+  const auto point = [&](int k) {
+    return Vector3(Eigen::Map<const Vector3>(&nodes[to_size(3 * k)]));
+  };
+  const Vector3 along = shape == CellShape::Triangle ? point(1) - point(0) : point(2) - point(0);
+  const Vector3 other = shape == CellShape::Triangle ? point(2) - point(0) : point(3) - point(1);
+  const Vector3 u = along.stableNormalized();
+  const Vector3 normal = u.cross(other.stableNormalized()).stableNormalized();
+  Eigen::Matrix<double, 2, 3> plane;
+  plane << u.transpose(), normal.cross(u).transpose();
+  return plane;
+}
+
+class CellCheck {
+ public:
+  CellCheck(const VolumeMesh& mesh, const StopCheck& stop)
+      : mesh_(mesh), stop_(stop), is_planar_(mesh.is_planar()) {}
+
+  CheckedCell operator()(CellName name) const {
+    const CellBlock& block = mesh_.blocks[to_size(name.block)];
+    std::vector<double> nodes, flat;
+    gather(mesh_, block, name.cell, nodes);
+    CheckedCell out{name, {}, 0};
+    Vector3 normal = Vector3::UnitZ();
+    if (dimension(block.type.shape) == 3) {
+      out.range = determinant_range(block.type, nodes.data(), stop_);
+    } else if (is_planar_) {
+      for (std::size_t k = 0; k < nodes.size(); k += 3) {
+        flat.push_back(nodes[k]);
+        flat.push_back(nodes[k + 1]);
+      }
+      out.range = determinant_range(block.type, flat.data(), stop_);
+    } else {
+      out.range = on_surface(block.type, nodes, normal);
+    }
+    out.scaled_jacobian = sampled_scaled_jacobian(block.type, nodes.data(), normal);
+    return out;
+  }
+
+ private:
+  // In the plane of the straight cell. Coordinates there are rounded: what is proven is proven of
+  // the cell whose nodes are moved by that, some 1e-16 of their size.
+  DeterminantRange on_surface(const CellType& type, const std::vector<double>& nodes,
+                              Vector3& normal) const {
+    const Eigen::Matrix<double, 2, 3> plane = plane_of(type.shape, nodes);
+    normal = plane.row(0).cross(plane.row(1)).transpose();
+    const Vector3 origin = Eigen::Map<const Vector3>(nodes.data());
+    std::vector<double> flat;
+    for (std::size_t k = 0; k < nodes.size(); k += 3) {
+      const Vector2 x = plane * (Eigen::Map<const Vector3>(&nodes[k]) - origin);
+      flat.insert(flat.end(), {x[0], x[1]});
+    }
+    return determinant_range(type, flat.data(), stop_);
+  }
+
+  const VolumeMesh& mesh_;
+  const StopCheck& stop_;
+  bool is_planar_;
+};
+
+// A side of a cell under the sorted numbers of its corners; unused ones are the largest number.
+struct SideOfCell {
+  std::array<Index, 4> key;
+  CellName name;
+  int side;
+};
+
+class SideCheck {
+ public:
+  SideCheck(const VolumeMesh& mesh, VolumeCheck& check) : mesh_(mesh), check_(check) {}
+
+  void run(const StopCheck& stop) {
+    std::vector<SideOfCell> sides;
+    for (const CheckedCell& cell : check_.cells) add_sides(cell.name, sides);
+    stop.poll();
+    std::sort(sides.begin(), sides.end(),
+              [](const SideOfCell& a, const SideOfCell& b) { return a.key < b.key; });
+    for (auto first = sides.begin(); first != sides.end();) {
+      auto last = first;
+      while (last != sides.end() && last->key == first->key) ++last;
+      judge(*first, first + 1, last);
+      first = last;
+    }
+  }
+
+ private:
+  const CellBlock& block_of(CellName name) const { return mesh_.blocks[to_size(name.block)]; }
+
+  void add_sides(CellName name, std::vector<SideOfCell>& out) const {
+    const CellBlock& block = block_of(name);
+    const auto& all = ReferenceCell::of(block.type).sides();
+    for (std::size_t s = 0; s < all.size(); ++s) {
+      SideOfCell side{{}, name, static_cast<int>(s)};
+      side.key.fill(std::numeric_limits<Index>::max());
+      for (std::size_t k = 0; k < all[s].corners.size(); ++k)
+        side.key[k] = block.vertex(name.cell, all[s].corners[k]);
+      std::sort(side.key.begin(), side.key.end());
+      out.push_back(side);
+    }
+  }
+
+  template <class Iterator>
+  void judge(const SideOfCell& first, Iterator second, Iterator last) {
+    const auto others = last - second;
+    if (others == 0) ++check_.boundary_sides;
+    if (others > 1) check_.crowded.push_back(first.name);
+    if (others == 1 && !agree(first, *second))
+      check_.disagreements.push_back({first.name, second->name});
+  }
+
+  // The nodes on a side in an order that both of its cells see alike: by their weights on the
+  // sorted corners.
+  std::vector<std::pair<std::array<int, 4>, Index>> nodes_of(const SideOfCell& of) const {
+    const CellBlock& block = block_of(of.name);
+    const ReferenceCell::Side& side = ReferenceCell::of(block.type).sides()[to_size(of.side)];
+    std::vector<std::pair<std::array<int, 4>, Index>> out;
+    for (std::size_t k = 0; k < side.nodes.size(); ++k) {
+      std::array<int, 4> weights{};
+      for (std::size_t c = 0; c < side.corners.size(); ++c) {
+        const Index vertex = block.vertex(of.name.cell, side.corners[c]);
+        const auto place = std::find(of.key.begin(), of.key.end(), vertex) - of.key.begin();
+        weights[static_cast<std::size_t>(place)] = side.weights[k][c];
+      }
+      out.emplace_back(weights, block.nodes(of.name.cell, side.nodes[k]));
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
+  bool agree(const SideOfCell& a, const SideOfCell& b) const {
+    const CellType &s = block_of(a.name).type, &t = block_of(b.name).type;
+    const bool share_vertices = block_of(a.name).vertices.rows() == 0;
+    if (s.degree == 1 && t.degree == 1 && share_vertices) return true;
+    if (s.degree != t.degree || s.kind != t.kind) return false;
+    const auto x = nodes_of(a), y = nodes_of(b);
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](const auto& p, const auto& q) {
+      return p.first == q.first &&
+             (p.second == q.second || mesh_.points.row(p.second) == mesh_.points.row(q.second));
+    });
+  }
+
+  const VolumeMesh& mesh_;
+  VolumeCheck& check_;
+};
+
+}  // namespace
+
+Index VolumeCheck::count(ProofStatus status) const {
+  return static_cast<Index>(std::count_if(cells.begin(), cells.end(), [=](const CheckedCell& c) {
+    return c.range.positive == status;
+  }));
+}
+
+Index VolumeCheck::inverted() const {
+  return static_cast<Index>(std::count_if(
+      cells.begin(), cells.end(), [](const CheckedCell& c) { return c.range.largest < 0; }));
+}
+
+bool VolumeCheck::is_valid() const {
+  return count(ProofStatus::Proven) == static_cast<Index>(cells.size()) && disagreements.empty() &&
+         crowded.empty();
+}
+
+double VolumeCheck::least_scaled_jacobian() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const CheckedCell& c : cells) least = std::min(least, c.scaled_jacobian);
+  return least;
+}
+
+double VolumeCheck::mean_scaled_jacobian() const {
+  double sum = 0;
+  for (const CheckedCell& c : cells) sum += c.scaled_jacobian;
+  return sum / static_cast<double>(cells.size());
+}
+
+std::vector<const CheckedCell*> VolumeCheck::worst(std::size_t most) const {
+  std::vector<const CheckedCell*> out;
+  for (const CheckedCell& c : cells) out.push_back(&c);
+  const auto rank = [](const CheckedCell* c) {
+    return std::pair(c->range.positive == ProofStatus::Proven, c->scaled_jacobian);
+  };
+  const auto end = out.begin() + static_cast<std::ptrdiff_t>(std::min(most, out.size()));
+  std::partial_sort(out.begin(), end, out.end(),
+                    [&](const CheckedCell* a, const CheckedCell* b) { return rank(a) < rank(b); });
+  out.erase(end, out.end());
+  return out;
+}
+
+VolumeCheck check_volume_mesh(const VolumeMesh& mesh, const StopCheck& stop) {
+  const int dim = mesh.dimension();
+  if (dim < 2)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: no cell has two or three dimensions", mesh.file));
+  VolumeCheck check;
+  check.is_surface = dim == 2 && !mesh.is_planar();
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const CellBlock& block = mesh.blocks[b];
+    if (dimension(block.type.shape) != dim) continue;
+    require_tables(mesh.file, block.type);
+    for (Index c = 0; c < block.size(); ++c)
+      check.cells.push_back({{static_cast<Index>(b), c}, {}, 0});
+  }
+  const CellCheck check_cell(mesh, stop);
+  parallel_for(static_cast<Index>(check.cells.size()), kPiece, [&](Index k) {
+    if (k % kPiece == 0) stop.poll();
+    check.cells[to_size(k)] = check_cell(check.cells[to_size(k)].name);
+  });
+  SideCheck(mesh, check).run(stop);
+  return check;
+}
+
+Vector3 place_of(const VolumeMesh& mesh, const CheckedCell& cell) {
+  const CellBlock& block = mesh.blocks[to_size(cell.name.block)];
+  std::vector<double> nodes;
+  gather(mesh, block, cell.name.cell, nodes);
+  return point_of_cell(block.type, nodes.data(), cell.range.at);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,64 @@
+// Cells as readers meet them, sorted into blocks of one type.
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "majorant/volumes/volume_mesh.h"
+
+namespace majorant {
+
+class CellCollector {
+ public:
+  // nodes: in the order of the file, node k of which is order[k] in VTK's. corners: in VTK's order;
+  // empty where the first nodes are what cells share.
+  void add(const CellType& type, const std::vector<int>& order, std::span<const Index> nodes,
+           std::int64_t number, int region, std::span<const Index> corners = {}) {
+    if (last_ == nullptr || last_type_ != type) {
+      last_ = &found_[type];
+      last_type_ = type;
+      if (last_->place == 0) last_->place = found_.size();
+    }
+    const std::size_t begin = last_->nodes.size();
+    last_->nodes.resize(begin + nodes.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      last_->nodes[begin + static_cast<std::size_t>(order[k])] = nodes[k];
+    last_->vertices.insert(last_->vertices.end(), corners.begin(), corners.end());
+    last_->numbers.push_back(number);
+    last_->regions.push_back(region);
+  }
+
+  // In the order in which types came.
+  std::vector<CellBlock> take() {
+    std::vector<CellBlock> out(found_.size());
+    for (auto& [type, cells] : found_) {
+      CellBlock& block = out[cells.place - 1];
+      const auto count = static_cast<Index>(cells.numbers.size());
+      block.type = type;
+      block.nodes = Eigen::Map<const Cells>(cells.nodes.data(), count, type.node_count());
+      if (!cells.vertices.empty())
+        block.vertices =
+            Eigen::Map<const Cells>(cells.vertices.data(), count, corner_count(type.shape));
+      block.numbers = std::move(cells.numbers);
+      block.regions = std::move(cells.regions);
+    }
+    return out;
+  }
+
+ private:
+  struct Collected {
+    std::size_t place = 0;  // from 1
+    std::vector<Index> nodes, vertices;
+    std::vector<std::int64_t> numbers;
+    std::vector<int> regions;
+  };
+  std::map<CellType, Collected> found_;
+  Collected* last_ = nullptr;
+  CellType last_type_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

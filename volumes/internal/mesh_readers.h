@@ -1,0 +1,22 @@
+// The readers of single formats, for read_volume_mesh. content: the whole file, decompressed.
+#pragma once
+
+#include <string>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/volumes/volume_mesh.h"
+
+namespace majorant {
+
+VolumeMesh read_gmsh_mesh(const std::string& path, std::string content, const StopCheck& stop);
+VolumeMesh read_mfem_mesh(const std::string& path, std::string content, const StopCheck& stop);
+VolumeMesh read_medit_mesh(const std::string& path, std::string content, const StopCheck& stop);
+VolumeMesh read_vtk_mesh(const std::string& path, std::string content, const StopCheck& stop);
+
+// Throws Error(Unsupported, "file: what").
+[[noreturn]] void refuse_mesh(const std::string& path, const std::string& what);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

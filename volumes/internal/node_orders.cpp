@@ -1,0 +1,214 @@
+#include "majorant/volumes/internal/node_orders.h"
+
+#include <algorithm>
+
+#include "majorant/volumes/internal/reference_cell.h"
+
+namespace majorant {
+namespace {
+
+std::vector<int> factors_of(CellShape shape) {
+  switch (shape) {
+    case CellShape::Point:
+      return {};
+    case CellShape::Segment:
+      return {2};
+    default:
+      return bernstein_element(shape, 1).factors;
+  }
+}
+
+using Steps = std::array<int, 6>;  // from one node to the next
+
+Exponents moved(Exponents from, const Steps& steps, int times) {
+  for (std::size_t c = 0; c < from.size(); ++c) from[c] += times * steps[c];
+  return from;
+}
+
+// gmsh's recursion: corners, edges, faces and the interior, the inner nodes of each like the nodes
+// of a smaller one. Corner k of a cell of degree n is at from + n * (its offset).
+class GmshOrder {
+ public:
+  explicit GmshOrder(std::vector<Exponents> corners, int degree) : degree_(degree) {
+    for (const Exponents& corner : corners) {
+      Steps steps;
+      for (std::size_t c = 0; c < steps.size(); ++c)
+        steps[c] = (corner[c] - corners[0][c]) / std::max(degree, 1);
+      offsets_.push_back(steps);
+    }
+    origin_ = corners[0];
+  }
+
+  std::vector<Exponents> list(const CellType& type) {
+    add(type.shape, origin_, degree_, type.set);
+    return std::move(out_);
+  }
+
+ private:
+  using Edges = std::vector<std::array<int, 2>>;
+  using Faces = std::vector<std::vector<int>>;  // three or four corners
+
+  Steps between(int a, int b) const {
+    Steps steps = offsets_[to_size(b)];
+    for (std::size_t c = 0; c < steps.size(); ++c) steps[c] -= offsets_[to_size(a)][c];
+    return steps;
+  }
+  Exponents corner(const Exponents& from, int k, int n) const {
+    return moved(from, offsets_[to_size(k)], n);
+  }
+
+  void add(CellShape shape, const Exponents& from, int n, NodeSet set = NodeSet::Full) {
+    if (n < 0) return;
+    if (n == 0) return out_.push_back(from);
+    for (int k = 0; k < corner_count(shape); ++k) out_.push_back(corner(from, k, n));
+    for (const auto& [a, b] : edges_of(shape))
+      for (int s = 1; s < n; ++s) out_.push_back(moved(corner(from, a, n), between(a, b), s));
+    if (set == NodeSet::Serendipity) return;
+    for (const std::vector<int>& face : faces_of(shape)) add_face(face, from, n);
+    add_interior(shape, from, n);
+  }
+
+  // The inner nodes of a face: by a corner and the steps to its neighbours on the face.
+  void add_face(const std::vector<int>& face, const Exponents& from, int n) {
+    const Steps u = between(face[0], face[1]), v = between(face[0], face.back());
+    const Exponents inner = moved(moved(corner(from, face[0], n), u, 1), v, 1);
+    face.size() == 3 ? add_triangle(inner, u, v, n - 3) : add_quad(inner, u, v, n - 2);
+  }
+
+  void add_triangle(const Exponents& o, const Steps& u, const Steps& v, int n) {
+    if (n < 0) return;
+    if (n == 0) return out_.push_back(o);
+    const auto push = [&](int i, int j) { out_.push_back(moved(moved(o, u, i), v, j)); };
+    push(0, 0);
+    push(n, 0);
+    push(0, n);
+    for (int s = 1; s < n; ++s) push(s, 0);
+    for (int s = 1; s < n; ++s) push(n - s, s);
+    for (int s = 1; s < n; ++s) push(0, n - s);
+    add_triangle(moved(moved(o, u, 1), v, 1), u, v, n - 3);
+  }
+
+  void add_quad(const Exponents& o, const Steps& u, const Steps& v, int n) {
+    if (n < 0) return;
+    if (n == 0) return out_.push_back(o);
+    const auto push = [&](int i, int j) { out_.push_back(moved(moved(o, u, i), v, j)); };
+    push(0, 0);
+    push(n, 0);
+    push(n, n);
+    push(0, n);
+    for (int s = 1; s < n; ++s) push(s, 0);
+    for (int s = 1; s < n; ++s) push(n, s);
+    for (int s = 1; s < n; ++s) push(n - s, n);
+    for (int s = 1; s < n; ++s) push(0, n - s);
+    add_quad(moved(moved(o, u, 1), v, 1), u, v, n - 2);
+  }
+
+  void add_interior(CellShape shape, const Exponents& from, int n) {
+    const auto inside = [&](std::initializer_list<int> neighbours) {
+      Exponents at = from;
+      for (const int k : neighbours) at = moved(at, between(0, k), 1);
+      return at;
+    };
+    if (shape == CellShape::Triangle) add_face({0, 1, 2}, from, n);
+    if (shape == CellShape::Quad) add_face({0, 1, 2, 3}, from, n);
+    if (shape == CellShape::Tetrahedron) add(shape, inside({1, 2, 3}), n - 4);
+    if (shape == CellShape::Hexahedron) add(shape, inside({1, 3, 4}), n - 2);
+    if (shape != CellShape::Wedge || n < 3) return;
+    // Of each inner node of the triangle, those of a segment: the ends first.
+    const std::size_t begin = out_.size();
+    add_triangle(inside({1, 2}), between(0, 1), between(0, 2), n - 3);
+    const std::vector<Exponents> of_triangle(out_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                             out_.end());
+    out_.resize(begin);
+    for (const Exponents& e : of_triangle) {
+      std::vector<int> heights{1};
+      if (n > 2) heights.push_back(n - 1);
+      for (int k = 2; k < n - 1; ++k) heights.push_back(k);
+      for (const int k : heights) out_.push_back(moved(e, between(0, 3), k));
+    }
+  }
+
+  static Edges edges_of(CellShape shape) {
+    switch (shape) {
+      case CellShape::Segment:
+        return {{0, 1}};
+      case CellShape::Triangle:
+        return {{0, 1}, {1, 2}, {2, 0}};
+      case CellShape::Quad:
+        return {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+      case CellShape::Tetrahedron:
+        return {{0, 1}, {1, 2}, {2, 0}, {3, 0}, {3, 2}, {3, 1}};
+      case CellShape::Wedge:
+        return {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}};
+      case CellShape::Hexahedron:
+        return {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3},
+                {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}};
+      default:
+        return {};
+    }
+  }
+
+  static Faces faces_of(CellShape shape) {
+    switch (shape) {
+      case CellShape::Tetrahedron:
+        return {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {3, 1, 2}};
+      case CellShape::Wedge:
+        return {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {0, 3, 5, 2}, {1, 2, 5, 4}};
+      case CellShape::Hexahedron:
+        return {{0, 3, 2, 1}, {0, 1, 5, 4}, {0, 4, 7, 3}, {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}};
+      default:
+        return {};
+    }
+  }
+
+  int degree_;
+  std::vector<Steps> offsets_;
+  Exponents origin_{};
+  std::vector<Exponents> out_;
+};
+
+}  // namespace
+
+std::vector<Exponents> vtk_order(CellShape shape, int degree) {
+  if (shape == CellShape::Point) return {Exponents{}};
+  if (shape != CellShape::Segment) {
+    const BernsteinElement element = bernstein_element(shape, degree);
+    return element.functions(element.degrees());
+  }
+  std::vector<Exponents> out{{degree, 0}, {0, degree}};
+  for (int s = 1; s < degree; ++s) out.push_back({degree - s, s});
+  return out;
+}
+
+std::vector<std::array<int, 8>> corner_weights(CellShape shape, int degree) {
+  const std::vector<Exponents> nodes = vtk_order(shape, degree);
+  const std::vector<int> factors = factors_of(shape);
+  std::vector<std::array<int, 8>> out;
+  for (const Exponents& node : nodes) {
+    auto& weights = out.emplace_back();
+    weights.fill(0);
+    for (int k = 0; k < corner_count(shape); ++k) {
+      int product = 1;
+      std::size_t c = 0;
+      for (const int corners : factors)
+        for (int i = 0; i < corners; ++i, ++c)
+          if (nodes[to_size(k)][c] != 0) product *= node[c];
+      weights[to_size(k)] = product;
+    }
+  }
+  return out;
+}
+
+std::vector<int> gmsh_order(const CellType& type) {
+  const std::vector<Exponents> places = vtk_order(type.shape, type.degree);
+  const auto corners = places.begin() + corner_count(type.shape);
+  std::vector<int> out;
+  for (const Exponents& e : GmshOrder({places.begin(), corners}, type.degree).list(type))
+    out.push_back(static_cast<int>(std::find(places.begin(), places.end(), e) - places.begin()));
+  return out;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

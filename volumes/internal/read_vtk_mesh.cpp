@@ -1,0 +1,367 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/base64.h"
+#include "majorant/io/vtu_arrays.h"
+#include "majorant/io/xml_tree.h"
+#include "majorant/volumes/internal/cell_collector.h"
+#include "majorant/volumes/internal/mesh_readers.h"
+#include "majorant/volumes/internal/mesh_source.h"
+#include "majorant/volumes/internal/node_orders.h"
+#include "majorant/volumes/internal/token_cursor.h"
+
+namespace majorant {
+namespace {
+
+struct VtkType {
+  CellShape shape;
+  int degree;  // 0: what the number of points says
+  NodeKind kind = NodeKind::Uniform;
+  NodeSet set = NodeSet::Full;
+};
+
+// VTK's numbers of cell types (vtkCellType.h).
+std::optional<VtkType> vtk_type(long long number) {
+  using enum CellShape;
+  constexpr auto kControl = NodeKind::ControlPoints;
+  constexpr auto kUniform = NodeKind::Uniform;
+  constexpr auto kCorners = NodeSet::Serendipity;
+  static const std::map<long long, VtkType> kTypes{{1, {Point, 1}},
+                                                   {3, {Segment, 1}},
+                                                   {5, {Triangle, 1}},
+                                                   {9, {Quad, 1}},
+                                                   {10, {Tetrahedron, 1}},
+                                                   {12, {Hexahedron, 1}},
+                                                   {13, {Wedge, 1}},
+                                                   {21, {Segment, 2}},
+                                                   {22, {Triangle, 2}},
+                                                   {24, {Tetrahedron, 2}},
+                                                   {28, {Quad, 2}},
+                                                   {29, {Hexahedron, 2}},
+                                                   {32, {Wedge, 2}},
+                                                   {23, {Quad, 2, kUniform, kCorners}},
+                                                   {25, {Hexahedron, 2, kUniform, kCorners}},
+                                                   {26, {Wedge, 2, kUniform, kCorners}},
+                                                   {68, {Segment, 0}},
+                                                   {69, {Triangle, 0}},
+                                                   {70, {Quad, 0}},
+                                                   {71, {Tetrahedron, 0}},
+                                                   {72, {Hexahedron, 0}},
+                                                   {73, {Wedge, 0}},
+                                                   {75, {Segment, 0, kControl}},
+                                                   {76, {Triangle, 0, kControl}},
+                                                   {77, {Quad, 0, kControl}},
+                                                   {78, {Tetrahedron, 0, kControl}},
+                                                   {79, {Hexahedron, 0, kControl}},
+                                                   {80, {Wedge, 0, kControl}}};
+  const auto found = kTypes.find(number);
+  return found == kTypes.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool is_vtk_pyramid(long long number) {
+  return number == 14 || number == 27 || number == 37 || number == 74 || number == 81;
+}
+
+// Points as one base64 text of a length and doubles.
+class EncodedPoints final : public MeshSource {
+ public:
+  struct Region {
+    std::size_t begin, size;  // in the file
+    std::size_t header_size;
+    ByteOrder order;
+  };
+  EncodedPoints(std::string content, Points3 original, const Region& region)
+      : MeshSource(std::move(original)), content_(std::move(content)), region_(region) {}
+
+  std::string with_points(const Points3& points) const override {
+    bool is_any_moved = false;
+    for (Index p = 0; p < points.rows(); ++p)
+      for (int axis = 0; axis < 3; ++axis) is_any_moved = is_any_moved || is_moved(points, p, axis);
+    if (!is_any_moved) return content_;
+    std::string data(region_.header_size, '\0');
+    const auto bytes = static_cast<std::uint64_t>(points.size()) * sizeof(double);
+    put(bytes, region_.header_size, data.data());
+    data.resize(region_.header_size + bytes);
+    for (Index k = 0; k < points.size(); ++k)
+      put(points.data()[k], sizeof(double),
+          data.data() + region_.header_size + to_size(k) * sizeof(double));
+    std::string out = content_.substr(0, region_.begin);
+    append_base64(data, out);
+    out.append(content_, region_.begin + region_.size);
+    return out;
+  }
+
+ private:
+  // The first `size` bytes of a little-endian value, in the byte order of the file.
+  template <class T>
+  void put(const T& value, std::size_t size, char* to) const {
+    std::memcpy(to, &value, size);
+    if (region_.order == ByteOrder::Big) std::reverse(to, to + size);
+  }
+  std::string content_;
+  Region region_;
+};
+
+// Of a file that does not say where its points stand as doubles.
+class UnwritablePoints final : public MeshSource {
+ public:
+  UnwritablePoints(std::string file, std::string content, Points3 original, std::string why)
+      : MeshSource(std::move(original)),
+        file_(std::move(file)),
+        content_(std::move(content)),
+        why_(std::move(why)) {}
+  std::string with_points(const Points3& points) const override {
+    for (Index p = 0; p < points.rows(); ++p)
+      for (int axis = 0; axis < 3; ++axis)
+        if (is_moved(points, p, axis)) refuse_mesh(file_, why_);
+    return content_;
+  }
+
+ private:
+  std::string file_, content_, why_;
+};
+
+class VtkReader {
+ public:
+  VtkReader(const std::string& path, std::string content, const StopCheck& stop)
+      : path_(path),
+        stop_(stop),
+        original_(std::move(content)),
+        content_(original_),
+        arrays_(path, content_, stop) {}
+
+  VolumeMesh read() {
+    const XmlElement root = parse_xml(path_, content_);
+    if (root.name != "VTKFile" || root.attribute("type") != "UnstructuredGrid")
+      fail("not a VTK UnstructuredGrid file");
+    arrays_.configure(root);
+    const XmlElement& grid = child_of(root, "UnstructuredGrid");
+    if (std::count_if(grid.children.begin(), grid.children.end(),
+                      [](const XmlElement& e) { return e.name == "Piece"; }) > 1)
+      fail("more than one Piece; merge the pieces into one");
+    const XmlElement& piece = child_of(grid, "Piece");
+    VolumeMesh mesh;
+    mesh.file = path_;
+    read_points(child_of(child_of(piece, "Points"), "DataArray"), mesh);
+    has_old_hexahedra_ = is_before(root.attribute("version", "0.1"), 2, 1);
+    read_cells(piece, mesh);
+    return mesh;
+  }
+
+ private:
+  [[noreturn]] void fail(std::string_view problem) const {
+    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", path_, problem));
+  }
+
+  const XmlElement& child_of(const XmlElement& parent, std::string_view name) const {
+    const XmlElement* child = parent.child(name);
+    if (child == nullptr) fail(fmt::format("{} without {}; incomplete file", parent.name, name));
+    return *child;
+  }
+
+  static bool is_before(std::string_view version, int major, int minor) {
+    int found[2] = {0, 0};
+    const char* const end = version.data() + version.size();
+    const auto after = std::from_chars(version.data(), end, found[0]);
+    if (after.ptr != end) std::from_chars(after.ptr + 1, end, found[1]);
+    return found[0] < major || (found[0] == major && found[1] < minor);
+  }
+
+  const XmlElement* array_of(const XmlElement& section, std::string_view name) const {
+    for (const XmlElement& array : section.children)
+      if (array.name == "DataArray" && array.attribute("Name") == name) return &array;
+    return nullptr;
+  }
+
+  std::vector<long long> integers(const XmlElement& section, std::string_view name) const {
+    const XmlElement* array = array_of(section, name);
+    if (array == nullptr) fail(fmt::format("Cells without {}; incomplete file", name));
+    return arrays_.integers(*array);
+  }
+
+  void read_points(const XmlElement& array, VolumeMesh& mesh) {
+    if (array.attribute("NumberOfComponents", "3") != "3") fail("points without 3 coordinates");
+    const std::vector<double> values = arrays_.doubles(array);
+    if (values.empty() || values.size() % 3 != 0) fail("no points, or not 3 coordinates each");
+    if (values.size() / 3 > static_cast<std::size_t>(std::numeric_limits<Index>::max() / 4))
+      refuse_mesh(path_, "too many points");
+    mesh.points =
+        Eigen::Map<const Points3>(values.data(), static_cast<Index>(values.size() / 3), 3);
+    mesh.source = source_of(array, mesh.points);
+  }
+
+  // How the points are written back. The place of text in the file is that in content_: what was
+  // taken out stands behind.
+  std::shared_ptr<const MeshSource> source_of(const XmlElement& array,
+                                              const Points3& points) const {
+    using Placed = PlacedCoordinates;
+    const bool is_double = array.attribute("type") == "Float64";
+    const std::string_view format = array.attribute("format", "ascii");
+    const auto unwritable = [&](const char* why) {
+      return std::make_shared<const UnwritablePoints>(path_, original_, points, why);
+    };
+    if (!is_double) return unwritable("points that are no Float64 cannot be written back");
+    if (arrays_.is_compressed() && format != "ascii")
+      return unwritable("compressed points cannot be written back");
+    if (format == "appended") return appended(array, points, unwritable);
+    const auto begin = static_cast<std::size_t>(array.text.data() - content_.data());
+    if (original_.compare(begin, array.text.size(), array.text) != 0)
+      return unwritable("points behind the appended data cannot be written back");
+    if (format == "ascii") {
+      TokenCursor words(path_, array.text, 0, stop_);
+      std::vector<Placed::Place> places;
+      for (Index k = 0; k < points.size(); ++k) {
+        const std::size_t size = words.next().size();
+        places.push_back({begin + words.begin(), static_cast<std::uint32_t>(size)});
+      }
+      return std::make_shared<const Placed>(path_, original_, points, std::move(places),
+                                            Placed::Coding::Words);
+    }
+    const std::size_t first = array.text.find_first_not_of(" \t\r\n"),
+                      last = array.text.find_last_not_of(" \t\r\n");
+    return std::make_shared<const EncodedPoints>(
+        original_, points,
+        EncodedPoints::Region{begin + first, last + 1 - first, arrays_.header_size(),
+                              arrays_.order()});
+  }
+
+  template <class Unwritable>
+  std::shared_ptr<const MeshSource> appended(const XmlElement& array, const Points3& points,
+                                             const Unwritable& unwritable) const {
+    using Placed = PlacedCoordinates;
+    const std::size_t tag = original_.find("<AppendedData");
+    const std::size_t end = original_.find('>', tag), mark = original_.find('_', end);
+    if (original_.substr(tag, end - tag).find("base64") != std::string::npos)
+      return unwritable("points appended as base64 cannot be written back");
+    std::size_t offset = 0;
+    const std::string_view text = array.attribute("offset");
+    std::from_chars(text.data(), text.data() + text.size(), offset);
+    const std::size_t first = mark + 1 + offset + arrays_.header_size();
+    std::vector<Placed::Place> places;
+    for (Index k = 0; k < points.size(); ++k)
+      places.push_back({first + to_size(k) * sizeof(double), sizeof(double)});
+    return std::make_shared<const Placed>(path_, original_, points, std::move(places),
+                                          arrays_.order() == ByteOrder::Little
+                                              ? Placed::Coding::Doubles
+                                              : Placed::Coding::SwappedDoubles);
+  }
+
+  CellType type_of(std::size_t cell, long long number, std::size_t points) const {
+    const std::optional<VtkType> known = vtk_type(number);
+    if (!known)
+      refuse_mesh(path_, is_vtk_pyramid(number)
+                             ? fmt::format("cell {} is a pyramid; tetrahedra, hexahedra, wedges, "
+                                           "triangles and quads are supported",
+                                           cell)
+                             : fmt::format("cell {} of VTK's type {}; linear, quadratic, Lagrange "
+                                           "and Bezier simplices, quads, hexahedra and wedges are "
+                                           "supported",
+                                           cell, number));
+    CellType type{known->shape, known->degree, known->kind, known->set};
+    if (type.degree == 0) {
+      type.degree = 1;
+      while (to_size(type.node_count()) < points && type.degree <= CellType::kMaxDegree)
+        ++type.degree;
+      if (type.degree > CellType::kMaxDegree)
+        refuse_mesh(path_, fmt::format("cell {} with {} points; degrees 1 to {}, the same in all "
+                                       "directions, are supported",
+                                       cell, points, CellType::kMaxDegree));
+    }
+    if (to_size(type.node_count()) != points)
+      fail(fmt::format("cell {} has {} points, {} have {}", cell, points, describe(type),
+                       type.node_count()));
+    // Straight cells are the same in all kinds of nodes.
+    if (type.degree == 1) type.kind = NodeKind::Uniform;
+    return type;
+  }
+
+  // Before the file version 2.1 the edges 2-6 and 3-7 of Lagrange and Bezier hexahedra stood the
+  // other way round.
+  std::vector<int> order_of(const CellType& type, long long number) const {
+    std::vector<int> order;
+    for (int k = 0; k < type.node_count(); ++k) order.push_back(k);
+    if (has_old_hexahedra_ && (number == 72 || number == 79)) {
+      const int inner = type.degree - 1, first = 8 + 10 * inner;
+      for (int k = 0; k < inner; ++k)
+        std::swap(order[to_size(first + k)], order[to_size(first + inner + k)]);
+    }
+    return order;
+  }
+
+  void read_cells(const XmlElement& piece, VolumeMesh& mesh) {
+    const XmlElement& section = child_of(piece, "Cells");
+    const std::vector<long long> connectivity = integers(section, "connectivity"),
+                                 offsets = integers(section, "offsets"),
+                                 types = integers(section, "types");
+    if (types.empty()) fail("no cells");
+    if (offsets.size() != types.size()) fail("offsets and types disagree; damaged or truncated");
+    std::vector<double> regions;
+    if (const XmlElement* data = piece.child("CellData"))
+      if (const XmlElement* array = array_of(*data, "region")) regions = arrays_.doubles(*array);
+    require_polynomials(piece);
+    CellCollector cells;
+    std::map<std::pair<long long, std::size_t>, std::pair<CellType, std::vector<int>>> known;
+    long long begin = 0;
+    std::vector<Index> nodes;
+    for (std::size_t c = 0; c < types.size(); ++c) {
+      stop_.poll_at(c);
+      if (offsets[c] < begin || offsets[c] > static_cast<long long>(connectivity.size()))
+        fail(fmt::format("offset {} of cell {} is out of range", offsets[c], c));
+      nodes.clear();
+      for (; begin < offsets[c]; ++begin) {
+        const long long point = connectivity[static_cast<std::size_t>(begin)];
+        if (point < 0 || point >= mesh.points.rows())
+          fail(fmt::format("cell {} has point {}, there are {}", c, point, mesh.points.rows()));
+        nodes.push_back(static_cast<Index>(point));
+      }
+      const std::pair key(types[c], nodes.size());
+      auto found = known.find(key);
+      if (found == known.end()) {
+        const CellType type = type_of(c, types[c], nodes.size());
+        found = known.emplace(key, std::pair(type, order_of(type, types[c]))).first;
+      }
+      const double region = c < regions.size() ? regions[c] : 0;
+      cells.add(found->second.first, found->second.second, nodes, static_cast<std::int64_t>(c),
+                std::abs(region) < 1e9 ? static_cast<int>(region) : 0);
+    }
+    mesh.blocks = cells.take();
+  }
+
+  // Weights that differ make rational functions of the cells.
+  void require_polynomials(const XmlElement& piece) const {
+    const XmlElement* data = piece.child("PointData");
+    if (data == nullptr) return;
+    const std::string_view name = data->attribute("RationalWeights", "RationalWeights");
+    const XmlElement* array = array_of(*data, name);
+    if (array == nullptr) return;
+    const std::vector<double> weights = arrays_.doubles(*array);
+    if (std::any_of(weights.begin(), weights.end(),
+                    [&](double w) { return w != weights[0] || w == 0; }))
+      refuse_mesh(path_, "rational cells (RationalWeights that differ, or 0) are not supported");
+  }
+
+  const std::string& path_;
+  const StopCheck& stop_;
+  std::string original_, content_;
+  VtuArrays arrays_;
+  bool has_old_hexahedra_ = false;
+};
+
+}  // namespace
+
+VolumeMesh read_vtk_mesh(const std::string& path, std::string content, const StopCheck& stop) {
+  return VtkReader(path, std::move(content), stop).read();
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,81 @@
+// Tables of a type of cells: its nodes, the way from nodes to control points, in floating point and
+// exactly, the coefficients of det J and their bisection, the faces.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/elements/det_coefficients.h"
+#include "majorant/elements/positivity.h"
+#include "majorant/volumes/volume_mesh.h"
+
+namespace majorant {
+
+using ExactInteger = boost::multiprecision::cpp_int;
+
+// The description of the element with this shape, which has two or three dimensions.
+BernsteinElement bernstein_element(CellShape shape, int degree);
+
+class ReferenceCell {
+ public:
+  // Of a shape of two or three dimensions and a degree up to CellType::kMaxDegree; made once, at
+  // the first call, from any thread.
+  static const ReferenceCell& of(const CellType& type);
+
+  const CellType& type() const { return type_; }
+  const BernsteinElement& element() const { return element_; }
+  const BernsteinBasis& basis() const { return basis_; }  // of the map
+  const DetCoefficients& det() const { return det_; }
+  const Subdivision& subdivision() const { return subdivision_; }
+  bool nodes_are_control_points() const { return is_identity_; }
+
+  // Control points = this times nodes; #control points by #nodes, every weight correctly rounded.
+  const RowMatrix& control_points() const { return control_points_; }
+  // The largest sum of the magnitudes of a row.
+  double amplification() const { return amplification_; }
+
+  // The same as numerators (by rows) over a denominator.
+  struct ExactMatrix {
+    std::vector<ExactInteger> numerators;
+    ExactInteger denominator = 1;
+  };
+  const ExactMatrix& exact_control_points() const;
+
+  // Derivatives by reference coordinates at the points of a lattice where J is looked at: row
+  // dim s + d, point s and direction d; a column a control point.
+  const RowMatrix& sampled_gradients() const { return sampled_gradients_; }
+
+  // A side of the cell: an edge in the plane.
+  struct Side {
+    std::vector<int> corners;
+    std::vector<int> nodes;                 // of the nodes that cells have, those on it
+    std::vector<std::vector<int>> weights;  // of each on the corners, as a multilinear map has them
+  };
+  const std::vector<Side>& sides() const { return sides_; }
+
+ private:
+  explicit ReferenceCell(const CellType& type);
+  void make_control_points();
+  void make_gradients();
+  void make_sides();
+
+  CellType type_;
+  BernsteinElement element_;
+  BernsteinBasis basis_;
+  DetCoefficients det_;
+  Subdivision subdivision_;
+  bool is_identity_;
+  RowMatrix control_points_, sampled_gradients_;
+  double amplification_ = 1;
+  std::vector<Side> sides_;
+  mutable std::once_flag exact_made_;
+  mutable ExactMatrix exact_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

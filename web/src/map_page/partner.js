@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What lies beyond a cut: the other side of an edge that is one on the surface and two in the
+// layout.
+
+import {cornersOf} from './map_data.js';
+import {facesOfEdges, surfaceNames} from './neighbours.js';
+
+const endsOf = (edge) => [edge, (edge + 1) % 3];
+
+// A function of a place {face, xi}: {here, there, foot, place} of the cut that is nearest in its
+// face, or null where it has none. here, there: both sides {face, edge}; foot, place: where on them.
+export function partnerOf(map) {
+  const names = surfaceNames(map);
+  const inLayout = facesOfEdges(map, (corner) => corner);
+  const onSurface = facesOfEdges(map, (corner) => names[corner]);
+  const namesAt = (face, edge) => {
+    const corners = cornersOf(map, face);
+    return endsOf(edge).map((end) => names[corners[end]]);
+  };
+  const sideOf = (face, ends) => [0, 1, 2].find(
+      (edge) => ends.every((name) => namesAt(face, edge).includes(name)));
+  // The part along an edge from the end of that name.
+  const placeOn = ({face, edge}, name, part) => {
+    const first = namesAt(face, edge)[0] === name ? part : 1 - part;
+    const [a, b] = endsOf(edge);
+    const xi = [0, 0, 0];
+    [xi[a], xi[b]] = [1 - first, first];
+    return {face, xi};
+  };
+  return ({face, xi}) => {
+    const cuts = [0, 1, 2].filter((edge) => inLayout.at(face, edge).length === 1 &&
+                                            onSurface.at(face, edge).length === 2);
+    if (cuts.length === 0) return null;
+    const [edge] = cuts.sort((e, f) => xi[(e + 2) % 3] - xi[(f + 2) % 3]);
+    const here = {face, edge};
+    const ends = namesAt(face, edge);
+    const other = onSurface.at(face, edge).find((beyond) => beyond !== face) ?? face;
+    const there = {face: other, edge: sideOf(other, ends)};
+    const [a, b] = endsOf(edge);
+    const part = xi[b] / (xi[a] + xi[b] || 1);
+    return {here, there, foot: placeOn(here, ends[0], part), place: placeOn(there, ends[0], part)};
+  };
+}
