@@ -194,6 +194,12 @@ def test_penalties_of_inequalities():
     assert apart.penalty().derivatives == 'dual numbers'
     start = [0.3, 0, -0.1, 0.3, -0.1, -0.2]
     apart.penalty().check_derivatives(start)
+    alone = majorant.Problem(6).add(apart.penalty())
+    steps = 1e-5 * np.eye(6)
+    assert np.allclose(alone.gradient(start), [(alone.value(start + e) - alone.value(start - e)) / 2e-5 for e in steps],
+                       atol=1e-7)
+    assert np.allclose(alone.hessian(start).toarray(),
+                       [(alone.gradient(start + e) - alone.gradient(start - e)) / 2e-5 for e in steps], atol=1e-6)
     solution = target_problem().add(apart.penalty(), 1e4).minimize(start)
     x = solution.x.reshape(3, 2)
     sides = np.array([np.linalg.norm(x[i] - x[j]) for i, j in PAIRS])
