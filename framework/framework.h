@@ -21,6 +21,7 @@
 //     minimizer.h                 Minimizer, SolveResult, StoppingRules: what all of them share
 //     newton.h                    Newton's method: projected, lagged, inexact
 //     first_order.h               L-BFGS and gradient flow in a factored metric
+//     levenberg_marquardt.h       damped steps for least squares
 //     barrier_minimizer.h         interior points: barriers of falling weight
 //     stepper.h                   one step at a time: methods of one's own
 //     line_search.h               the line search of all minimizers
@@ -43,6 +44,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/first_order.h"
+#include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/line_search.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/minimizer.h"

@@ -1,5 +1,6 @@
 #include "density.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,22 +15,21 @@
 namespace majorant::python {
 namespace {
 
-constexpr int kSize = 4;  // entries of J, 2 by 2
-
 // The points that the kernels come by, in their order: the same in all kernels.
 struct Points {
-  std::vector<double> J;            // #q by 4
-  std::vector<double> value, g, H;  // #q, #q by 4, #q by 4 by 4
+  int size;                         // entries of J
+  std::vector<double> J;            // #q by size
+  std::vector<double> value, g, H;  // #q, #q by size, #q by size by size
   mutable std::size_t next = 0;     // point to be answered
-  std::size_t count() const { return J.size() / kSize; }
+  std::size_t count() const { return J.size() / static_cast<std::size_t>(size); }
 };
 
 constexpr int kLanes = PointBatch::kMost;
 
 void record(const void* points, const PointBatch& batch, const double* J, double* f) {
-  auto& to = const_cast<Points&>(*static_cast<const Points*>(points)).J;
+  auto& to = const_cast<Points&>(*static_cast<const Points*>(points));
   for (int p = 0; p < batch.count; ++p) {
-    for (int r = 0; r < kSize; ++r) to.push_back(J[r * kLanes + p]);
+    for (int r = 0; r < to.size; ++r) to.J.push_back(J[r * kLanes + p]);
     f[p] = 0;
   }
 }
@@ -43,26 +43,28 @@ void play_values(const void* object, const PointBatch& batch, const double*, dou
 void play_slopes(const void* object, const PointBatch& batch, const double* J, double* f,
                  double* g) {
   const auto& points = *static_cast<const Points*>(object);
-  const double* gradient = points.g.data() + points.next * kSize;
+  const int size = points.size;
+  const double* gradient = points.g.data() + points.next * static_cast<std::size_t>(size);
   play_values(object, batch, J, f);
-  for (int p = 0; p < batch.count; ++p, gradient += kSize)
-    for (int r = 0; r < kSize; ++r) g[r * kLanes + p] = gradient[r];
+  for (int p = 0; p < batch.count; ++p, gradient += size)
+    for (int r = 0; r < size; ++r) g[r * kLanes + p] = gradient[r];
 }
 
 void play_models(const void* object, const PointBatch& batch, const double* J, double* f, double* g,
                  double* k) {
   const auto& points = *static_cast<const Points*>(object);
-  const double* hessian = points.H.data() + points.next * kSize * kSize;
+  const int size = points.size;
+  const double* hessian = points.H.data() + points.next * static_cast<std::size_t>(size * size);
   play_slopes(object, batch, J, f, g);
-  for (int p = 0; p < batch.count; ++p, hessian += kSize * kSize)
-    for (int i = 0, r = 0; i < kSize; ++i)
-      for (int j = 0; j <= i; ++j, ++r) k[r * kLanes + p] = hessian[i * kSize + j];
+  for (int p = 0; p < batch.count; ++p, hessian += size * size)
+    for (int i = 0, r = 0; i < size; ++i)
+      for (int j = 0; j <= i; ++j, ++r) k[r * kLanes + p] = hessian[i * size + j];
 }
 
-// The library's, which call a JacobianFunction for some points at a time.
-const DensityKernels& kernels() {
-  static const DensityKernels kernels = jacobian_kernels(2, 2);
-  return kernels;
+// The library's, which call a JacobianFunction for some points at a time; by D of J, D by D.
+const DensityKernels& kernels(int dim) {
+  static const DensityKernels kernels[] = {jacobian_kernels(2, 2), jacobian_kernels(3, 3)};
+  return kernels[dim - 2];
 }
 
 JacobianFunction recorder(const Points& points) { return {&points, &record, nullptr, nullptr}; }
@@ -72,7 +74,15 @@ JacobianFunction player(const Points& points) {
 
 struct PythonDensity {
   std::shared_ptr<const Kept> density;
+  int dim;
   bool needs_positive_determinant;
+
+  bool is_inside(const double* J) const {
+    if (!needs_positive_determinant) return true;
+    using Matrix3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    if (dim == 3) return Eigen::Map<const Matrix3>(J).determinant() > 0;
+    return J[0] * J[3] - J[1] * J[2] > 0;
+  }
 };
 
 void copy_into(std::vector<double>& out, const py::handle& array, std::size_t count) {
@@ -84,45 +94,48 @@ void copy_into(std::vector<double>& out, const py::handle& array, std::size_t co
 void answer(const PythonDensity& density, Points& points, bool models) {
   const py::gil_scoped_acquire lock;
   const std::size_t n = points.count();
-  py::array_t<double> J({static_cast<py::ssize_t>(n), py::ssize_t{2}, py::ssize_t{2}},
+  const auto size = static_cast<std::size_t>(points.size);
+  py::array_t<double> J({static_cast<py::ssize_t>(n), static_cast<py::ssize_t>(density.dim),
+                         static_cast<py::ssize_t>(density.dim)},
                         points.J.data());
   const py::handle callee = density.density->get();
   copy_into(points.value, callee.attr("evaluate")(J), n);
   for (std::size_t q = 0; q < n; ++q) {
-    const double* j = points.J.data() + q * kSize;
-    const bool inside = !density.needs_positive_determinant || j[0] * j[3] - j[1] * j[2] > 0;
+    const bool inside = density.is_inside(points.J.data() + q * size);
     if (!inside || std::isnan(points.value[q]))
       points.value[q] = std::numeric_limits<double>::infinity();
   }
   if (!models) return;
   const py::tuple derivatives = callee.attr("differentiate")(J);
-  copy_into(points.g, derivatives[0], n * kSize);
-  copy_into(points.H, derivatives[1], n * kSize * kSize);
+  copy_into(points.g, derivatives[0], n * size);
+  copy_into(points.H, derivatives[1], n * size * size);
 }
 
-Points recorded(const ContractionView& table, const BatchView& batch, double* scratch) {
-  Points points;
+Points recorded(int dim, const ContractionView& table, const BatchView& batch, double* scratch) {
+  Points points{dim * dim, {}, {}, {}, {}};
   const JacobianFunction function = recorder(points);
   double f[BatchView::stride];
-  kernels().values(&function, table, batch, scratch, f);
+  kernels(dim).values(&function, table, batch, scratch, f);
   return points;
 }
 
 void values(const void* object, const ContractionView& table, const BatchView& batch,
             double* scratch, double* f) {
-  Points points = recorded(table, batch, scratch);
-  answer(*static_cast<const PythonDensity*>(object), points, false);
+  const auto& density = *static_cast<const PythonDensity*>(object);
+  Points points = recorded(density.dim, table, batch, scratch);
+  answer(density, points, false);
   const JacobianFunction function = player(points);
-  kernels().values(&function, table, batch, scratch, f);
+  kernels(density.dim).values(&function, table, batch, scratch, f);
 }
 
 void local(const void* object, const ContractionView& table, const BatchView& batch,
            BlendedCurvature curvature, double* scratch, double* f, double* gradient,
            double* hessian) {
-  Points points = recorded(table, batch, scratch);
-  answer(*static_cast<const PythonDensity*>(object), points, true);
+  const auto& density = *static_cast<const PythonDensity*>(object);
+  Points points = recorded(density.dim, table, batch, scratch);
+  answer(density, points, true);
   const JacobianFunction function = player(points);
-  kernels().local(&function, table, batch, curvature, scratch, f, gradient, hessian);
+  kernels(density.dim).local(&function, table, batch, curvature, scratch, f, gradient, hessian);
 }
 
 Barrier barrier_named(const std::string& name) {
@@ -144,13 +157,14 @@ EnergyFactory python_energy(const py::object& density) {
   traits.barrier = barrier_named(density.attr("barrier").cast<std::string>());
   traits.free_scale = free_scale_named(density.attr("free_scale").cast<std::string>());
   const bool positive = density.attr("domain").cast<std::string>() == "positive";
-  const auto object = std::make_shared<const PythonDensity>(
-      PythonDensity{std::make_shared<const Kept>(density), positive});
-  const DensityKernels ours{2, 2, &values, &local, kernels().scratch_size};
+  const auto kept = std::make_shared<const Kept>(density);
   return {traits, [=](std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
                       const std::vector<Quadrature>& rules) {
-            return std::make_shared<const DensityTerm>(traits, std::move(space), rest, rules,
-                                                       object, ours);
+            const int dim = space->reference_dim();
+            return std::make_shared<const DensityTerm>(
+                traits, std::move(space), rest, rules,
+                std::make_shared<const PythonDensity>(PythonDensity{kept, dim, positive}),
+                DensityKernels{dim, dim, &values, &local, kernels(dim).scratch_size});
           }};
 }
 

@@ -17,6 +17,7 @@
 #include "problem.h"
 #include "run.h"
 #include "solve.h"
+#include "space.h"
 #include "terms.h"
 
 namespace majorant::python {
@@ -63,6 +64,7 @@ PYBIND11_MODULE(_core, module) {
   using namespace majorant::python;
   module.attr("version") = MAJORANT_VERSION;
   module.attr("max_degree") = majorant::BezierTriangleSpace::kMaxDegree;
+  module.attr("max_tetrahedron_degree") = majorant::BezierTetrahedronSpace::kMaxDegree;
   module.attr("defaults") = defaults();
   translate_errors();
   bind_steps(module);
@@ -70,6 +72,7 @@ PYBIND11_MODULE(_core, module) {
   bind_map_files(module);
   bind_solvers(module);
   bind_check(module);
+  bind_spaces(module);
   bind_terms(module);
   bind_problems(module);
   module.def("energies", &energies);

@@ -6,16 +6,20 @@
 #include <string>
 
 #include "arrays.h"
+#include "element_functions.h"
 #include "majorant/constraints/local_injectivity.h"
+#include "majorant/framework/barrier_minimizer.h"
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/first_order.h"
+#include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/terms/inequality.h"
 #include "options.h"
 #include "run.h"
+#include "space.h"
 #include "terms.h"
 
 namespace majorant::python {
@@ -58,54 +62,84 @@ class PythonProblem {
     problem_.reset();
   }
   void keep_injective(const Space& s) {
-    const RestShapes rest = rest_shapes(*s.mesh);
-    builder_.add(std::make_shared<const LocalInjectivity>(s.space, 2 * rest.measure));
+    const Vec determinants = s.rest.measure / s.space->reference_measure();
+    builder_.add(std::make_shared<const LocalInjectivity>(s.space, determinants));
     problem_.reset();
   }
+  void hold(std::shared_ptr<const BarrierChecker> bound) { bounds_.push_back(std::move(bound)); }
+
+  // The terms and constraints, without bounds.
   const Problem& built() {
     if (!problem_) problem_ = builder_.build();
     return *problem_;
   }
   Index full_size() const { return size_; }
 
+  // With the bounds, and the barriers of these among its terms.
+  struct Bounded {
+    Problem problem;
+    std::vector<HeldBound> bounds;
+  };
+  Bounded bounded() const {
+    ProblemBuilder builder = builder_;
+    std::vector<HeldBound> held;
+    for (const auto& bound : bounds_) {
+      held.push_back({builder.add(bound->barrier(), 1.0), bound});
+      builder.add(bound);
+    }
+    return {builder.build(), std::move(held)};
+  }
+  bool has_bounds() const { return !bounds_.empty(); }
+
  private:
   ProblemBuilder builder_;
   Index size_;
   std::optional<Problem> problem_;
+  std::vector<std::shared_ptr<const BarrierChecker>> bounds_;
 };
-
-Curvature curvature_named(const std::string& name) {
-  for (const Curvature c : kCurvatures)
-    if (curvature_name(c) == name) return c;
-  throw py::value_error(name);
-}
 
 std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& name) {
   if (name == "eigen") return [] { return make_eigen_ldlt_solver(); };
   return [] { return make_direct_solver(); };
 }
 
+template <class Options>
+Options filled(Options options, const py::dict& keywords, const StopCheck& stop) {
+  const auto tolerance = keyword<std::optional<double>>(keywords, "tolerance");
+  options.curvature = curvature_named(keyword<std::string>(keywords, "curvature"));
+  options.stopping.max_iterations = keyword<int>(keywords, "max_iterations");
+  if (tolerance) options.stopping.relative_decrease = *tolerance;
+  options.linear_solver = solver_named(keyword<std::string>(keywords, "linear_solver"));
+  options.stop = stop;
+  return options;
+}
+
 std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::dict& keywords,
                                            const StopCheck& stop) {
-  const auto tolerance = keyword<std::optional<double>>(keywords, "tolerance");
-  const auto fill = [&](auto options) {
-    options.curvature = curvature_named(keyword<std::string>(keywords, "curvature"));
-    options.stopping.max_iterations = keyword<int>(keywords, "max_iterations");
-    if (tolerance) options.stopping.relative_decrease = *tolerance;
-    options.linear_solver = solver_named(keyword<std::string>(keywords, "linear_solver"));
-    options.stop = stop;
-    return options;
-  };
-  if (name == "newton") return std::make_unique<NewtonMinimizer>(fill(NewtonOptions()));
-  if (name == "lbfgs") return std::make_unique<LbfgsMinimizer>(fill(LbfgsOptions()));
+  if (name == "newton")
+    return std::make_unique<NewtonMinimizer>(filled(NewtonOptions(), keywords, stop));
+  if (name == "levenberg-marquardt")
+    return std::make_unique<LevenbergMarquardtMinimizer>(
+        filled(LevenbergMarquardtOptions(), keywords, stop));
+  if (name == "lbfgs")
+    return std::make_unique<LbfgsMinimizer>(filled(LbfgsOptions(), keywords, stop));
   if (name == "gradient-flow")
-    return std::make_unique<GradientFlowMinimizer>(fill(GradientFlowOptions()));
+    return std::make_unique<GradientFlowMinimizer>(filled(GradientFlowOptions(), keywords, stop));
   CeresOptions options;
   if (name == "ceres-nlcg") options.method = CeresOptions::Method::NonlinearConjugateGradient;
   options.max_iterations = keyword<int>(keywords, "max_iterations");
-  options.function_tolerance = tolerance.value_or(options.function_tolerance);
+  options.function_tolerance =
+      keyword<std::optional<double>>(keywords, "tolerance").value_or(options.function_tolerance);
   options.stop = stop;
   return std::make_unique<CeresMinimizer>(options);
+}
+
+BarrierMinimizer barrier_minimizer(std::vector<HeldBound> bounds, const py::dict& keywords,
+                                   const StopCheck& stop) {
+  BarrierOptions options;
+  options.newton = filled(NewtonOptions(), keywords, stop);
+  options.tolerance = keyword<std::optional<double>>(keywords, "gap").value_or(options.tolerance);
+  return BarrierMinimizer::of_bounds(std::move(bounds), {}, options);
 }
 
 py::dict as_dict(const IterationRecord& r) {
@@ -118,11 +152,19 @@ py::dict as_dict(const IterationRecord& r) {
                   "factorizations"_a = r.factorizations, "seconds"_a = r.seconds.sum());
 }
 
-// (x, energy, status, message, [record, ...]); callback(record, x), as Run has it.
+py::dict as_dict(const BarrierPhase& phase) {
+  using namespace py::literals;
+  return py::dict("mu"_a = phase.mu, "gap"_a = phase.gap, "energy"_a = phase.energy,
+                  "iterations"_a = phase.iterations, "status"_a = status_name(phase.status));
+}
+
+// (x, energy, status, message, [record, ...], [phase, ...]); callback(record, x), as Run has it.
 py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords,
                    const py::object& callback) {
   Run run(keyword<double>(keywords, "time_limit"), std::numeric_limits<int>::max(), py::none());
-  const Problem& problem = p.built();
+  PythonProblem::Bounded bounded =
+      p.has_bounds() ? p.bounded() : PythonProblem::Bounded{p.built(), {}};
+  const Problem& problem = bounded.problem;
   const Vec start = matrix<Vec>(x0);
   StepObserver watch([&](const TraceEntry& row, const Vec& y) {
     bool ends = false;
@@ -133,17 +175,28 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
       ends = true;
     return ends ? Directive::Interrupt : run.record().directive();
   });
-  const auto minimizer =
-      minimizer_named(keyword<std::string>(keywords, "method"), keywords, run.record().stop());
   const int threads = keyword<int>(keywords, "threads");
-  const SolveResult result = run([&] {
-    const ThreadCount count(threads);
-    return minimizer->minimize(problem, problem.reduce(start), &watch);
-  });
-  py::list records;
+  BarrierResult result;
+  if (p.has_bounds()) {
+    const BarrierMinimizer minimizer =
+        barrier_minimizer(std::move(bounded.bounds), keywords, run.record().stop());
+    result = run([&] {
+      const ThreadCount count(threads);
+      return minimizer.run(problem, problem.reduce(start), &watch);
+    });
+  } else {
+    const auto minimizer =
+        minimizer_named(keyword<std::string>(keywords, "method"), keywords, run.record().stop());
+    static_cast<SolveResult&>(result) = run([&] {
+      const ThreadCount count(threads);
+      return minimizer->minimize(problem, problem.reduce(start), &watch);
+    });
+  }
+  py::list records, phases;
   for (const IterationRecord& record : result.iterations) records.append(as_dict(record));
+  for (const BarrierPhase& phase : result.phases) phases.append(as_dict(phase));
   return py::make_tuple(moved(problem.expand(result.y)), result.energy, status_name(result.status),
-                        result.message, records);
+                        result.message, records, phases);
 }
 
 double value(PythonProblem& p, const Doubles& y) {
@@ -189,6 +242,19 @@ void bind_problems(py::module_& module) {
       .def("constrain", &PythonProblem::constrain, py::arg("starts"), py::arg("columns"),
            py::arg("values"), py::arg("targets"))
       .def("keep_injective", &PythonProblem::keep_injective, py::arg("space"))
+      .def(
+          "hold",
+          [](PythonProblem& p, const std::string& name, const Integers& nodes, int block,
+             const py::object& function) {
+            p.hold(python_inequality(name, ElementDofs{matrix<Cells>(nodes), block}, function));
+          },
+          py::arg("name"), py::arg("nodes"), py::arg("block"), py::arg("function"))
+      .def(
+          "bound",
+          [](PythonProblem& p, const Doubles& lower, const Doubles& upper) {
+            p.hold(Bounds(matrix<Vec>(lower), matrix<Vec>(upper)).checker());
+          },
+          py::arg("lower"), py::arg("upper"))
       .def(
           "expand",
           [](PythonProblem& p, const Doubles& y) {

@@ -1,4 +1,4 @@
-// Terms of a problem that Python puts together: spaces and their energies, penalties, and functions
+// Terms of a problem that Python puts together: energies of maps, penalties, loads, and functions
 // of few unknowns written in Python.
 #pragma once
 
@@ -6,23 +6,15 @@
 
 #include <memory>
 
-#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/energy_term.h"
-#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant::python {
-
-// The Bezier triangles of one degree on a surface.
-struct Space {
-  std::shared_ptr<const SurfaceMesh> mesh;
-  std::shared_ptr<const BezierTriangleSpace> space;
-};
 
 struct Term {
   std::shared_ptr<const EnergyTerm> term;
 };
 
-// Registers Space, Term, penalty and element_term.
+// Registers Term, energy_terms, penalty, linear_term, element_term and robust_loss.
 void bind_terms(pybind11::module_& module);
 
 }  // namespace majorant::python

@@ -20,15 +20,16 @@ from ._densities import Density
 from ._errors import (Error, InfeasibleError, InternalError, InvalidError, ReadError, StoppedError,
                       UnsupportedError, UsageError)
 from ._exchange import mesh_arrays
-from ._framework import Problem, Solution, Space, Term, element_term, linear_term, penalty
+from ._framework import Problem, Solution, Space
 from ._functions import (Verdict, check, deform, energies, flatten, kernels, parametrize, read, read_mesh,
                          seamless, unwrap)
 from ._maps import Map
+from ._terms import Inequality, Term, element_term, least_squares, linear_term, parameter_blocks, penalty
 
 __version__ = _core.version
 __all__ = [
-    'Density', 'Error', 'InfeasibleError', 'InternalError', 'InvalidError', 'Map', 'Problem', 'ReadError',
-    'Solution', 'Space', 'Step', 'StoppedError', 'Term', 'UnsupportedError', 'UsageError', 'Verdict', 'check',
-    'deform', 'element_term', 'energies', 'flatten', 'kernels', 'linear_term', 'mesh_arrays', 'parametrize', 'penalty', 'read',
-    'read_mesh', 'seamless', 'unwrap',
+    'Density', 'Error', 'InfeasibleError', 'Inequality', 'InternalError', 'InvalidError', 'Map', 'Problem',
+    'ReadError', 'Solution', 'Space', 'Step', 'StoppedError', 'Term', 'UnsupportedError', 'UsageError', 'Verdict',
+    'check', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',
+    'mesh_arrays', 'parameter_blocks', 'parametrize', 'penalty', 'read', 'read_mesh', 'seamless', 'unwrap',
 ]

@@ -10,39 +10,57 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
-from ._derivatives import PointFunction
-from ._errors import UsageError
+from ._errors import UnsupportedError, UsageError
+from ._terms import Inequality, Term
 from ._types import Doubles, Energy, Faces, Integers
 
-_METHODS = ('newton', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg')
+_METHODS = ('newton', 'levenberg-marquardt', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg')
 
 
 class Space:
-    """Piecewise polynomial maps of a surface: a Bezier triangle of degree n on every face.
+    """Piecewise polynomial maps: a Bezier element of degree n for every cell.
 
-        space = majorant.Space(V, F, degree=2)
+        space = majorant.Space(V, F, degree=2)          # of a surface, onto the plane
         x = space.tutte()                               # unknowns: u, v of every node
+        space = majorant.Space(V, T, cells='tetrahedra')
+        x = space.linear(V)                             # u, v, w: the identity
 
-    A map is 2 numbers per node, x[2 k], x[2 k + 1] = u, v of node k; the first nodes are the vertices
-    of the surface (`input_vertices`: their rows of V), then come those on edges and in faces.
+    cells: 'triangles' of a surface, V (#V, 3) and F as for `parametrize`; 'quads', V (#V, 2) or (#V, 3)
+    and F (#F, 4) counterclockwise, of which maps to the plane are bilinear or of degree n in both
+    directions; 'tetrahedra', V (#V, 3) and F (#T, 4) of positive volume, mapped into space.
+
+    A map is d = `dimension` numbers per node, x[d k], ..., x[d k + d - 1] those of node k; the first
+    nodes are the vertices (`input_vertices`: their rows of V), then come those on edges and in cells.
     """
 
-    def __init__(self, V: ArrayLike, F: Faces, degree: int = 1):
-        n = _options.integer('degree', degree, 1, _core.max_degree)
-        self._core = _core.Space(_arrays.mesh(V, F), n)
+    def __init__(self, V: ArrayLike, F: Faces, degree: int = 1, *, cells: str = 'triangles'):
+        kind = _options.choice('cells', cells, ('triangles', 'quads', 'tetrahedra'))
+        n = _options.integer('degree', degree, 1,
+                             _core.max_tetrahedron_degree if kind == 'tetrahedra' else _core.max_degree)
+        if kind == 'triangles':
+            self._core = _core.triangle_space(_arrays.mesh(V, F), n)
+        else:
+            positions = _vertices(V, kind)
+            corners = _arrays.integers('F', F, (None, 4), len(positions), 'vertices')
+            if kind == 'tetrahedra':
+                _require_positive(positions, corners)
+            make = _core.quad_space if kind == 'quads' else _core.tetrahedron_space
+            self._core = make(positions, corners, n)
+        self._kind = kind
         self.degree: int = self._core.degree
+        self.dimension: int = self._core.dimension  #: of the image, 2 or 3
         self.node_count: int = self._core.node_count
-        self.size: int = 2 * self.node_count  #: of x
-        self.area: float = self._core.area
+        self.size: int = self.dimension * self.node_count  #: of x
+        self.area: float = self._core.area  #: or volume
 
     @property
     def nodes(self) -> Doubles:
-        """(#N, 3): the nodes on the surface."""
+        """(#N, 3), or (#N, 2) of quads in the plane: the nodes before they are mapped."""
         return self._core.nodes
 
     @property
     def cells(self) -> Integers:
-        """(#F, (n+1)(n+2)/2): nodes of the faces, in VTK's order (`Map.cells`)."""
+        """(#F, nodes of a cell): nodes of the cells, in VTK's order (`Map.cells`)."""
         return self._core.cells
 
     @property
@@ -51,115 +69,42 @@ class Space:
         return self._core.input_vertices
 
     def tutte(self) -> Doubles:
-        """An injective map of a disk to start from: x."""
+        """An injective map of a disk of triangles to start from: x."""
+        if self._kind != 'triangles':
+            raise UsageError(f'tutte is of triangles; {self._kind} start from linear(images of V)')
         return self._core.tutte()
 
     def linear(self, uv: ArrayLike) -> Doubles:
-        """The map that is linear on the faces, uv (#V, 2) at the rows of V: x."""
-        array = _arrays.floats('uv', uv, (None, 2))
+        """The map that is linear (of quads: bilinear) on the cells, uv (#V, d) at the rows of V: x."""
+        array = _arrays.floats('uv', uv, (None, self.dimension))
         if len(array) <= self.input_vertices.max():
             raise UsageError(f'uv has {len(array)} rows; vertices go up to {self.input_vertices.max()}')
-        return self._core.elevate(array[self.input_vertices].ravel())
+        return self._core.linear(array[self.input_vertices])
 
-    def energy(self, energy: Energy = 'symmetric-dirichlet', quadrature: int = 0) -> 'Term':
-        """The integral of an energy over the surface, as a term: names, sums, and a `Density`, as for
-        `parametrize`. quadrature: lattice points on a face; 0: the optimizer's own rule."""
+    def energy(self, energy: Energy = 'symmetric-dirichlet', quadrature: int = 0) -> Term:
+        """The integral of an energy over the cells, as a term: names, sums, and a `Density`, as for
+        `parametrize`; of tetrahedra a `Density`, whose J is (q, 3, 3). quadrature: lattice points on a
+        triangle; 0: the optimizer's own rule, and that of other cells."""
         summands, _ = _options.energies(energy)
+        if self.dimension == 3 and any(isinstance(e, str) for e, _ in summands):
+            raise UsageError('energies with a name are of planar maps; give a Density, whose J is (q, 3, 3)')
         points = _options.integer('quadrature', quadrature, 0, 10000)
-        return Term(self._core.energy_terms(summands, points), self.size)
-
-
-class Term:
-    """A sum of functions of few unknowns, for `Problem.add`: see `Space.energy`, `penalty`,
-    `linear_term`, `element_term`."""
-
-    def __init__(self, parts: list[tuple[_core.Term, float]], size: int, *, of_all: bool = False,
-                 elements: tuple[Doubles, PointFunction] | None = None):
-        self._parts, self._size = parts, size
-        self._of_all = of_all  # of a problem with exactly `size` unknowns, not of the first ones
-        self._elements = elements  # their unknowns, a row each, and f
-
-    @property
-    def name(self) -> str:
-        return ' + '.join(part.name for part, _ in self._parts)
-
-    @property
-    def derivatives(self) -> str | None:
-        """Of a function of yours, where derivatives come from: 'given', 'dual numbers' or 'differences'."""
-        if self._elements is None:
-            return None
-        unknowns, function = self._elements
-        return function.derivatives((np.linspace(1, 2, unknowns.shape[1])[None], np.zeros(1, dtype=np.int32)))
-
-    def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
-        """Of an `element_term`: raises AssertionError, naming entry and element, where the derivatives
-        at x, inside of the domain, are not those of the value."""
-        if self._elements is None:
-            raise UsageError(f'{self.name}: the derivatives of element_term alone are yours to check')
-        unknowns, function = self._elements
-        z = _arrays.floats('x', x, (None,))
-        if len(z) < self._size:
-            raise UsageError(f'x has {len(z)} numbers, {self.name} takes {self._size}')
-        function.check(z[unknowns], tolerance, np.arange(len(unknowns), dtype=np.int32))
-
-    def __repr__(self) -> str:
-        return f'<majorant.Term {self.name!r}>'
-
-
-def penalty(A: Any, b: ArrayLike) -> Term:
-    """|A x - b|^2: rows of a scipy.sparse matrix, or a dense one, as soft constraints.
-
-    For short rows, of 512 unknowns at most. What must hold is not for a penalty: `Problem.constrain`.
-    """
-    starts, columns, values, targets, size = _arrays.rows(A, b)
-    empty = np.flatnonzero(np.diff(starts) == 0)
-    longest = int(np.diff(starts).max(initial=0))
-    if len(empty) or longest > 512:
-        raise UsageError(f'row {empty[0]} of A is empty' if len(empty) else
-                         f'a row of A has {longest} entries, more than 512')
-    return Term([(_core.penalty(starts, columns, values, targets), 1.0)], size, of_all=True)
-
-
-def linear_term(c: ArrayLike) -> Term:
-    """c . x: loads, gravity. Something else has to hold x, or the energy has no minimum."""
-    coefficients = _arrays.floats('c', c, (None,))
-    return Term([(_core.linear_term(coefficients), 1.0)], len(coefficients), of_all=True)
-
-
-def element_term(nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
-                 block: int = 1, name: str = 'element term') -> Term:
-    """sum over elements e of f(the unknowns of e), with f in numpy, for many elements at once.
-
-        def value(z, e):                      # z (q, k), e (q,): numbers of the elements -> (q,)
-            return ((z[:, 1] - z[:, 0]) ** 2 - rest[e]) ** 2
-
-        springs = majorant.element_term(edges, value)
-
-    Derivatives are made of the value, as those of a `Density` are, or given:
-
-        def derivatives(z, e): ...            # -> (q, k), (q, k, k): gradient and Hessian
-
-    nodes: (#E, nodes of an element); a node is `block` unknowns that follow each other, so that z has
-    k = block * nodes columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. value may be inf or NaN
-    outside of its domain. The Hessian is exact and symmetric (UsageError where it is not); solvers make
-    it definite where they need that. `Term.check_derivatives` compares it with differences.
-    """
-    block = _options.integer('block', block, 1, 64)
-    cells = _arrays.integers('nodes', nodes, (None, None), 2**31 - 1, 'nodes')
-    if not cells.size:
-        raise UsageError('nodes is empty')
-    function = PointFunction(str(name), 'element', value, derivatives)
-    unknowns = (block * cells[:, :, None].astype(np.int64) + np.arange(block)).reshape(len(cells), -1)
-    return Term([(_core.element_term(str(name), cells, block, function), 1.0)],
-                (int(cells.max()) + 1) * block, elements=(unknowns, function))
+        if points and self._kind != 'triangles':
+            raise UsageError(f'quadrature is of triangles; {self._kind} have a rule of their own')
+        return Term(_core.energy_terms(self._core, summands, points), self.size)
 
 
 class Solution:
-    """Where a minimization ended: x, energy, status, message, and iterations, a list of dictionaries."""
+    """Where a minimization ended: x, energy, status, message, and iterations, a list of dictionaries.
+
+    phases: of a problem with bounds, a dictionary for each weight `mu` of their barriers: `gap`, which
+    for convex problems bounds what `energy` is above the minimum, `iterations` and `status`.
+    """
 
     def __init__(self, x: Doubles, energy: float, status: str, message: str,
-                 iterations: list[dict[str, Any]]):
-        self.x, self.energy, self.status, self.message, self.iterations = x, energy, status, message, iterations
+                 iterations: list[dict[str, Any]], phases: list[dict[str, Any]]):
+        self.x, self.energy, self.status, self.message = x, energy, status, message
+        self.iterations, self.phases = iterations, phases
 
     def __repr__(self) -> str:
         return (f'<majorant.Solution: energy {self.energy!r}, {self.status} after {len(self.iterations)} '
@@ -167,7 +112,8 @@ class Solution:
 
 
 class Problem:
-    """minimize sum of weight * term(x), subject to A x = b exactly, along injective maps if asked for.
+    """minimize sum of weight * term(x), subject to A x = b exactly, to inequalities and bounds, along
+    injective maps if asked for.
 
         space = majorant.Space(V, F, degree=2)
         problem = majorant.Problem(space.size)
@@ -182,6 +128,7 @@ class Problem:
 
     def __init__(self, size: int):
         self._core = _core.Problem(_options.integer('size', size, 1, 2**31 - 1))
+        self._has_bounds = False
 
     @property
     def full_size(self) -> int:
@@ -220,12 +167,37 @@ class Problem:
 
     def keep_injective(self, space: Space) -> 'Problem':
         """The first unknowns are a map in this space; steps are shortened so that det J > 0, proven on
-        all of every face."""
+        all of every cell."""
         if not isinstance(space, Space):
             raise UsageError(f'{space!r} is no Space')
         if space.size > self.full_size:
             raise UsageError(f'the space has {space.size} unknowns, the problem {self.full_size}')
         self._core.keep_injective(space._core)
+        return self
+
+    def hold(self, inequality: Inequality) -> 'Problem':
+        """g >= 0 at every element of the inequality, to the gap of `minimize`; it may start outside."""
+        if not isinstance(inequality, Inequality):
+            raise UsageError(f'{inequality!r} is no Inequality')
+        if inequality._elements.size > self.full_size:
+            raise UsageError(f'{inequality.name} has unknowns up to {inequality._elements.size - 1}; the problem has '
+                             f'{self.full_size}')
+        elements = inequality._elements
+        self._core.hold(inequality.name, elements.cells, elements.block, inequality)
+        self._has_bounds = True
+        return self
+
+    def bound(self, lower: ArrayLike = -math.inf, upper: ArrayLike = math.inf) -> 'Problem':
+        """lower <= x <= upper, one number for all unknowns or one for each, infinite where there is none;
+        to the gap of `minimize`. It may start outside. What is fixed is not for bounds: `constrain`."""
+        low, high = (_limits(name, value, self.full_size) for name, value in (('lower', lower), ('upper', upper)))
+        if not (low < high).all():
+            k = int(np.argmin(low < high))
+            raise UsageError(f'lower[{k}] is {low[k]}, not below upper[{k}], {high[k]}')
+        if np.isinf(low).all() and np.isinf(high).all():
+            raise UsageError('nothing to hold: all of lower and upper are infinite')
+        self._core.bound(low, high)
+        self._has_bounds = True
         return self
 
     def reduce(self, x: ArrayLike) -> Doubles:
@@ -256,16 +228,26 @@ class Problem:
     def minimize(self, x0: ArrayLike, method: str = 'newton', *, curvature: str = 'projected',
                  linear_solver: str = 'direct', tolerance: float | None = None,
                  max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
+                 gap: float | None = None,
                  callback: Callable[[dict[str, Any], Doubles], Any] | None = None) -> Solution:
         """A local minimum near x0, which satisfies the constraints.
 
-        method: 'newton'; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
+        method: 'newton'; 'levenberg-marquardt', damped steps for `least_squares` where nothing holds some
+        unknowns, whose damping is 'shift' of the iterations; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
         'ceres-nlcg', to compare with: those have no curvature and no linear_solver, and conjugate
         gradients end far from ill-conditioned minima (and tell stderr of their restarts).
         linear_solver: 'direct' or 'eigen'. tolerance: relative decrease of the energy in one
         iteration to stop at; None: the method's own. callback(record, x), after every iteration:
         something true ends the run.
+
+        Bounds and inequalities are met along barriers whose weight falls to 0, by 'newton' alone; x0 may
+        violate them. gap: what the last barrier may cost, relative to the energy, 1e-8 if None.
+        Status 'infeasible' names a bound that no point was found to meet.
         """
+        if self._has_bounds and method != 'newton':
+            raise UsageError(f"bounds and inequalities are for method='newton', not {method!r}")
+        if gap is not None and not self._has_bounds:
+            raise UsageError('gap is of bounds and inequalities; hold some, or leave it out')
         limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
         keywords = {
             'method': _options.choice('method', method, _METHODS),
@@ -275,6 +257,7 @@ class Problem:
             'max_iterations': _options.integer('max_iterations', max_iterations, 0, 2**31 - 1),
             'time_limit': limit,
             'threads': _options.integer('threads', threads, 0, 1024),
+            'gap': None if gap is None else _options.number('gap', gap, 0, 1),
         }
         return Solution(*self._core.minimize(_arrays.floats('x0', x0, (self.full_size,)), keywords,
                                              _options.callback(callback)))
@@ -283,3 +266,23 @@ class Problem:
 def _curvature(name: Any) -> str:
     return _options.choice('curvature', name, ('projected', 'majorizer', 'paper-majorizer', 'exact',
                                                'reweighted'))
+
+
+def _limits(name: str, value: Any, size: int) -> Doubles:
+    """One for each unknown."""
+    array = np.asarray(value)
+    if array.dtype.kind not in 'iuf' or array.shape not in ((), (size,)) or np.isnan(array).any():
+        raise UsageError(f'{name} is neither a number nor {size} numbers')
+    return np.ascontiguousarray(np.broadcast_to(array, (size,)), dtype=np.float64)
+
+
+def _vertices(V: ArrayLike, kind: str) -> Doubles:
+    plane = kind == 'quads' and np.ndim(V) == 2 and np.shape(V)[1] == 2
+    return _arrays.floats('V', V, (None, 2 if plane else 3))
+
+
+def _require_positive(V: Doubles, T: Integers) -> None:
+    corners = V[T]
+    turned = np.flatnonzero(~(np.linalg.det(corners[:, 1:] - corners[:, :1]) > 0))
+    if len(turned):
+        raise UnsupportedError(f'tetrahedron {turned[0]} has no positive volume; exchange two of its corners')

@@ -287,7 +287,7 @@ def test_spaces():
      'is of 5 unknowns, the problem has 6'),
     (lambda p: p.add(majorant.linear_term(np.ones(5))), majorant.UsageError, 'is of 5 unknowns, the problem has 6'),
     (lambda p: majorant.penalty(np.eye(6), np.zeros(6)).check_derivatives(np.zeros(6)), majorant.UsageError,
-     'the derivatives of element_term alone'),
+     'the derivatives of functions in numpy alone'),
     (lambda p: p.add(majorant.penalty(np.eye(6), np.zeros(6)), -1), majorant.UsageError, 'weight=-1 is no number'),
     (lambda p: p.keep_injective(majorant.Space(V, F)), majorant.UsageError, 'the problem 6'),
     (lambda p: p.keep_injective(3), majorant.UsageError, '3 is no Space'),

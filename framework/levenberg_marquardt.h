@@ -1,0 +1,60 @@
+// Levenberg-Marquardt: damped Newton steps, for least squares whose curvature is singular or
+// misleading away from the minimum: what nothing holds (the frame of a bundle adjustment), poor
+// starts.
+//
+//   const SolveResult result = LevenbergMarquardtMinimizer().minimize(problem, y0, nullptr);
+//   std::cout << result.iterations.back().shift;      // lambda of the last step
+//
+// Steps solve
+//     (H + lambda D) p = -g,    D = diag(H), at least `least` times its largest entry
+// [Mar63], with the Gauss-Newton curvature of make_least_squares(), or any other that is positive
+// semidefinite. lambda follows the gain, the decrease of the energy as a part of what the quadratic
+// model promised [Nie99, Sec. 2]: it falls where that is near 1, rises where it is small, where the
+// step had to be shortened, and until H + lambda D is positive definite. A step that is no decrease
+// is shortened before it is damped: an evaluation costs less than a factorization.
+//
+// Not for energies of maps: NewtonMinimizer (newton.h), whose line search looks beyond 1 and which
+// ends with the exact Hessian, needs fewer steps.
+#pragma once
+
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/stepper.h"
+
+namespace majorant {
+
+struct DampingRules {
+  // lambda of the first step, as in Ceres (1 / initial_trust_region_radius).
+  double first = 1e-4;
+  // The least entry of D, relative to the largest one: unknowns that no residual sees stay. As in
+  // Ceres, min_lm_diagonal.
+  double least = 1e-6;
+  // Bounds of lambda: below smallest it changes nothing but makes a singular H definite, above
+  // largest steps are those of gradient descent, too short to matter.
+  double smallest = 1e-12;
+  double largest = 1e12;
+};
+
+struct LevenbergMarquardtOptions {
+  Curvature curvature = Curvature::Projected;
+  DampingRules damping = {};
+  StoppingRules stopping = {};
+  SolverFactory linear_solver = [] { return make_direct_solver(); };
+  StopCheck stop = {};
+};
+
+class LevenbergMarquardtMinimizer final : public Minimizer {
+ public:
+  explicit LevenbergMarquardtMinimizer(LevenbergMarquardtOptions options = {})
+      : options_(std::move(options)) {}
+  // Throws InvalidArgument for options that are no rules, a curvature that the problem has not, and
+  // a problem of several processes.
+  SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
+
+ private:
+  LevenbergMarquardtOptions options_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,167 @@
+#include "element_functions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "arrays.h"
+#include "kept.h"
+#include "majorant/framework/detail/packed_symmetric.h"
+
+namespace majorant::python {
+namespace {
+
+// Of the elements: their unknowns, an element a row, and their numbers.
+py::tuple arguments_of(const ElementDofs& dofs, VecIn x, std::span<const Index> batch) {
+  const int n = dofs.local_size();
+  const auto count = static_cast<py::ssize_t>(batch.size());
+  py::array_t<double> unknowns({count, static_cast<py::ssize_t>(n)});
+  Integers elements(count);
+  for (py::ssize_t p = 0; p < count; ++p) {
+    const Index e = batch[static_cast<std::size_t>(p)];
+    elements.mutable_at(p) = e;
+    for (int k = 0; k < n; ++k)
+      unknowns.mutable_at(p, k) = x[dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block];
+  }
+  return py::make_tuple(unknowns, elements);
+}
+
+double finite(double value) {
+  return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+}
+
+class PythonTerm final : public EnergyTerm {
+ public:
+  PythonTerm(std::string name, ElementDofs element_dofs, py::object function,
+             std::vector<Curvature> curvatures)
+      : name_(std::move(name)),
+        element_dofs_(std::move(element_dofs)),
+        function_(std::move(function)),
+        curvatures_(std::move(curvatures)) {}
+
+  std::string_view name() const override { return name_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
+  bool supports(Curvature c) const override {
+    return std::find(curvatures_.begin(), curvatures_.end(), c) != curvatures_.end();
+  }
+
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    const py::gil_scoped_acquire lock;
+    const py::tuple at = arguments_of(element_dofs_, x, batch.elements);
+    const Doubles found = function_.get().attr("evaluate")(*at).cast<Doubles>();
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) f[p] = finite(found.at(p));
+  }
+
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState&,
+             Workspace&, LocalSystem& out) const override {
+    const py::gil_scoped_acquire lock;
+    const int n = element_dofs_.local_size();
+    const py::tuple at = arguments_of(element_dofs_, x, batch.elements);
+    const double exact =
+        curvature.model == Curvature::Reweighted ? 0 : 1 - curvature.projection_weight;
+    const Doubles value = function_.get().attr("evaluate")(*at).cast<Doubles>();
+    const py::tuple derivatives = function_.get().attr("differentiate")(*at, exact);
+    const Doubles gradient = derivatives[0].cast<Doubles>();
+    const Doubles hessian = derivatives[1].cast<Doubles>();
+    const bool clamps = !supports(Curvature::Reweighted) && curvature.projection_weight > 0;
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      out.value[p] = finite(value.at(p));
+      for (int i = 0; i < n; ++i)
+        out.gradient[static_cast<std::size_t>(i) * LocalSystem::stride + p] = gradient.at(p, i);
+      if (!out.hessian) continue;
+      std::vector<double> packed;
+      for (int i = 0; i < n; ++i)
+        packed.insert(packed.end(), hessian.data(p, i), hessian.data(p, i) + i + 1);
+      if (clamps) clamp_eigenvalues(n, curvature.projection_weight, packed.data());
+      for (std::size_t k = 0; k < packed.size(); ++k)
+        out.hessian[k * LocalSystem::stride + p] = packed[k];
+    }
+  }
+
+ private:
+  std::string name_;
+  ElementDofs element_dofs_;
+  Kept function_;
+  std::vector<Curvature> curvatures_;
+};
+
+// g + slack > 0; paths are not certified. As Inequality has it (terms/inequality.h).
+class PythonInequality final : public BarrierChecker {
+ public:
+  PythonInequality(std::string name, ElementDofs element_dofs, std::shared_ptr<const Kept> function,
+                   double slack)
+      : name_(std::move(name)),
+        element_dofs_(std::move(element_dofs)),
+        function_(std::move(function)),
+        slack_(slack) {}
+
+  std::string_view name() const override { return name_; }
+
+  Verdict check(VecIn x) const override {
+    const py::gil_scoped_acquire lock;
+    std::vector<Index> all(static_cast<std::size_t>(element_dofs_.element_count()));
+    std::iota(all.begin(), all.end(), Index{0});
+    const py::tuple at = arguments_of(element_dofs_, x, all);
+    const Doubles g = function_->get().attr("evaluate")(*at).cast<Doubles>();
+    Verdict verdict;
+    verdict.margin = std::numeric_limits<double>::infinity();
+    for (const Index e : all) {
+      const double room = g.at(e) + slack_;
+      if (!(room > 0)) verdict.blocking.push_back(e);
+      verdict.margin = std::min(verdict.margin, room);
+    }
+    verdict.feasible = verdict.blocking.empty();
+    return verdict;
+  }
+
+  StepBound max_step(VecIn, VecIn, double s) const override { return {s, {}}; }
+
+  std::shared_ptr<const EnergyTerm> barrier() const override {
+    const py::gil_scoped_acquire lock;
+    return python_term(name_, element_dofs_, function_->get().attr("barrier")(slack_),
+                       {Curvature::Exact, Curvature::Projected});
+  }
+
+  // The slack is a tenth of the size of g, which is about 1, beyond what x violates.
+  std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
+    const double violated = std::max(0.0, slack_ - check(x).margin);
+    const double slack = std::max(slack_, violated + 0.1 * (1 + violated));
+    return std::make_shared<const PythonInequality>(name_, element_dofs_, function_, slack);
+  }
+
+ private:
+  std::string name_;
+  ElementDofs element_dofs_;
+  std::shared_ptr<const Kept> function_;
+  double slack_;
+};
+
+}  // namespace
+
+Curvature curvature_named(const std::string& name) {
+  for (const Curvature c : kCurvatures)
+    if (curvature_name(c) == name) return c;
+  throw py::value_error(name);
+}
+
+std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs element_dofs,
+                                              py::object function,
+                                              std::vector<Curvature> curvatures) {
+  return std::make_shared<const PythonTerm>(std::move(name), std::move(element_dofs),
+                                            std::move(function), std::move(curvatures));
+}
+
+std::shared_ptr<const BarrierChecker> python_inequality(std::string name, ElementDofs element_dofs,
+                                                        py::object function) {
+  return std::make_shared<const PythonInequality>(std::move(name), std::move(element_dofs),
+                                                  std::make_shared<const Kept>(std::move(function)),
+                                                  0.0);
+}
+
+}  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,36 @@
+// Functions of few unknowns, written in Python for many elements at once: terms, and inequalities.
+//
+// A function has
+//     evaluate(z, e) -> (q,)
+//     differentiate(z, e, exact) -> gradients (q, k), Hessians (q, k, k)
+// with the unknowns z (q, k) of the elements e (q,). `exact` is 1 - projection_weight
+// (framework/curvature.h), 0 where the model is no Hessian.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "majorant/framework/energy_term.h"
+#include "majorant/framework/feasibility.h"
+
+namespace majorant::python {
+
+Curvature curvature_named(const std::string& name);
+
+// sum over elements of f(the element's unknowns). Where the curvatures have Reweighted f makes its
+// models itself and they are definite; else they are exact, and clamped here.
+std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs element_dofs,
+                                              pybind11::object function,
+                                              std::vector<Curvature> curvatures);
+
+// g > 0 at every element: evaluate(z, e) is g, barrier(slack) the function -log(g + slack).
+std::shared_ptr<const BarrierChecker> python_inequality(std::string name, ElementDofs element_dofs,
+                                                        pybind11::object function);
+
+}  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,28 @@
+// Spaces of maps, of any elements that Python knows.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/elements/rest_shapes.h"
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant::python {
+
+// Elements of one kind and degree, with the shapes that maps are measured against.
+struct Space {
+  std::shared_ptr<const BernsteinSpace> space;
+  RestShapes rest;
+  RowMatrix vertices;                       // #V by d
+  std::shared_ptr<const SurfaceMesh> mesh;  // of triangles; null for other elements
+};
+
+// Registers Space, triangle_space, tetrahedron_space and quad_space.
+void bind_spaces(pybind11::module_& module);
+
+}  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,299 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Terms and inequalities of problems, of functions in numpy."""
+from __future__ import annotations
+
+from typing import Any, Callable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _arrays, _core, _options
+from ._derivatives import PointFunction
+from ._errors import UsageError
+from ._types import Doubles, Integers
+
+LOSSES = ('huber', 'soft-l1', 'cauchy', 'arctan', 'tukey')
+_EXACT = ('exact', 'projected')
+
+
+class Elements:
+    """Which unknowns the elements of a term have: (#E, nodes of an element), `block` unknowns a node."""
+
+    def __init__(self, nodes: ArrayLike, block: int):
+        self.block = _options.integer('block', block, 1, 64)
+        self.cells = _arrays.integers('nodes', nodes, (None, None), 2**31 - 1, 'nodes')
+        if not self.cells.size:
+            raise UsageError('nodes is empty')
+        nodes64 = self.block * self.cells[:, :, None].astype(np.int64)
+        self.unknowns = (nodes64 + np.arange(self.block)).reshape(len(self.cells), -1)
+        self.size = (int(self.cells.max()) + 1) * self.block  #: unknowns that a problem has at least
+        self.numbers = np.arange(len(self.cells), dtype=np.int32)
+
+    def of(self, x: ArrayLike, name: str) -> Doubles:
+        """z of all elements."""
+        z = _arrays.floats('x', x, (None,))
+        if len(z) < self.size:
+            raise UsageError(f'x has {len(z)} numbers, {name} takes {self.size}')
+        return z[self.unknowns]
+
+
+class _Function:
+    """A function of yours at elements, and whether its derivatives are right."""
+
+    def __init__(self, name: str, elements: Elements, function: PointFunction):
+        self.name, self._elements, self._function = name, elements, function
+
+    @property
+    def derivatives(self) -> str:
+        """Where derivatives come from: 'given', 'dual numbers' or 'differences'."""
+        sample = np.linspace(1, 2, self._elements.unknowns.shape[1])[None]
+        return self._function.derivatives((sample, self._elements.numbers[:1]))
+
+    def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
+        """Raises AssertionError, naming entry and element, where the derivatives at x, inside of the
+        domain, are not those of the value."""
+        self._function.check(self._elements.of(x, self.name), tolerance, self._elements.numbers)
+
+
+class Term:
+    """A sum of functions of few unknowns, for `Problem.add`: see `Space.energy`, `penalty`,
+    `linear_term`, `element_term`, `least_squares`, `Inequality.penalty`."""
+
+    def __init__(self, parts: list[tuple[_core.Term, float]], size: int, *, of_all: bool = False,
+                 function: _Function | None = None):
+        self._parts, self._size = parts, size
+        self._of_all = of_all  # of a problem with exactly `size` unknowns, not of the first ones
+        self._function = function
+
+    @property
+    def name(self) -> str:
+        return ' + '.join(part.name for part, _ in self._parts)
+
+    @property
+    def derivatives(self) -> str | None:
+        """Of a function of yours, where derivatives come from: 'given', 'dual numbers' or 'differences'."""
+        return None if self._function is None else self._function.derivatives
+
+    def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
+        """Of an `element_term` or `least_squares`: raises AssertionError, naming entry and element, where
+        the derivatives at x, inside of the domain, are not those of the value (of the residuals)."""
+        if self._function is None:
+            raise UsageError(f'{self.name}: the derivatives of functions in numpy alone are yours to check')
+        self._function.check_derivatives(x, tolerance)
+
+    def __repr__(self) -> str:
+        return f'<majorant.Term {self.name!r}>'
+
+
+def penalty(A: Any, b: ArrayLike) -> Term:
+    """|A x - b|^2: rows of a scipy.sparse matrix, or a dense one, as soft constraints.
+
+    For short rows, of 512 unknowns at most. What must hold is not for a penalty: `Problem.constrain`.
+    """
+    starts, columns, values, targets, size = _arrays.rows(A, b)
+    empty = np.flatnonzero(np.diff(starts) == 0)
+    longest = int(np.diff(starts).max(initial=0))
+    if len(empty) or longest > 512:
+        raise UsageError(f'row {empty[0]} of A is empty' if len(empty) else
+                         f'a row of A has {longest} entries, more than 512')
+    return Term([(_core.penalty(starts, columns, values, targets), 1.0)], size, of_all=True)
+
+
+def linear_term(c: ArrayLike) -> Term:
+    """c . x: loads, gravity. Something else has to hold x, or the energy has no minimum."""
+    coefficients = _arrays.floats('c', c, (None,))
+    return Term([(_core.linear_term(coefficients), 1.0)], len(coefficients), of_all=True)
+
+
+def element_term(nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+                 block: int = 1, name: str = 'element term') -> Term:
+    """sum over elements e of f(the unknowns of e), with f in numpy, for many elements at once.
+
+        def value(z, e):                      # z (q, k), e (q,): numbers of the elements -> (q,)
+            return ((z[:, 1] - z[:, 0]) ** 2 - rest[e]) ** 2
+
+        springs = majorant.element_term(edges, value)
+
+    Derivatives are made of the value, as those of a `Density` are, or given:
+
+        def derivatives(z, e): ...            # -> (q, k), (q, k, k): gradient and Hessian
+
+    nodes: (#E, nodes of an element); a node is `block` unknowns that follow each other, so that z has
+    k = block * nodes columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. value may be inf or NaN
+    outside of its domain. The Hessian is exact and symmetric (UsageError where it is not); solvers make
+    it definite where they need that. `Term.check_derivatives` compares it with differences.
+    """
+    elements = Elements(nodes, block)
+    function = PointFunction(str(name), 'element', value, derivatives)
+    return _term(str(name), elements, function, _Plain(function), _EXACT)
+
+
+def least_squares(nodes: ArrayLike, residuals: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+                  loss: str | None = None, width: float | None = None, block: int = 1,
+                  name: str = 'least squares') -> Term:
+    """sum over elements e of rho(|r|^2) / 2, r the residuals of e, in numpy, for many elements at once.
+
+        def residuals(z, e):                  # z (q, k), e (q,) -> (q,), or (q, m) for m residuals each
+            return z[:, 0] * np.exp(z[:, 1] * t[e]) - y[e]
+
+        fit = majorant.least_squares([[0, 1]] * len(t), residuals, loss='huber', width=0.1)
+
+    loss, of |r| from `width` on, in its units: 'huber' (linear), 'soft-l1' (the same, smooth), 'cauchy'
+    (logarithmic), 'arctan' (bounded), 'tukey' (constant: outliers do not count at all); None: rho(s) = s.
+    Curvature: 'projected' and 'reweighted' are Gauss-Newton's, 'exact' has the bends of r, too.
+    derivatives(z, e), if given, returns dr/dz, (q, k) or (q, m, k), or that and the second derivatives,
+    (q, k, k) or (q, m, k, k), without which there is no 'exact'. nodes, block: as for `element_term`.
+    """
+    if (loss is None) != (width is None):
+        raise UsageError('loss and width go together')
+    elements = Elements(nodes, block)
+    function = PointFunction(str(name), 'element', residuals, derivatives, rank=1)
+    squares = _Squares(function, None if loss is None else _options.choice('loss', loss, LOSSES),
+                       1.0 if width is None else _options.number('width', width, 0, _options.LARGEST))
+    curvatures: tuple[str, ...] = ('projected', 'reweighted')
+    if derivatives is None or _gives_bends(derivatives, elements):
+        curvatures = ('exact', *curvatures)
+    return _term(str(name), elements, function, squares, curvatures)
+
+
+def _gives_bends(derivatives: Callable[..., Any], elements: Elements) -> bool:
+    sample = np.linspace(1, 2, elements.unknowns.shape[1])[None]
+    with np.errstate(all='ignore'):
+        return isinstance(derivatives(sample, elements.numbers[:1]), tuple)
+
+
+def parameter_blocks(*blocks: tuple[ArrayLike, int]) -> Integers:
+    """Unknowns of elements that have blocks of different sizes, (#E, sum of the sizes).
+
+        camera, point = np.array(seen).T                # numbers, of each observation
+        nodes = majorant.parameter_blocks((6 * camera, 6), (6 * cameras + 3 * point, 3))
+        term = majorant.least_squares(nodes, residuals)    # z[:, :6] the camera, z[:, 6:] the point
+
+    blocks: (first, size), the first unknown (#E,) of a block of this size.
+    """
+    if not blocks:
+        raise UsageError('parameter_blocks needs at least one (first, size)')
+    columns = []
+    for first, size in blocks:
+        start = _arrays.integers('first', first, (None,), 2**31 - 1, 'unknowns')
+        columns.append(start[:, None] + np.arange(_options.integer('size', size, 1, 512), dtype=np.int32))
+    if len({len(column) for column in columns}) > 1:
+        raise UsageError(f'blocks have {", ".join(str(len(column)) for column in columns)} elements')
+    return np.concatenate(columns, axis=1)
+
+
+class Inequality:
+    """g(the unknowns of e) >= 0 for every element e, with g in numpy, for many elements at once.
+
+        def gap(z, e):                        # z (q, k), e (q,) -> (q,)
+            return ((z[:, 2:] - z[:, :2]) ** 2).sum(1) - 0.25
+
+        apart = majorant.Inequality(pairs, gap, block=2)
+        problem.hold(apart)                   # exactly
+        problem.add(apart.penalty(), 1e3)     # or softly
+
+    Scale g to size about 1. Derivatives, nodes, block: as for `element_term`.
+    """
+
+    def __init__(self, nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+                 block: int = 1, name: str = 'inequality'):
+        self.name = str(name)
+        self._elements = Elements(nodes, block)
+        self._function = PointFunction(self.name, 'element', value, derivatives)
+        self._checked = _Function(self.name, self._elements, self._function)
+        self._size = self._elements.size
+
+    @property
+    def derivatives(self) -> str:
+        """Where derivatives come from: 'given', 'dual numbers' or 'differences'."""
+        return self._checked.derivatives
+
+    def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
+        """Raises AssertionError, naming entry and element, where the derivatives at x are not those of g."""
+        self._checked.check_derivatives(x, tolerance)
+
+    def penalty(self) -> Term:
+        """sum of min(g, 0)^2: starts anywhere, ends outside by about |multiplier| / (2 weight)."""
+        return _term(self.name, self._elements, self._function, _Outer(self._function, _violation), _EXACT)
+
+    # ---- what the module asks --------------------------------------------------------------------
+    def evaluate(self, z: Doubles, e: Integers) -> Doubles:
+        return self._function.evaluate(z, e)
+
+    def barrier(self, slack: float) -> '_Outer':
+        """-log(g + slack)."""
+        return _Outer(self._function, lambda g: _logarithm(g + slack))
+
+    def __repr__(self) -> str:
+        return f'<majorant.Inequality {self.name!r}>'
+
+
+def _term(name: str, elements: Elements, function: PointFunction, asked: Any, curvatures: tuple[str, ...]) -> Term:
+    part = _core.element_term(name, elements.cells, elements.block, asked, list(curvatures))
+    return Term([(part, 1.0)], elements.size, function=_Function(name, elements, function))
+
+
+class _Plain:
+    """What the module asks of a term: values, gradients and Hessians; exact is how much there shall be
+    of the bends of residuals, which others have whole."""
+
+    def __init__(self, function: PointFunction):
+        self.evaluate, self._function = function.evaluate, function
+
+    def differentiate(self, z: Doubles, e: Integers, exact: float) -> tuple[Doubles, Any]:
+        return self._function.differentiate(z, e)
+
+
+class _Outer:
+    """A function of g: outer(g) -> itself, its slope and its bend."""
+
+    def __init__(self, function: PointFunction, outer: Callable[[Doubles], tuple[Doubles, ...]]):
+        self._function, self._outer = function, outer
+
+    def evaluate(self, z: Doubles, e: Integers) -> Doubles:
+        with np.errstate(all='ignore'):
+            return self._outer(self._function.evaluate(z, e))[0]
+
+    def differentiate(self, z: Doubles, e: Integers, exact: float) -> tuple[Doubles, Doubles]:
+        with np.errstate(all='ignore'):
+            _, slope, bend = self._outer(self._function.evaluate(z, e))
+            gradient, hessian = self._function.differentiate(z, e)
+            return (slope[:, None] * gradient, slope[:, None, None] * hessian
+                    + bend[:, None, None] * gradient[:, :, None] * gradient[:, None, :])
+
+
+def _violation(g: Doubles) -> tuple[Doubles, ...]:
+    low = np.minimum(g, 0.0)
+    return low * low, 2.0 * low, np.where(g < 0, 2.0, 0.0)
+
+
+def _logarithm(room: Doubles) -> tuple[Doubles, ...]:
+    return np.where(room > 0, -np.log(room), np.inf), -1 / room, 1 / room ** 2
+
+
+class _Squares:
+    """rho(|r|^2) / 2: the formulas of terms/least_squares.h."""
+
+    def __init__(self, residuals: PointFunction, loss: str | None, width: float):
+        self._residuals, self._loss, self._width = residuals, loss, width
+
+    def evaluate(self, z: Doubles, e: Integers) -> Doubles:
+        return self._rho((self._residuals.evaluate(z, e) ** 2).sum(1))[0] / 2
+
+    def differentiate(self, z: Doubles, e: Integers, exact: float) -> tuple[Doubles, Doubles]:
+        r = self._residuals.evaluate(z, e)
+        J, H = self._residuals.differentiate(z, e)
+        _, slope, bend = self._rho((r ** 2).sum(1))
+        gradient = np.einsum('qm,qmk->qk', r, J)
+        model = np.einsum('qmi,qmj->qij', J, J)
+        if exact and H is not None:
+            model += exact * np.einsum('qm,qmij->qij', r, H)
+        outer = gradient[:, :, None] * gradient[:, None, :]
+        factor = 2 * np.where(bend < 0, exact * bend, bend)
+        return slope[:, None] * gradient, slope[:, None, None] * model + factor[:, None, None] * outer
+
+    def _rho(self, s: Doubles) -> tuple[Doubles, ...]:
+        if self._loss is None:
+            return s, np.ones_like(s), np.zeros_like(s)
+        return tuple(_core.robust_loss(self._loss, self._width, s))
