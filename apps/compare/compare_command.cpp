@@ -515,7 +515,7 @@ MapPage page_of(const std::string& path, const MapFile& map) {
 }
 
 // compare A.vtu B.vtu -o AB.html.
-int compare_results(const Request& request) {
+int compare_results(const CompareRequest& request) {
   require_some_output(request.outputs, {".html"});
   require_writable(request.common, {{request.outputs, {".html"}}},
                    {request.map.input, request.other});
@@ -536,8 +536,8 @@ int compare_results(const Request& request) {
 }  // namespace
 
 void add_compare(CLI::App& app, Action* run) {
-  auto request = std::make_shared<Request>();
-  Request& r = *request;
+  auto request = std::make_shared<CompareRequest>();
+  CompareRequest& r = *request;
   CLI::App& verb = *app.add_subcommand(
       "compare", "solve one problem with many methods, or show two results side by side");
   r.map.add_to(verb, "3");

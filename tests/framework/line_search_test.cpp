@@ -1,8 +1,9 @@
 // The feasible line search alone.
+#include "majorant/framework/line_search.h"
+
 #include <gtest/gtest.h>
 
 #include "framework/scalar_terms.h"
-#include "majorant/framework/line_search.h"
 
 namespace majorant {
 namespace {
