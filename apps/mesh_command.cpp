@@ -18,6 +18,7 @@
 #include "apps/streams.h"
 #include "apps/within_memory.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/io/waiting_output.h"
 #include "majorant/results/report.h"
 #include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/volumes/volume_files.h"

@@ -12,6 +12,7 @@
 
 #include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
 #include "apps/linear_solvers.h"
