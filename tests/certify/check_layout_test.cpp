@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "majorant/certify/boundary_loops.h"
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/loop_winding.h"
 
 namespace majorant {

@@ -8,6 +8,7 @@
 
 #include "certify/exact_curves.h"
 #include "majorant/certify/boundary_loops.h"
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/loop_winding.h"
 
 namespace majorant {
