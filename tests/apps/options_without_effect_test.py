@@ -16,6 +16,8 @@ ALWAYS = {
     '--boundary': '', '--curvature': '', '--elevation': 'the way to the degree, also to the first',
     '--bijective': '', '--improve-mesh': 'depends on the mesh', '--tolerance': '', '--max-iterations': '',
     '--time-limit': '', '--normalize': '', '--scale': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
+    '--from': '', '--attribute': '', '--method': '', '--distance': 'a demand', '--samples': '', '--filter': '',
+    '--depth': '', '--linear': '',
     '--charts': 'auto demands nothing of --seams uv and FILE',
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
     '--petsc-options': 'for whichever solver a run comes to',
@@ -34,18 +36,20 @@ CASES = {
     '--grid': (['--grid', '0.1'], ['.vtu', '.png'], 'add -o OUT.svg'),
     '--color-range': (['--color-range', '4,5'], ['.vtu'], 'add -o OUT.svg'),
     '--color-by': (['--color-by', 'area'], ['.vtu'], 'add -o OUT.svg'),
-    '--size': (['--size', '99,99'], ['.svg'], 'add -o OUT.png'),
     '--transparent': (['--transparent'], ['.vtu', '.html'], 'add -o OUT.svg'),
     '--view': (['--view', '1,0,0'], ['.svg'], 'add -o OUT.png'),
-    '--image': (['--image', 'PICTURE'], ['.svg'], 'add -o OUT.png'),
-    '--padding': (['--no-pack', '--padding', '3'], ['.vtu'], '--padding excludes --no-pack'),
     '--resolution': (['--no-pack', '--resolution', '300'], ['.vtu'], '--resolution excludes --no-pack'),
     '--keep-seams': (['--seams', 'uv', '--keep-seams'], ['.vtu'], '--seams uv cuts along them already'),
     '--curvature-alignment': (['--cones', 'FILE', '--curvature-alignment', '9'], ['.vtu'],
                               '--cones excludes --curvature-alignment'),
 }
+PICTURED = ['parametrize', 'unwrap', 'seamless', 'deform', 'convert']
 # option -> verb -> the same
 OF_VERBS = {
+    '--bake': {'unwrap': (['--bake'], ['.vtu'], '-o OUT.obj')},
+    '--size': {**{verb: (['--size', '99,99'], ['.svg'], 'add -o OUT.png') for verb in PICTURED}, 'bake': None},
+    '--image': {**{verb: (['--image', 'PICTURE'], ['.svg'], 'add -o OUT.png') for verb in PICTURED}, 'bake': None},
+    '--padding': {'unwrap': (['--no-pack', '--padding', '3'], ['.vtu'], '--padding excludes --no-pack'), 'bake': None},
     '--align': {**{verb: (['--align'], ['.csv'], 'add -o OUT.vtu') for verb in ('parametrize', 'seamless', 'deform')},
                 'unwrap': (['--align'], ['.json'], 'add -o OUT.vtu'), 'convert': None},  # no output but maps
     '--init': {'parametrize': (['--seamless', '--init', 'tutte'], ['.vtu'], 'leave out --init tutte'),
