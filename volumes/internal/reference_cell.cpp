@@ -298,8 +298,11 @@ void ReferenceCell::make_sides() {
       if (nodes[to_size(k)][to_size(coordinate)] != 0) continue;
       side.nodes.push_back(k);
       auto& weights = side.weights.emplace_back();
+      int sum = 0;
       for (const int corner : side.corners)
-        weights.push_back(weight(nodes[to_size(k)], nodes[to_size(corner)]));
+        sum += weights.emplace_back(weight(nodes[to_size(k)], nodes[to_size(corner)]));
+      // The same on sides of cells with other factors.
+      for (int& w : weights) w = w * type_.degree * type_.degree / sum;
     }
     sides_.push_back(std::move(side));
   }

@@ -52,7 +52,7 @@ class ReferenceCell {
   struct Side {
     std::vector<int> corners;
     std::vector<int> nodes;                 // of the nodes that cells have, those on it
-    std::vector<std::vector<int>> weights;  // of each on the corners, as a multilinear map has them
+    std::vector<std::vector<int>> weights;  // of each on the corners; they add to degree^2
   };
   const std::vector<Side>& sides() const { return sides_; }
 
