@@ -302,7 +302,8 @@ class Details(CommandTest):
                 'indices': model.accessor([[v] for f in ((0, 1, 2), (0, 2, 3), (4, 5, 6), (4, 6, 7)) for v in f],
                                           USHORT, INDICES)}]})
             self.write('a.glb', model.glb())
-            self.run_ok('unwrap', self.path('a.glb'), '-o', self.path('b.glb'), '--report', self.path('r.json'))
+            self.run_ok('unwrap', self.path('a.glb'), '-o', self.path('b.glb'), '--report', self.path('r.json'),
+                        '--weld', 'no')
             report = json.loads(self.read('r.json'))
             self.assertEqual(report['result']['charts'], 2 if opens else 1)
             self.assertEqual(report['input']['vertices'], 8 if opens else 6)
