@@ -4,7 +4,6 @@
 //   const InverseMap inverse(map);
 //   for (const Preimage& p : inverse.preimages({0.25, 0.5}))   // of a seamless map: all of them
 //     std::cout << p.face << ": " << p.barycentric.transpose() << "\n";
-//
 //   const Points2 uv = Points2::Random(1000, 2);
 //   const InverseMap::Points found = inverse.locate(uv);       // one of each, on all threads
 //   // found.face[k] == -1: proven to lie outside of the layout

@@ -5,7 +5,7 @@
 //   RowMatrix vertices(8, 3);
 //   for (Index v = 0; v < 8; ++v) vertices.row(v) << v % 2, v / 2 % 2, v / 4;
 //   const BezierHexahedronSpace space(cells, 8, 2);                     // of degree 2
-//   const RowMatrix start = space.node_positions(vertices);             // trilinear, a row per node
+//   const RowMatrix start = space.node_positions(vertices);             // trilinear, a row a node
 //
 // Nodes are numbered: vertices, edges, faces, interiors. Tetrahedra, and cells of the plane:
 // bernstein_space.h.

@@ -1,9 +1,10 @@
 // Decodes the arrays of a VTK XML file, whatever their encoding. For the readers of .vtu.
 //
-//   VtuArrays arrays(path, content, stop);              // content: of the whole file
-//   const XmlElement root = parse_xml(path, content);
+//   VtuArrays arrays(path, text, stop);                 // text: of the whole file
+//   const XmlElement root = parse_xml(path, text);
 //   arrays.configure(root);
-//   arrays.doubles(*root.child("UnstructuredGrid")->child("Piece")->child("Points")->child("DataArray"));
+//   const XmlElement* const piece = root.child("UnstructuredGrid")->child("Piece");
+//   arrays.doubles(*piece->child("Points")->child("DataArray"));
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
 // Is every cell of a mesh valid, do their sides agree? What `majorant mesh check` says.
 //
-//   const VolumeCheck check = check_volume_mesh(mesh);
-//   check.invalid();                      // cells where det J <= 0 somewhere
-//   check.worst(10);                      // the cells with the lowest det J, by their size
+//  const VolumeCheck check = check_volume_mesh(mesh);
+//  check.invalid();                      // cells where det J <= 0 somewhere
+//  check.worst(10);                      // the cells with the lowest det J, by their size
 //
 // Cells of the most dimensions are checked; those of fewer are their boundary. Triangles and quads
 // of a surface in space are checked against the normal of the straight cell: det J there is the

@@ -1,6 +1,6 @@
 // Two maps of one surface, cell by cell.
 //
-//   const MapFile b = matched_to(a, "a.vtu", read_map("b.vtu"), "b.vtu");   // faces as of a
+//   const MapFile b = matched_to(file, "a.vtu", read_map("b.vtu"), "b.vtu");   // its faces
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 // checked. Of "glTF 2.0 Specification" (Khronos): 3.6 binary data, 4 GLB.
 //
 //   const GltfDocument document("cup.glb", read_whole_file("cup.glb"), {});
-//   const GltfElements places = document.elements(accessor, "POSITION");
+//   const GltfElements places = document.elements(0, "POSITION");
 //   places.value(7, 2);   // z of the eighth
 //
 // Not for scenes: read_gltf.cpp knows what nodes and meshes mean.

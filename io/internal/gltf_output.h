@@ -1,6 +1,6 @@
 // A glTF file that is being written: JSON, and binary data behind those that it had.
 //
-//   GltfOutput out({{"asset", {{"version", "2.0"}}}});
+//   GltfOutput out(Gltf{{"asset", {{"version", "2.0"}}}});
 //   std::string bytes;
 //   append_float(0.5, bytes);
 //   out.add_accessor({{"componentType", 5126}, {"type", "SCALAR"}, {"count", 1}}, bytes, 4,

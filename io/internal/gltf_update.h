@@ -1,6 +1,6 @@
 // A glTF file with other texture coordinates, and all else as it was.
 //
-//   const GltfOutput out = updated_gltf(*input.gltf, input, mesh, origins, "cup.glb");
+//  const GltfOutput out = updated_gltf(*input.gltf, input, mesh, origins, "cup.glb");
 //
 // The new coordinates are TEXCOORD_0. Where a material shows textures by the old ones, these become
 // the next set, and its texCoord follows: the model looks as before. Vertices whose corners have

@@ -1,10 +1,10 @@
 // Drawings as pixels, painted by cairo.
 //
-//   Canvas canvas({800, 600}, 0.8, Paper::White);     // 0.8 pixels a unit of drawings
-//   canvas.paint(behind);
-//   canvas.lay(pixels);                               // over that
-//   canvas.paint(over);
-//   write_file_atomically("a.png", encode_png(canvas.image()));
+//  Canvas canvas({800, 600}, 0.8, Paper::White);     // 0.8 pixels a unit of drawings
+//  canvas.paint(behind);
+//  canvas.lay(pixels);                               // over that
+//  canvas.paint(over);
+//  write_file_atomically("a.png", encode_png(canvas.image()));
 //
 // Letters have outlines of their own (internal/letters.h): no font of the machine is looked for.
 #pragma once

@@ -1,8 +1,8 @@
 // The layout of a map as a drawing, with its legends.
 //
-//   const LayoutSheet sheet(map, marks, LegendOf::Colors, {});
-//   sheet.place(uv);                                     // in units of the drawing
-//   const LayoutDrawing drawing = draw_layout(sheet, legend, &colors);
+//  const LayoutSheet sheet(map, marks, LegendOf::Colors, {});
+//  sheet.place(uv);                                     // in units of the drawing
+//  const LayoutDrawing drawing = draw_layout(sheet, legend, &colors);
 #pragma once
 
 #include <array>
