@@ -22,9 +22,21 @@ def flags(text):
     return set(re.findall(r'^  (?:-\w, )?(--[a-z-]+)', text, re.M)) | set(re.findall(r'^  (-\w),', text, re.M))
 
 
+def listed(text):
+    return re.findall(r'^  (\w+) ', text.partition('Verbs:\n')[2].partition('\n\n')[0], re.M)
+
+
 def verbs():
-    listed = ask('--help').partition('Verbs:\n')[2].partition('\n\n')[0]
-    return re.findall(r'^  (\w+) ', listed, re.M)
+    """First words."""
+    return listed(ask('--help'))
+
+
+def whole_verbs(first):
+    return ['%s %s' % (first, second) for second in listed(ask(first, '--help'))] or [first]
+
+
+def flags_behind(first):
+    return set().union(*(flags(ask(*verb.split(), '--help')) for verb in whole_verbs(first)))
 
 
 class ManualPage(unittest.TestCase):
@@ -34,15 +46,16 @@ class ManualPage(unittest.TestCase):
             cls.source = f.read()
 
     def sections(self):
-        parts = re.split(r'^\.SS "majorant (\w+)"$', self.source.replace('\\-', '-'), flags=re.M)
+        parts = re.split(r'^\.SS "majorant (\w+(?: \w+)?)"$', self.source.replace('\\-', '-'), flags=re.M)
         return dict(zip(parts[1::2], (part.split('\n.SH ')[0] for part in parts[2::2])))
 
     def test_every_verb_and_flag(self):
         sections = self.sections()
-        self.assertEqual(sorted(sections), sorted(verbs()))
-        for verb in verbs():
+        whole = [verb for first in verbs() for verb in whole_verbs(first)]
+        self.assertEqual(sorted(sections), sorted(whole))
+        for verb in whole:
             with self.subTest(verb):
-                text = ask(verb, '--help')
+                text = ask(*verb.split(), '--help')
                 self.assertGreaterEqual(len(flags(text)), 6)
                 bold = set(re.findall(r'\\fB(-[^\\]+)\\fR', sections[verb]))
                 self.assertEqual(bold, flags(text))
@@ -75,7 +88,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.complete('majorant par'), ['parametrize'])
         self.assertIn('--licenses', self.complete('majorant --'))
         for verb in verbs():
-            self.assertEqual(set(self.complete('majorant %s -' % verb)), flags(ask(verb, '--help')), verb)
+            self.assertEqual(set(self.complete('majorant %s -' % verb)), flags_behind(verb), verb)
 
     def test_choices(self):
         self.assertEqual(self.complete('majorant parametrize in.obj --boundary '), ['free', 'fixed'])
@@ -101,7 +114,7 @@ class OtherShells(unittest.TestCase):
         self.assertEqual(complete('majorant parametrize in.obj --boundary f'), ['fixed', 'free'])
         for verb in verbs():
             self.assertEqual({flag for flag in complete('majorant %s --' % verb)},
-                             {flag for flag in flags(ask(verb, '--help')) if flag.startswith('--')}, verb)
+                             {flag for flag in flags_behind(verb) if flag.startswith('--')}, verb)
 
     @unittest.skipUnless(shutil.which('zsh'), 'no zsh')
     def test_zsh(self):
@@ -116,7 +129,7 @@ class OtherShells(unittest.TestCase):
         self.assertEqual([word.split(':')[0] for word in told('p')], verbs())
         for verb in verbs():
             names = [re.match(r'\*(-[\w-]+)\[', word) for word in told(verb + ' x')]
-            self.assertEqual({name[1] for name in names if name}, flags(ask(verb, '--help')), verb)
+            self.assertEqual({name[1] for name in names if name}, flags_behind(verb), verb)
         self.assertIn(':free fixed:(free fixed)', '\n'.join(told('parametrize x')))
 
 
