@@ -1,7 +1,8 @@
 // The triangles of a glTF file as polygons, and where each of them is in the file: what a writer
 // needs to give everything else back.
 //
-//   const PolygonMesh mesh = read_gltf("cup.glb", read_whole_file("cup.glb"), {}, Strictness::Shape);
+//   const PolygonMesh mesh =
+//       read_gltf("cup.glb", read_whole_file("cup.glb"), {}, Strictness::Shape);
 //   const GltfScene& scene = *mesh.gltf;
 //   scene.faces[12].vertices;   // of polygon 12, in the accessors of its primitive
 #pragma once
