@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 #include "majorant/io/claims.h"
@@ -57,8 +58,14 @@ Overlap allowed_overlap(const ProofRequest& promise) {
 
 FileVerification proof_of_file(const std::string& path, const ProofRequest& promise,
                                const MapFile& map, const MapFormats& formats) {
-  const bool is_image = extension(path) == ".msh" && formats.msh == MshContent::Image;
-  return certification(path, promise, is_image ? &map : nullptr);
+  if (extension(path) != ".msh" || formats.msh != MshContent::Image)
+    return certification(path, promise, nullptr);
+  if (promise.surface == nullptr) return certification(path, promise, &map);
+  const auto named =
+      std::make_shared<const MapFile>(with_corner_vertices(map, *promise.surface).value_or(map));
+  return [named, verify = certification(path, promise, named.get())](const std::string& temporary) {
+    verify(temporary);
+  };
 }
 
 std::vector<std::string> left_out(const std::string& path, const MapFile& map,
@@ -75,11 +82,12 @@ std::vector<std::string> left_out(const std::string& path, const MapFile& map,
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const MapFormats& formats, const FileVerification& verify) {
   const std::string e = extension(path);
-  if (e == ".vtu") {
+  if (e == ".vtu" || e == ".msh") {
     const auto named = input ? with_corner_vertices(map, *input) : std::nullopt;
-    write_vtu(path, named ? *named : map, formats.vtu, verify);
+    const MapFile& written = named ? *named : map;
+    if (e == ".vtu") write_vtu(path, written, formats.vtu, verify);
+    if (e == ".msh") write_msh(path, written, formats.msh, verify);
   }
-  if (e == ".msh") write_msh(path, map, formats.msh, verify);
   if (e == ".obj") write_obj(path, map, input, formats.tessellation, verify);
   if (e == ".ply") write_ply(path, map, input, formats.tessellation, verify);
   if (is_gltf(path)) write_gltf(path, map, input, formats.tessellation, verify);

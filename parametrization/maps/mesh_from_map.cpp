@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/maps/corner_mesh.h"
 #include "majorant/parametrization/maps/map_file.h"
 
@@ -54,7 +55,42 @@ std::vector<Index> order_cells(const MapFile& map) {
   return order;
 }
 
+// Corner points that are one point of the map: at the same end of an edge whose inner points two
+// cells share.
+UnionFind united_corners(const MapFile& map) {
+  UnionFind united(map.points.rows());
+  const int inner = map.degree - 1;  // points inside of an edge
+  std::vector<Index> half_edge_at(static_cast<std::size_t>(map.points.rows()), -1);
+  const auto end = [&](Index half_edge, Index k) {
+    return map.cells(half_edge / 3, (half_edge % 3 + k) % 3);
+  };
+  const auto unite_if_equal = [&](Index a, Index b) {
+    if (map.points.row(a) == map.points.row(b) && map.uv.row(a) == map.uv.row(b)) united.join(a, b);
+  };
+  for (Index h = 0; inner > 0 && h < 3 * map.cells.rows(); ++h) {
+    const Index first = 3 + h % 3 * inner;
+    const Index node = std::min(map.cells(h / 3, first), map.cells(h / 3, first + inner - 1));
+    Index& other = half_edge_at[to_size(node)];
+    if (other < 0) {
+      other = h;
+      continue;
+    }
+    for (const Index k : {0, 1}) {  // neighbours run the other way
+      unite_if_equal(end(h, k), end(other, 1 - k));
+      unite_if_equal(end(h, k), end(other, k));
+    }
+  }
+  return united;
+}
+
 }  // namespace
+
+Cells united_cells(const MapFile& map) {
+  UnionFind united = united_corners(map);
+  Cells cells = map.cells;
+  for (Index& point : cells.leftCols<3>().reshaped()) point = united.find(point);
+  return cells;
+}
 
 std::vector<Vector3> vertex_positions(const MapFile& file,
                                       const Eigen::Ref<const Eigen::VectorXi>& vertex,
@@ -84,10 +120,12 @@ CornerMesh corner_mesh(const MapFile& map, const std::string& file) {
   const std::vector<Index> vertices = number_vertices(map);
   mesh.positions = vertex_positions(
       map, Eigen::Map<const Eigen::VectorXi>(vertices.data(), map.points.rows()), file);
+  const Cells united = united_cells(map);
   std::vector<Index> texcoords(vertices.size(), -1);  // of a map point
+  for (const Index point : united.leftCols<3>().reshaped()) texcoords[point] = 0;
   mesh.texcoords.reserve(vertices.size());
-  for (std::size_t p = 0; p < vertices.size(); ++p) {
-    if (vertices[p] < 0) continue;
+  for (std::size_t p = 0; p < texcoords.size(); ++p) {
+    if (texcoords[p] < 0) continue;
     texcoords[p] = static_cast<Index>(mesh.texcoords.size());
     mesh.texcoords.emplace_back(map.uv.row(static_cast<Eigen::Index>(p)).transpose());
   }
@@ -97,9 +135,8 @@ CornerMesh corner_mesh(const MapFile& map, const std::string& file) {
   mesh.texcoord_ids.resize(count, 3);
   for (Index t = 0; t < count; ++t)
     for (Index k = 0; k < 3; ++k) {
-      const Index point = map.cells(mesh.cell[t], k);
-      mesh.vertices(t, k) = vertices[point];
-      mesh.texcoord_ids(t, k) = texcoords[point];
+      mesh.vertices(t, k) = vertices[map.cells(mesh.cell[t], k)];
+      mesh.texcoord_ids(t, k) = texcoords[united(mesh.cell[t], k)];
     }
   return mesh;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <ranges>
 #include <set>
 #include <span>
@@ -310,7 +311,12 @@ PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
   if (input != nullptr) faces = find_input(map, *input, coarse);
   if (map.degree == 1 && options.refine == 1)
     return mesh_of(WholeCells(std::move(coarse)), input, faces, origins);
-  MapPieces pieces(map, std::move(coarse), options.refine);
+  std::optional<MapFile> united;
+  if (Cells cells = united_cells(map); cells != map.cells) {
+    united = map;
+    united->cells = std::move(cells);
+  }
+  MapPieces pieces(united ? *united : map, std::move(coarse), options.refine);
   cut_until_positive(pieces, options.overlap);
   return mesh_of(pieces, input, faces, origins);
 }
