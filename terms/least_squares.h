@@ -29,6 +29,9 @@
 // element, rho(s) = s where s is small; the energy is rho(|r|^2) / 2. `width` is the |r| from which
 // a residual counts as an outlier, in its units. Formulas are those of Ceres.
 //
+// Blocks of different sizes, as cameras and points, are parameter_blocks.h; damped steps, where
+// nothing holds some unknowns, framework/levenberg_marquardt.h.
+//
 // Not for energies of maps: densities (energies/make_energy.h) are several times faster.
 #pragma once
 

@@ -9,6 +9,7 @@
 // Its headers:
 //     local_term.h                make_term(): any function of few unknowns an element; loads
 //     least_squares.h             residuals, Gauss-Newton; robust losses
+//     parameter_blocks.h          terms of blocks of unknowns of different sizes
 //     quadratic_penalty.h         soft constraints
 //     inequality.h                g(x) > 0 for an element, and its barrier; bounds of unknowns
 #pragma once
@@ -16,6 +17,7 @@
 #include "majorant/terms/inequality.h"
 #include "majorant/terms/least_squares.h"
 #include "majorant/terms/local_term.h"
+#include "majorant/terms/parameter_blocks.h"
 #include "majorant/terms/quadratic_penalty.h"
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
