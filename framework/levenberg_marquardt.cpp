@@ -27,6 +27,7 @@ class DampedStepper final : public Stepper {
         curvature_(options.curvature),
         rules_(options.damping),
         solver_(make_solver("LevenbergMarquardtOptions", options.linear_solver)),
+        decrement_(options.stopping.decrement),
         lambda_(options.damping.first) {
     require_curvature("LevenbergMarquardt", problem, curvature_);
     require_in("LevenbergMarquardtOptions: damping.least", rules_.least, 0, 1);
@@ -53,7 +54,13 @@ class DampedStepper final : public Stepper {
     while (solve_damped(r)) {
       const double before = energy;
       move_along(p_, 1.0, y, energy, step);
-      if (step.outcome == Outcome::AtMinimum) return;
+      // -g.p falls as damping rises, however far the minimum is: what steps promise without it.
+      r.newton_decrement *= 1 + lambda_;
+      if (step.outcome == Outcome::AtMinimum) {
+        if (relative_to(before, r.newton_decrement) > decrement_)
+          step.outcome = Outcome::NoDecrease;
+        return;
+      }
       if (step.outcome == Outcome::Moved) {
         learn((before - energy) / promised(), r.step);
         return;
@@ -125,6 +132,7 @@ class DampedStepper final : public Stepper {
   DampingRules rules_;
   std::shared_ptr<LinearSolver> solver_;
   Vec hessian_, damped_, diagonal_, p_;
+  double decrement_;  // of a minimum, relative
   double lambda_;
   double growth_ = kFirstGrowth;  // of lambda, next time
 };

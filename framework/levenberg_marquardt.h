@@ -47,7 +47,8 @@ class LevenbergMarquardtMinimizer final : public Minimizer {
   explicit LevenbergMarquardtMinimizer(LevenbergMarquardtOptions options = {})
       : options_(std::move(options)) {}
   // Throws InvalidArgument for options that are no rules, a curvature that the problem has not, and
-  // a problem of several processes.
+  // a problem of several processes. Records: shift = lambda, newton_decrement = -(1 + lambda) g.p,
+  // between -g.p of the step without damping and g.D^-1 g.
   SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:

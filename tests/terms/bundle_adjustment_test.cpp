@@ -58,7 +58,7 @@ struct Scene {
         images(e, d) += 0.002 * random.uniform() + (e % 17 == 5 ? 0.3 * random.uniform() : 0);
     }
     start = x;
-    for (double& value : start) value += 0.05 * random.uniform();
+    for (double& value : start) value += 0.2 * random.uniform();
   }
 
   Index first(Index e, int block) const {
@@ -152,7 +152,8 @@ TEST(LevenbergMarquardt, ends_where_ceres_does) {
   const ceres::Solver::Summary theirs = solve_by_ceres(scene);
   EXPECT_EQ(ours.status, Status::Converged) << ours.message;
   EXPECT_NEAR(ours.energy, theirs.final_cost, 1e-8 * theirs.final_cost);
-  EXPECT_LT(ours.energy, 0.1 * Evaluator(problem).value(scene.start));
+  // Wrong observations stay.
+  EXPECT_LT(ours.energy, 0.3 * Evaluator(problem).value(scene.start));
   EXPECT_LE(ours.iterations.size(), theirs.iterations.size());
 }
 
