@@ -47,7 +47,7 @@
 
 namespace majorant {
 
-struct BoundaryLoops;  // boundary_loops.h
+struct BoundaryLoops;  // internal to certify
 
 struct Finding {
   ProofStatus answer = ProofStatus::NotAsked;
@@ -96,9 +96,9 @@ struct GlobalInjectivity {
 // exactly, in O(n log n). Curves take a few microseconds an edge.
 GlobalInjectivity check_boundary(const BezierMap& map, const InjectivityOptions& options = {});
 
-// The same for boundaries of any source: that of a map in memory, of several maps side by side, or
-// of what a file holds (boundary_loops.h). half_edge_a and half_edge_b of its contacts
-// are BoundaryLoops::half_edge.
+// The same for boundaries of any source, internal to certify: that of a map in memory, of several
+// maps side by side, or of what a file holds. half_edge_a and half_edge_b of its contacts are
+// BoundaryLoops::half_edge.
 GlobalInjectivity check_layout(const BoundaryLoops& boundary,
                                const InjectivityOptions& options = {});
 // What is proven of a map that is violated, and where: "overlaps itself near (0.25, 1.5)".

@@ -161,7 +161,8 @@ def interrupt(call, before='', handler='signal.default_int_handler', delay=0.5):
     process.send_signal(signal.SIGINT)
     first = process.stdout.readline()
     waited = time.perf_counter() - sent
-    rest, errors = process.communicate()
+    rest, errors = process.stdout.read(), process.stderr.read()  # communicate() loses what readline() read ahead
+    process.wait()
     assert process.returncode == 0, errors
     assert rest == 'usable (16, 2)\n'
     return first, waited
