@@ -120,9 +120,10 @@ void write_report(const ConvertRequest& request, const MapFile& map, WrittenFile
 int convert(ConvertRequest request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   if (request.distortion.empty()) require_some_output(request.outputs, map_extensions());
+  request.formats.read_image();
   require_writable(request.common,
                    {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
-                   {request.input, request.formats.readable_image()});
+                   {request.input, request.formats.image});
   request.formats.require_effect(request.outputs);
   const ThreadCount threads(usable_threads(request.common.threads));
   MapFile map = within_memory(

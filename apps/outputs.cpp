@@ -16,9 +16,11 @@
 #include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
+#include "apps/or_interrupted.h"
 #include "apps/refusal_message.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/input_file.h"
 #include "majorant/pictures/png_file.h"
 
 namespace majorant::app {
@@ -230,10 +232,10 @@ int WrittenFiles::conclude(int code) const {
   return code == kSuccess || code == kLimit ? worst : code;
 }
 
-std::string FormatOptions::readable_image() const {
-  if (!png.image) return {};
-  read_png(*png.image);
-  return *png.image;
+void FormatOptions::read_image(const StopCheck& stop) {
+  if (image.empty()) return;
+  png.image = or_interrupted("reading " + image, [&] { return read_whole_file(image, stop); });
+  pixels_of_png(image, *png.image);
 }
 
 bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
@@ -348,7 +350,7 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
           "pictures: colours of density, area, angle, sigma-max or sigma-min, at every pixel of a "
           "PNG")
       ->check(one_of(quantity_names()));
-  verb.add_option("--image", png.image, "PNG: lay this .png on the surface or the layout")
+  verb.add_option("--image", image, "PNG: lay this .png on the surface or the layout")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
 }

@@ -125,7 +125,7 @@ void UnwrapRequest::open(AtlasJob& job, PolygonMesh polygons, Strictness strictn
     throw Error(ErrorKind::Unsupported,
                 fmt::format("{}: {}; leave out --strict to have it repaired so", job.polygons->file,
                             describe(*first)));
-  job.options.cuts = seams.options(*job.polygons);
+  job.options.cuts = seams.options(*job.polygons, job.record.start_stop());
   if (keep_seams) job.old_seams = OldSeams::Cut;
   if (charts == kOneChart) job.options.limit = StretchLimit::Reported;
   job.options.packing.reset();
@@ -204,7 +204,7 @@ void choose_scale(UnwrapVerb& request) {
   if (scale.empty()) scale = has_targets ? "model" : "unit";
 }
 
-void require_usable(UnwrapVerb& request) {
+void require_usable(UnwrapVerb& request, const StopCheck& stop) {
   require_gpl_parts("unwrap");
   if (request.unwrap.bake) request.outputs.normalize = true;  // what an image shows
   request.outputs.require_usable(request.map);
@@ -221,12 +221,13 @@ void require_usable(UnwrapVerb& request) {
   choose_scale(request);
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
+  request.outputs.formats.read_image(stop);
   require_writable(request.common,
                    {{baked_files(request), {".png", ".mtl"}},
                     {request.outputs.files, request.outputs.extensions},
                     {{request.outputs.distortion}, {".csv"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
-                    request.unwrap.seams.file(), request.outputs.formats.readable_image()});
+                    request.unwrap.seams.file(), request.outputs.formats.image});
 }
 
 // A run of unwrap that has ended. Only refers: all must outlive it.
@@ -355,7 +356,7 @@ int unwrap_file(UnwrapVerb request) {
   Progress progress(request.common, {Activity::Reading, Activity::Cutting, Activity::Solving,
                                      Activity::Packing, Activity::Proving, Activity::Writing});
   RunRecord record = request.solve.make_record(progress);
-  require_usable(request);
+  require_usable(request, record.start_stop());
   const ThreadCount threads(usable_threads(request.common.threads));
   AtlasJob job(record);
   std::optional<ObjTexture> texture;

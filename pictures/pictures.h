@@ -130,8 +130,8 @@ struct PngOptions {
   int width = 1000, height = 800;
   std::optional<Vector3> view = {};       // none: the layout
   std::optional<Quantity> quantity = {};  // none: see image
-  // A PNG file that is laid on; none: a checkerboard on a surface, the density (grey where the
-  // claims name no energy) on a layout.
+  // The bytes of a PNG file that is laid on; none: a checkerboard on a surface, the density (grey
+  // where the claims name no energy) on a layout.
   std::optional<std::string> image = {};
   std::optional<ColorRange> color_range = {};  // none: that of the fixed scale
   Alignment alignment = Alignment::Automatic;

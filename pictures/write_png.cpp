@@ -288,7 +288,7 @@ std::unique_ptr<Painter> painter_of(const MapFile& map, const PngOptions& option
   if (heat)
     return heat_painter(map, *heat, claimed_energy(map).sum,
                         picture_scale(map, *heat, options.color_range));
-  if (options.image) return image_painter(map, read_png(*options.image));
+  if (options.image) return image_painter(map, pixels_of_png("the image", *options.image));
   return options.view ? checker_painter(map) : plain_painter(map);
 }
 
