@@ -321,8 +321,15 @@ class Unwrapping {
       return tasks_[a].mesh->face_count() > tasks_[b].mesh->face_count();
     });
     std::size_t large = 0;
-    while (large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart)
-      solve_chart(order[large++], record_.observer());
+    const auto announce = [&](std::size_t chart) {
+      record_.announce(fmt::format("chart {} of {}", chart, order.size()));
+    };
+    for (; large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart;
+         ++large) {
+      announce(large + 1);
+      solve_chart(order[large], record_.observer());
+    }
+    std::size_t solved = large;
     std::mutex failing, telling;
     std::exception_ptr failure;
     std::size_t failed = tasks_.size();  // the first in the order of charts is thrown
@@ -331,9 +338,9 @@ class Unwrapping {
       try {
         solve_chart(chart, nullptr);
         const std::vector<TraceEntry>& trace = atlas_.charts[chart].trace;
-        if (trace.empty() || !record_.observer()) return;
         const std::lock_guard lock(telling);
-        record_.observer()->after_step(trace.back(), {});
+        if (!trace.empty() && record_.observer()) record_.observer()->after_step(trace.back(), {});
+        announce(++solved);
       } catch (...) {
         const std::lock_guard lock(failing);
         if (chart < failed) failure = std::current_exception();

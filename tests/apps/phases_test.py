@@ -90,7 +90,7 @@ class Terminal(CommandTest):
             text = self.said(*verb, generated('cap'), self.path('a.vtu'))
             *live, last = text.split(CLEAR)
             shown = [re.fullmatch(r'\[(#+)(\.*)\] (\d) of (\d) (\w+) \d+\.\d s  '
-                                  r'(degree .*|raising the degree to 2)?', line) for line in live]
+                                  r'(degree .*|raising the degree to 2|chart 1 of 1)?', line) for line in live]
             names = [line[5] for line in shown]
             self.assertTrue(all((len(line[1]), len(line[1] + line[2])) == (int(line[3]), int(line[4]))
                                 for line in shown), live)
@@ -99,6 +99,7 @@ class Terminal(CommandTest):
             self.assertEqual(list(dict.fromkeys(names)), phases)
             self.assertLess(max(map(len, live)), 80)
             self.assertEqual(any('raising the degree to 2' in line for line in live), '2' in verb)
+            self.assertEqual(any('chart 1 of 1' in line for line in live), verb == ['unwrap'])
             self.assertEqual(logged(text), [])
             self.assertIn('converged', last)  # the line is taken away before
             self.assertTrue(last.endswith('\n'))
