@@ -14,6 +14,7 @@
 //     curvature.h                 which matrix stands for second derivatives
 //     constraint.h                affine equations, eliminated exactly
 //     feasibility.h               what a line search holds; bounds with barriers
+//     violation.h                 how far a start is outside of a bound, as an energy
 //     problem.h                   ProblemBuilder, Problem: terms, constraints, checkers; Evaluator
 //     dual2.h                     derivatives of formulas, of first and second order
 //
@@ -55,6 +56,7 @@
 #include "majorant/framework/stepper.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
+#include "majorant/framework/violation.h"
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause

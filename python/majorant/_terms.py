@@ -225,6 +225,10 @@ class Inequality:
         """-log(g + slack)."""
         return _Outer(self._function, lambda g: _logarithm(g + slack))
 
+    def violation(self, margin: float) -> '_Outer':
+        """max(0, margin - g)^2."""
+        return _Outer(self._function, lambda g: _violation(g - margin))
+
     def __repr__(self) -> str:
         return f'<majorant.Inequality {self.name!r}>'
 
