@@ -123,6 +123,7 @@ class Inequality {
 // nodes: #E by N, or, with Block 1, the unknowns themselves.
 template <int N, int Block = 1, class F>
 Inequality<N, Block, F> inequality(std::string name, Cells nodes, F g) {
+  detail::require_function_of_elements<N, Block, F>();
   return {std::move(name), std::move(nodes), std::move(g)};
 }
 
