@@ -14,6 +14,7 @@
 #include "majorant/parametrization/solve/parametrize.h"
 #include "map_file.h"
 #include "mesh.h"
+#include "places.h"
 #include "problem.h"
 #include "run.h"
 #include "solve.h"
@@ -72,6 +73,7 @@ PYBIND11_MODULE(_core, module) {
   bind_map_files(module);
   bind_solvers(module);
   bind_check(module);
+  bind_places(module);
   bind_spaces(module);
   bind_terms(module);
   bind_problems(module);

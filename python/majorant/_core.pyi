@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 Doubles = NDArray[np.float64]
 Integers = NDArray[np.int32]
+Flags = NDArray[np.bool_]
 Lists = tuple[Integers, Integers]
 Promise = tuple[int, bool, bool, bool, bool]
 Solved = tuple[MapFile, Mesh, Promise, bool, str, str, str]
@@ -84,6 +85,15 @@ class MapFile:
     def chart(self) -> Integers: ...
     @property
     def seam_edges(self) -> Integers: ...
+
+class InverseMap:
+    def __init__(self, file: MapFile) -> None: ...
+    def locate(self, uv: Doubles, threads: int) -> tuple[Integers, Doubles, Flags]: ...
+    def locate_all(self, uv: Doubles, threads: int) -> tuple[Integers, Integers, Doubles, Flags]: ...
+
+class SurfaceTree:
+    def __init__(self, positions: Doubles, faces: Integers) -> None: ...
+    def nearest(self, points: Doubles, threads: int) -> tuple[Integers, Doubles, Doubles]: ...
 
 class Space:
     @property

@@ -134,6 +134,21 @@ class Values(BakeTest):
         self.refused(UNREADABLE, 'bake', self.old, '--from', self.old, '--image', cut, '-o', self.path('c.png'),
                      says=cut)
 
+    def test_the_textures_that_a_model_shows(self):
+        """Of the materials of an OBJ: each face has the colour of its image."""
+        for name, gray in (('a', 40), ('b', 200)):
+            self.write(name + '.png', image_bytes(np.full((16, 32, 3), gray, np.uint8)))
+        self.write('old.mtl', 'newmtl a\nmap_Kd a.png\nnewmtl b\nmap_Kd b.png\n')
+        lines = self.read('old.obj').decode().splitlines()
+        first = next(k for k, line in enumerate(lines) if line.startswith('f '))
+        lines[first:first] = ['mtllib old.mtl', 'usemtl a']
+        lines.insert(first + 2 + len(self.faces) // 2, 'usemtl b')  # the upper half of the grid
+        model = self.write('model.obj', '\n'.join(lines) + '\n')
+        self.run_ok('bake', self.old, '--from', model, '-o', self.path('a.png'))
+        found = self.array('a.png')
+        self.assertEqual(found.shape, (16, 32, 3))
+        self.assertTrue((found[1:7] == 200).all() and (found[9:15] == 40).all())
+
     def test_normals_faces_and_tables(self):
         points, faces = grid(4, lambda x, y: 0)
         flat = self.write('flat.obj', obj_text(points, faces, [p[:2] for p in points]))
@@ -228,7 +243,8 @@ class Refusals(BakeTest):
 
     def test_usage(self):
         out, args = self.path('out.png'), ['bake', self.old, '--from', self.old]
-        self.refused(USAGE, *args, '-o', out, says='--image')
+        self.refused(USAGE, 'bake', self.old, '--from', self.path('none.vtu'), '-o', out, says='--image')
+        self.refused(UNSUPPORTED, *args, '-o', out, says='map_Kd')  # has none itself
         self.refused(USAGE, *args, '--attribute', 'position', '-o', out, says='.npy')
         self.refused(UNSUPPORTED, *args, '--attribute', 'tangent-normal', '-o', out, says='tangent')
         self.refused(USAGE, *args, '--attribute', 'normal', '-o', self.path('a.obj'), says='.png')
