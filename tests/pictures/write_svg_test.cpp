@@ -141,6 +141,8 @@ void turn_over(MapFile& map, Index cell) {
     map.points.row(count + k) = map.points.row(map.cells(cell, k));
     map.uv.row(count + k) = map.uv.row(map.cells(cell, (3 - k) % 3));
   }
+  map.input_vertex.conservativeResize(count + 3);
+  map.input_vertex.tail(3) = map.input_vertex(map.cells.row(cell));
   map.cells.row(cell) << count, count + 1, count + 2;
 }
 
@@ -400,7 +402,7 @@ TEST(WriteSvg, SheetsOfAnySize) {
     EXPECT_LT(std::stod(path.substr(1)), width);
     EXPECT_EQ(parse_xml("a.svg", text).name, "svg");
   }
-  EXPECT_LT(count(drawing_of(map, {.size = SheetSize{300, 600}}), "text-anchor"),
+  EXPECT_LT(count(drawing_of(map, {.size = SheetSize{150, 600}}), "text-anchor"),
             count(drawing_of(map), "text-anchor"));  // ticks without room
   expect_contains(error_message(ErrorKind::Usage,
                                 [&] {

@@ -80,7 +80,7 @@ def test_a_plot_shows_what_is_turned_over(plt, tmp_path):
     (tmp_path / 'own.obj').write_text('\n'.join(lines))
     ax = majorant.read(tmp_path / 'own.obj').plot(plt.figure().gca())
     over = ax.collections[1]
-    assert over.get_label() == '4 triangles turned over'
+    assert over.get_label() == '2 triangles turned over'
     assert np.allclose(255 * over.get_facecolor()[0, :3], (214, 0, 190))
 
 
