@@ -75,7 +75,7 @@ Vector3 parse_view(const std::string& text) {
 }
 
 // "W,H".
-void parse_size(const std::string& text, PngOptions& png) {
+SheetSize parse_size(const std::string& text) {
   const std::vector<double> sides = parse_numbers(text);
   const auto usable = [](double side) {
     return PngOptions::kSmallest <= side && side <= PngOptions::kLargest &&
@@ -86,8 +86,7 @@ void parse_size(const std::string& text, PngOptions& png) {
         "--size",
         fmt::format("'{}' is no size; give width and height in pixels, {} to {}: 1000,800", text,
                     PngOptions::kSmallest, PngOptions::kLargest));
-  png.width = static_cast<int>(sides[0]);
-  png.height = static_cast<int>(sides[1]);
+  return {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
 }
 
 Quantity parse_quantity(const std::string& name) {
@@ -268,8 +267,10 @@ void FormatOptions::add_to(CLI::App& verb) {
       ->check(one_of({"image", kSurface}));
   begin_group(verb, OptionGroup::Pictures);
   verb.add_option_function<std::string>(
-          "--grid", [this](const std::string& spacing) { svg.grid = parse_spacing(spacing); },
-          "SVG: draw lines of constant u and v this far apart in uv (alone: a 32nd of the layout)")
+          "--grid",
+          [this](const std::string& spacing) { svg.grid = png.grid = parse_spacing(spacing); },
+          "SVG and PNG: draw lines of constant u and v this far apart in uv, with --view on the "
+          "surface (alone: a 32nd of the layout)")
       ->type_name("SPACING")
       ->default_str(kAutomatic)  // what it is without a value
       ->expected(0, 1);
@@ -279,11 +280,12 @@ void FormatOptions::add_to(CLI::App& verb) {
            {"--refine", {".obj", ".ply", ".glb", ".gltf"}},
            {"--vtu", {".vtu"}},
            {"--msh", {".msh"}},
-           {"--grid", {".svg"}},
+           {"--grid", {".svg", ".png"}},
            {"--color-range", {".svg", ".png", ".html"}},
            {"--color-by", {".svg", ".png", ".html"}},
            {"--align", map_extensions()},
-           {"--size", {".png"}},
+           {"--size", {".svg", ".png"}},
+           {"--edges", {".svg", ".png"}},
            {"--transparent", {".svg", ".png"}},
            {"--view", {".png"}},
            {"--image", {".png"}}})
@@ -326,9 +328,23 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
       ->expected(0, 1)
       ->check(one_of({"yes", "no"}));
   verb.add_option_function<std::string>(
-          "--size", [this](const std::string& size) { parse_size(size, png); },
-          "PNG: width and height in pixels (1000,800)")
+          "--size",
+          [this](const std::string& text) {
+            const SheetSize size = parse_size(text);
+            png.width = size.width;
+            png.height = size.height;
+            svg.size = size;
+          },
+          "PNG: width and height in pixels (1000,800); SVG: in px, letters stay as large (700,525 "
+          "for a column of a paper; default 1000, as high as it takes)")
       ->type_name("W,H");
+  verb.add_option_function<std::string>(
+          "--edges",
+          [this](const std::string& answer) {
+            svg.edges = png.edges = answer == "yes" ? CellEdges::Drawn : CellEdges::Left;
+          },
+          "SVG and PNG of layouts: the edges of triangles (yes), or the outline alone (no)")
+      ->check(one_of({"yes", "no"}));
   verb.add_flag_function(
       "--transparent", [this](std::int64_t) { svg.paper = png.paper = Paper::None; },
       "SVG and PNG: without the white paper behind the drawing");

@@ -63,33 +63,6 @@ std::string in_words(const MapCheck& check) {
                      open);
 }
 
-// The text of a page for a cell that is not proven to be positive: det J at the points of a
-// lattice.
-std::string describe_fault(const MapProof& proof, Index cell) {
-  if (!proof.map()) return "det J is not proven to be positive";
-  constexpr int kSteps = 8;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= kSteps; ++i)
-    for (int j = 0; i + j <= kSteps; ++j) {
-      const double a = static_cast<double>(i) / kSteps, b = static_cast<double>(j) / kSteps;
-      least = std::min(least, proof.map()->jacobian(cell, {a, b, 1 - a - b}).determinant());
-    }
-  return least > 0
-             ? fmt::format("det J is not proven to be positive, sampled down to {:.3g}", least)
-             : fmt::format("turned over: det J is {:.3g} at a point of it", least);
-}
-
-MapPage page_of(const Request& request, const MapFile& file, const MapCheck& check) {
-  MapPage page;
-  page.title = page_title(request.result);
-  page.map = file;
-  page.facts = page_facts(check.report, {request.result, request.surface});
-  for (const Index cell : check.proof.not_positive)
-    page.faults.push_back({cell, describe_fault(check.proof, cell)});
-  page.points = claimed_points(check.claims, file);
-  return page;
-}
-
 // One line: "FILE: valid, degree 3: ...", "FILE: invalid: ..." or "FILE: undecided: ...".
 std::string verdict_of(const Request& request, const MapFile& file, const MapCheck& check) {
   const std::vector<std::string>& list = check.findings.list();
@@ -112,7 +85,9 @@ int conclude(const Request& request, const MapFile& file, const MapCheck& check)
   WrittenFiles written;
   const std::string& report = request.common.report;
   for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_page(path, page_of(request, file, check)); });
+    written.write(path, [&] {
+      write_page(path, checked_page(file, check, {request.result, request.surface}));
+    });
   if (const std::string& path = request.distortion; !path.empty())
     written.write(path, [&] { write_distortion(path, file, measure_distortion(file).faces); });
   if (!report.empty()) written.write(report, [&] { write_json(report, check.report); });

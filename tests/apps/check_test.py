@@ -218,6 +218,7 @@ class Check(CommandTest):
         path = self.tampered('free1', swap, 'det J')
         report = self.report_of(path, '--certify', code=INVALID)
         self.assertIs(report['result']['globally_injective'], None)
+        self.assertEqual(report['result']['overlaps'], 'not decided: the map is not locally injective')
         self.assertTrue(any('could not be decided' in finding for finding in report['findings']))
 
     @where(os.path.join(SHARED, 'data', 'public', 'disks'))

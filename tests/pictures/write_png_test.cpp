@@ -60,6 +60,25 @@ TEST(WritePng, HeatIsTheScaleAtThatValue) {
   EXPECT_EQ(picture_of(scaled, options).at(100, 70), kFlippedColor);
 }
 
+// The second triangle's image mirrored onto that of the first one, which it hides.
+TEST(WritePng, TurnedOverTrianglesAreSeen) {
+  MapFile map = square_map();
+  map.uv.row(3) << 2, 0;
+  const auto count = [](const PixelImage& image) {
+    return std::count(image.pixels.begin(), image.pixels.end(), kFlippedColor);
+  };
+  PngOptions options;
+  options.width = options.height = 200;
+  for (const bool has_energy : {true, false}) {
+    if (!has_energy) map.claims.clear();
+    options.view.reset();
+    EXPECT_GT(count(picture_of(map, options)), 2000) << has_energy;  // half of 196 x 49
+    options.view = Vector3(0, 0, 1);
+    EXPECT_GT(count(picture_of(map, options)), 10000) << has_energy;  // half of the square
+    EXPECT_EQ(count(picture_of(square_map(), options)), 0);
+  }
+}
+
 TEST(WritePng, TheCameraIsAsItSays) {
   PngOptions options;
   options.width = 400;
@@ -168,6 +187,32 @@ TEST(WritePng, SquaresAreOnMultiplesOfTheirSide) {
       agree += ((i + j) % 2 == 0) == (c.red > 160) ? 1 : 0;
     }
   EXPECT_EQ(agree, 1600);
+}
+
+// Of a layout as SVG has it, of a surface where the map takes its points: lines are multiples.
+TEST(WritePng, GridsAreOnLayoutsAndSurfaces) {
+  PngOptions options;  // 1000 by 800
+  const Color line{20, 50, 122};
+  const auto count = [&](const PixelImage& image) {
+    return std::count(image.pixels.begin(), image.pixels.end(), line);
+  };
+  for (const bool is_surface : {false, true}) {
+    if (is_surface) options.view = Vector3(0, 0, 1);
+    options.grid.reset();
+    EXPECT_EQ(count(picture_of(square_map(), options)), 0);
+    options.grid = 0.5;
+    const PixelImage image = picture_of(square_map(), options);
+    EXPECT_GT(count(image), 700) << is_surface;  // of a layout three lines of 2 by 245
+    if (!is_surface) continue;
+    // u = 2 x: lines at every quarter of the side, each a 12th of that wide.
+    const double side = 0.96 * 800, left = (1000 - side) / 2;
+    EXPECT_EQ(image.at(static_cast<int>(left + side / 4), 150), line);
+    EXPECT_NE(image.at(static_cast<int>(left + side / 8), 150), line);
+    EXPECT_NE(image.at(static_cast<int>(left + side / 4 + side / 4 / 18), 150), line);
+  }
+  options.grid = 1e-6;
+  expect_contains(error_message(ErrorKind::Usage, [&] { picture_of(square_map(), options); }),
+                  {"cannot be drawn"});
 }
 
 TEST(WritePng, CurvedCellsAreEvaluatedExactly) {
