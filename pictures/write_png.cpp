@@ -10,7 +10,6 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
-#include "majorant/io/claims.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_check.h"
 #include "majorant/pictures/internal/alignment.h"
@@ -64,7 +63,7 @@ Square square_around(const MapFile& map) {
 // The square that a texture lies on: the unit square of layouts that were made for one, the square
 // around others.
 Square texture_square(const MapFile& map) {
-  if (readable_claims(map.claims).normalized || has_assumed_scale(map)) return {{0.5, 0.5}, 1};
+  if (is_for_unit_square(map)) return {{0.5, 0.5}, 1};
   return square_around(map);
 }
 
@@ -99,7 +98,14 @@ class TexturePainter : public Painter {
 
 class CheckerPainter final : public TexturePainter {
  public:
-  explicit CheckerPainter(const MapFile& map) : TexturePainter(map) {
+  // count: of squares along that of the texture; none: as wide as PngOptions says.
+  CheckerPainter(const MapFile& map, const std::optional<int>& count) : TexturePainter(map) {
+    if (count) {
+      const Square square = texture_square(map);
+      width_ = square.side / *count;
+      corner_ = square.middle.array() - 0.5 * square.side;
+      return;
+    }
     const double wanted = square_around(map).side / kSquares;
     const double power = std::pow(10.0, std::floor(std::log10(wanted)));
     width_ = 10 * power;
@@ -109,9 +115,11 @@ class CheckerPainter final : public TexturePainter {
 
  private:
   FloatColor color(const Vector2& uv) const override {
-    const double number = std::floor(uv[0] / width_) + std::floor(uv[1] / width_);
+    const Vector2 place = (uv - corner_) / width_;
+    const double number = std::floor(place[0]) + std::floor(place[1]);
     return std::fmod(number, 2.0) == 0 ? kLight : kDark;
   }
+  Vector2 corner_ = Vector2::Zero();
   double width_;
 };
 
@@ -178,8 +186,8 @@ std::unique_ptr<Painter> plain_painter(const MapFile& map) {
   return std::make_unique<CellPainter>(plain_colors(map));
 }
 
-std::unique_ptr<Painter> checker_painter(const MapFile& map) {
-  return std::make_unique<CheckerPainter>(map);
+std::unique_ptr<Painter> checker_painter(const MapFile& map, const std::optional<int>& squares) {
+  return std::make_unique<CheckerPainter>(map, squares);
 }
 
 // write_png.h says where the image lies.
@@ -209,6 +217,9 @@ void require_usable(const PngOptions& options) {
                 fmt::format("a view from ({:g}, {:g}, {:g}) is from nowhere; give the direction to "
                             "the eye",
                             view.x(), view.y(), view.z()));
+  if (options.squares && *options.squares < 1)
+    throw Error(ErrorKind::Usage,
+                fmt::format("a checkerboard of {} squares; give 1 or more", *options.squares));
   if (options.image && options.quantity)
     throw Error(ErrorKind::Usage, "an image and a heat map lie on top of each other; choose one");
 }
@@ -289,7 +300,7 @@ std::unique_ptr<Painter> painter_of(const MapFile& map, const PngOptions& option
     return heat_painter(map, *heat, claimed_energy(map).sum,
                         picture_scale(map, *heat, options.color_range));
   if (options.image) return image_painter(map, pixels_of_png("the image", *options.image));
-  return options.view ? checker_painter(map) : plain_painter(map);
+  return options.view ? checker_painter(map, options.squares) : plain_painter(map);
 }
 
 std::optional<Legend> legend_of(const MapFile& map, const PngOptions& options,
