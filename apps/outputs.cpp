@@ -29,6 +29,7 @@ namespace {
 constexpr const char* kAutomatic = "auto";
 constexpr const char* kLagrange = "lagrange";
 constexpr const char* kSurface = "surface";
+constexpr int kMostSquares = PngOptions::kLargest;  // of a checkerboard: narrower ones are not seen
 
 // A positive number, 0 for kAutomatic.
 double parse_spacing(const std::string& text) {
@@ -74,19 +75,19 @@ Vector3 parse_view(const std::string& text) {
   return {view[0], view[1], view[2]};
 }
 
-// "W,H".
+// "N", both sides, or "W,H".
 SheetSize parse_size(const std::string& text) {
   const std::vector<double> sides = parse_numbers(text);
   const auto usable = [](double side) {
     return PngOptions::kSmallest <= side && side <= PngOptions::kLargest &&
            side == std::floor(side);
   };
-  if (sides.size() != 2 || !usable(sides[0]) || !usable(sides[1]))
+  const bool is_size = sides.size() == 1 || sides.size() == 2;
+  if (!is_size || !std::all_of(sides.begin(), sides.end(), usable))
     throw CLI::ValidationError(
-        "--size",
-        fmt::format("'{}' is no size; give width and height in pixels, {} to {}: 1000,800", text,
-                    PngOptions::kSmallest, PngOptions::kLargest));
-  return {static_cast<int>(sides[0]), static_cast<int>(sides[1])};
+        "--size", fmt::format("'{}' is no size; give pixels, {} to {}: 1000, a square, or 1000,800",
+                              text, PngOptions::kSmallest, PngOptions::kLargest));
+  return {static_cast<int>(sides.front()), static_cast<int>(sides.back())};
 }
 
 Quantity parse_quantity(const std::string& name) {
@@ -245,6 +246,7 @@ bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
 }
 
 void FormatOptions::add_to(CLI::App& verb) {
+  verb_ = &verb;
   begin_group(verb, OptionGroup::Files);
   verb.add_option(
           "--refine", tessellation.refine,
@@ -300,9 +302,16 @@ void FormatOptions::require_effect(const std::vector<std::string>& files) const 
     if (option->count() > 0 && !is_seen)
       throw Error(
           ErrorKind::Usage,
-          fmt::format("{0} is of {1}, and no output is one; add -o OUT{2}, or leave out {0}",
-                      option->get_name(), fmt::join(extensions, " "), extensions.front()));
+          fmt::format("{0} is of {1}, and no output is one; add -o OUT{2}, or leave out {0}{3}",
+                      option->get_name(), fmt::join(extensions, " "), extensions.front(),
+                      other_meaning(option->get_name())));
   }
+}
+
+// Pixels are counted for textures, too.
+std::string FormatOptions::other_meaning(const std::string& option) const {
+  const bool is_texture = option == "--size" && verb_->get_option_no_throw("--resolution");
+  return is_texture ? " (that of a texture for the layout is --resolution)" : "";
 }
 
 void FormatOptions::add_pictures_to(CLI::App& verb) {
@@ -335,9 +344,10 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
             png.height = size.height;
             svg.size = size;
           },
-          "PNG: width and height in pixels (1000,800); SVG: in px, letters stay as large (700,525 "
+          "PNG: pixels along both sides, or width and height (1000,800); SVG: in px, letters stay "
+          "as large (700,525 "
           "for a column of a paper; default 1000, as high as it takes)")
-      ->type_name("W,H");
+      ->type_name("N|W,H");
   verb.add_option_function<std::string>(
           "--edges",
           [this](const std::string& answer) {
@@ -369,6 +379,14 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
   verb.add_option("--image", image, "PNG: lay this .png on the surface or the layout")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
+  verb.add_option("--squares", png.squares,
+                  "PNG with --view: squares of the checkerboard along the side of what a texture "
+                  "fills (default: round widths, some 20 to 40 along the layout)")
+      ->type_name("N")
+      ->check(whole_number(1, kMostSquares))
+      ->needs("--view")
+      ->excludes("--image")
+      ->excludes("--color-by");
 }
 
 void say_left_out(const std::string& path, const std::vector<std::string>& what) {

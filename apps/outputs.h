@@ -87,7 +87,10 @@ struct FormatOptions : MapFormats {
   };
 
   void add_pictures_to(CLI::App& verb);
+  // What else may have been meant by an option, for the end of a message.
+  std::string other_meaning(const std::string& option) const;
 
+  const CLI::App* verb_ = nullptr;  // that has the options
   std::vector<OfFormats> options_;
 };
 

@@ -210,8 +210,18 @@ void choose_scale(UnwrapVerb& request) {
   if (scale.empty()) scale = has_targets ? "model" : "unit";
 }
 
+// A border of that many pixels on either side leaves room for charts.
+void require_room(const UnwrapRequest& unwrap) {
+  if (!unwrap.no_pack && 2 * unwrap.padding >= unwrap.resolution)
+    throw Error(ErrorKind::Usage,
+                fmt::format("--padding {:g}: on both sides of the layout it takes all of the {:g} "
+                            "pixels of --resolution; give less of the one or more of the other",
+                            unwrap.padding, unwrap.resolution));
+}
+
 void require_usable(UnwrapVerb& request, const StopCheck& stop) {
   require_gpl_parts("unwrap");
+  require_room(request.unwrap);
   if (request.unwrap.bake) request.outputs.normalize = true;  // what an image shows
   request.outputs.require_usable(request.map);
   if (request.outputs.turns_map())

@@ -98,13 +98,14 @@ struct SvgOptions {
 // have kFlippedColor and lie over all others; their number is in the second legend, and no number
 // of the first one counts them. The output depends on nothing but the map and the options.
 //
-// Over the cells: grid lines if asked for, cut off at the layout's boundary; where the map has
-// several charts, thin outlines in one colour a chart, and its number where there is room; where it
-// has seams, thick lines along both sides of them in one colour a chain, and dots on the cones,
-// blue for index > 0 and green for index < 0; points and lines to their targets; rings where
-// boundary edges meet; a second legend. Throws Error(Invalid) if the map is
-// inconsistent or not finite, Error(Usage) if the file cannot be written, the grid cannot be drawn,
-// a side of the sheet is out of range or the range of colours leaves out the isometry.
+// Behind the cells: the unit square, of layouts that lie in it and were made for it (claimed to be
+// normalized, or without claims). Over them: grid lines if asked for, cut off at the layout's
+// boundary; where the map has several charts, thin outlines in one colour a chart, and its number
+// where there is room; where it has seams, thick lines along both sides of them in one colour a
+// chain, and dots on the cones, blue for index > 0 and green for index < 0; points and lines to
+// their targets; rings where boundary edges meet; a second legend. Throws Error(Invalid) if the map
+// is inconsistent or not finite, Error(Usage) if the file cannot be written, the grid cannot be
+// drawn, a side of the sheet is out of range or the range of colours leaves out the isometry.
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options = {});
 // The drawing as text, for who has a place for it already. Throws Error(Invalid) likewise.
 std::string svg_text(const MapFile& map, const SvgOptions& options = {});
@@ -131,7 +132,8 @@ std::string svg_text(const MapFile& map, const SvgOptions& options = {});
 //     * Light comes from the eye: sRGB values times 0.72 + 0.28 |cos| of its angle with the normal,
 //       which is interpolated between those of corners, means of the faces around them by area.
 //     * Checkerboard: squares of 1, 2 or 5 times a power of ten uv units, at least a 40th of the
-//       layout's larger side, edges on multiples of that.
+//       layout's larger side, edges on multiples of that; or `squares` along the side of the square
+//       that an image lies on.
 //     * Grid: on the surface lines whose width is a twelfth of their distance.
 //     * Image: upright over the unit square of layouts that were made for one (claimed to be
 //       normalized, or without claims), over the square around the middle of others that has their
@@ -148,6 +150,7 @@ struct PngOptions {
   // The bytes of a PNG file that is laid on; none: a checkerboard on a surface, the density (grey
   // where the claims name no energy) on a layout.
   std::optional<std::string> image = {};
+  std::optional<int> squares = {};             // of the checkerboard, at least 1; none: see above
   std::optional<ColorRange> color_range = {};  // none: that of the fixed scale
   Alignment alignment = Alignment::Automatic;
   std::optional<double> grid = {};       // as of SvgOptions; over colours and images
@@ -161,9 +164,9 @@ struct PngOptions {
 // whole map. Turned over cells have kFlippedColor but under an image, where they are turned over;
 // they lie over others, and are counted as in SVG. The bytes depend on the map and the options
 // alone, not on the number of threads. Throws Error(Invalid) if the map is inconsistent or not
-// finite, Error(Unreadable) for an image that is none, Error(Usage) for a size out of range, a view
-// that is no direction, a range without the isometry, a density whose energy is not named, and
-// where the file cannot be written.
+// finite, Error(Unreadable) for an image that is none, Error(Usage) for a size out of range, no
+// squares, a view that is no direction, a range without the isometry, a density whose energy is not
+// named, and where the file cannot be written.
 void write_png(const std::string& path, const MapFile& map, const PngOptions& options = {});
 
 // A map as a page for a browser: the surface in 3D and the layout side by side, exact, in one file.

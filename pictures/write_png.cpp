@@ -10,7 +10,6 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
-#include "majorant/io/claims.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_check.h"
 #include "majorant/pictures/internal/alignment.h"
@@ -65,7 +64,7 @@ Square square_around(const MapFile& map) {
 // The square that a texture lies on: the unit square of layouts that were made for one, the square
 // around others.
 Square texture_square(const MapFile& map) {
-  if (readable_claims(map.claims).normalized || has_assumed_scale(map)) return {{0.5, 0.5}, 1};
+  if (is_for_unit_square(map)) return {{0.5, 0.5}, 1};
   return square_around(map);
 }
 
@@ -109,7 +108,14 @@ class TexturePainter : public Painter {
 
 class CheckerPainter final : public TexturePainter {
  public:
-  explicit CheckerPainter(const MapFile& map) : TexturePainter(map) {
+  // count: of squares along that of the texture; none: as wide as PngOptions says.
+  CheckerPainter(const MapFile& map, const std::optional<int>& count) : TexturePainter(map) {
+    if (count) {
+      const Square square = texture_square(map);
+      width_ = square.side / *count;
+      corner_ = square.middle.array() - 0.5 * square.side;
+      return;
+    }
     const double wanted = square_around(map).side / kSquares;
     const double power = std::pow(10.0, std::floor(std::log10(wanted)));
     width_ = 10 * power;
@@ -119,9 +125,11 @@ class CheckerPainter final : public TexturePainter {
 
  private:
   FloatColor color(const Vector2& uv) const override {
-    const double number = std::floor(uv[0] / width_) + std::floor(uv[1] / width_);
+    const Vector2 place = (uv - corner_) / width_;
+    const double number = std::floor(place[0]) + std::floor(place[1]);
     return std::fmod(number, 2.0) == 0 ? kLight : kDark;
   }
+  Vector2 corner_ = Vector2::Zero();
   double width_;
 };
 
@@ -243,12 +251,13 @@ std::unique_ptr<Painter> plain_painter(const MapFile& map, const std::vector<Ind
 
 // A checkerboard, or a grid where its spacing is not 0.
 std::unique_ptr<Painter> textured_painter(const MapFile& map, double spacing,
+                                          const std::optional<int>& squares,
                                           const std::vector<Index>& over) {
   std::unique_ptr<Painter> texture;
   if (spacing > 0)
     texture = std::make_unique<GridPainter>(map, spacing, std::make_unique<LightPainter>());
   else
-    texture = std::make_unique<CheckerPainter>(map);
+    texture = std::make_unique<CheckerPainter>(map, squares);
   return std::make_unique<TurnedOverPainter>(map, over, std::move(texture));
 }
 
@@ -279,6 +288,9 @@ void require_usable(const PngOptions& options) {
                 fmt::format("a view from ({:g}, {:g}, {:g}) is from nowhere; give the direction to "
                             "the eye",
                             view.x(), view.y(), view.z()));
+  if (options.squares && *options.squares < 1)
+    throw Error(ErrorKind::Usage,
+                fmt::format("a checkerboard of {} squares; give 1 or more", *options.squares));
   if (options.image && options.quantity)
     throw Error(ErrorKind::Usage, "an image and a heat map lie on top of each other; choose one");
 }
@@ -366,7 +378,7 @@ std::unique_ptr<Painter> painter_of(const MapFile& map, const PngOptions& option
                                   picture_scale(map, *heat, options.color_range)));
   if (options.image)
     return with_grid(image_painter(map, pixels_of_png("the image", *options.image)));
-  return options.view ? textured_painter(map, spacing, marks.turned_over)
+  return options.view ? textured_painter(map, spacing, options.squares, marks.turned_over)
                       : plain_painter(map, marks.turned_over);
 }
 

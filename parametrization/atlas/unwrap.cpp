@@ -251,6 +251,9 @@ class Unwrapping {
 
   // Replaces these by what they are cut into; the numbers of the new ones. Stopped.
   std::vector<std::size_t> cut_charts(const std::vector<std::size_t>& bad, const StopCheck& stop) {
+    record_.begin(Activity::Cutting);
+    record_.announce(fmt::format("cutting again: {} of {} chart{}", bad.size(), tasks_.size(),
+                                 tasks_.size() == 1 ? "" : "s"));
     std::vector<std::vector<char>> cuts(bad.size());
     for (std::size_t i = 0; i < bad.size(); ++i) cuts[i] = cut_of(bad[i], stop);
     std::vector<Index> half_edges;
@@ -275,6 +278,7 @@ class Unwrapping {
       }
     }
     add_cuts(surface_, options_.cuts, half_edges, atlas_.cuts);
+    record_.begin(Activity::Solving);
     return changed;
   }
 

@@ -36,7 +36,7 @@ constexpr int kSteps = 72;
 // Marks.
 constexpr double kMostLines = 4000;  // of grids, in each direction; nothing could be seen of more
 constexpr double kGridLines = 32;    // along the larger side, unless said otherwise
-constexpr double kOutlineWidth = 1.5, kSeamWidth = 2.5, kTargetWidth = 1.8;
+constexpr double kSquareWidth = 1.2, kOutlineWidth = 1.5, kSeamWidth = 2.5, kTargetWidth = 1.8;
 constexpr double kConeRadius = 5, kHeldRadius = 5, kTargetRadius = 8, kMeetingRadius = 10;
 constexpr double kNameShare = 0.3;  // of the side of a square as large as the chart
 constexpr double kSmallestName = 8, kLargestName = 22;
@@ -45,7 +45,7 @@ constexpr double kColumn = 245;  // of the legend of marks
 constexpr int kAllColumns = 1000;
 constexpr Color kInk{51, 51, 51}, kWhite{255, 255, 255}, kGrey{221, 221, 221};
 constexpr Color kPinColor{28, 31, 36}, kHandleColor{213, 94, 0};
-constexpr Color kMeetingColor{230, 0, 122};
+constexpr Color kMeetingColor{230, 0, 122}, kSquareColor{120, 120, 120};
 constexpr Color kScaffoldFill{246, 246, 246}, kScaffoldEdge{208, 208, 208};
 // Far apart in hue from their neighbours, dark enough to be seen on the cells' colours.
 constexpr Color kColors[] = {{123, 47, 190}, {0, 139, 139}, {194, 24, 91},  {46, 125, 50},
@@ -313,6 +313,21 @@ void add_grid(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   items.emplace_back(Clipped{"layout", boundary_path(sheet), {std::move(lines)}});
 }
 
+std::vector<Vector2> unit_square_of(const MapFile& map) {
+  if (!is_for_unit_square(map) || map.uv.minCoeff() < 0 || map.uv.maxCoeff() > 1) return {};
+  return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+}
+
+void add_unit_square(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  const std::vector<Vector2>& corners = sheet.marks().unit_square;
+  if (corners.empty()) return;
+  Shape square{.stroke = Stroke{kSquareColor, kSquareWidth}};
+  square.path.move(sheet.place(corners.front()));
+  for (std::size_t k = 1; k < corners.size(); ++k) square.path.line(sheet.place(corners[k]));
+  square.path.close();
+  items.emplace_back(std::move(square));
+}
+
 // Both sides of every seam edge, one colour a chain.
 void add_seams(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   const MapFile& map = sheet.map();
@@ -531,6 +546,8 @@ LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
   LayoutMarks marks{.grid = grid, .direction = direction, .points = points};
   for (PagePoint& point : marks.points) point.target = turned(point.target, direction);
   if (scaffold) marks.scaffold = turned(*scaffold, direction);
+  for (const Vector2& corner : unit_square_of(map))
+    marks.unit_square.push_back(turned(corner, direction));
   marks.meeting = meeting_of(map);
   for (Vector2& uv : marks.meeting.places) uv = turned(uv, direction);
   marks.turned_over = turned_over_cells(map);
@@ -541,6 +558,10 @@ LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, const For
     : map_(map), marks_(marks), legend_(format.legend), width_(format.width) {
   low_ = map.uv.colwise().minCoeff().transpose();
   high_ = map.uv.colwise().maxCoeff().transpose();
+  for (const Vector2& corner : marks.unit_square) {
+    low_ = low_.cwiseMin(corner);
+    high_ = high_.cwiseMax(corner);
+  }
   for (const PagePoint& point : marks.points) {
     low_ = low_.cwiseMin(point.target);
     high_ = high_.cwiseMax(point.target);
@@ -688,6 +709,7 @@ LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<Legend>&
                           const std::optional<CellColors>& colors, CellFill fill) {
   LayoutDrawing drawing;
   drawing.behind = draw_scaffold(sheet);
+  add_unit_square(sheet, drawing.behind);
   drawing.cells = draw_cells(sheet, colors, fill);
   if (sheet.marks().edges == CellEdges::Left)
     drawing.over.emplace_back(

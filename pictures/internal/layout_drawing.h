@@ -32,6 +32,7 @@ struct LayoutMarks {
   std::optional<double> grid = {};  // as of SvgOptions
   Vector2 direction{1, 0};          // what was turned to (1, 0): lines are those of u and v before
   std::optional<MapFile> scaffold = {};
+  std::vector<Vector2> unit_square = {};  // its corners, around layouts made for it that lie in it
   std::vector<PagePoint> points = {};
   LayoutMeeting meeting = {};
   CellEdges edges = CellEdges::Drawn;

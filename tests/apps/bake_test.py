@@ -304,6 +304,14 @@ class Unwrap(CommandTest):
         self.assertLess(np.abs(old - new).max(), 4)
         self.assertEqual(self.run_ok('check', self.path('out/new.obj'), '--certify').code, OK)
 
+    def test_a_limit_that_comes_before_the_texture(self):
+        new = self.path('new.obj')
+        done = majorant('unwrap', self.model(), '-o', new, '--bake', '--time-limit', 0, '--quiet')
+        self.assertEqual(done.code, INVALID, done.err)
+        self.assertRegex(done.err, 'the time limit was reached while baking .*; written: ' + re.escape(new))
+        self.assertNotIn('nothing is written', done.err)
+        self.assertFalse(os.path.exists(self.path('new.png')))
+
     def test_several_materials_become_one_image(self):
         self.write('gray.png', image_bytes(np.full((32, 32), 77, np.uint8)))
         path = self.model('newmtl a\nmap_Kd old.png\nnewmtl b\nmap_Kd gray.png\nnewmtl c\nKd 1 0 0\n', 'usemtl b\n')

@@ -279,7 +279,8 @@ class Check(CommandTest):
         first = next(k for k, line in enumerate(text) if line.startswith('vt '))
         text[first + 30] = 'vt 50 50'
         self.found(self.write('bad.obj', '\n'.join(text)), says='bad.obj')
-        self.refused(UNREADABLE, 'check', self.mesh)  # no texture coordinates: not a result
+        self.refused(UNSUPPORTED, 'check', self.mesh, says='has no texture coordinates; use `majorant unwrap`')
+        self.refused(UNSUPPORTED, 'convert', self.mesh, '-o', self.path('o.svg'), says='has no texture coordinates')
 
     def test_the_report_of_a_failure(self):
         path = self.tampered('free1', lambda vtu: vtu.claims.update(value=3.0))

@@ -38,6 +38,7 @@ CASES = {
     '--color-range': (['--color-range', '4,5'], ['.vtu'], 'add -o OUT.svg'),
     '--color-by': (['--color-by', 'area'], ['.vtu'], 'add -o OUT.svg'),
     '--transparent': (['--transparent'], ['.vtu', '.html'], 'add -o OUT.svg'),
+    '--squares': (['--squares', '9'], ['.png'], '--squares requires --view'),
     '--view': (['--view', '1,0,0'], ['.svg'], 'add -o OUT.png'),
     '--resolution': (['--no-pack', '--resolution', '300'], ['.vtu'], '--resolution excludes --no-pack'),
     '--keep-seams': (['--seams', 'uv', '--keep-seams'], ['.vtu'], '--seams uv cuts along them already'),

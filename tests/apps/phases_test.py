@@ -44,6 +44,16 @@ class Log(CommandTest):
         self.assertGreater(solving, 2)
         self.assertIn('converged', lines[-1])
 
+    def test_what_is_cut_again(self):
+        """A second map of the same surface does not begin without a word."""
+        points, faces = torus(12, 8, 0)
+        mesh = self.write('torus.obj', obj_text(points, faces))
+        lines = self.run_ok('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0001').err.splitlines()
+        again = [k for k, line in enumerate(lines) if re.fullmatch(r'cutting again: \d+ of \d+ charts?', line)]
+        self.assertTrue(again, lines)
+        self.assertEqual(logged(lines[again[0] - 1]), ['solving'])
+        self.assertEqual(logged(lines[again[0] + 1]), ['cutting'])
+
     def test_limits(self):
         self.assertIn('writing', self.phases('parametrize', generated('cap'), self.path('a.vtu'),
                                              '--degree', '2', '--time-limit', '0', code=LIMIT))

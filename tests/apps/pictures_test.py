@@ -155,7 +155,7 @@ class Pictures(CommandTest):
         out = ('-o', self.path('a.png'))
         self.write('no.png', 'no picture')
         for code, flags, says in (
-                (USAGE, ('--size', '10,20'), '16 to 8192'), (USAGE, ('--size', '100'), '--size'),
+                (USAGE, ('--size', '10,20'), '16 to 8192'), (USAGE, ('--size', '10'), '--size'),
                 (USAGE, ('--size', '100.5,100'), '--size'),
                 (USAGE, ('--view', '0,0,0'), 'direction'), (USAGE, ('--view', '1,2'), 'direction'),
                 (USAGE, ('--view', '1,2,nan'), 'direction'),

@@ -119,7 +119,7 @@ class Waiting(CommandTest):
             process.send_signal(signal.SIGTERM)
             code, err = self.ended(process)
             self.assertEqual(code, INVALID, err)
-            self.assertIn('interrupted while reading ' + self.path('in.obj'), err)
+            self.assertIn('interrupted while reading %s; nothing is written\n' % self.path('in.obj'), err)
             self.assertEqual(self.files(), ['in.obj'])
 
     def test_lists_and_images_that_nobody_writes(self):

@@ -161,7 +161,8 @@ TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
   expect_near(picture_of(map, options).at(148, 51), quarters.pixels[1]);
   for (const char* claims : {R"({"normalized": {"origin": [0, 0], "size": 2}})", ""}) {
     map.claims = claims;
-    expect_near(picture_of(map, options).at(100, 100), quarters.pixels[2]);
+    expect_near(picture_of(map, options).at(51, 148), quarters.pixels[2]);
+    expect_near(picture_of(map, options).at(148, 51), {255, 255, 255});
     map.uv.array() += 3;  // repeated
     expect_near(picture_of(map, options).at(100, 100), quarters.pixels[2]);
     map.uv.array() -= 3;
@@ -213,6 +214,30 @@ TEST(WritePng, GridsAreOnLayoutsAndSurfaces) {
   options.grid = 1e-6;
   expect_contains(error_message(ErrorKind::Usage, [&] { picture_of(square_map(), options); }),
                   {"cannot be drawn"});
+}
+
+TEST(WritePng, SquaresAreAsManyAsAreAskedFor) {
+  MapFile map = square_map();
+  map.uv = map.points.leftCols(2);
+  PngOptions options;
+  options.width = options.height = 430;
+  options.view = Vector3(0, 0, 1);
+  options.squares = 5;
+  const double square = 0.96 * 430 / 5;
+  for (const char* claims : {"", R"({"energy": "symmetric-dirichlet"})"}) {
+    map.claims = claims;
+    const PixelImage image = picture_of(map, options);
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < 5; ++j) {
+        const Color c = image.at(static_cast<int>(215 + (i - 2) * square),
+                                 static_cast<int>(215 - (j - 2) * square));
+        EXPECT_EQ((i + j) % 2 == 0, c.red > 160) << i << " " << j;
+      }
+    map.uv.array() += 3.37;  // around a layout that was not made for the unit square
+  }
+  options.squares = 0;
+  expect_contains(error_message(ErrorKind::Usage, [&] { picture_of(map, options); }),
+                  {"give 1 or more"});
 }
 
 TEST(WritePng, CurvedCellsAreEvaluatedExactly) {

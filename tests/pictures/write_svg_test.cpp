@@ -282,6 +282,22 @@ TEST(WriteSvg, LayoutsThatNothingHoldsLieAlongTheirLongerSide) {
   EXPECT_EQ(with_grid.substr(with_grid.find("viewBox"), 15), height(lying).substr(0, 15));
 }
 
+TEST(WriteSvg, TheUnitSquareIsAroundLayoutsMadeForIt) {
+  const std::string square = "<path stroke=\"#787878\" stroke-width=\"1.2\" d=\"M10 990l980 0";
+  MapFile map = two_triangles(4);
+  map.uv *= 0.25;
+  const std::string claims = map.claims;
+  EXPECT_EQ(count(drawing_of(map), "#787878"), 0u);  // whoever made it knows of no square
+  for (const std::string& made_for_it :
+       {std::string(), R"({"normalized": {"origin": [0, 0], "size": 2}, )" + claims.substr(1)}) {
+    map.claims = made_for_it;
+    EXPECT_EQ(count(drawing_of(map), square), 1u) << made_for_it;
+    map.uv.array() += 0.75;  // leaves it
+    EXPECT_EQ(count(drawing_of(map), "#787878"), 0u) << made_for_it;
+    map.uv.array() -= 0.75;
+  }
+}
+
 TEST(WriteSvg, ChartsHaveTheirNumbers) {
   MapFile map = random_strip(2, 4, 3);
   map.chart = Eigen::Vector4i(3, 3, 17, 17);
