@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
@@ -118,7 +119,8 @@ Json quad_report(const QuadJob& job) {
               {"quads", section},
               {"seconds",
                {{"read", job.read_seconds}, {"solve", job.solve_seconds}, {"write", 0.0}}}};
-  add_resources(report, Json(), Json());
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  report["threads"] = ThreadCount::current();
   return report;
 }
 
