@@ -47,16 +47,15 @@ class ArcNumbers {
   }
 
   // The numbers at the edge length at which there are about as many quads as asked.
-  std::vector<Index> for_count(long asked) {
+  std::vector<Index> for_count(double asked) {
     constexpr int kSteps = 12;
     constexpr double kNearEnough = 0.005;
-    double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 /
-                              static_cast<double>(asked));
+    double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
     std::vector<Index> best;
     double least_off = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kSteps; ++step) {
       std::vector<Index> edges = at(length);
-      const double ratio = static_cast<double>(quad_count(mesh_, edges)) / static_cast<double>(asked);
+      const double ratio = static_cast<double>(quad_count(mesh_, edges)) / asked;
       const double off = std::abs(std::log(ratio));
       if (off < least_off) {
         least_off = off;
@@ -126,26 +125,32 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
     result.asked = std::lround(mesh.area() / (*options.edge_length * *options.edge_length));
   else
     result.asked = options.count.value_or(std::max(mesh.face_count() / 2, 1));
+  // Arcs without edges leave the best angles; other numbers of quads are other meshes, of which one
+  // may be valid where the first is not.
+  using Arcs = ArcNumbers::Arcs;
+  constexpr std::pair<Arcs, double> kAttempts[] = {{Arcs::Joined, 1},    {Arcs::Joined, 1.02},
+                                                   {Arcs::Joined, 0.98}, {Arcs::Joined, 1.04},
+                                                   {Arcs::Separate, 1},  {Arcs::Separate, 1.03}};
   std::string why;
-  for (const auto arcs : {ArcNumbers::Arcs::Joined, ArcNumbers::Arcs::Separate}) {
+  for (const auto& [arcs, part] : kAttempts) {
     record.begin(Activity::Solving);
     ArcNumbers numbers(lattice, t_mesh, arcs, stop);
     const std::vector<Index> edges =
-        options.edge_length ? numbers.at(*options.edge_length / lattice.unit())
-                            : numbers.for_count(result.asked);
+        options.edge_length
+            ? numbers.at(*options.edge_length / lattice.unit() / std::sqrt(part))
+            : numbers.for_count(part * static_cast<double>(result.asked));
     result.quads = ExtractedQuads(lattice, t_mesh, edges).polygons();
     smooth_quads(result.quads, file_positions(mesh), mesh.faces(), stop);
     record.begin(Activity::Proving);
     result.check = check_quads(result.quads, &mesh, stop);
     if (!result.check.is_valid()) {
-      why = fmt::format("{}", result.check.defects.front());
+      if (why.empty()) why = result.check.defects.front();
       continue;
     }
     result.has_joined_arcs = std::count(edges.begin(), edges.end(), 0) > 0;
     if (static_cast<double>(result.check.count) >
         (1 + kCountClose) * static_cast<double>(result.asked))
-      result.least_count =
-          quad_count(t_mesh, numbers.at(std::numeric_limits<double>::infinity()));
+      result.least_count = quad_count(t_mesh, numbers.at(std::numeric_limits<double>::infinity()));
     return result;
   }
   throw Error(ErrorKind::Infeasible,

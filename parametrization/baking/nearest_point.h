@@ -5,9 +5,9 @@
 //   std::cout << p.face << " at " << p.distance << "\n";
 //   const auto all = tree.locate(Points3::Random(1000, 3));   // on all threads
 //
-// Exact but for rounding: boxes are visited by ascending distance until the next one is farther
-// than the best point found. Of faces at one distance any may be named. Faces without an area count
-// as the segments or points that they are.
+// Exact but for rounding: all boxes are visited that are not farther than the best point found. Of
+// faces at one distance any may be named. Faces without an area count as the segments or points
+// that they are.
 //
 // Not for rays, and not for points inside of solids: there is no sign.
 #pragma once

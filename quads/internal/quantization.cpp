@@ -52,7 +52,7 @@ class Quantizer {
         const auto fits = [&](Index there, int by) {
           return (excess_[there] + (there == e ? need : 0)) * by < 0;
         };
-        const std::vector<Change> path = cheapest_path({e, need}, fits, -1);
+        const std::vector<Change> path = cheapest_path({e, need}, fits, -1, std::numeric_limits<double>::infinity());
         if (path.empty())
           throw Error(ErrorKind::Infeasible,
                       "no whole numbers of quads were found for the sides of all patches");
@@ -85,18 +85,18 @@ class Quantizer {
   };
 
   // Changes that go on from one equation to the next until fits(equation, change of its excess);
-  // empty where there are none. Costs that are gains count as nothing. `kept`: an arc that stays.
+  // empty where there are none that cost less than `most`. Costs that are gains count as nothing.
+  // `kept`: an arc that stays.
   template <class Fits>
-  std::vector<Change> cheapest_path(State start, const Fits& fits, Index kept) const {
+  std::vector<Change> cheapest_path(State start, const Fits& fits, Index kept, double most) const {
     constexpr double kLeastCost = 1e-6;  // shorter paths before longer ones
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
     struct Step {
       double cost = std::numeric_limits<double>::infinity();
       Index from = -1;  // number of a state
       Change change{-1, 0};
     };
     std::vector<Step> reached(2 * excess_.size());
-    std::pair<double, Index> found{kInfinite, -1};  // cost, state before the last change
+    std::pair<double, Index> found{most, -1};  // cost, state before the last change
     Change last{-1, 0};
     std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>,
                         std::greater<>>
@@ -110,12 +110,14 @@ class Quantizer {
       const int need = number % 2 == 1 ? 1 : -1;
       for (const Index h : half_arcs_[number / 2]) {
         const Change change{h / 2, need * terms_[h].sign};
-        if (change.arc == kept || edges_[change.arc] + change.by < least_[change.arc]) continue;
-        if (uses(reached, number, change.arc)) continue;
+        if (change.arc == kept) continue;
+        const int before = change_on_the_way(reached, number, change.arc);
+        if (edges_[change.arc] + before + change.by < least_[change.arc]) continue;
         const double total = cost + std::max(kLeastCost, cost_of(change));
+        if (total >= found.first) continue;
         const Term& there = terms_[h ^ 1];
         const int by = there.sign * change.by;
-        if (fits(there.equation, by) && total < found.first) {
+        if (fits(there.equation, by)) {
           found = {total, number};
           last = change;
         }
@@ -134,12 +136,13 @@ class Quantizer {
     return path;
   }
 
-  // No path changes an arc twice.
+  // A path may change an arc more than once.
   template <class Steps>
-  static bool uses(const Steps& reached, Index number, Index arc) {
+  static int change_on_the_way(const Steps& reached, Index number, Index arc) {
+    int sum = 0;
     for (Index s = number; reached[s].from >= 0; s = reached[s].from)
-      if (reached[s].change.arc == arc) return true;
-    return false;
+      if (reached[s].change.arc == arc) sum += reached[s].change.by;
+    return sum;
   }
 
   // Every arc by one, and back to it through its two patches, as long as that lowers the sum.
@@ -160,7 +163,7 @@ class Quantizer {
             const auto fits = [&](Index there, int change_there) {
               return there == other.equation && change_there == -other.sign * by;
             };
-            path = cheapest_path({one.equation, -one.sign * by}, fits, arc);
+            path = cheapest_path({one.equation, -one.sign * by}, fits, arc, -cost_of(change));
             if (path.empty()) continue;
           }
           path.push_back(change);

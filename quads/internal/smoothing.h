@@ -1,5 +1,6 @@
-// Vertices of quads moved on a surface towards the middle of their neighbours, which never folds:
-// no step makes the worst corner around it worse than before, unless it stays good.
+// Vertices of quads moved on a surface towards the middle of their neighbours, which neither folds
+// nor turns: no step makes the worst corner around it worse than before, unless it stays good, or
+// more of its quads face away from the surface.
 //
 //   smooth_quads(quads, positions, faces, stop);
 //
