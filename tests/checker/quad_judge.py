@@ -79,6 +79,28 @@ def distance_to_triangle(p, a, b, c):
     return least
 
 
+class Nearest:
+    """The face nearest to a point, of all of them: those whose balls are nearer first, until a ball is farther."""
+
+    def __init__(self, mesh):
+        self.mesh, self.balls = mesh, []
+        for f in range(len(mesh.faces)):
+            corners = mesh.corner_points(f)
+            centre = tuple(sum(x) / len(corners) for x in zip(*corners))
+            self.balls.append((centre, max(math.dist(centre, p) for p in corners)))
+
+    def __call__(self, p):
+        bounds = [math.dist(centre, p) - radius for centre, radius in self.balls]
+        least, nearest = math.inf, None
+        for f in sorted(range(len(bounds)), key=bounds.__getitem__):
+            if bounds[f] > least:
+                return nearest
+            distance = distance_to_triangle(p, *self.mesh.corner_points(f))
+            if distance < least:
+                least, nearest = distance, f
+        return nearest
+
+
 class Mesh:
     def __init__(self, positions, faces):
         self.positions, self.faces = positions, faces
@@ -211,12 +233,11 @@ def judge(quads, surface=None):
         found.add('border loops')
     elif loops[0]:
         found |= border_defects(quads, surface)
+    nearest = Nearest(surface)
     for f in range(len(quads.faces)):
         corners = quads.corner_points(f)
         centre = tuple(sum(x) / 4 for x in zip(*corners))
-        nearest = min(range(len(surface.faces)),
-                      key=lambda g: distance_to_triangle(centre, *surface.corner_points(g)))
-        if against(corners, surface.corner_points(nearest)):
+        if against(corners, surface.corner_points(nearest(centre))):
             found.add('turned')
             break
     return found
