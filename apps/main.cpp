@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
   add_compare(app, &action);
   add_convert(app, &action);
   add_bake(app, &action);
+  add_quads(app, &action);
   add_info(app, &action);
   add_mesh(app, &action);
   if (argc == 1) {

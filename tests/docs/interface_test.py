@@ -31,7 +31,7 @@ def alone(*words):
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE))
 
 
-VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'bake', 'info', 'mesh check']
+VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'bake', 'quads', 'info', 'mesh check']
 
 
 def page():
@@ -197,6 +197,8 @@ class Reports(CommandTest):
         self.report('parametrize', helpers.generated('buckle'), self.path('b.vtu'), '--seams', 'auto',
                     '--degree', 1)
         self.report('bake', with_uv, '--from', disk, '--attribute', 'position', '-o', self.path('b.npy'))
+        self.report('quads', helpers.generated('buckle'), self.path('quads.obj'), '--count', 600)
+        self.report('check', self.path('quads.obj'), '--surface', helpers.generated('buckle'))
         self.report('info', disk)
         self.report('info', disk, '--plan')
         self.report('info', self.write('small.obj', helpers.obj_text(
