@@ -139,8 +139,10 @@ Json result_section(const AtlasJob& job) {
   result.update(cuts_section(atlas.cuts, job.surface));
   const CutTurning turning = turning_of_cuts(*job.surface.mesh, atlas.cuts.is_cut);
   result["seam_turning"] = {{"seams", turning.cuts}, {"shortest_paths", turning.shortest}};
-  result["seam_visibility"] =
-      visibility_of_cuts(*job.surface.mesh, job.visibility, atlas.cuts.is_cut);
+  result["seam_visibility"] = nullptr;
+  if (job.visibility.size() > 0)
+    result["seam_visibility"] =
+        visibility_of_cuts(*job.surface.mesh, job.visibility, atlas.cuts.is_cut);
   if (!atlas.packing) return result;
   result["fill"] = atlas.packing->fill;
   result["side"] = atlas.packing->side;
@@ -169,10 +171,14 @@ void AtlasJob::solve() {
   options.cuts.given.clear();
   if (old_seams == OldSeams::Cut) options.cuts.given = surface.texture_seams;
   options.cuts.wanted = {marked_creases(*polygons, surface), {}};
-  const StopCheck& stop = record.start_stop();
-  visibility = hide_from ? visibility_from(*surface.mesh, *hide_from, stop)
-                         : ambient_visibility(*surface.mesh, stop);
-  if (!getenv("NOHIDE")) options.cuts.wanted.weight = hiding_weights(*surface.mesh, visibility);
+  const bool is_free =
+      options.cuts.method == CutMethod::Automatic || options.cuts.method == CutMethod::Sharp;
+  if (is_free) {
+    const StopCheck& stop = record.start_stop();
+    visibility = hide_from ? visibility_from(*surface.mesh, *hide_from, stop)
+                           : ambient_visibility(*surface.mesh, stop);
+    if (!getenv("NOHIDE")) options.cuts.wanted.weight = hiding_weights(*surface.mesh, visibility);
+  }
   atlas = unwrap(surface.mesh, options, record);
 }
 

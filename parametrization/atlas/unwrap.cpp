@@ -403,7 +403,7 @@ class Unwrapping {
     if (!is_free || options_.limit != StretchLimit::Kept) return next;
     const auto asked = static_cast<std::size_t>(std::max<Index>(options_.least_charts, 0));
     const bool is_counted = asked > tasks_.size();
-    if (options_.least_charts > 0 && !is_counted) return next;
+    if (!is_counted && (options_.least_charts > 0 || !options_.packing)) return next;
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t k = 0; k < tasks_.size(); ++k) {
       if (!may_be_divided(k) || (!is_counted && !(gain_at_most(k) > 0))) continue;

@@ -242,7 +242,7 @@ class Cutter {
     const StopCheck run = std::exchange(stop_, enough_.may_stop() ? either(stop_, enough_) : stop_);
     try {
       improve(cones, best);
-      best = smoothed(developed(best));
+      best = developed(best);
     } catch (const Stopped&) {
       run.poll();
     }
@@ -269,14 +269,13 @@ class Cutter {
     }
   }
 
-  // The cut along straighter paths, where that leaves no more strain than it may.
-  AutomaticCut smoothed(const AutomaticCut& best) const {
-    AutomaticCut cut = best;
-    smooth_cuts(mesh_, cost_, cut.is_cut, stop_);
-    const SurfaceMesh open = mesh_.cut_along(cut.is_cut, nullptr);
-    if (open.topology().components != 1 || !is_planar(open)) return best;
-    cut.strain = FlatteningStrain(open, -1, stop_).strain();
-    return cut.strain <= std::max(limit_, best.strain) ? cut : best;
+  // The same along straighter paths, where that still leaves one planar piece.
+  std::vector<char> straightened(const std::vector<char>& is_cut,
+                                 const std::vector<Index>& through) const {
+    std::vector<char> straight = is_cut;
+    smooth_cuts(mesh_, through, cost_, straight, stop_);
+    const SurfaceMesh open = mesh_.cut_along(straight, nullptr);
+    return open.topology().components == 1 && is_planar(open) ? straight : is_cut;
   }
 
   std::vector<Index> curved_vertices() const {
@@ -306,7 +305,8 @@ class Cutter {
     return FlatteningStrain(mesh_.cut_along(is_cut, nullptr), -1, stop_).strain();
   }
   AutomaticCut routed(const std::vector<Index>& terminals) const {
-    AutomaticCut cut{cut_graph(mesh_, terminals, cost_, stop_), 0, terminals};
+    AutomaticCut cut{straightened(cut_graph(mesh_, terminals, cost_, stop_), terminals), 0,
+                     terminals};
     cut.strain = strain(cut.is_cut);
     return cut;
   }

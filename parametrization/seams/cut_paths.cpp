@@ -25,7 +25,7 @@ constexpr double kFarFromFlat = 0.2;
 
 class Paths {
  public:
-  Paths(const SurfaceMesh& mesh, std::vector<char>& is_cut)
+  Paths(const SurfaceMesh& mesh, const std::vector<Index>& through, std::vector<char>& is_cut)
       : mesh_(mesh),
         is_cut_(is_cut),
         is_boundary_(mesh.boundary_flags()),
@@ -45,6 +45,7 @@ class Paths {
     mean_ = sum / static_cast<double>(mesh.half_edge_count());
     for (Index v = 0; v < mesh.vertex_count(); ++v)
       if (cuts_at_[v] != 2 || std::abs(defect[v]) > kFarFromFlat) is_node_[v] = 1;
+    for (const Index v : through) is_node_[v] = 1;
   }
 
   // The half-edges of every path, once; not those of loops without a node.
@@ -175,7 +176,7 @@ Vec lengths(const SurfaceMesh& mesh) {
 
 CutTurning turning_of_cuts(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
   std::vector<char> flags = is_cut;
-  Paths paths(mesh, flags);
+  Paths paths(mesh, {}, flags);
   const Vec length = lengths(mesh);
   double angle = 0, along = 0, shortest_angle = 0, shortest_along = 0;
   for (const std::vector<Index>& path : paths.all()) {
@@ -190,9 +191,9 @@ CutTurning turning_of_cuts(const SurfaceMesh& mesh, const std::vector<char>& is_
   return {degrees * angle / along, degrees * shortest_angle / shortest_along};
 }
 
-void smooth_cuts(const SurfaceMesh& mesh, const Vec& cost, std::vector<char>& is_cut,
-                 const StopCheck& stop) {
-  Paths paths(mesh, is_cut);
+void smooth_cuts(const SurfaceMesh& mesh, const std::vector<Index>& through, const Vec& cost,
+                 std::vector<char>& is_cut, const StopCheck& stop) {
+  Paths paths(mesh, through, is_cut);
   for (const std::vector<Index>& path : paths.all()) {
     stop.poll();
     const std::vector<Index> other = paths.cheapest(path, cost, kTurnCost * paths.mean_edge());

@@ -1,7 +1,7 @@
 // How straight cuts run.
 //
 //   const CutTurning turning = turning_of_cuts(*mesh, cuts.is_cut);
-//   smooth_cuts(*mesh, cost, cuts.is_cut);
+//   smooth_cuts(*mesh, cones, cost, cuts.is_cut);
 //
 // A path runs from one place where cuts meet or end, or that is far from flat, to the next.
 #pragma once
@@ -20,10 +20,11 @@ struct CutTurning {
 };
 CutTurning turning_of_cuts(const SurfaceMesh& mesh, const std::vector<char>& is_cut);
 
-// Replaces paths by ones nearby between the same ends that turn less and cost hardly more. cost:
-// 3 #F, positive; is_cut: 3 #F flags, both sides. Stopped.
-void smooth_cuts(const SurfaceMesh& mesh, const Vec& cost, std::vector<char>& is_cut,
-                 const StopCheck& stop = {});
+// Replaces paths by ones nearby between the same ends, of which these vertices are some, that turn
+// less and cost hardly more. cost: 3 #F, positive; is_cut: 3 #F flags, both sides. Where cuts end
+// near others the pieces may be other ones. Stopped.
+void smooth_cuts(const SurfaceMesh& mesh, const std::vector<Index>& through, const Vec& cost,
+                 std::vector<char>& is_cut, const StopCheck& stop = {});
 
 }  // namespace majorant
 

@@ -32,6 +32,7 @@ class Occluders {
  public:
   explicit Occluders(const SurfaceMesh& mesh) : mesh_(mesh), order_(to_size(mesh.face_count())) {
     std::iota(order_.begin(), order_.end(), 0);
+    for (const Index f : order_) boxes_.push_back(box_of(f));
     if (!order_.empty()) split(0, mesh.face_count());
   }
 
@@ -71,7 +72,7 @@ class Occluders {
   Index split(Index first, Index last) {
     const auto number = static_cast<Index>(nodes_.size());
     Node node{{}, first, last};
-    for (Index i = first; i < last; ++i) node.box.extend(box_of(order_[to_size(i)]));
+    for (Index i = first; i < last; ++i) node.box.extend(boxes_[to_size(order_[to_size(i)])]);
     nodes_.push_back(node);
     if (last - first <= kLeaf) return number;
     Index axis = 0;
@@ -79,7 +80,8 @@ class Occluders {
     const Index middle = first + (last - first) / 2;
     std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
                      [&](Index a, Index b) {
-                       const double x = box_of(a).center()[axis], y = box_of(b).center()[axis];
+                       const double x = boxes_[to_size(a)].center()[axis],
+                                    y = boxes_[to_size(b)].center()[axis];
                        return x < y || (x == y && a < b);
                      });
     node.left = split(first, middle);
@@ -116,6 +118,7 @@ class Occluders {
 
   const SurfaceMesh& mesh_;
   std::vector<Index> order_;
+  std::vector<Box> boxes_;  // of faces
   std::vector<Node> nodes_;
 };
 
