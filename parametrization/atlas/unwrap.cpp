@@ -355,7 +355,7 @@ class Unwrapping {
     const Chart& chart = atlas_.charts[k];
     Flags cuts;
     if (chart.status == Status::Failed && is_cut_where_it_overlaps(task)) {
-      cuts = cut_across(mesh, task.wanted, stop);
+      cuts = cut_across(mesh, task.wanted, PathsAcross::FromOverlaps, stop);
     } else if (chart.status != Status::Failed && task.cuts < kMostCuts) {
       const double found = chart.stretch.l2 - 1, expected = estimated_stretch(mesh, stop) - 1;
       if (expected > kSeen * found)
@@ -451,7 +451,7 @@ class Unwrapping {
     if (!task.division) {
       const Chart& chart = atlas_.charts[k];
       Division division;
-      division.cut = cut_across(*task.mesh, task.wanted, record_.stop());
+      division.cut = cut_across(*task.mesh, task.wanted, PathsAcross::BetweenEnds, record_.stop());
       if (is_any(division.cut)) {
         division.cost = cost_of_cuts(*task.mesh, task.wanted, division.cut);
         division.saved = box_of(chart, all_vertices(k));

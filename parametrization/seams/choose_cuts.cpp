@@ -416,7 +416,7 @@ class Cutter {
     for (const Index v : curved_) least += 0.5 * cheapest[v];
     if (least > most * unit_) return best;
     const AutomaticCut cut = routed(curved_);
-    return cost(cut) <= most && cut.strain < best.strain ? cut : best;
+    return cost(cut) <= most && (is_faceted_ || cut.strain < best.strain) ? cut : best;
   }
 
   const SurfaceMesh& mesh_;

@@ -107,10 +107,12 @@ std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wa
 // around planes [CSAD04]. Of two or more faces.
 std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop = {});
 // The path from boundary to boundary that costs least for the area that it leaves on its smaller
-// side; where the boundary turns by more than a full turn, so that the unfolded chart overlaps
-// itself there, a path from there. No flags where there is none.
+// side, between the ends of the chart or from a boundary vertex around which there is more than a
+// full turn, so that the chart overlaps itself there, if there is one. No flags where there is
+// none.
+enum class PathsAcross { BetweenEnds, FromOverlaps };
 std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,
-                             const StopCheck& stop = {});
+                             PathsAcross paths, const StopCheck& stop = {});
 // Of cuts (3 #F flags, both sides): their length, a quarter of it along creases, in model units.
 double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,
                     const std::vector<char>& is_cut);

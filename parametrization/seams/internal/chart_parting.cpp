@@ -233,9 +233,10 @@ class Across {
     for (std::size_t i = 0; i < outer_.size(); ++i) place_[outer_[i]] = static_cast<Index>(i);
   }
 
-  std::vector<char> cut(const StopCheck& stop) {
+  std::vector<char> cut(PathsAcross paths, const StopCheck& stop) {
     const auto n = static_cast<Index>(outer_.size());
-    if (const Index v = most_turned(); v >= 0) {
+    const Index v = paths == PathsAcross::FromOverlaps ? most_turned() : -1;
+    if (v >= 0) {
       for (Index k = 0; k < kWindows; ++k) {
         stop.poll();
         const Index from = k * n / kWindows, to = (k + 1) * n / kWindows;
@@ -370,8 +371,8 @@ std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop) {
 }
 
 std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,
-                             const StopCheck& stop) {
-  return Across(chart, wanted).cut(stop);
+                             PathsAcross paths, const StopCheck& stop) {
+  return Across(chart, wanted).cut(paths, stop);
 }
 
 double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,

@@ -305,7 +305,7 @@ TEST(CutChart, AcrossWhereThatIsShort) {
     for (int i = 0; i < 24; ++i)
       if (i < 10 || i >= 13) gone.insert(j * 24 + i);
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid_without(24, gone));
-  const std::vector<char> flags = cut_across(mesh, {});
+  const std::vector<char> flags = cut_across(mesh, {}, PathsAcross::BetweenEnds);
   const std::vector<SurfaceMesh> parts = pieces_of(mesh, flags);
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_NEAR(parts[0].area(), parts[1].area(), 0.1 * mesh.area());
