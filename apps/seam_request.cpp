@@ -66,6 +66,8 @@ std::string SeamRequest::file() const {
   return seams.empty() || seams == "auto" || seams == "uv" || is_sharp(seams) ? "" : seams;
 }
 
+bool SeamRequest::divides() const { return file().empty() && seams != "uv"; }
+
 Strictness SeamRequest::needed_of_file() const {
   return seams == "uv" ? Strictness::Texcoords : Strictness::Shape;
 }

@@ -22,6 +22,8 @@ struct SeamRequest {
   void add_to(CLI::App& verb);
   // The file that --seams names; empty where it is one of the words.
   std::string file() const;
+  // Returns whether charts may be cut for their stretch: not where the user says where to cut.
+  bool divides() const;
   // The parts of a mesh file that must not be broken.
   Strictness needed_of_file() const;
   // Throws Error(Usage) for words that make no sense and as read_seams.

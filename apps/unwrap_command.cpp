@@ -3,12 +3,15 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
@@ -44,6 +47,61 @@ constexpr const char* kNoWeld = "no";
 constexpr const char* kAutomaticCharts = "auto";
 constexpr const char* kOneChart = "one";
 
+// What --preset sets, where nothing else is said.
+struct Preset {
+  std::string_view name;
+  std::optional<double> max_stretch;
+  std::string_view charts;
+  double fill, padding, resolution;
+};
+constexpr double kAnyFill = 0;
+constexpr std::array<Preset, 4> kPresets{{{"paint", 1.01, kAutomaticCharts, kAnyFill, 8, 4096},
+                                          {"lightmap", 1.03, kAutomaticCharts, 0.6, 2, 512},
+                                          {"game", 1.01, kAutomaticCharts, 0.6, 4, 2048},
+                                          {"single", std::nullopt, kOneChart, kAnyFill, 4, 1024}}};
+
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
+  return names;
+}
+
+// The number of charts that the word is; none for the other words.
+std::optional<Index> chart_count(const std::string& word) {
+  Index count = 0;
+  if (word == kAutomaticCharts || word == kOneChart || !CLI::detail::lexical_cast(word, count))
+    return std::nullopt;
+  return count;
+}
+
+// The message about what is neither.
+std::string wrong_charts(const std::string& word) {
+  if (word == kAutomaticCharts || word == kOneChart || chart_count(word).value_or(0) > 0) return {};
+  return fmt::format("'{}' is neither auto nor one nor a number from 1 on", word);
+}
+
+// "X,Y,Z"; none for other words and for no direction.
+std::optional<Vector3> direction_of(const std::string& word) {
+  const std::vector<std::string> parts = CLI::detail::split(word, ',');
+  Vector3 direction;
+  if (parts.size() != 3) return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (!CLI::detail::lexical_cast(parts[k], direction[static_cast<Index>(k)])) return std::nullopt;
+  if (!direction.allFinite() || direction.isZero(0)) return std::nullopt;
+  return direction;
+}
+
+std::string wrong_direction(const std::string& word) {
+  if (direction_of(word)) return {};
+  return fmt::format("'{}' is no direction; give that to the eye, not 0,0,0: 1,0.5,2", word);
+}
+
+std::string wrong_fill(const std::string& word) {
+  double fill = 0;
+  if (CLI::detail::lexical_cast(word, fill) && fill > 0 && fill < 1) return {};
+  return fmt::format("'{}' is no part of a square, above 0 and below 1", word);
+}
+
 // The distance that the word is; none for the other words.
 std::optional<double> weld_distance(const std::string& word) {
   double distance = 0;
@@ -66,20 +124,33 @@ struct UnwrapRequest {
   std::string weld = kAutomaticWeld;
   bool keep_seams = false;
   std::string charts = kAutomaticCharts;
+  double fill = kAnyFill;
+  std::string preset;     // empty: none
+  std::string hide_from;  // empty: all sides
   double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
   bool no_pack = false;
   std::string scale;  // empty: as `map` allows
   bool bake = false;  // the texture of the model, too
 
   void add_to(CLI::App& verb);
+  // Takes from the preset what was not said.
+  void use_preset();
+  // Throws Error(Usage) for what --seams leaves no room for.
+  void require_divisible() const;
   // Opens the job with the file, and says where to cut and how to pack. Throws Error(Unsupported)
   // for what would be repaired, where everything must be whole, and as SeamRequest::options.
   void open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const;
   RepairOptions repairs() const;
   Json to_json() const;  // for reports and claims
+
+ private:
+  bool is_said(const char* option) const { return verb_->get_option(option)->count() > 0; }
+
+  const CLI::App* verb_ = nullptr;
 };
 
 void UnwrapRequest::add_to(CLI::App& verb) {
+  verb_ = &verb;
   seams.add_to(verb);
   begin_group(verb, OptionGroup::Charts);
   verb.add_option("--padding", padding,
@@ -109,11 +180,52 @@ void UnwrapRequest::add_to(CLI::App& verb) {
       ->type_name("auto|no|DISTANCE")
       ->check(CLI::Validator(wrong_weld, ""));
   verb.add_option("--charts", charts,
-                  "auto: as many as --max-stretch needs; one: what --seams says, whatever it "
-                  "stretches (auto)")
-      ->check(CLI::IsMember({kAutomaticCharts, kOneChart}));
+                  "auto: as many as --max-stretch needs, long thin ones divided; one: what --seams "
+                  "says, whatever it stretches; N: so many, where fewer would do (auto)")
+      ->type_name("auto|one|N")
+      ->check(CLI::Validator(wrong_charts, ""));
+  verb.add_option("--fill", fill,
+                  "divide charts until they fill this part of the square, below 1, if they can")
+      ->check(CLI::Validator(wrong_fill, ""))
+      ->excludes("--no-pack");
+  verb.add_option("--hide-from", hide_from,
+                  "auto, sharp: seams out of sight of who looks from this direction (of all sides)")
+      ->type_name("X,Y,Z")
+      ->check(CLI::Validator(wrong_direction, ""));
+  verb.add_option("--preset", preset,
+                  "defaults of --max-stretch, --charts, --fill, --padding and --resolution for: "
+                  "paint, few seams; lightmap; game; single, a chart for each piece")
+      ->check(one_of(preset_names()));
   verb.add_flag("--keep-seams", keep_seams,
                 "cut along the seams of the file's texture coordinates, too");
+}
+
+void UnwrapRequest::use_preset() {
+  for (const Preset& p : kPresets) {
+    if (p.name != preset) continue;
+    if (!seams.max_stretch && seams.divides()) seams.max_stretch = p.max_stretch;
+    if (!is_said("--charts") && seams.divides()) charts = p.charts;
+    if (!is_said("--fill") && seams.divides() && charts != kOneChart && !no_pack) fill = p.fill;
+    if (!is_said("--padding")) padding = p.padding;
+    if (!is_said("--resolution")) resolution = p.resolution;
+  }
+}
+
+void UnwrapRequest::require_divisible() const {
+  if (!hide_from.empty() && !seams.divides())
+    throw Error(ErrorKind::Usage,
+                fmt::format("--hide-from is of --seams auto and sharp; --seams {} says where to "
+                            "cut; leave one of the two out",
+                            seams.seams));
+  const char* const flag = chart_count(charts) ? "--charts" : fill > 0 ? "--fill" : nullptr;
+  if (flag && !seams.divides())
+    throw Error(ErrorKind::Usage,
+                fmt::format("{} divides charts of --seams auto and sharp; --seams {} says where to "
+                            "cut; leave one of the two out",
+                            flag, seams.seams));
+  if (fill > 0 && charts == kOneChart)
+    throw Error(ErrorKind::Usage,
+                "--fill divides charts, --charts one leaves them; leave one of the two out");
 }
 
 void UnwrapRequest::open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const {
@@ -128,7 +240,10 @@ void UnwrapRequest::open(AtlasJob& job, PolygonMesh polygons, Strictness strictn
                             describe(*first)));
   job.options.cuts = seams.options(*job.polygons, job.record.start_stop());
   if (keep_seams) job.old_seams = OldSeams::Cut;
+  if (!hide_from.empty()) job.hide_from = direction_of(hide_from);
   if (charts == kOneChart) job.options.limit = StretchLimit::Reported;
+  job.options.least_charts = chart_count(charts).value_or(0);
+  job.options.least_fill = fill;
   job.options.packing.reset();
   if (!no_pack)
     job.options.packing = PackOptions{.padding_pixels = padding, .resolution = resolution};
@@ -152,7 +267,10 @@ Json UnwrapRequest::to_json() const {
                   {"bake", bake},
                   {"weld", weld_distance(weld) ? Json(*weld_distance(weld)) : Json(weld)},
                   {"keep_seams", keep_seams},
-                  {"charts", charts}});
+                  {"charts", chart_count(charts) ? Json(*chart_count(charts)) : Json(charts)},
+                  {"fill", fill > 0 ? Json(fill) : Json(nullptr)},
+                  {"hide_from", hide_from.empty() ? Json(nullptr) : Json(hide_from)},
+                  {"preset", preset.empty() ? Json(nullptr) : Json(preset)}});
   return options;
 }
 
@@ -237,6 +355,8 @@ void require_usable(UnwrapVerb& request, const StopCheck& stop) {
   choose_scale(request);
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
+  request.unwrap.use_preset();
+  request.unwrap.require_divisible();
   request.outputs.formats.read_image(stop);
   require_writable(request.common,
                    {{baked_files(request), {".png", ".mtl"}},
@@ -338,12 +458,27 @@ void name_charts(const FinishedUnwrap& run) {
   }
 }
 
+// What was asked of the layout and could not be had.
+void say_missed(const FinishedUnwrap& run) {
+  const Atlas& atlas = run.job.atlas;
+  const UnwrapOptions& asked = run.job.options;
+  const auto count = static_cast<Index>(atlas.charts.size());
+  if (asked.least_charts > 0 && count != asked.least_charts)
+    say("{}: {} charts, not --charts {}: {}\n", run.map.input, count, asked.least_charts,
+        count > asked.least_charts ? "fewer would stretch more than --max-stretch, or join pieces"
+                                   : "none can be divided further");
+  if (asked.least_fill > 0 && atlas.packing && atlas.packing->fill < asked.least_fill)
+    say("{}: fill {:.3f}, not --fill {:g}: dividing charts gains no more\n", run.map.input,
+        atlas.packing->fill, asked.least_fill);
+}
+
 void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {
   const Atlas& atlas = run.job.atlas;
   name_charts(run);
   if (run.common.quiet || atlas.status() == Status::Failed) return;
   for (const Repair& r : run.job.surface.repairs) say("{}: {}\n", run.map.input, describe(r));
   say_untextured(run.map.input, atlas.cuts);
+  say_missed(run);
   written.say_sizes();
   const std::string fill = atlas.packing ? fmt::format(", fill {:.2f}", atlas.packing->fill) : "";
   say("{}: {}, {} chart{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
@@ -398,6 +533,7 @@ int unwrap_file(UnwrapVerb request) {
                                      record.start_stop(), job.surface.welded);
   });
   request.solve.apply(job.options.chart);
+  job.options.cutting_seconds = kCuttingShare * request.solve.time_limit;
   LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,
                         LinearSolvers::Runs::Several);
   solvers.apply(job.options.chart.solve);

@@ -7,7 +7,10 @@
 #include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
 #include "majorant/io/io.h"
+#include "majorant/mesh/marked_creases.h"
 #include "majorant/mesh/weld.h"
+#include "majorant/parametrization/seams/cut_paths.h"
+#include "majorant/parametrization/seams/visibility.h"
 #include "majorant/results/corner_vertices.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/write_map.h"
@@ -134,6 +137,12 @@ Json result_section(const AtlasJob& job) {
   result.update(overlap_section(job.boundary, ImageOf::Charts, all));
   if (!is_cut_short(atlas)) result["distortion"] = distortion_section(distortions, scale_of(job));
   result.update(cuts_section(atlas.cuts, job.surface));
+  const CutTurning turning = turning_of_cuts(*job.surface.mesh, atlas.cuts.is_cut);
+  result["seam_turning"] = {{"seams", turning.cuts}, {"shortest_paths", turning.shortest}};
+  result["seam_visibility"] = nullptr;
+  if (job.visibility.size() > 0)
+    result["seam_visibility"] =
+        visibility_of_cuts(*job.surface.mesh, job.visibility, atlas.cuts.is_cut);
   if (!atlas.packing) return result;
   result["fill"] = atlas.packing->fill;
   result["side"] = atlas.packing->side;
@@ -161,6 +170,15 @@ const Repair* AtlasJob::first_repair() const {
 void AtlasJob::solve() {
   options.cuts.given.clear();
   if (old_seams == OldSeams::Cut) options.cuts.given = surface.texture_seams;
+  options.cuts.wanted = {marked_creases(*polygons, surface), {}};
+  const bool is_free =
+      options.cuts.method == CutMethod::Automatic || options.cuts.method == CutMethod::Sharp;
+  if (is_free) {
+    const StopCheck& stop = record.start_stop();
+    visibility = hide_from ? visibility_from(*surface.mesh, *hide_from, stop)
+                           : ambient_visibility(*surface.mesh, stop);
+    if (!getenv("NOHIDE")) options.cuts.wanted.weight = hiding_weights(*surface.mesh, visibility);
+  }
   atlas = unwrap(surface.mesh, options, record);
 }
 

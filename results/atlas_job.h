@@ -51,10 +51,13 @@ struct AtlasJob {
   RepairedSurface surface;
   UnwrapOptions options;
   OldSeams old_seams = OldSeams::Ignored;
+  // The direction of who looks from far away: seams keep out of sight of it; none: of all sides.
+  std::optional<Vector3> hide_from;
 
   Atlas atlas;
   std::optional<LayoutMotion> square;  // what the maps were moved into
   GlobalInjectivity boundary;          // prove()
+  Vec visibility;                      // #V of the surface, of solve()
   Json linear_solver, memory;          // sections of the report, or null
   double read_seconds = 0;
 

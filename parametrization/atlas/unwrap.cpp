@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -26,6 +27,7 @@
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/parametrization/maps/smallest_rectangle.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 
 namespace majorant {
@@ -88,6 +90,14 @@ constexpr int kMostCuts = 2;
 // and the part of what is allowed that is aimed at then.
 constexpr double kSeen = 0.3, kSurely = 0.85;
 
+// What a layout costs, besides its seams in square roots of the area, creases a quarter, and its
+// stretch (choose_cuts.h): each chart, and the boxes of all charts for their area. Long thin charts
+// have fills of 0.03 to 0.1, their halves are worth a short cut; others fill half of their box.
+constexpr double kChartCost = 0.1, kFillCost = 0.1;
+// Layouts packed at most on the way to a fill; on public models it was reached, or out of reach,
+// in ten.
+constexpr int kMostFills = 16;
+
 // In square roots of a chart's area: what pinned charts are apart at least. A billion
 // roundings.
 constexpr double kTouching = 1e-7;
@@ -98,12 +108,23 @@ bool is_stretched(const UnwrapOptions& options, const Chart& chart) {
          (method == CutMethod::Automatic || method == CutMethod::Sharp);
 }
 
+// The way in which a chart can be divided.
+struct Division {
+  std::vector<char> cut = {};  // 3 #F flags of its mesh, none where there is no way
+  double cost = 0;             // of the cut, model units
+  double saved = 0;            // area of boxes: of the chart minus those of its parts
+  double price = 0;            // cost per area of the smaller part
+};
+
 // A piece of the cut surface and what is asked of it.
 struct Task {
   std::shared_ptr<const SurfaceMesh> mesh;
   std::vector<Index> faces;  // of the surface
   ParametrizationOptions options;
-  int cuts = 0;  // since it was made or parted
+  CutPreferences wanted = {};  // of the mesh
+  Vec parent = {};             // u, v per vertex: the map of what it was cut from, or nothing
+  int cuts = 0;                // since it was made or parted
+  std::optional<Division> division = {};  // once it was looked for
 };
 
 class Unwrapping {
@@ -118,6 +139,11 @@ class Unwrapping {
     CutOptions cuts = options_.cuts;
     for (const auto* points : {&options_.chart.map.pins, &options_.chart.map.handles})
       for (const Pin& p : *points) cuts.whole.push_back(p.vertex);
+    if (std::isfinite(options_.cutting_seconds))
+      cuts.enough = StopCheck([this] {
+        return record_.seconds() > options_.cutting_seconds ? Directive::TimeLimit
+                                                            : Directive::Continue;
+      });
     record_.begin(Activity::Cutting);
     atlas_.cuts = choose_cuts(surface_, cuts, record_.start_stop());
     make_tasks();
@@ -128,8 +154,10 @@ class Unwrapping {
     std::iota(all.begin(), all.end(), 0);
     solve_charts(all);
     keep_limit();
+    divide();
     atlas_.optimize_seconds = record_.seconds() - started - atlas_.initialize_seconds;
     if (options_.packing && atlas_.status() != Status::Failed) place_charts();
+    if (atlas_.packing && options_.least_fill > 0) fill_square();
     atlas_.packing_seconds =
         record_.seconds() - started - atlas_.initialize_seconds - atlas_.optimize_seconds;
     return std::move(atlas_);
@@ -160,6 +188,7 @@ class Unwrapping {
     task.options.map.handles.clear();
     task.options.map.face_weight = weights_on(faces);
     task.options.map.energy = for_elements(options_.chart.map.energy, faces);
+    task.wanted = preferences_on(faces, options_.cuts.wanted);
     task.mesh = std::move(mesh);
     task.faces = std::move(faces);
     return task;
@@ -206,6 +235,18 @@ class Unwrapping {
     return all.size() == 0 ? Vec() : Vec(all(faces));
   }
 
+  static bool is_held(const Task& task) {
+    return !task.options.map.pins.empty() || !task.options.map.handles.empty();
+  }
+
+  // Whether overlaps of its unfolded panels are cut, not mapped away.
+  bool is_cut_where_it_overlaps(const Task& task) const {
+    const CutMethod method = options_.cuts.method;
+    return options_.limit == StretchLimit::Kept && !is_held(task) &&
+           (method == CutMethod::Automatic || method == CutMethod::Sharp) &&
+           unfolds_at_creases(*task.mesh, task.wanted);
+  }
+
   // Cuts charts that stretch more than they may and maps them again, until none is left that can
   // be or a limit is reached; those that have no map in any case.
   void keep_limit() {
@@ -216,21 +257,10 @@ class Unwrapping {
         if (may_be_cut(k) && (!is_over || atlas_.charts[k].status == Status::Failed))
           bad.push_back(k);
       if (bad.empty()) break;
-      if (is_over) {
-        solve_charts(cut_charts(bad, {}));
-        continue;
-      }
-      const std::vector<Task> tasks = tasks_;
-      const std::vector<Chart> charts = atlas_.charts;
-      const SurfaceCuts cuts = atlas_.cuts;
-      try {
-        solve_charts(cut_charts(bad, record_.stop()));
-      } catch (const Stopped&) {
-      }
-      if (record_.directive() == Directive::Continue) continue;
-      tasks_ = tasks;  // better than starts of what it was cut into
-      atlas_.charts = charts;
-      atlas_.cuts = cuts;
+      if (is_over)
+        solve_charts(cut_charts(bad, cuts_of(bad, {})));
+      else
+        recut(bad, [&](const StopCheck& stop) { return cuts_of(bad, stop); });
     }
     const Directive why = record_.directive();
     for (std::size_t k = 0; k < tasks_.size(); ++k)
@@ -242,64 +272,207 @@ class Unwrapping {
   bool may_be_cut(std::size_t k) const {
     const Task& task = tasks_[k];
     const Chart& chart = atlas_.charts[k];
-    const bool is_held = !task.options.map.pins.empty() || !task.options.map.handles.empty();
-    if (task.mesh->face_count() == 1 || is_held) return false;
+    if (task.mesh->face_count() == 1 || is_held(task)) return false;
     if (chart.status == Status::Failed) return true;
     const bool is_done = chart.status == Status::Converged || chart.status == Status::Stalled;
     return is_done && is_stretched(options_, chart) && task.mesh->face_count() > kFewestFaces;
   }
 
-  // Replaces these by what they are cut into; the numbers of the new ones. Stopped.
-  std::vector<std::size_t> cut_charts(const std::vector<std::size_t>& bad, const StopCheck& stop) {
+  // u, v of the vertices of a piece of the chart.
+  static Vec points_of(const Chart& chart, const std::vector<Index>& vertices,
+                       const std::vector<Index>& uncut_vertex) {
+    Vec uv(2 * static_cast<Index>(vertices.size()));
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      uv.segment<2>(2 * static_cast<Index>(v)) =
+          chart.map->control_points().segment<2>(2 * uncut_vertex[vertices[v]]);
+    return uv;
+  }
+
+  using Flags = std::vector<char>;
+
+  std::vector<Flags> cuts_of(const std::vector<std::size_t>& bad, const StopCheck& stop) const {
+    std::vector<Flags> cuts;
+    for (const std::size_t k : bad) cuts.push_back(cut_of(k, stop));
+    return cuts;
+  }
+
+  // Replaces these by what they are cut into, and maps that. Where a limit of the run is reached on
+  // the way, all is as before, better than starts of what it was cut into: false.
+  bool recut(const std::vector<std::size_t>& which,
+             const std::function<std::vector<Flags>(const StopCheck&)>& cuts_of_these) {
+    const std::vector<Task> tasks = tasks_;
+    const std::vector<Chart> charts = atlas_.charts;
+    const SurfaceCuts cuts = atlas_.cuts;
     record_.begin(Activity::Cutting);
-    record_.announce(fmt::format("cutting again: {} of {} chart{}", bad.size(), tasks_.size(),
+    record_.announce(fmt::format("cutting again: {} of {} chart{}", which.size(), tasks_.size(),
                                  tasks_.size() == 1 ? "" : "s"));
-    std::vector<std::vector<char>> cuts(bad.size());
-    for (std::size_t i = 0; i < bad.size(); ++i) cuts[i] = cut_of(bad[i], stop);
+    try {
+      const std::vector<std::size_t> changed = cut_charts(which, cuts_of_these(record_.stop()));
+      record_.begin(Activity::Solving);
+      solve_charts(changed);
+    } catch (const Stopped&) {
+    }
+    if (record_.directive() == Directive::Continue) return true;
+    tasks_ = tasks;
+    atlas_.charts = charts;
+    atlas_.cuts = cuts;
+    return false;
+  }
+
+  // Replaces these by what they are cut into; the numbers of the new ones.
+  std::vector<std::size_t> cut_charts(const std::vector<std::size_t>& bad,
+                                      const std::vector<Flags>& cuts) {
     std::vector<Index> half_edges;
     std::vector<std::size_t> changed;
     for (std::size_t i = 0; i < bad.size(); ++i) {
       const Task parent = std::move(tasks_[bad[i]]);
+      const Chart map = std::move(atlas_.charts[bad[i]]);
       for (Index h = 0; h < parent.mesh->half_edge_count(); ++h)
         if (cuts[i][h]) half_edges.push_back(3 * parent.faces[face_of(h)] + corner_of(h));
       std::size_t at = bad[i];
-      for (SurfacePiece& piece : parent.mesh->cut_along(cuts[i], nullptr).split()) {
+      std::vector<Index> uncut_vertex;
+      for (SurfacePiece& piece : parent.mesh->cut_along(cuts[i], &uncut_vertex).split()) {
         std::vector<Index> faces;
         for (const Index f : piece.face) faces.push_back(parent.faces[f]);
         if (at == tasks_.size()) {
           tasks_.emplace_back();
           atlas_.charts.emplace_back();
         }
-        tasks_[at] = task_of(std::move(piece.mesh), std::move(faces));
-        tasks_[at].cuts = parent.cuts + 1;
-        if (tasks_[at].faces.size() < parent.faces.size()) tasks_[at].cuts = 1;
+        Task& task = tasks_[at] = task_of(std::move(piece.mesh), std::move(faces));
+        if (map.status != Status::Failed) task.parent = points_of(map, piece.vertex, uncut_vertex);
+        task.cuts = task.faces.size() < parent.faces.size() ? 1 : parent.cuts + 1;
         changed.push_back(at);
         at = tasks_.size();
       }
     }
     add_cuts(surface_, options_.cuts, half_edges, atlas_.cuts);
-    record_.begin(Activity::Solving);
     return changed;
   }
 
+  static bool is_any(const Flags& flags) {
+    return std::find(flags.begin(), flags.end(), 1) != flags.end();
+  }
+
   // 3 #F flags: of its further cuts as one piece, first, then in two.
-  std::vector<char> cut_of(std::size_t k, const StopCheck& stop) const {
-    const SurfaceMesh& mesh = *tasks_[k].mesh;
+  Flags cut_of(std::size_t k, const StopCheck& stop) const {
+    const Task& task = tasks_[k];
+    const SurfaceMesh& mesh = *task.mesh;
     const Chart& chart = atlas_.charts[k];
-    const auto is_any = [](const std::vector<char>& flags) {
-      return std::find(flags.begin(), flags.end(), 1) != flags.end();
-    };
-    if (chart.status != Status::Failed && tasks_[k].cuts < kMostCuts) {
+    Flags cuts;
+    if (chart.status == Status::Failed && is_cut_where_it_overlaps(task)) {
+      cuts = cut_across(mesh, task.wanted, PathsAcross::FromOverlaps, stop);
+    } else if (chart.status != Status::Failed && task.cuts < kMostCuts) {
       const double found = chart.stretch.l2 - 1, expected = estimated_stretch(mesh, stop) - 1;
-      std::vector<char> cuts;
       if (expected > kSeen * found)
-        cuts = cut_further(mesh, 1 + kSurely * expected * (options_.cuts.max_stretch - 1) / found,
-                           stop);
+        cuts = cut_further(mesh, task.wanted,
+                           1 + kSurely * expected * (options_.cuts.max_stretch - 1) / found, stop);
       else
-        cuts = cut_corners(mesh, stop);
-      if (is_any(cuts)) return cuts;
+        cuts = cut_corners(mesh, task.wanted, stop);
     }
-    return cut_in_two(mesh, stop);
+    return is_any(cuts) ? cuts : cut_in_two(mesh, stop);
+  }
+
+  // Divides charts for the sake of what is asked for, or where the layout costs less then.
+  void divide() {
+    try {
+      while (record_.directive() == Directive::Continue) {
+        const std::vector<std::size_t> next = worth_dividing();
+        if (next.empty() || !divide(next)) return;
+      }
+    } catch (const Stopped&) {
+    }
+  }
+
+  bool divide(const std::vector<std::size_t>& which) {
+    const bool is_done = recut(which, [&](const StopCheck&) {
+      std::vector<Flags> cuts;
+      for (const std::size_t k : which) cuts.push_back(tasks_[k].division->cut);
+      return cuts;
+    });
+    keep_limit();
+    return is_done;
+  }
+
+  bool may_be_divided(std::size_t k) const {
+    const Task& task = tasks_[k];
+    return task.mesh->face_count() > kFewestFaces && !is_held(task) &&
+           atlas_.charts[k].status != Status::Failed;
+  }
+
+  // Those whose division lowers the cost that docs/atlas.md states, or makes as many as are asked
+  // for. Stopped.
+  std::vector<std::size_t> worth_dividing() {
+    const CutMethod method = options_.cuts.method;
+    const bool is_free = method == CutMethod::Automatic || method == CutMethod::Sharp;
+    std::vector<std::size_t> next;
+    if (!is_free || options_.limit != StretchLimit::Kept) return next;
+    const auto asked = static_cast<std::size_t>(std::max<Index>(options_.least_charts, 0));
+    const bool is_counted = asked > tasks_.size();
+    if (!is_counted && (options_.least_charts > 0 || !options_.packing)) return next;
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      if (!may_be_divided(k) || (!is_counted && !(gain_at_most(k) > 0))) continue;
+      const Division* const division = division_of(k);
+      if (!division) continue;
+      if (is_counted)
+        order.emplace_back(division->price, k);
+      else if (gain_of(*division) > 0)
+        next.push_back(k);
+    }
+    std::sort(order.begin(), order.end());
+    const std::size_t most = is_counted ? asked - tasks_.size() : 0;
+    order.resize(std::min({order.size(), most, std::max<std::size_t>(1, tasks_.size() / 2)}));
+    for (const auto& [unused, k] : order) next.push_back(k);
+    return next;
+  }
+
+  double gain_of(const Division& division) const {
+    const double area = surface_.area();
+    return kFillCost * division.saved / area - division.cost / std::sqrt(area) - kChartCost;
+  }
+  // The same if its parts filled their boxes and the cut cost nothing.
+  double gain_at_most(std::size_t k) const {
+    const double box = box_of(atlas_.charts[k], all_vertices(k));
+    return kFillCost * (box - atlas_.charts[k].stretch.image_area) / surface_.area() - kChartCost;
+  }
+
+  // The area of the smallest rectangle around its vertices there.
+  static double box_of(const Chart& chart, const std::vector<Index>& vertices) {
+    std::vector<Vector2> points;
+    for (const Index v : vertices)
+      points.emplace_back(chart.map->control_points().segment<2>(2 * v));
+    const SmallestRectangle box = smallest_rectangle(points);
+    return box.along * box.across;
+  }
+  std::vector<Index> all_vertices(std::size_t k) const {
+    std::vector<Index> all(to_size(tasks_[k].mesh->vertex_count()));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  // The best division of a chart, found once; null where there is none.
+  const Division* division_of(std::size_t k) {
+    Task& task = tasks_[k];
+    if (!task.division) {
+      const Chart& chart = atlas_.charts[k];
+      Division division;
+      division.cut = cut_across(*task.mesh, task.wanted, PathsAcross::BetweenEnds, record_.stop());
+      if (is_any(division.cut)) {
+        division.cost = cost_of_cuts(*task.mesh, task.wanted, division.cut);
+        division.saved = box_of(chart, all_vertices(k));
+        double smallest = std::numeric_limits<double>::infinity();
+        std::vector<Index> uncut_vertex;
+        for (const SurfacePiece& part : task.mesh->cut_along(division.cut, &uncut_vertex).split()) {
+          std::vector<Index> vertices;
+          for (const Index v : part.vertex) vertices.push_back(uncut_vertex[v]);
+          division.saved -= box_of(chart, vertices);
+          smallest = std::min(smallest, part.mesh->area());
+        }
+        division.price = division.cost / smallest;
+      }
+      task.division = std::move(division);
+    }
+    return is_any(task.division->cut) ? &*task.division : nullptr;
   }
 
   // In the order of their first faces.
@@ -357,11 +530,12 @@ class Unwrapping {
   void solve_chart(std::size_t k, RunObserver* observer) {
     const Task& task = tasks_[k];
     RunRecord record = record_.part(observer);
-    const bool has_texture =
-        options_.cuts.method == CutMethod::Texture && is_textured(*task.mesh, 0);
-    Chart chart = ChartSolver(task.mesh, task.options,
-                              has_texture ? TextureStart::Tried : TextureStart::Ignored)
-                      .solve(record);
+    ChartHints hints;
+    hints.parent = task.parent;
+    if (options_.cuts.method == CutMethod::Texture && is_textured(*task.mesh, 0))
+      hints.texture = TextureStart::Tried;
+    if (is_cut_where_it_overlaps(task)) hints.overlaps = UnfoldedOverlaps::LeftToCuts;
+    Chart chart = ChartSolver(task.mesh, task.options, hints).solve(record);
     chart.faces = task.faces;
     atlas_.charts[k] = std::move(chart);
   }
@@ -385,6 +559,50 @@ class Unwrapping {
                                 "targets apart",
                                 message_prefix(surface_), name(j), name(i)));
       }
+  }
+
+  // Divides charts, those first that save most area for what that costs, until they fill as much of
+  // the square as is asked for, or nothing is saved any more. The best of all layouts stays.
+  void fill_square() {
+    struct Layout {
+      std::vector<Task> tasks;
+      Atlas atlas;
+    };
+    Layout best{tasks_, atlas_};
+    try {
+      for (int k = 0; k < kMostFills && atlas_.packing->fill < options_.least_fill; ++k) {
+        const std::vector<std::size_t> next = fullest_next();
+        if (next.empty() || !divide(next)) break;
+        place_charts();
+        if (atlas_.packing->fill > best.atlas.packing->fill) best = {tasks_, atlas_};
+      }
+    } catch (const Stopped&) {
+    }
+    tasks_ = std::move(best.tasks);
+    atlas_ = std::move(best.atlas);
+  }
+
+  // As many as fill the square if all goes as with their boxes.
+  std::vector<std::size_t> fullest_next() {
+    std::vector<std::pair<double, std::size_t>> order;
+    const double area = surface_.area();
+    double boxes = 0;
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      boxes += box_of(atlas_.charts[k], all_vertices(k));
+      const Division* const division = may_be_divided(k) ? division_of(k) : nullptr;
+      if (division && division->saved > 0)
+        order.emplace_back(
+            -division->saved / (division->cost * std::sqrt(area) + kChartCost * area), k);
+    }
+    std::sort(order.begin(), order.end());
+    const double aim = boxes * atlas_.packing->fill / options_.least_fill;
+    std::vector<std::size_t> next;
+    for (const auto& [unused, k] : order) {
+      if (boxes <= aim) break;
+      boxes -= tasks_[k].division->saved;
+      next.push_back(k);
+    }
+    return next;
   }
 
   void place_charts() {
@@ -522,8 +740,8 @@ std::vector<BezierMap> maps_of(const Atlas& atlas) {
 }
 
 std::string_view start_name(ChartStart start) {
-  constexpr std::array<std::string_view, 5> kNames = {"tutte", "unfolded", "texture", "untangled",
-                                                      "anew"};
+  constexpr std::array<std::string_view, 7> kNames = {
+      "tutte", "multiresolution", "parent", "unfolded", "texture", "untangled", "anew"};
   return kNames[static_cast<std::size_t>(start)];
 }
 

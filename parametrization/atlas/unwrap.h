@@ -19,6 +19,7 @@
 // Not for the best map of one disk: parametrize().
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -57,13 +58,15 @@ struct Stretch {
 // none has. The map is locally injective.
 Stretch measure_stretch(const BezierMap& map);
 
-// The start that the map of a chart came from. Tutte: tutte_map(). Unfolded: the faces laid side by
-// side in their own shapes (strips, where Tutte's map led to overlaps). Texture: the file's
+// The start that the map of a chart came from. Tutte: tutte_map(). Multiresolution:
+// multiresolution_map(), of large charts. Parent: the map of the chart that it was cut from.
+// Unfolded: the faces laid side by side in their own shapes (flat panels between creases; strips,
+// where Tutte's map led to overlaps). Texture: the file's
 // coordinates, turned and mirrored as they lie. Untangled: those, after triangles were turned over.
 // Anew: one of the first two, because the file's coordinates overlap or have no area, or could not
 // be untangled.
-enum class ChartStart { Tutte, Unfolded, Texture, Untangled, Anew };
-// "tutte", "unfolded", "texture", "untangled", "anew"
+enum class ChartStart { Tutte, Multiresolution, Parent, Unfolded, Texture, Untangled, Anew };
+// "tutte", "multiresolution", "parent", "unfolded", "texture", "untangled", "anew"
 std::string_view start_name(ChartStart start);
 
 struct Chart {
@@ -83,6 +86,10 @@ struct Chart {
 // or with pins or handles, and not once a limit of the run is reached. Reported: nothing is done.
 enum class StretchLimit { Kept, Reported };
 
+// The part of a time limit that cuts get at most, before those that suffice are taken as they are;
+// the rest is for maps.
+inline constexpr double kCuttingShare = 0.4;
+
 struct UnwrapOptions {
   // The options of every chart: degree, energy and so on. Vertices of pins and handles are those of
   // the surface, cuts keep off them; the injectivity is always Global, `initial` is not looked at.
@@ -93,6 +100,13 @@ struct UnwrapOptions {
   ParametrizationOptions chart = {};
   CutOptions cuts = {};
   StretchLimit limit = StretchLimit::Kept;
+  // Where the limit is kept of Automatic or Sharp cuts, charts are divided until there are so many
+  // of them, and until they fill so much of the packing's square; with 0 where the layout costs
+  // less then (docs/atlas.md, "One chart or many"). Fewer, and less, where that is not possible.
+  Index least_charts = 0;
+  double least_fill = 0;
+  // Seconds from the start of the run after which cuts that suffice are not made shorter.
+  double cutting_seconds = std::numeric_limits<double>::infinity();
   std::optional<PackOptions> packing =
       PackOptions();  // none: charts stay where the solver has them
 };

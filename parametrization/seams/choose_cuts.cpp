@@ -30,75 +30,14 @@
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/fields/cross_field.h"
+#include "majorant/parametrization/seams/cut_paths.h"
+#include "majorant/parametrization/seams/internal/cut_costs.h"
 #include "majorant/parametrization/seams/internal/cut_tree.h"
 #include "majorant/parametrization/seams/internal/flattening_strain.h"
 #include "majorant/parametrization/seams/internal/pieces.h"
 
 namespace majorant {
 namespace {
-
-// Degrees: edges below the first are not sharp, those above the second fully; a smooth
-// surface of some 1000 faces bends by up to 30 degrees at its edges, a box by 90.
-constexpr double kSharpFrom = 40, kSharpTo = 70;
-// The cost of a sharp edge, relative to its length: a seam along it may be twice as long.
-constexpr double kSharpCost = 0.75;
-// The cost of an edge inside a polygon, relative to its length: more than any way around.
-constexpr double kInnerCost = 1e6;
-// The factor of an edge's cost at a vertex that is to stay whole: more than ways around such
-// vertices, less than through a polygon.
-constexpr double kWholeCost = 1e4;
-// The least length of an edge, relative to the mean one: no way is free; far below any usable edge.
-constexpr double kLeastLength = 1e-9;
-
-Vector3 area_vector(const SurfaceMesh& mesh, Index face) {
-  const Vector3 a = mesh.positions().row(mesh.faces()(face, 0)),
-                b = mesh.positions().row(mesh.faces()(face, 1)),
-                c = mesh.positions().row(mesh.faces()(face, 2));
-  return (b - a).cross(c - a);
-}
-
-bool is_inner(const SurfaceMesh& mesh, Index h) {
-  return mesh.input_face(face_of(h)) == mesh.input_face(face_of(mesh.opposite(h)));
-}
-
-// 3 #F, radians in 0..pi: the angle between the normals of the two faces; 0 at the boundary and
-// inside polygons of the file.
-Vec dihedral_angles(const SurfaceMesh& mesh) {
-  Vec angle = Vec::Zero(mesh.half_edge_count());
-  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    const Index o = mesh.opposite(h);
-    if (o < h || is_inner(mesh, h)) continue;  // the boundary has -1
-    const Vector3 a = area_vector(mesh, face_of(h)), b = area_vector(mesh, face_of(o));
-    angle[h] = angle[o] = std::atan2(a.cross(b).norm(), a.dot(b));
-  }
-  return angle;
-}
-
-// The cost of a cut along each half-edge (3 #F, positive, both sides of an edge the same): its
-// length, less where a seam is hidden by a sharp edge, a million times as much inside polygons of
-// the file.
-Vec cut_costs(const SurfaceMesh& mesh) {
-  Vec cost(mesh.half_edge_count());
-  for (Index h = 0; h < mesh.half_edge_count(); ++h) cost[h] = mesh.edge_length(h);
-  const double least = kLeastLength * cost.mean();
-  const Vec angle = dihedral_angles(mesh);
-  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    const Index o = mesh.opposite(h);
-    const double degrees = angle[h] * 180 / std::numbers::pi;
-    const double sharp = std::clamp((degrees - kSharpFrom) / (kSharpTo - kSharpFrom), 0.0, 1.0);
-    const double factor = o >= 0 && is_inner(mesh, h) ? kInnerCost : 1 - (1 - kSharpCost) * sharp;
-    cost[h] = factor * std::max(cost[h], least);
-  }
-  return cost;
-}
-
-// The same, ten thousand times as much at vertices with is_whole (#V).
-Vec cut_costs(const SurfaceMesh& mesh, const std::vector<char>& is_whole) {
-  Vec cost = cut_costs(mesh);
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_whole[mesh.from_vertex(h)] || is_whole[mesh.to_vertex(h)]) cost[h] *= kWholeCost;
-  return cost;
-}
 
 // Edges named by the vertices of a file.
 
@@ -241,6 +180,13 @@ std::vector<char> sharp_charts(const SurfaceMesh& mesh, double angle) {
 
 // One chart of a connected surface, opened where that saves distortion.
 
+// Of a surface, by its own half-edges and vertices.
+struct CutWishes {
+  CutPreferences wanted;
+  std::vector<char> whole;  // #V: where cuts are not led on purpose
+  StopCheck enough = {};    // CutOptions::enough
+};
+
 struct AutomaticCut {
   std::vector<char> is_cut;  // 3 #F, both sides: one planar piece
   double strain = 0;         // flattening_strain.h
@@ -250,7 +196,8 @@ struct AutomaticCut {
 // The length, in square roots of the area, by which a cut that leaves no curvature at all may
 // exceed the one chosen otherwise: a box, a tin and a square tube are unfolded whole.
 constexpr double kDevelopableWorth = 1;
-constexpr double kCurved = 1e-3;  // radians: an angle defect; files with 4 digits are flat
+// The same where every curved vertex lies on a crease: sheared panels are seen at once.
+constexpr double kFacetedWorth = 3;
 // Cuts are routed anew through the ends and the cones that are left as long as they become shorter.
 // Large ones only once: 50,000 faces are cut in ten seconds, and the third route of small
 // ones is the last that changes anything.
@@ -272,34 +219,46 @@ constexpr int kMostPresses = 6;
 
 class Cutter {
  public:
-  // #V: what the angles around a vertex lack of a full turn; 0 on the boundary.
-  static Vec angle_defects(const SurfaceMesh& mesh) {
-    Vec defect = Vec::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
-    for (Index h = 0; h < mesh.half_edge_count(); ++h)
-      defect[mesh.from_vertex(h)] -= corner_angle(mesh, h).radians();
-    for (const auto& loop : mesh.boundary_loops())
-      for (const Index v : loop) defect[v] = 0;
-    return defect;
-  }
-
-  Cutter(const SurfaceMesh& mesh, const Vec& edge_cost, const std::vector<char>& is_whole,
-         double limit, const StopCheck& stop)
+  Cutter(const SurfaceMesh& mesh, const CutWishes& wishes, double limit, const StopCheck& stop)
       : mesh_(mesh),
-        cost_(edge_cost),
-        is_whole_(is_whole),
+        cost_(cut_costs(mesh, wishes.wanted, wishes.whole)),
+        is_whole_(wishes.whole),
         limit_(limit),
         unit_(std::sqrt(mesh.area())),
         stop_(stop),
-        defect_(angle_defects(mesh)) {}
+        enough_(wishes.enough),
+        defect_(angle_defects(mesh)),
+        curved_(curved_vertices()),
+        is_faceted_(has_flat_panels(wishes.wanted.creases)) {}
 
-  AutomaticCut run() const {
+  AutomaticCut run() {
     if (is_planar(mesh_)) {
       AutomaticCut none{std::vector<char>(to_size(mesh_.half_edge_count()), 0), 0, {}};
       none.strain = strain(none.is_cut);
-      if (none.strain <= limit_) return none;
+      if (none.strain <= limit_) return is_faceted_ ? developed(none) : none;
     }
     std::vector<Index> cones = field_cones();
     AutomaticCut best = through(cones);
+    const StopCheck run = std::exchange(stop_, enough_.may_stop() ? either(stop_, enough_) : stop_);
+    try {
+      improve(cones, best);
+      best = developed(best);
+    } catch (const Stopped&) {
+      run.poll();
+    }
+    return best;
+  }
+
+ private:
+  static StopCheck either(const StopCheck& one, const StopCheck& other) {
+    return StopCheck([=] {
+      const Directive why = one();
+      return why == Directive::Continue ? other() : why;
+    });
+  }
+
+  // Shorter cuts, as long as there are any. At every moment `best` is one.
+  void improve(const std::vector<Index>& cones, AutomaticCut& best) const {
     best = peeled(best, cones);
     const Index routes = std::clamp(kRouteWork / mesh_.vertex_count(), 1, kMostRoutes);
     for (Index k = 0; k < routes; ++k) {
@@ -308,10 +267,34 @@ class Cutter {
       if (!(cost(next) < cost(best))) break;
       best = std::move(next);
     }
-    return developed(best);
   }
 
- private:
+  // The same along straighter paths, where that still leaves one planar piece.
+  std::vector<char> straightened(const std::vector<char>& is_cut,
+                                 const std::vector<Index>& through) const {
+    std::vector<char> straight = is_cut;
+    smooth_cuts(mesh_, through, cost_, straight, stop_);
+    const SurfaceMesh open = mesh_.cut_along(straight, nullptr);
+    return open.topology().components == 1 && is_planar(open) ? straight : is_cut;
+  }
+
+  std::vector<Index> curved_vertices() const {
+    std::vector<Index> curved;
+    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+      if (std::abs(defect_[v]) > kCurved && !is_whole_[v]) curved.push_back(v);
+    return curved;
+  }
+
+  // Whether all curvature is where creases meet, so that panels between them unfold.
+  bool has_flat_panels(const std::vector<char>& creases) const {
+    std::vector<char> is_creased(to_size(mesh_.vertex_count()), 0);
+    const Vec sharp = sharpness(mesh_, creases);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (sharp[h] > 0) is_creased[mesh_.from_vertex(h)] = is_creased[mesh_.to_vertex(h)] = 1;
+    return !curved_.empty() &&
+           std::all_of(curved_.begin(), curved_.end(), [&](Index v) { return is_creased[v] != 0; });
+  }
+
   double cost(const AutomaticCut& cut) const {
     double sum = 0;
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
@@ -322,7 +305,8 @@ class Cutter {
     return FlatteningStrain(mesh_.cut_along(is_cut, nullptr), -1, stop_).strain();
   }
   AutomaticCut routed(const std::vector<Index>& terminals) const {
-    AutomaticCut cut{cut_graph(mesh_, terminals, cost_, stop_), 0, terminals};
+    AutomaticCut cut{straightened(cut_graph(mesh_, terminals, cost_, stop_), terminals), 0,
+                     terminals};
     cut.strain = strain(cut.is_cut);
     return cut;
   }
@@ -423,228 +407,42 @@ class Cutter {
 
   // The cut through all vertices that are not flat, if that is worth it, else `best`.
   AutomaticCut developed(const AutomaticCut& best) const {
-    const double most = cost(best) + kDevelopableWorth;
+    const double most = cost(best) + (is_faceted_ ? kFacetedWorth : kDevelopableWorth);
     Vec cheapest = Vec::Constant(mesh_.vertex_count(), most * unit_);
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
       for (const Index v : {mesh_.from_vertex(h), mesh_.to_vertex(h)})
         cheapest[v] = std::min(cheapest[v], cost_[h]);
-    std::vector<Index> curved;
     double least = 0;
-    for (Index v = 0; v < mesh_.vertex_count(); ++v)
-      if (std::abs(defect_[v]) > kCurved && !is_whole_[v]) {
-        curved.push_back(v);
-        least += 0.5 * cheapest[v];
-      }
+    for (const Index v : curved_) least += 0.5 * cheapest[v];
     if (least > most * unit_) return best;
-    const AutomaticCut cut = routed(curved);
-    return cost(cut) <= most && cut.strain < best.strain ? cut : best;
+    const AutomaticCut cut = routed(curved_);
+    return cost(cut) <= most && (is_faceted_ || cut.strain < best.strain) ? cut : best;
   }
 
   const SurfaceMesh& mesh_;
-  const Vec& cost_;
+  const Vec cost_;
   const std::vector<char>& is_whole_;
   const double limit_, unit_;
-  const StopCheck& stop_;
+  StopCheck stop_;
+  const StopCheck& enough_;
   const Vec defect_;
+  const std::vector<Index> curved_;
+  const bool is_faceted_;
 };
 
-// The rule is that of docs/atlas.md, "Where to cut". edge_cost: 3 #F; is_whole: #V, where
-// it is not led on purpose; max_stretch: above 1. Stopped.
-AutomaticCut automatic_cut(const SurfaceMesh& mesh, const Vec& edge_cost,
-                           const std::vector<char>& is_whole, double max_stretch,
+// The rule is that of docs/atlas.md, "Where to cut". max_stretch: above 1. Stopped.
+AutomaticCut automatic_cut(const SurfaceMesh& mesh, const CutWishes& wishes, double max_stretch,
                            const StopCheck& stop) {
-  return Cutter(mesh, edge_cost, is_whole, strain_of_stretch(max_stretch), stop).run();
+  return Cutter(mesh, wishes, strain_of_stretch(max_stretch), stop).run();
 }
 
 std::vector<Index> curved_inside(const SurfaceMesh& mesh) {
-  const Vec defect = Cutter::angle_defects(mesh);
+  const Vec defect = angle_defects(mesh);
   std::vector<Index> curved;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (std::abs(defect[v]) > kCurved) curved.push_back(v);
   return curved;
 }
-
-// Grows two connected parts of a chart around planes, and moves these into the middle of what they
-// have [CSAD04]. What is not divided are polygons of the file, but where there is only one.
-class TwoParts {
- public:
-  explicit TwoParts(const SurfaceMesh& mesh) : mesh_(mesh), tiles_(mesh.face_count()) {
-    join_polygons();
-    normal_.assign(to_size(mesh.face_count()), Vector3::Zero());
-    for (Index f = 0; f < mesh.face_count(); ++f) normal_[tiles_.find(f)] += area_vector(mesh, f);
-  }
-
-  std::vector<char> cut(const StopCheck& stop) {
-    std::array<Index, 2> seeds = first_seeds();
-    for (int k = 0; k < kRounds; ++k) {
-      stop.poll();
-      const std::array<Vector3, 2> planes = k == 0 ? planes_at(seeds) : planes_of_parts();
-      if (k > 0) seeds = nearest_to(planes);
-      grow(seeds, planes);
-    }
-    smooth();
-    std::vector<char> is_cut(to_size(mesh_.half_edge_count()), 0);
-    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-      if (const Index o = mesh_.opposite(h); o >= 0)
-        is_cut[h] = part(face_of(h)) != part(face_of(o));
-    return is_cut;
-  }
-
- private:
-  static constexpr int kRounds = 6;  // of [CSAD04]; two planes settle in three or four
-  // Cosine of the angle to its plane above which a face may go to the other part for the sake of a
-  // shorter border.
-  static constexpr double kMovable = 0.7;
-
-  int part(Index face) { return part_[tiles_.find(face)]; }
-  Vector3 unit(Index tile) const { return normal_[tile].stableNormalized(); }
-
-  void join_polygons() {
-    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-      if (mesh_.opposite(h) > h && is_inner(mesh_, h))
-        tiles_.join(face_of(h), face_of(mesh_.opposite(h)));
-    for (Index f = 0; f < mesh_.face_count(); ++f)
-      if (tiles_.find(f) != tiles_.find(0)) return;
-    tiles_ = UnionFind(mesh_.face_count());
-  }
-
-  // Tiles as far from each other as their normals go, else across faces.
-  std::array<Index, 2> first_seeds() {
-    Vector3 mean = Vector3::Zero();
-    for (const Vector3& n : normal_) mean += n;
-    const Index one = farthest_from(mean.stableNormalized(), 0);
-    const Index other = farthest_from(unit(one), one);
-    if (one != other && unit(one).dot(unit(other)) < 1 - kCurved) return {one, other};
-    const Index end = last_reached(tiles_.find(0));
-    return {end, last_reached(end)};
-  }
-
-  Index farthest_from(const Vector3& normal, Index otherwise) {
-    Index farthest = tiles_.find(otherwise);
-    double least = 1;
-    for (Index f = 0; f < mesh_.face_count(); ++f)
-      if (tiles_.find(f) == f && unit(f).dot(normal) < least) {
-        least = unit(f).dot(normal);
-        farthest = f;
-      }
-    return farthest;
-  }
-
-  Index last_reached(Index start) {
-    std::vector<char> seen(to_size(mesh_.face_count()), 0);
-    std::vector<Index> queue{start};
-    const std::vector<std::vector<Index>> sides = sides_of_tiles();
-    seen[start] = 1;
-    for (std::size_t k = 0; k < queue.size(); ++k)
-      for (const Index h : sides[queue[k]])
-        if (const Index t = tiles_.find(face_of(mesh_.opposite(h))); !seen[t]) {
-          seen[t] = 1;
-          queue.push_back(t);
-        }
-    return queue.back();
-  }
-
-  // Half-edges from each tile to another one.
-  std::vector<std::vector<Index>> sides_of_tiles() {
-    std::vector<std::vector<Index>> sides(to_size(mesh_.face_count()));
-    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
-      if (mesh_.opposite(h) < 0) continue;
-      const Index t = tiles_.find(face_of(h));
-      if (t != tiles_.find(face_of(mesh_.opposite(h)))) sides[t].push_back(h);
-    }
-    return sides;
-  }
-
-  std::array<Vector3, 2> planes_at(const std::array<Index, 2>& seeds) const {
-    return {unit(seeds[0]), unit(seeds[1])};
-  }
-
-  std::array<Vector3, 2> planes_of_parts() {
-    std::array<Vector3, 2> planes = {Vector3::Zero(), Vector3::Zero()};
-    for (Index f = 0; f < mesh_.face_count(); ++f)
-      if (tiles_.find(f) == f) planes[static_cast<std::size_t>(part_[f])] += normal_[f];
-    for (Vector3& plane : planes) plane = plane.stableNormalized();
-    return planes;
-  }
-
-  std::array<Index, 2> nearest_to(const std::array<Vector3, 2>& planes) {
-    std::array<Index, 2> seeds = {-1, -1};
-    std::array<double, 2> most = {-2, -2};
-    for (Index f = 0; f < mesh_.face_count(); ++f) {
-      if (tiles_.find(f) != f) continue;
-      const auto p = static_cast<std::size_t>(part_[f]);
-      const double cosine = unit(f).dot(planes[p]);
-      if (!(cosine > most[p]) && seeds[p] >= 0) continue;
-      most[p] = cosine;
-      seeds[p] = f;
-    }
-    return seeds;
-  }
-
-  // Both at once, next the tile that costs least: area times squared distance of its normal.
-  void grow(const std::array<Index, 2>& seeds, const std::array<Vector3, 2>& planes) {
-    struct Offer {
-      double cost;
-      Index tile;
-      int part;
-      bool operator>(const Offer& o) const {
-        return std::tie(cost, tile, part) > std::tie(o.cost, o.tile, o.part);
-      }
-    };
-    const std::vector<std::vector<Index>> sides = sides_of_tiles();
-    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
-    part_.assign(to_size(mesh_.face_count()), -1);
-    for (int p = 0; p < 2; ++p) offers.push({-1, seeds[static_cast<std::size_t>(p)], p});
-    while (!offers.empty()) {
-      const Offer offer = offers.top();
-      offers.pop();
-      if (part_[offer.tile] >= 0) continue;
-      part_[offer.tile] = offer.part;
-      const Vector3& plane = planes[static_cast<std::size_t>(offer.part)];
-      for (const Index h : sides[offer.tile]) {
-        const Index t = tiles_.find(face_of(mesh_.opposite(h)));
-        if (part_[t] < 0)
-          offers.push({normal_[t].norm() * (unit(t) - plane).squaredNorm(), t, offer.part});
-      }
-    }
-  }
-
-  // Tiles with one neighbour in their part, and a longer border with the other, go over to it.
-  void smooth() {
-    const std::vector<std::vector<Index>> sides = sides_of_tiles();
-    const std::array<Vector3, 2> planes = planes_of_parts();
-    std::array<Index, 2> sizes = {0, 0};
-    for (Index f = 0; f < mesh_.face_count(); ++f)
-      if (tiles_.find(f) == f) ++sizes[static_cast<std::size_t>(part_[f])];
-    for (bool any = true; any;) {
-      any = false;
-      for (Index t = 0; t < mesh_.face_count(); ++t) {
-        if (tiles_.find(t) != t) continue;
-        const int mine = part_[t];
-        const auto other = static_cast<std::size_t>(1 - mine);
-        double inside = 0, border = 0;
-        std::set<Index> own;
-        for (const Index h : sides[t]) {
-          const Index n = tiles_.find(face_of(mesh_.opposite(h)));
-          (part_[n] == mine ? inside : border) += mesh_.edge_length(h);
-          if (part_[n] == mine) own.insert(n);
-        }
-        if (own.size() > 1 || sizes[1 - other] == 1 || !(border > inside * (1 + kLeastLength)) ||
-            unit(t).dot(planes[other]) < kMovable)
-          continue;
-        part_[t] = 1 - mine;
-        --sizes[1 - other];
-        ++sizes[other];
-        any = true;
-      }
-    }
-  }
-
-  const SurfaceMesh& mesh_;
-  UnionFind tiles_;              // faces: those of a polygon
-  std::vector<Vector3> normal_;  // of tiles, by their first faces: twice the area
-  std::vector<int> part_;        // likewise, 0 or 1
-};
 
 // The least area of a piece, relative to that of all: squares of areas, and what remains of them
 // after many factors, must be doubles; 1e-80 of the size is mapped.
@@ -662,9 +460,11 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
     if (v < 0 || v >= mesh.vertex_count())
       throw InvalidArgument(
           fmt::format("{}vertex {}, to be left whole, does not exist", message_prefix(mesh), v));
-  if (!options.given.empty() && options.given.size() != to_size(mesh.half_edge_count()))
-    throw InvalidArgument(fmt::format("choose_cuts: {} flags for {} half-edges",
-                                      options.given.size(), mesh.half_edge_count()));
+  for (const std::size_t count :
+       {options.given.size(), options.wanted.creases.size(), options.wanted.weight.size()})
+    if (count > 0 && count != to_size(mesh.half_edge_count()))
+      throw InvalidArgument(
+          fmt::format("choose_cuts: {} flags for {} half-edges", count, mesh.half_edge_count()));
   if (options.method == CutMethod::Texture && mesh.corner_texcoords().rows() == 0)
     throw Refusal(
         ErrorKind::Unsupported, mesh.file(),
@@ -761,8 +561,8 @@ void take_apart_if_flat(const SurfacePiece& part, double max_stretch, std::vecto
 enum class Pieces { All, NotByTexture };
 
 // Cuts them, each to one chart.
-void cut_automatically(const SurfaceMesh& mesh, const std::vector<char>& is_whole,
-                       double max_stretch, Pieces which, SurfaceCuts& cuts, const StopCheck& stop) {
+void cut_automatically(const SurfaceMesh& mesh, const CutWishes& wishes, double max_stretch,
+                       Pieces which, SurfaceCuts& cuts, const StopCheck& stop) {
   std::vector<Index> uncut_vertex;
   const std::vector<Index> component = face_components(mesh.opposites());
   for (const auto& [part, faces, vertices] :
@@ -772,10 +572,11 @@ void cut_automatically(const SurfaceMesh& mesh, const std::vector<char>& is_whol
     if (which == Pieces::NotByTexture && piece.topology().boundary_loops > 0 &&
         is_textured(piece, 0))
       continue;
-    std::vector<char> whole(vertices.size());
-    for (std::size_t v = 0; v < whole.size(); ++v) whole[v] = is_whole[uncut_vertex[vertices[v]]];
-    const AutomaticCut more =
-        automatic_cut(piece, cut_costs(piece, whole), whole, max_stretch, stop);
+    CutWishes own{preferences_on(faces, wishes.wanted), std::vector<char>(vertices.size()),
+                  wishes.enough};
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      own.whole[v] = wishes.whole[uncut_vertex[vertices[v]]];
+    const AutomaticCut more = automatic_cut(piece, own, max_stretch, stop);
     for (Index h = 0; h < piece.half_edge_count(); ++h)
       if (more.is_cut[h]) cuts.is_cut[3 * faces[face_of(h)] + corner_of(h)] = 1;
     ComponentCuts& facts = cuts.components[component[faces.front()]];
@@ -811,8 +612,9 @@ void add_up(const SurfaceMesh& mesh, const std::vector<char>& asked,
 
 SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
                           const StopCheck& stop) {
-  std::vector<char> is_whole(to_size(mesh.vertex_count()), 0);
-  for (const Index v : options.whole) is_whole[v] = 1;
+  CutWishes wishes{options.wanted, std::vector<char>(to_size(mesh.vertex_count()), 0),
+                   options.enough};
+  for (const Index v : options.whole) wishes.whole[v] = 1;
   SurfaceCuts out;
   out.is_cut = asked_cuts(mesh, options);
   std::vector<char> asked = out.is_cut;
@@ -832,33 +634,32 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
       part_from_slivers(part, out.is_cut);
   }
   if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
-    cut_automatically(mesh, is_whole, options.max_stretch, Pieces::All, out, stop);
+    cut_automatically(mesh, wishes, options.max_stretch, Pieces::All, out, stop);
   if (options.method == CutMethod::Texture) {
-    cut_automatically(mesh, is_whole, options.max_stretch, Pieces::NotByTexture, out, stop);
+    cut_automatically(mesh, wishes, options.max_stretch, Pieces::NotByTexture, out, stop);
     out.untextured_faces = untextured_polygons(mesh);
   }
   if (options.method == CutMethod::Automatic) asked = out.is_cut;
-  open_pieces(mesh, cut_costs(mesh, is_whole), out.is_cut, stop);
+  open_pieces(mesh, cut_costs(mesh, wishes.wanted, wishes.whole), out.is_cut, stop);
   add_up(mesh, asked, components, out);
   return out;
 }
 
 }  // namespace
 
-std::vector<char> cut_further(const SurfaceMesh& chart, double max_stretch, const StopCheck& stop) {
-  const std::vector<char> is_whole(to_size(chart.vertex_count()), 0);
-  return automatic_cut(chart, cut_costs(chart), is_whole, max_stretch, stop).is_cut;
+std::vector<char> cut_further(const SurfaceMesh& chart, const CutPreferences& wanted,
+                              double max_stretch, const StopCheck& stop) {
+  return automatic_cut(chart, {wanted, std::vector<char>(to_size(chart.vertex_count()), 0)},
+                       max_stretch, stop)
+      .is_cut;
 }
 
-std::vector<char> cut_corners(const SurfaceMesh& chart, const StopCheck& stop) {
+std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wanted,
+                              const StopCheck& stop) {
   const std::vector<Index> curved = curved_inside(chart);
   if (curved.empty() || curved.size() > kMostDefects)
     return std::vector<char>(to_size(chart.half_edge_count()), 0);
-  return cut_graph(chart, curved, cut_costs(chart), stop);
-}
-
-std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop) {
-  return TwoParts(chart).cut(stop);
+  return cut_graph(chart, curved, cut_costs(chart, wanted), stop);
 }
 
 double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop) {

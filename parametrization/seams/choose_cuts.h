@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
@@ -24,6 +25,14 @@ enum class CutMethod {
   Sharp,      // along edges with a dihedral angle above sharp_angle that enclose pieces,
               // then as Automatic in each of them
   Given,      // along CutOptions::edges and nothing else
+};
+
+// What else cuts cost, edge by edge: 3 #F, both sides the same, or empty.
+struct CutPreferences {
+  // Flags of creases, whatever their angle, as normals, smoothing groups and materials of a file
+  // have them. A cut along a crease costs a quarter of its length.
+  std::vector<char> creases = {};
+  std::vector<double> weight = {};  // positive factors of all costs: where seams are not wanted
 };
 
 struct CutOptions {
@@ -42,6 +51,10 @@ struct CutOptions {
   // choose passes them, unless every way does. What Texture, Sharp and Given ask for is cut anyway.
   std::vector<Index> whole = {};
   std::vector<char> given = {};  // 3 #F flags, one side is enough, or empty: cut in any case
+  CutPreferences wanted = {};
+  // Asked while cuts that suffice are made shorter: where it does not say Continue, they are taken
+  // as they are.
+  StopCheck enough = {};
 };
 
 // The cuts of one component of the surface.
@@ -80,20 +93,37 @@ SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
 
 // What can be done with one chart of these, connected and planar, whose map is not good enough:
 // 3 #F flags of it, both sides of an edge or none. Edges inside polygons are cut only where nothing
-// else is possible. Stopped.
+// else is possible. wanted: of the chart. Stopped.
 //
 // The shortest cuts that leave it one piece with an estimated stretch of max_stretch, as the
 // automatic rule has them; through all places that the estimate knows where that is not reached.
-std::vector<char> cut_further(const SurfaceMesh& chart, double max_stretch,
-                              const StopCheck& stop = {});
+std::vector<char> cut_further(const SurfaceMesh& chart, const CutPreferences& wanted,
+                              double max_stretch, const StopCheck& stop = {});
 // Cuts through all inner vertices that are not flat, one piece: it unfolds, if without overlaps.
 // No flags where there are none, or more of them than a box of boxes has.
-std::vector<char> cut_corners(const SurfaceMesh& chart, const StopCheck& stop = {});
+std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wanted,
+                              const StopCheck& stop = {});
 // Two connected parts whose faces have as nearly one normal each as can be: two regions that grow
 // around planes [CSAD04]. Of two or more faces.
 std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop = {});
+// The path from boundary to boundary that costs least for the area that it leaves on its smaller
+// side, between the ends of the chart or from a boundary vertex around which there is more than a
+// full turn, so that the chart overlaps itself there, if there is one. No flags where there is
+// none.
+enum class PathsAcross { BetweenEnds, FromOverlaps };
+std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,
+                             PathsAcross paths, const StopCheck& stop = {});
+// Of cuts (3 #F flags, both sides): their length, a quarter of it along creases, in model units.
+double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,
+                    const std::vector<char>& is_cut);
+// Returns whether the chart lies in the plane as it is, edge for edge, but for overlaps: flat
+// panels between creases, and no curvature inside.
+bool unfolds_at_creases(const SurfaceMesh& chart, const CutPreferences& wanted);
 // The estimated stretch of the chart as it is.
 double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop = {});
+
+// Those of these faces of a surface, whose corners have the same order there.
+CutPreferences preferences_on(const std::vector<Index>& faces, const CutPreferences& all);
 
 // Takes these half-edges of the surface, one side or both, to the cuts that there are.
 void add_cuts(const SurfaceMesh& mesh, const CutOptions& options,

@@ -57,7 +57,12 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   AtlasJob job(run.record());
   const RepairOptions how = repair_options(keywords);
   if (keyword<bool>(keywords, "keep_seams")) job.old_seams = OldSeams::Cut;
-  if (keyword<std::string>(keywords, "charts") == "one") job.options.limit = StretchLimit::Reported;
+  if (keyword<bool>(keywords, "one_chart")) job.options.limit = StretchLimit::Reported;
+  job.options.least_charts = keyword<Index>(keywords, "least_charts");
+  job.options.least_fill = keyword<double>(keywords, "least_fill");
+  if (const auto to_eye = keyword<std::optional<std::array<double, 3>>>(keywords, "hide_from"))
+    job.hide_from = Vector3((*to_eye)[0], (*to_eye)[1], (*to_eye)[2]);
+  job.options.cutting_seconds = kCuttingShare * keyword<double>(keywords, "time_limit");
   const bool is_strict = keyword<bool>(keywords, "strict"),
              into_square = keyword<std::string>(keywords, "scale") == "unit";
   run([&] {

@@ -123,8 +123,8 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
            energy: Energy = 'symmetric-dirichlet', uv: ArrayLike | None = None, pack: bool = True,
            padding: float = _options.PADDING, resolution: float = _options.RESOLUTION,
            scale: str | None = None, normalize: bool = False,
-           weld: str | float = 'auto', keep_seams: bool = False, charts: str = 'auto',
-           strict: bool = False, pins: Points | None = None,
+           weld: str | float = 'auto', keep_seams: bool = False, charts: str | int = 'auto',
+           fill: float | None = None, hide_from: ArrayLike | None = None, strict: bool = False, pins: Points | None = None,
            handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
            curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
            tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
@@ -138,7 +138,9 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     seams: 'auto', where distortion is saved; 'uv', the islands of uv (which is for this, and for
     keep_seams, which cuts along their borders, too); 'sharp' or 'sharp=40', along
     edges of that many degrees; or (#E, 2) vertices of edges. max_stretch: what no chart of 'auto' and
-    'sharp' exceeds, with charts='one' where one is left uncut, as estimated. pack: into one square, padding pixels apart
+    'sharp' exceeds, with charts='one' where one is left uncut, as estimated. charts: a number of them, and fill,
+    the part of the square that they fill: those of 'auto' and 'sharp' are divided until there is so much, or
+    nothing is gained any more. hide_from: the direction (3,) to the eye that seams keep out of sight of. pack: into one square, padding pixels apart
     where it has resolution pixels a side and a border as wide as padding. scale: 'unit' (default): that square is the unit
     square, energies are those at the size of V; 'model' (default with pins or handles, whose targets
     are in its units): uv has the units of V. normalize=True is scale='unit'. weld: what is one surface for the
@@ -169,6 +171,11 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         raise UsageError('padding and resolution are for packing; leave them out, or pack=False')
     if max_stretch is not None and not isinstance(seams, str):
         raise UsageError("max_stretch is of seams 'auto' and 'sharp'; leave it or the edges out")
+    counted = isinstance(charts, int) and not isinstance(charts, bool)
+    if (counted or fill is not None or hide_from is not None) and (by_uv or not isinstance(seams, str)):
+        raise UsageError("numbers of charts, fill and hide_from are of seams 'auto' and 'sharp'; leave them or the seams out")
+    if fill is not None and (charts == 'one' or pack is False):
+        raise UsageError("fill divides charts that are packed; leave it out, or charts='one' and pack=False")
     extra = {
         **_cuts(seams, uv, len(mesh.positions)),
         'max_stretch': None if max_stretch is None else _options.number('max_stretch', max_stretch, 1),
@@ -179,10 +186,20 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         'weld_distance': None if weld in ('auto', 'no') else _options.number('weld', weld, 0, zero=True),
         'welds_nothing': weld == 'no',
         'keep_seams': keep_seams,
-        'charts': _options.choice('charts', charts, ('auto', 'one')),
+        'one_chart': not counted and _options.choice('charts', charts, ('auto', 'one')) == 'one',
+        'least_charts': _options.integer('charts', charts, 1, 2**31 - 1) if counted else 0,
+        'hide_from': None if hide_from is None else _direction(hide_from),
+        'least_fill': 0.0 if fill is None else _options.number('fill', fill, 0, 1),
         'strict': _options.truth('strict', strict),
     }
     return _solve(_core.unwrap, mesh, said, extra)
+
+
+def _direction(hide_from: ArrayLike) -> list[float]:
+    direction = _arrays.floats('hide_from', hide_from, (3,))
+    if not direction.any():
+        raise UsageError('hide_from is no direction: 0, 0, 0')
+    return [float(x) for x in direction]
 
 
 def deform(V: ArrayLike, F: Faces, *, handles: Points | None = None, pins: Points | None = None,

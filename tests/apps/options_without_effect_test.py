@@ -18,7 +18,7 @@ ALWAYS = {
     '--time-limit': '', '--normalize': '', '--scale': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
     '--from': '', '--attribute': '', '--method': '', '--distance': 'a demand', '--samples': '', '--filter': '',
     '--depth': '', '--linear': '',
-    '--charts': 'auto demands nothing of --seams uv and FILE',
+    '--charts': 'auto demands nothing of --seams uv and FILE', '--preset': 'padding and resolution',
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
     '--petsc-options': 'for whichever solver a run comes to',
     '--linear-solvers': 'measures them', '--list': '',
@@ -42,6 +42,8 @@ CASES = {
     '--view': (['--view', '1,0,0'], ['.svg'], 'add -o OUT.png'),
     '--resolution': (['--no-pack', '--resolution', '300'], ['.vtu'], '--resolution excludes --no-pack'),
     '--keep-seams': (['--seams', 'uv', '--keep-seams'], ['.vtu'], '--seams uv cuts along them already'),
+    '--fill': (['--charts', 'one', '--fill', '0.5'], ['.vtu'], '--charts one leaves them'),
+    '--hide-from': (['--seams', 'FILE', '--hide-from', '1,0,0'], ['.vtu'], '--seams FILE says where'),
     '--curvature-alignment': (['--cones', 'FILE', '--curvature-alignment', '9'], ['.vtu'],
                               '--cones excludes --curvature-alignment'),
 }

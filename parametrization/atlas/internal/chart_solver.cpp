@@ -63,14 +63,25 @@ bool is_positive(const SurfaceMesh& mesh, const Vec& uv) {
 }  // namespace
 
 ChartSolver::ChartSolver(std::shared_ptr<const SurfaceMesh> mesh,
-                         const ParametrizationOptions& options, TextureStart texture)
-    : mesh_(std::move(mesh)), options_(options), texture_(texture) {}
+                         const ParametrizationOptions& options, const ChartHints& hints)
+    : mesh_(std::move(mesh)), options_(options), hints_(hints) {}
 
 Chart ChartSolver::solve(RunRecord& record) {
   chart_.pins = options_.map.pins;
-  if (texture_ == TextureStart::Tried) try_texture(record);
-  if (!is_done_) try_tutte(record);
+  if (hints_.texture == TextureStart::Tried) try_texture(record);
+  const bool is_flat = hints_.overlaps == UnfoldedOverlaps::LeftToCuts;
+  if (!is_done_ && hints_.parent.size() > 0 && !is_flat &&
+      attempt(hints_.parent, MapInjectivity::Local, record))
+    chart_.start = ChartStart::Parent;
+  const bool is_left =
+      !is_done_ && is_flat && overlaps_unfolded() && record.directive() == Directive::Continue;
+  if (!is_done_ && is_flat && !is_left) try_unfolded(record);
+  if (!is_done_ && !is_left) try_tutte(record);
   if (!is_done_) keep_start(record);
+  if (is_left) {
+    chart_.status = Status::Failed;
+    chart_.message = "unfolded it overlaps itself";
+  }
   to_area_of_surface();
   chart_.stretch = measure_stretch(*chart_.map);
   chart_.trace = record.trace();
@@ -88,8 +99,36 @@ void ChartSolver::try_texture(RunRecord& record) {
 }
 
 void ChartSolver::try_tutte(RunRecord& record) {
-  if (!attempt(tutte(), MapInjectivity::Local, record) && !try_unfolded(record))
+  if (!try_many_resolutions(record) && !attempt(tutte(), MapInjectivity::Local, record) &&
+      !try_unfolded(record))
     attempt(tutte(), MapInjectivity::Global, record);
+}
+
+// The start of a map that may overlap itself, where that is another one than Tutte's.
+bool ChartSolver::try_many_resolutions(RunRecord& record) {
+  if (record.directive() != Directive::Continue || !mesh_->rest_triangles().empty()) return false;
+  MapOptions asked = options_.map;
+  asked.injectivity = MapInjectivity::Local;
+  asked.initial.reset();
+  StartMethod taken = StartMethod::Tutte;
+  try {
+    const Vec start = initial_map(*mesh_, asked, record, &taken);
+    if (taken != StartMethod::Multiresolution) {
+      tutte_ = start;
+      return false;
+    }
+    if (!attempt(start, MapInjectivity::Local, record)) return false;
+  } catch (const Stopped&) {
+    return false;
+  }
+  chart_.start = ChartStart::Multiresolution;
+  return true;
+}
+
+bool ChartSolver::overlaps_unfolded() const {
+  const Vec start = unfolded(*mesh_);
+  return faces_without_area_margin(mesh_->faces(), start) == 0 &&
+         !has_proven_boundary(BezierMap::linear(mesh_, start));
 }
 
 // Starts from strips that are laid out: Tutte's map of a strip much longer than wide is so far from

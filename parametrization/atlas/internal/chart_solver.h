@@ -1,13 +1,14 @@
 // One chart: a disk, possibly with holes, mapped without overlaps whatever it takes.
 //
-//   ChartSolver solver(mesh, options, TextureStart::Tried);
+//   ChartSolver solver(mesh, options, {.texture = TextureStart::Tried});
 //   RunRecord record;
 //   Chart chart = solver.solve(record);    // chart.map is there, and proven injective
 //
 // The attempts at a chart, until the image is proven to be free of overlaps and its faces are
-// larger than rounding: the file's texture coordinates (untangled if need be), Tutte's map and the
-// unfolded faces as starts, each first without a scaffold, which most charts do not need and which
-// costs several times as much, then with one (Tutte's last). At the end Tutte's map as it is.
+// larger than rounding: the map of what it was cut from, the file's texture coordinates (untangled
+// if need be), Tutte's map - of large charts one in many resolutions - and the unfolded faces as
+// starts, each first without a scaffold, which most charts do not need and which costs several
+// times as much, then with one (Tutte's last). At the end Tutte's map as it is.
 // Overlaps are looked for after the solve: of a free boundary only the boundary tells.
 //
 // The file's texture coordinates of a chart as a start of its map, as good as they can be made.
@@ -22,13 +23,23 @@
 namespace majorant {
 
 enum class TextureStart { Tried, Ignored };
+// Of charts that lie in the plane unfolded, face by face: Undone, a map without overlaps is found;
+// LeftToCuts, such a chart is Failed where its faces overlap, so that it is cut instead.
+enum class UnfoldedOverlaps { Undone, LeftToCuts };
+
+struct ChartHints {
+  TextureStart texture = TextureStart::Ignored;
+  UnfoldedOverlaps overlaps = UnfoldedOverlaps::Undone;
+  // u, v per vertex: the map of the chart that this one was cut from, or no numbers. May overlap.
+  Vec parent = {};
+};
 
 class ChartSolver {
  public:
-  // mesh: planar (SurfaceMesh::require_planar). options: vertices are those of the mesh. Both
+  // mesh: planar (SurfaceMesh::require_planar). options: vertices are those of the mesh. All
   // outlive this.
   ChartSolver(std::shared_ptr<const SurfaceMesh> mesh, const ParametrizationOptions& options,
-              TextureStart texture);
+              const ChartHints& hints);
 
   // All but `faces`. Throws Error(Infeasible) where pins cannot be met, Error(Usage) for options.
   Chart solve(RunRecord& record);
@@ -36,7 +47,9 @@ class ChartSolver {
  private:
   void try_texture(RunRecord& record);
   void try_tutte(RunRecord& record);
+  bool try_many_resolutions(RunRecord& record);
   bool try_unfolded(RunRecord& record);
+  bool overlaps_unfolded() const;
   bool attempt(const Vec& start, MapInjectivity injectivity, RunRecord& record);
   void keep_start(const RunRecord& record);
   void to_area_of_surface();
@@ -44,7 +57,7 @@ class ChartSolver {
 
   std::shared_ptr<const SurfaceMesh> mesh_;
   const ParametrizationOptions& options_;
-  TextureStart texture_;
+  const ChartHints& hints_;
   std::optional<Vec> tutte_;
   Chart chart_;
   bool is_done_ = false;

@@ -12,6 +12,16 @@
 namespace majorant {
 namespace {
 
+// Returns whether the two faces at the half-edge, by the sums of their corners, are on two sides.
+bool is_between(const SurfaceMesh& mesh, Index h, bool (*is_on)(const Vector3&)) {
+  const auto side = [&](Index face) {
+    Vector3 sum = Vector3::Zero();
+    for (Index k = 0; k < 3; ++k) sum += mesh.positions().row(mesh.faces()(face, k)).transpose();
+    return is_on(sum);
+  };
+  return mesh.opposite(h) >= 0 && side(face_of(h)) != side(face_of(mesh.opposite(h)));
+}
+
 TEST(ChooseCuts, LeavesPlanarPieces) {
   std::vector<std::pair<std::string, PolygonMesh>> inputs{
       {"torus", torus(24, 12, 0)},
@@ -104,6 +114,33 @@ TEST(ChooseCuts, UnfoldsWhatCanBeUnfolded) {
   // A flat disk needs no cut, a flat ring neither.
   const SurfaceMesh ring = SurfaceMesh::from_polygons(grid_without(8, {3 * 8 + 1}));
   EXPECT_EQ(choose_cuts(ring, {}).edges, 0);
+}
+
+TEST(ChooseCuts, EnoughTakesWhatSuffices) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(limbs(8));
+  CutOptions at_once;
+  at_once.enough = StopCheck([] { return Directive::TimeLimit; });
+  const SurfaceCuts first = choose_cuts(mesh, at_once), best = choose_cuts(mesh, {});
+  expect_planar_pieces(mesh, first);
+  EXPECT_GT(first.length, 1.2 * best.length);
+  const StopCheck stop([] { return Directive::Interrupt; });
+  EXPECT_THROW(choose_cuts(mesh, at_once, stop), Stopped);
+}
+
+TEST(ChooseCuts, CreasesCostAQuarter) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(8));
+  CutOptions options;
+  options.wanted.creases.assign(to_size(mesh.half_edge_count()), 0);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    options.wanted.creases[h] = is_between(mesh, h, [](const Vector3& p) { return p.z() > 0; });
+  const auto along = [&](const SurfaceCuts& cuts) {
+    double length = 0;
+    for (Index h = 0; h < mesh.half_edge_count(); ++h)
+      if (cuts.is_cut[h] && options.wanted.creases[h]) length += 0.5 * mesh.edge_length(h);
+    return length / cuts.length;
+  };
+  EXPECT_GT(along(choose_cuts(mesh, options)), 0.4);
+  EXPECT_LT(along(choose_cuts(mesh, {})), 0.2);
 }
 
 TEST(ChooseCuts, MoreStretchNeedsNoMoreSeam) {
@@ -261,14 +298,28 @@ TEST(CutChart, InTwoConnectedParts) {
   }
 }
 
+TEST(CutChart, AcrossWhereThatIsShort) {
+  // Two rectangles in the plane, joined by a strip of 3 of 24 squares.
+  std::set<int> gone;
+  for (int j = 8; j < 16; ++j)
+    for (int i = 0; i < 24; ++i)
+      if (i < 10 || i >= 13) gone.insert(j * 24 + i);
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid_without(24, gone));
+  const std::vector<char> flags = cut_across(mesh, {}, PathsAcross::BetweenEnds);
+  const std::vector<SurfaceMesh> parts = pieces_of(mesh, flags);
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_NEAR(parts[0].area(), parts[1].area(), 0.1 * mesh.area());
+  EXPECT_NEAR(cost_of_cuts(mesh, {}, flags), 3.0 / 24, 1e-12);
+}
+
 TEST(CutChart, ThroughItsCorners) {
   const SurfaceMesh box = open_box(1);
-  const std::vector<char> flags = cut_corners(box);
+  const std::vector<char> flags = cut_corners(box, {});
   const std::vector<SurfaceMesh> parts = pieces_of(box, flags);
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_EQ(parts[0].boundary_flags(), std::vector<char>(to_size(parts[0].vertex_count()), 1));
   EXPECT_EQ(std::count(flags.begin(), flags.end(), 1), 8);
-  EXPECT_FALSE(is_any(cut_corners(SurfaceMesh::from_polygons(grid(4)))));
+  EXPECT_FALSE(is_any(cut_corners(SurfaceMesh::from_polygons(grid(4)), {})));
 }
 
 TEST(CutChart, FurtherAsFarAsIsAsked) {
@@ -276,7 +327,7 @@ TEST(CutChart, FurtherAsFarAsIsAsked) {
   const double before = estimated_stretch(cap);
   for (const double aim :
        {1 + 0.5 * (before - 1), 1 + 0.1 * (before - 1), 1 + 0.02 * (before - 1)}) {
-    const std::vector<SurfaceMesh> parts = pieces_of(cap, cut_further(cap, aim));
+    const std::vector<SurfaceMesh> parts = pieces_of(cap, cut_further(cap, {}, aim));
     ASSERT_EQ(parts.size(), 1u);
     EXPECT_LE(estimated_stretch(parts[0]), aim * (1 + 1e-9));
   }

@@ -1,0 +1,399 @@
+// cut_in_two(), cut_across(), cost_of_cuts() and unfolds_at_creases() of choose_cuts.h.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/mesh/geometry.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/mesh/union_find.h"
+#include "majorant/parametrization/seams/choose_cuts.h"
+#include "majorant/parametrization/seams/internal/cut_costs.h"
+
+namespace majorant {
+namespace {
+
+// Relative: a border is longer than another by more than rounding.
+constexpr double kLonger = 1e-9;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+// Grows two connected parts of a chart around planes, and moves these into the middle of what they
+// have [CSAD04]. What is not divided are polygons of the file, but where there is only one.
+class TwoParts {
+ public:
+  explicit TwoParts(const SurfaceMesh& mesh) : mesh_(mesh), tiles_(mesh.face_count()) {
+    join_polygons();
+    normal_.assign(to_size(mesh.face_count()), Vector3::Zero());
+    for (Index f = 0; f < mesh.face_count(); ++f) normal_[tiles_.find(f)] += area_vector(mesh, f);
+  }
+
+  std::vector<char> cut(const StopCheck& stop) {
+    std::array<Index, 2> seeds = first_seeds();
+    for (int k = 0; k < kRounds; ++k) {
+      stop.poll();
+      const std::array<Vector3, 2> planes = k == 0 ? planes_at(seeds) : planes_of_parts();
+      if (k > 0) seeds = nearest_to(planes);
+      grow(seeds, planes);
+    }
+    smooth();
+    std::vector<char> is_cut(to_size(mesh_.half_edge_count()), 0);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (const Index o = mesh_.opposite(h); o >= 0)
+        is_cut[h] = part(face_of(h)) != part(face_of(o));
+    return is_cut;
+  }
+
+ private:
+  static constexpr int kRounds = 6;  // of [CSAD04]; two planes settle in three or four
+  // Cosine of the angle to its plane above which a face may go to the other part for the sake of a
+  // shorter border.
+  static constexpr double kMovable = 0.7;
+
+  int part(Index face) { return part_[tiles_.find(face)]; }
+  Vector3 unit(Index tile) const { return normal_[tile].stableNormalized(); }
+
+  void join_polygons() {
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (mesh_.opposite(h) > h && is_inner(mesh_, h))
+        tiles_.join(face_of(h), face_of(mesh_.opposite(h)));
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (tiles_.find(f) != tiles_.find(0)) return;
+    tiles_ = UnionFind(mesh_.face_count());
+  }
+
+  // Tiles as far from each other as their normals go, else across faces.
+  std::array<Index, 2> first_seeds() {
+    Vector3 mean = Vector3::Zero();
+    for (const Vector3& n : normal_) mean += n;
+    const Index one = farthest_from(mean.stableNormalized(), 0);
+    const Index other = farthest_from(unit(one), one);
+    if (one != other && unit(one).dot(unit(other)) < 1 - kCurved) return {one, other};
+    const Index end = last_reached(tiles_.find(0));
+    return {end, last_reached(end)};
+  }
+
+  Index farthest_from(const Vector3& normal, Index otherwise) {
+    Index farthest = tiles_.find(otherwise);
+    double least = 1;
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (tiles_.find(f) == f && unit(f).dot(normal) < least) {
+        least = unit(f).dot(normal);
+        farthest = f;
+      }
+    return farthest;
+  }
+
+  Index last_reached(Index start) {
+    std::vector<char> seen(to_size(mesh_.face_count()), 0);
+    std::vector<Index> queue{start};
+    const std::vector<std::vector<Index>> sides = sides_of_tiles();
+    seen[start] = 1;
+    for (std::size_t k = 0; k < queue.size(); ++k)
+      for (const Index h : sides[queue[k]])
+        if (const Index t = tiles_.find(face_of(mesh_.opposite(h))); !seen[t]) {
+          seen[t] = 1;
+          queue.push_back(t);
+        }
+    return queue.back();
+  }
+
+  // Half-edges from each tile to another one.
+  std::vector<std::vector<Index>> sides_of_tiles() {
+    std::vector<std::vector<Index>> sides(to_size(mesh_.face_count()));
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      if (mesh_.opposite(h) < 0) continue;
+      const Index t = tiles_.find(face_of(h));
+      if (t != tiles_.find(face_of(mesh_.opposite(h)))) sides[t].push_back(h);
+    }
+    return sides;
+  }
+
+  std::array<Vector3, 2> planes_at(const std::array<Index, 2>& seeds) const {
+    return {unit(seeds[0]), unit(seeds[1])};
+  }
+
+  std::array<Vector3, 2> planes_of_parts() {
+    std::array<Vector3, 2> planes = {Vector3::Zero(), Vector3::Zero()};
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (tiles_.find(f) == f) planes[static_cast<std::size_t>(part_[f])] += normal_[f];
+    for (Vector3& plane : planes) plane = plane.stableNormalized();
+    return planes;
+  }
+
+  std::array<Index, 2> nearest_to(const std::array<Vector3, 2>& planes) {
+    std::array<Index, 2> seeds = {-1, -1};
+    std::array<double, 2> most = {-2, -2};
+    for (Index f = 0; f < mesh_.face_count(); ++f) {
+      if (tiles_.find(f) != f) continue;
+      const auto p = static_cast<std::size_t>(part_[f]);
+      const double cosine = unit(f).dot(planes[p]);
+      if (!(cosine > most[p]) && seeds[p] >= 0) continue;
+      most[p] = cosine;
+      seeds[p] = f;
+    }
+    return seeds;
+  }
+
+  // Both at once, next the tile that costs least: area times squared distance of its normal.
+  void grow(const std::array<Index, 2>& seeds, const std::array<Vector3, 2>& planes) {
+    struct Offer {
+      double cost;
+      Index tile;
+      int part;
+      bool operator>(const Offer& o) const {
+        return std::tie(cost, tile, part) > std::tie(o.cost, o.tile, o.part);
+      }
+    };
+    const std::vector<std::vector<Index>> sides = sides_of_tiles();
+    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+    part_.assign(to_size(mesh_.face_count()), -1);
+    for (int p = 0; p < 2; ++p) offers.push({-1, seeds[static_cast<std::size_t>(p)], p});
+    while (!offers.empty()) {
+      const Offer offer = offers.top();
+      offers.pop();
+      if (part_[offer.tile] >= 0) continue;
+      part_[offer.tile] = offer.part;
+      const Vector3& plane = planes[static_cast<std::size_t>(offer.part)];
+      for (const Index h : sides[offer.tile]) {
+        const Index t = tiles_.find(face_of(mesh_.opposite(h)));
+        if (part_[t] < 0)
+          offers.push({normal_[t].norm() * (unit(t) - plane).squaredNorm(), t, offer.part});
+      }
+    }
+  }
+
+  // Tiles with one neighbour in their part, and a longer border with the other, go over to it.
+  void smooth() {
+    const std::vector<std::vector<Index>> sides = sides_of_tiles();
+    const std::array<Vector3, 2> planes = planes_of_parts();
+    std::array<Index, 2> sizes = {0, 0};
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      if (tiles_.find(f) == f) ++sizes[static_cast<std::size_t>(part_[f])];
+    for (bool any = true; any;) {
+      any = false;
+      for (Index t = 0; t < mesh_.face_count(); ++t) {
+        if (tiles_.find(t) != t) continue;
+        const int mine = part_[t];
+        const auto other = static_cast<std::size_t>(1 - mine);
+        double inside = 0, border = 0;
+        std::set<Index> own;
+        for (const Index h : sides[t]) {
+          const Index n = tiles_.find(face_of(mesh_.opposite(h)));
+          (part_[n] == mine ? inside : border) += mesh_.edge_length(h);
+          if (part_[n] == mine) own.insert(n);
+        }
+        if (own.size() > 1 || sizes[1 - other] == 1 || !(border > inside * (1 + kLonger)) ||
+            unit(t).dot(planes[other]) < kMovable)
+          continue;
+        part_[t] = 1 - mine;
+        --sizes[1 - other];
+        ++sizes[other];
+        any = true;
+      }
+    }
+  }
+
+  const SurfaceMesh& mesh_;
+  UnionFind tiles_;              // faces: those of a polygon
+  std::vector<Vector3> normal_;  // of tiles, by their first faces: twice the area
+  std::vector<int> part_;        // likewise, 0 or 1
+};
+
+// The cheapest way across a chart, for the area of its smaller side.
+//
+// Paths run from one boundary vertex to another and touch the outer loop nowhere else; along holes
+// they cost nothing. They are looked for between windows of the boundary: the two sides of the
+// chart at the same distance from one of its ends, or one place and all others.
+class Across {
+ public:
+  Across(const SurfaceMesh& mesh, const CutPreferences& wanted)
+      : mesh_(mesh),
+        cost_(cut_costs(mesh, wanted)),
+        leaving_(to_size(mesh.vertex_count())),
+        place_(to_size(mesh.vertex_count()), -1) {
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      const Index o = mesh.opposite(h);
+      leaving_[mesh.from_vertex(h)].push_back({mesh.to_vertex(h), h, o >= 0 ? cost_[h] : 0.0});
+      if (o < 0) leaving_[mesh.to_vertex(h)].push_back({mesh.from_vertex(h), h, 0.0});
+    }
+    const auto& loops = mesh.boundary_loops();
+    std::size_t longest = 0;
+    for (std::size_t l = 1; l < loops.size(); ++l)
+      if (loops[l].size() > loops[longest].size()) longest = l;
+    outer_ = loops[longest];
+    for (std::size_t i = 0; i < outer_.size(); ++i) place_[outer_[i]] = static_cast<Index>(i);
+  }
+
+  std::vector<char> cut(PathsAcross paths, const StopCheck& stop) {
+    const auto n = static_cast<Index>(outer_.size());
+    const Index v = paths == PathsAcross::FromOverlaps ? most_turned() : -1;
+    if (v >= 0) {
+      for (Index k = 0; k < kWindows; ++k) {
+        stop.poll();
+        const Index from = k * n / kWindows, to = (k + 1) * n / kWindows;
+        try_between({v}, [&](Index w) {
+          const Index i = (place_[w] - place_[v] + n) % n;
+          return w != v && i >= from && i < to;
+        });
+      }
+    } else {
+      const Index one = farthest(distances(outer_[0]));
+      const Vec far = distances(one);
+      const Index other = farthest(far);
+      const Index along = (place_[other] - place_[one] + n) % n;
+      for (Index k = 1; k + 2 < kWindows; ++k) {
+        stop.poll();
+        const double low = far[other] * k / kWindows, high = far[other] * (k + 2) / kWindows;
+        const auto is_in = [&](Index w) { return far[w] >= low && far[w] <= high; };
+        const auto is_left = [&](Index w) { return (place_[w] - place_[one] + n) % n < along; };
+        std::vector<Index> sources;
+        for (const Index w : outer_)
+          if (w != one && is_in(w) && is_left(w)) sources.push_back(w);
+        try_between(sources, [&](Index w) { return w != other && is_in(w) && !is_left(w); });
+      }
+    }
+    return best_.empty() ? std::vector<char>(to_size(mesh_.half_edge_count()), 0) : best_;
+  }
+
+ private:
+  struct Way {
+    Index to, half_edge;
+    double cost;
+  };
+  static constexpr Index kWindows = 8;  // a part has an eighth of the way at least
+
+  // The boundary vertex around which there is most, if that is more than fits into the plane.
+  Index most_turned() const {
+    Vec angle = Vec::Zero(mesh_.vertex_count());
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      angle[mesh_.from_vertex(h)] += corner_angle(mesh_, h).radians();
+    Index most = -1;
+    double largest = 2 * std::numbers::pi - kCurved;
+    for (const Index v : outer_)
+      if (angle[v] > largest) largest = angle[v], most = v;
+    return most;
+  }
+
+  Vec distances(Index start) const {
+    Vec distance = Vec::Constant(mesh_.vertex_count(), kFar);
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    distance[start] = 0;
+    front.emplace(0, start);
+    while (!front.empty()) {
+      const auto [d, v] = front.top();
+      front.pop();
+      if (d > distance[v]) continue;
+      for (const Way& way : leaving_[v]) {
+        const double next = d + mesh_.edge_length(way.half_edge);
+        if (next >= distance[way.to]) continue;
+        distance[way.to] = next;
+        front.emplace(next, way.to);
+      }
+    }
+    return distance;
+  }
+  Index farthest(const Vec& distance) const {
+    return *std::max_element(outer_.begin(), outer_.end(),
+                             [&](Index a, Index b) { return distance[a] < distance[b]; });
+  }
+
+  void try_between(const std::vector<Index>& sources, const std::function<bool(Index)>& is_target) {
+    std::vector<double> distance(to_size(mesh_.vertex_count()), kFar);
+    std::vector<std::pair<Index, Index>> entered(distance.size(), {-1, -1});  // vertex, half-edge
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    for (const Index v : sources) {
+      distance[v] = 0;
+      front.emplace(0, v);
+    }
+    Index end = -1;
+    while (!front.empty() && end < 0) {
+      const auto [d, v] = front.top();
+      front.pop();
+      if (d > distance[v]) continue;
+      if (d > 0 && place_[v] >= 0) {
+        if (is_target(v)) end = v;
+        continue;  // nowhere else along the outer loop
+      }
+      for (const Way& way : leaving_[v]) {
+        const bool is_outer = mesh_.opposite(way.half_edge) < 0 && place_[v] >= 0;
+        if (is_outer || d + way.cost >= distance[way.to]) continue;
+        distance[way.to] = d + way.cost;
+        entered[way.to] = {v, way.half_edge};
+        front.emplace(distance[way.to], way.to);
+      }
+    }
+    if (end < 0) return;
+    std::vector<char> is_cut(to_size(mesh_.half_edge_count()), 0);
+    for (Index v = end; entered[v].first >= 0; v = entered[v].first)
+      if (const Index h = entered[v].second, o = mesh_.opposite(h); o >= 0)
+        is_cut[h] = is_cut[o] = 1;
+    const double price = distance[end] / smaller_area(is_cut);
+    if (!(price < price_)) return;
+    price_ = price;
+    best_ = std::move(is_cut);
+  }
+
+  double smaller_area(const std::vector<char>& is_cut) const {
+    std::vector<Index> opposite = mesh_.opposites();
+    for (std::size_t h = 0; h < opposite.size(); ++h)
+      if (is_cut[h]) opposite[h] = -1;
+    const std::vector<Index> part = face_components(opposite);
+    double area[2] = {0, 0};
+    for (Index f = 0; f < mesh_.face_count(); ++f)
+      area[part[f] > 0] += area_vector(mesh_, f).norm();
+    return std::min(area[0], area[1]);
+  }
+
+  const SurfaceMesh& mesh_;
+  const Vec cost_;
+  std::vector<std::vector<Way>> leaving_;
+  std::vector<Index> place_;  // #V: place in the outer loop, -1 elsewhere
+  std::vector<Index> outer_;  // the loop with most vertices
+  std::vector<char> best_;
+  double price_ = kFar;
+};
+
+}  // namespace
+
+std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop) {
+  return TwoParts(chart).cut(stop);
+}
+
+std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,
+                             PathsAcross paths, const StopCheck& stop) {
+  return Across(chart, wanted).cut(paths, stop);
+}
+
+double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,
+                    const std::vector<char>& is_cut) {
+  const Vec cost = cut_costs(mesh, wanted);
+  double sum = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_cut[h]) sum += 0.5 * cost[h];
+  return sum;
+}
+
+bool unfolds_at_creases(const SurfaceMesh& chart, const CutPreferences& wanted) {
+  if (!chart.rest_triangles().empty()) return false;
+  if (angle_defects(chart).cwiseAbs().maxCoeff() > kCurved) return false;
+  const Vec sharp = sharpness(chart, wanted.creases);
+  for (Index h = 0; h < chart.half_edge_count(); ++h)
+    if (sharp[h] > 0 && chart.opposite(h) >= 0) return true;
+  return false;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,106 @@
+#include "majorant/parametrization/seams/internal/cut_costs.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "majorant/mesh/geometry.h"
+
+namespace majorant {
+namespace {
+
+// Degrees: edges below the first are not sharp, those above the second fully; a smooth
+// surface of some 1000 faces bends by up to 30 degrees at its edges, a box by 90.
+constexpr double kSharpFrom = 40, kSharpTo = 70;
+// The cost of a crease, relative to its length. A seam along it costs half of that, a chart that is
+// bent over it a quarter; which of the two it is decides the difference.
+constexpr double kCreaseCost = 0.25;
+// The cost of an edge inside a polygon, relative to its length: more than any way around.
+constexpr double kInnerCost = 1e6;
+// The factor of an edge's cost at a vertex that is to stay whole: more than ways around such
+// vertices, less than through a polygon.
+constexpr double kWholeCost = 1e4;
+// The least length of an edge, relative to the mean one: no way is free; far below any usable edge.
+constexpr double kLeastLength = 1e-9;
+
+}  // namespace
+
+Vector3 area_vector(const SurfaceMesh& mesh, Index face) {
+  const Vector3 a = mesh.positions().row(mesh.faces()(face, 0)),
+                b = mesh.positions().row(mesh.faces()(face, 1)),
+                c = mesh.positions().row(mesh.faces()(face, 2));
+  return (b - a).cross(c - a);
+}
+
+bool is_inner(const SurfaceMesh& mesh, Index half_edge) {
+  return mesh.input_face(face_of(half_edge)) == mesh.input_face(face_of(mesh.opposite(half_edge)));
+}
+
+Vec dihedral_angles(const SurfaceMesh& mesh) {
+  Vec angle = Vec::Zero(mesh.half_edge_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index o = mesh.opposite(h);
+    if (o < h || is_inner(mesh, h)) continue;  // the boundary has -1
+    const Vector3 a = area_vector(mesh, face_of(h)), b = area_vector(mesh, face_of(o));
+    angle[h] = angle[o] = std::atan2(a.cross(b).norm(), a.dot(b));
+  }
+  return angle;
+}
+
+Vec sharpness(const SurfaceMesh& mesh, const std::vector<char>& creases) {
+  Vec sharp = dihedral_angles(mesh) * (180 / std::numbers::pi);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    sharp[h] = std::clamp((sharp[h] - kSharpFrom) / (kSharpTo - kSharpFrom), 0.0, 1.0);
+    if (!creases.empty() && creases[h]) sharp[h] = 1;
+  }
+  return sharp;
+}
+
+Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted) {
+  Vec cost(mesh.half_edge_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) cost[h] = mesh.edge_length(h);
+  const double least = kLeastLength * cost.mean();
+  const Vec sharp = sharpness(mesh, wanted.creases);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const bool inner = mesh.opposite(h) >= 0 && is_inner(mesh, h);
+    cost[h] = (inner ? kInnerCost : 1 - (1 - kCreaseCost) * sharp[h]) * std::max(cost[h], least);
+    if (!wanted.weight.empty()) cost[h] *= wanted.weight[h];
+  }
+  return cost;
+}
+
+Vec cut_costs(const SurfaceMesh& mesh, const CutPreferences& wanted,
+              const std::vector<char>& is_whole) {
+  Vec cost = cut_costs(mesh, wanted);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_whole[mesh.from_vertex(h)] || is_whole[mesh.to_vertex(h)]) cost[h] *= kWholeCost;
+  return cost;
+}
+
+Vec angle_defects(const SurfaceMesh& mesh) {
+  Vec defect = Vec::Constant(mesh.vertex_count(), 2 * std::numbers::pi);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    defect[mesh.from_vertex(h)] -= corner_angle(mesh, h).radians();
+  for (const auto& loop : mesh.boundary_loops())
+    for (const Index v : loop) defect[v] = 0;
+  return defect;
+}
+
+CutPreferences preferences_on(const std::vector<Index>& faces, const CutPreferences& all) {
+  CutPreferences out;
+  const auto take = [&](const auto& from, auto& to) {
+    if (from.empty()) return;
+    to.reserve(3 * faces.size());
+    for (const Index f : faces)
+      for (Index k = 0; k < 3; ++k) to.push_back(from[3 * f + k]);
+  };
+  take(all.creases, out.creases);
+  take(all.weight, out.weight);
+  return out;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

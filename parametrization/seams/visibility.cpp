@@ -1,0 +1,275 @@
+#include "majorant/parametrization/seams/visibility.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "majorant/framework/parallel.h"
+#include "majorant/mesh/model_unit.h"
+#include "majorant/parametrization/seams/internal/cut_costs.h"
+
+namespace majorant {
+namespace {
+
+// Vertices from which rays are sent at most: more than there are features that hide a seam.
+constexpr Index kMostSamples = 4000;
+// Cells along each side of the cube around a vertex, through whose middles rays go: 96 in all.
+// Even, so that no direction has a 0.
+constexpr int kCells = 4;
+// The height above a vertex at which a ray starts, of the diagonal of the surface: above rounding,
+// below what hides anything.
+constexpr double kHeight = 1e-3;
+// Times that visibility is replaced by the mean over neighbours.
+constexpr int kSmoothings = 2;
+// The weight of what is not visible at all: hidden ways may be longer, seams become so by some
+// percent on public models.
+constexpr double kHiddenWeight = 0.25;
+
+// Whether rays meet a surface: a tree of boxes, halved at the median of their middles.
+class Occluders {
+ public:
+  explicit Occluders(const SurfaceMesh& mesh) : mesh_(mesh), order_(to_size(mesh.face_count())) {
+    std::iota(order_.begin(), order_.end(), 0);
+    for (const Index f : order_) boxes_.push_back(box_of(f));
+    if (!order_.empty()) split(0, mesh.face_count());
+  }
+
+  bool meets(const Vector3& from, const Vector3& direction) const {
+    std::array<Index, 64> stack;  // deeper than a halved list of 2^32
+    std::size_t size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+      const Node& node = nodes_[to_size(stack[--size])];
+      if (!passes(node.box, from, direction)) continue;
+      if (node.right < 0) {
+        for (Index i = node.first; i < node.last; ++i)
+          if (meets_face(order_[to_size(i)], from, direction)) return true;
+      } else {
+        stack[size++] = node.right;
+        stack[size++] = node.left;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static constexpr Index kLeaf = 4;
+  using Box = Eigen::AlignedBox3d;
+  struct Node {
+    Box box;
+    Index first, last, left = -1, right = -1;
+  };
+
+  Vector3 corner(Index f, Index k) const { return mesh_.positions().row(mesh_.faces()(f, k)); }
+  Box box_of(Index f) const {
+    Box box;
+    for (Index k = 0; k < 3; ++k) box.extend(corner(f, k));
+    return box;
+  }
+
+  Index split(Index first, Index last) {
+    const auto number = static_cast<Index>(nodes_.size());
+    Node node{{}, first, last};
+    for (Index i = first; i < last; ++i) node.box.extend(boxes_[to_size(order_[to_size(i)])]);
+    nodes_.push_back(node);
+    if (last - first <= kLeaf) return number;
+    Index axis = 0;
+    node.box.sizes().maxCoeff(&axis);
+    const Index middle = first + (last - first) / 2;
+    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
+                     [&](Index a, Index b) {
+                       const double x = boxes_[to_size(a)].center()[axis],
+                                    y = boxes_[to_size(b)].center()[axis];
+                       return x < y || (x == y && a < b);
+                     });
+    node.left = split(first, middle);
+    node.right = split(middle, last);
+    nodes_[to_size(number)] = node;
+    return number;
+  }
+
+  static bool passes(const Box& box, const Vector3& from, const Vector3& direction) {
+    double enter = 0, leave = INFINITY;
+    for (int k = 0; k < 3; ++k) {
+      if (direction[k] == 0) {
+        if (from[k] < box.min()[k] || from[k] > box.max()[k]) return false;
+        continue;
+      }
+      const double a = (box.min()[k] - from[k]) / direction[k],
+                   b = (box.max()[k] - from[k]) / direction[k];
+      enter = std::max(enter, std::min(a, b));
+      leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave;
+  }
+
+  // [MT97], from both sides.
+  bool meets_face(Index f, const Vector3& from, const Vector3& direction) const {
+    const Vector3 a = corner(f, 0), e = corner(f, 1) - a, g = corner(f, 2) - a;
+    const Vector3 p = direction.cross(g);
+    const double det = e.dot(p);
+    if (det == 0) return false;
+    const Vector3 s = from - a, q = s.cross(e);
+    const double u = s.dot(p) / det, v = direction.dot(q) / det;
+    return u >= 0 && v >= 0 && u + v <= 1 && g.dot(q) / det > 0;
+  }
+
+  const SurfaceMesh& mesh_;
+  std::vector<Index> order_;
+  std::vector<Box> boxes_;  // of faces
+  std::vector<Node> nodes_;
+};
+
+struct Direction {
+  Vector3 towards;  // of length 1
+  double weight;    // its solid angle, but for a factor
+};
+
+std::vector<Direction> directions() {
+  std::vector<Direction> all;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0})
+      for (int i = 0; i < kCells; ++i)
+        for (int j = 0; j < kCells; ++j) {
+          Vector3 d;
+          d[axis] = side;
+          d[(axis + 1) % 3] = (2 * i + 1.0) / kCells - 1;
+          d[(axis + 2) % 3] = (2 * j + 1.0) / kCells - 1;
+          const double length = d.norm();
+          all.push_back({d / length, 1 / (length * length * length)});
+        }
+  return all;
+}
+
+Points3 vertex_normals(const SurfaceMesh& mesh) {
+  Points3 normals = Points3::Zero(mesh.vertex_count(), 3);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (Index k = 0; k < 3; ++k)
+      normals.row(mesh.faces()(f, k)) += area_vector(mesh, f).transpose();
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    normals.row(v) = normals.row(v).stableNormalized().eval();
+  return normals;
+}
+
+double start_height(const SurfaceMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (Index v = 0; v < mesh.vertex_count(); ++v) box.extend(Vector3(mesh.positions().row(v)));
+  return kHeight * box.diagonal().norm();
+}
+
+// The values of the samples (v % stride == 0), each taken by the vertices nearest to it.
+void spread(const SurfaceMesh& mesh, Index stride, Vec& value) {
+  if (stride == 1) return;
+  std::vector<std::vector<Index>> neighbours(to_size(mesh.vertex_count()));
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    neighbours[to_size(mesh.from_vertex(h))].push_back(mesh.to_vertex(h));
+    if (mesh.opposite(h) < 0) neighbours[to_size(mesh.to_vertex(h))].push_back(mesh.from_vertex(h));
+  }
+  std::vector<char> is_known(neighbours.size(), 0);
+  std::vector<Index> queue;
+  for (Index v = 0; v < mesh.vertex_count(); v += stride) {
+    is_known[to_size(v)] = 1;
+    queue.push_back(v);
+  }
+  for (std::size_t k = 0; k < queue.size(); ++k)
+    for (const Index w : neighbours[to_size(queue[k])]) {
+      if (is_known[to_size(w)]) continue;
+      is_known[to_size(w)] = 1;
+      value[w] = value[queue[k]];
+      queue.push_back(w);
+    }
+}
+
+void smooth(const SurfaceMesh& mesh, Vec& value) {
+  for (int k = 0; k < kSmoothings; ++k) {
+    Vec sum = value, count = Vec::Ones(value.size());
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      sum[mesh.from_vertex(h)] += value[mesh.to_vertex(h)];
+      count[mesh.from_vertex(h)] += 1;
+    }
+    value = sum.cwiseQuotient(count);
+  }
+}
+
+}  // namespace
+
+Vec ambient_visibility(const SurfaceMesh& mesh, const StopCheck& stop) {
+  if (const double unit = model_unit(mesh); unit != 1)
+    return ambient_visibility(*in_units(mesh, unit), stop);
+  const Occluders occluders(mesh);
+  const std::vector<Direction> light = directions();
+  const Points3 normals = vertex_normals(mesh);
+  const double height = start_height(mesh);
+  const Index stride = (mesh.vertex_count() + kMostSamples - 1) / kMostSamples;
+  Vec visibility = Vec::Ones(mesh.vertex_count());
+  parallel_for((mesh.vertex_count() + stride - 1) / stride, 16, [&](Index sample) {
+    if (sample % 16 == 0) stop.poll();
+    const Index v = sample * stride;
+    const Vector3 normal = normals.row(v);
+    const Vector3 from = mesh.positions().row(v).transpose() + height * normal;
+    double seen = 0, all = 0;
+    for (const Direction& d : light) {
+      const double weight = d.weight * d.towards.dot(normal);
+      if (weight <= 0) continue;
+      all += weight;
+      if (!occluders.meets(from, d.towards)) seen += weight;
+    }
+    if (all > 0) visibility[v] = seen / all;
+  });
+  spread(mesh, stride, visibility);
+  smooth(mesh, visibility);
+  return visibility;
+}
+
+Vec visibility_from(const SurfaceMesh& mesh, const Vector3& direction, const StopCheck& stop) {
+  if (const double unit = model_unit(mesh); unit != 1)
+    return visibility_from(*in_units(mesh, unit), direction, stop);
+  const Occluders occluders(mesh);
+  const Points3 normals = vertex_normals(mesh);
+  const double height = start_height(mesh);
+  const Vector3 towards = direction.stableNormalized();
+  Vec visibility(mesh.vertex_count());
+  parallel_for(mesh.vertex_count(), 256, [&](Index v) {
+    if (v % 256 == 0) stop.poll();
+    const Vector3 normal = normals.row(v);
+    const Vector3 from = mesh.positions().row(v).transpose() + height * normal;
+    const double cosine = towards.dot(normal);
+    visibility[v] = cosine > 0 && !occluders.meets(from, towards) ? cosine : 0;
+  });
+  return visibility;
+}
+
+std::vector<double> hiding_weights(const SurfaceMesh& mesh, const Vec& visibility) {
+  std::vector<double> weight(to_size(mesh.half_edge_count()));
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const double seen = 0.5 * (visibility[mesh.from_vertex(h)] + visibility[mesh.to_vertex(h)]);
+    weight[to_size(h)] = kHiddenWeight + (1 - kHiddenWeight) * seen;
+  }
+  return weight;
+}
+
+double visibility_of_cuts(const SurfaceMesh& mesh, const Vec& visibility,
+                          const std::vector<char>& is_cut) {
+  double sum = 0, length = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    if (!is_cut[to_size(h)]) continue;
+    sum += mesh.edge_length(h) * 0.5 *
+           (visibility[mesh.from_vertex(h)] + visibility[mesh.to_vertex(h)]);
+    length += mesh.edge_length(h);
+  }
+  if (length > 0) return sum / length;
+  double area = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const double twice = area_vector(mesh, f).norm();
+    for (Index k = 0; k < 3; ++k) sum += twice / 3 * visibility[mesh.faces()(f, k)];
+    area += twice;
+  }
+  return area > 0 ? sum / area : 1;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,63 @@
+// Visibility of known shapes, and what cuts make of it.
+#include "majorant/parametrization/seams/visibility.h"
+
+#include "majorant/framework/parallel.h"
+#include "majorant/parametrization/seams/choose_cuts.h"
+#include "parametrization/seams/cut_checks.h"
+
+namespace majorant {
+namespace {
+
+// A square plate with a wall around a part of it: a tray seen from inside.
+SurfaceMesh pit(int n) {
+  return SurfaceMesh::from_polygons(grid(n, [](double x, double y) {
+    const bool is_low = x > 0.3 && x < 0.7 && y > 0.3 && y < 0.7;
+    return is_low ? -0.6 : 0.0;
+  }));
+}
+
+TEST(Visibility, OfWhatIsConvexIsWhole) {
+  const Vec seen = ambient_visibility(SurfaceMesh::from_polygons(cube_sphere(6)));
+  EXPECT_GT(seen.minCoeff(), 1 - 1e-12);
+}
+
+TEST(Visibility, IsLessInAPit) {
+  const SurfaceMesh mesh = pit(20);
+  const Vec seen = ambient_visibility(mesh);
+  double low = 0, count = 0;
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (mesh.positions()(v, 2) < -0.5) low += seen[v], ++count;
+  EXPECT_LT(low / count, 0.5);
+  EXPECT_GT(seen.maxCoeff(), 0.95);
+  const ThreadCount two(2);
+  EXPECT_EQ(ambient_visibility(mesh), seen);
+}
+
+TEST(Visibility, FromADirection) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(6));
+  const Vec seen = visibility_from(mesh, {0, 0, 3});
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const double z = mesh.positions()(v, 2) / mesh.positions().row(v).norm();
+    EXPECT_NEAR(seen[v], std::max(0.0, z), 0.1);
+  }
+  CutOptions options;
+  options.wanted.weight = hiding_weights(mesh, seen);
+  const double hidden = visibility_of_cuts(mesh, seen, choose_cuts(mesh, options).is_cut);
+  EXPECT_LT(hidden, 0.05);
+}
+
+TEST(Visibility, OfSizesThatAreFarFromOne) {
+  const PolygonMesh input = limbs(4);
+  const Vec seen = ambient_visibility(SurfaceMesh::from_polygons(input));
+  for (const double scale : {0x1p-300, 0x1p300}) {
+    const auto scaled =
+        transformed(input, [scale](const Vector3& p) -> Vector3 { return scale * p; });
+    EXPECT_LT((ambient_visibility(SurfaceMesh::from_polygons(scaled)) - seen).norm(), 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
