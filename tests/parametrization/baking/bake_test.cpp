@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "counted_stop.h"
@@ -118,26 +119,21 @@ BezierMap apart(const SurfaceMesh& square) {
 }
 
 TEST(Bake, BothSidesOfACutLookAlike) {
-  const auto square = surface(grid(4, flat));
-  const BezierMap map = apart(*square);
+  const BezierMap map = apart(*surface(grid(4, flat)));
   BakeOptions options = floats(96, 64);
-  for (const int samples : {1, 2}) {
-    options.padding = 1;
-    options.samples = samples;
-    const BakedImage baked = bake(InverseMap(map), options, *same_places(map.mesh(), map.mesh()),
-                                  position_values(map.mesh()));
-    EXPECT_EQ(baked.counts.charts, 2);
-    const ColorDecoder decoder(baked.image, Transfer::Linear);
-    for (int k = 1; k < 200; ++k) {
-      const double y = k / 200.0;  // away from the border, beyond which nothing goes on
-      if (y < 0.1 || y > 0.9) continue;
-      for (const Vector2& uv :
-           {Vector2(0.05 + 0.8 * 0.5, 0.1 + 0.8 * y), Vector2(0.95 - 0.35 * y, 0.1 + 0.35 * 0.5)}) {
-        float value[3];
-        sample(baked.image, decoder, uv, Filter::Bilinear, value);
-        EXPECT_NEAR(value[0], 0.5, 1e-5) << uv.transpose();
-        EXPECT_NEAR(value[1], y, 1e-5) << uv.transpose();
-      }
+  options.padding = 1;
+  const BakedImage baked = bake(InverseMap(map), options, *same_places(map.mesh(), map.mesh()),
+                                position_values(map.mesh()));
+  EXPECT_EQ(baked.counts.charts, 2);
+  const ColorDecoder decoder(baked.image, Transfer::Linear);
+  for (int k = 20; k <= 180; ++k) {  // away from the border, beyond which nothing goes on
+    const double y = k / 200.0;
+    for (const Vector2& uv :
+         {Vector2(0.05 + 0.8 * 0.5, 0.1 + 0.8 * y), Vector2(0.95 - 0.35 * y, 0.1 + 0.35 * 0.5)}) {
+      std::array<float, 3> value{};
+      sample(baked.image, decoder, uv, Filter::Bilinear, value.data());
+      EXPECT_NEAR(value[0], 0.5, 1e-5) << uv.transpose();
+      EXPECT_NEAR(value[1], y, 1e-5) << uv.transpose();
     }
   }
 }
