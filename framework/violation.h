@@ -1,18 +1,18 @@
 // How far a point violates a bound, as an energy: what leads a start inside, and tells whether
 // there is an inside.
 //
-//   class Below final : public BarrierChecker, public ViolationMeasure {
+//   struct Below final : ViolationMeasure {
 //     std::shared_ptr<const EnergyTerm> violation(double margin) const override {
-//       return make_term<1>("below", unknowns_, [=](Index, const auto& z) {
-//         auto missing = z[0] - 1.0 + margin;      // g = 1 - z
+//       return make_term<1>("below 1", Cells{{0}}, [=](Index, const auto& z) {
+//         auto missing = z[0] - 1.0 + margin;  // g = 1 - z
 //         if (missing <= 0) missing = 0.0;
 //         return missing * missing;
 //       });
 //     }
-//     ...
+//   };
 //
-// BarrierMinimizer::of_bounds() asks bounds for it; those that are no ViolationMeasure are relaxed
-// and tightened instead, which ends without an answer where others hold them back.
+// BarrierMinimizer::of_bounds() asks bounds that are one beside a BarrierChecker. Other bounds are
+// relaxed and tightened instead, which ends without an answer where bounds hold each other back.
 #pragma once
 
 #include <memory>

@@ -148,7 +148,8 @@ TEST(DerivativeCheck, UnknownsOfOneElementMayDifferInSize) {
     EXPECT_TRUE(right.ok()) << scale << "\n" << right.message();
     const DerivativeReport wrong = check_derivatives(Swing(1.001), Vec{{scale, 0.1}});
     ASSERT_FALSE(wrong.ok()) << scale;
-    EXPECT_EQ(wrong.mismatches.front().block, "gradient[1]");
+    EXPECT_EQ(wrong.message().find("not resolved"), std::string::npos) << wrong.message();
+    if (scale >= 1) EXPECT_EQ(wrong.mismatches.front().block, "gradient[1]");
   }
 }
 
