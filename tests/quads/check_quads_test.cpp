@@ -34,7 +34,8 @@ TEST(ExactNormals, SignsOfTheLastBit) {
     EXPECT_EQ(sign_of_normals({a, b}, {a, right}, {a, c}, {b, Vector3(0, 1, 0)}), -1) << y;
     EXPECT_EQ(sign_of_normals({a, b}, {a, on}, {a, c}, {b, Vector3(0, 1, 0)}), 0) << y;
   }
-  // 0.1, 0.2 and 0.3 are not on one line, as doubles; their multiples by 3 are where the sum rounds.
+  // 0.1, 0.2 and 0.3 are not on one line, as doubles; their multiples by 3 are where the sum
+  // rounds.
   const Vector3 p(0.1, 0.1, 0), q(0.2, 0.2, 0), r(0.3, 0.3, 0);
   EXPECT_EQ(sign_of_normals({p, q}, {p, r}, {a, b}, {a, Vector3(0, 1, 0)}), 0);
   const Vector3 above(0.3, std::nextafter(0.3, 1), 0);
