@@ -64,8 +64,7 @@ void open(const QuadsRequest& request, QuadJob& job) {
 void summarize(const QuadsRequest& request, const QuadJob& job, const WrittenFiles& written,
                double seconds) {
   if (request.common.quiet) return;
-  for (const Repair& repair : job.surface.repairs)
-    say("{}: {}\n", request.input, describe(repair));
+  for (const Repair& repair : job.surface.repairs) say("{}: {}\n", request.input, describe(repair));
   written.say_sizes();
   say("{}: {}, {}; {} asked{}, {:.2f} s\n", request.input, status_name(job.status),
       describe(job.check, QuadsComparedWith::Surface), job.asked_count,

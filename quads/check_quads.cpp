@@ -27,7 +27,8 @@ constexpr std::size_t kNamed = 8;  // places that a sentence names
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 // "3 quads are folded (1, 7, 9)"; of many the first.
-std::string listed(std::string_view one, std::string_view several, const std::vector<Index>& from_0) {
+std::string listed(std::string_view one, std::string_view several,
+                   const std::vector<Index>& from_0) {
   std::vector<Index> shown;
   for (const Index i : from_0) {
     if (shown.size() == kNamed) break;
@@ -65,9 +66,7 @@ class QuadJudge {
  private:
   void blame(std::string defect) { check_.defects.push_back(std::move(defect)); }
   Index half_edge_count() const { return 4 * check_.count; }
-  Index from(Index half_edge) const {
-    return quads_.polygons[quad_of(half_edge)][half_edge % 4];
-  }
+  Index from(Index half_edge) const { return quads_.polygons[quad_of(half_edge)][half_edge % 4]; }
   Index to(Index half_edge) const { return from(after(half_edge)); }
   const Vector3& point(Index vertex) const { return quads_.positions[vertex]; }
 
@@ -76,8 +75,7 @@ class QuadJudge {
     for (Index q = 0; q < check_.count; ++q) {
       std::vector<Index> corners = quads_.polygons[q];
       std::sort(corners.begin(), corners.end());
-      const bool repeats =
-          std::adjacent_find(corners.begin(), corners.end()) != corners.end();
+      const bool repeats = std::adjacent_find(corners.begin(), corners.end()) != corners.end();
       if (corners.size() != 4 || repeats) others.push_back(q);
     }
     if (check_.count == 0) blame("there are no faces");
@@ -108,7 +106,8 @@ class QuadJudge {
     }
     const auto blame_edges = [&](std::string_view what, const std::vector<std::string>& edges) {
       if (edges.empty()) return;
-      const auto shown = edges.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, edges.size()));
+      const auto shown =
+          edges.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, edges.size()));
       blame(fmt::format("{} {} (vertices {}{})", edges.size(), what,
                         fmt::join(edges.begin(), shown, ", "),
                         edges.size() > kNamed ? ", ..." : ""));
@@ -191,8 +190,7 @@ class QuadJudge {
         is_folded |= sign_of_normals({a, b}, {a, d}, {p[0], p[2]}, {p[1], p[3]}) <= 0;
         const Vector3 along = (b - a).stableNormalized(), back = (d - a).stableNormalized();
         least_sine = std::min(least_sine, along.cross(back).dot(n));
-        deviation +=
-            std::abs(degrees(std::atan2(along.cross(back).norm(), along.dot(back))) - 90);
+        deviation += std::abs(degrees(std::atan2(along.cross(back).norm(), along.dot(back))) - 90);
       }
       if (is_folded) check_.folded.push_back(q);
       least = std::min(least, least_sine);
@@ -201,8 +199,7 @@ class QuadJudge {
     check_.min_scaled_jacobian = least;
     check_.mean_scaled_jacobian = sum / check_.count;
     check_.angle_deviation = deviation / (4.0 * check_.count);
-    if (!check_.folded.empty())
-      blame(listed("quad is folded", "quads are folded", check_.folded));
+    if (!check_.folded.empty()) blame(listed("quad is folded", "quads are folded", check_.folded));
   }
 
   std::array<Vector3, 4> corners_of(Index q) const {
@@ -231,8 +228,8 @@ class QuadJudge {
   void compare_positions() {
     const Points3 positions = surface_points();
     const SurfaceTree tree(positions, surface_->faces());
-    Points3 samples(check_.count + half_edge_count() +
-                        static_cast<Index>(quads_.positions.size()), 3);
+    Points3 samples(check_.count + half_edge_count() + static_cast<Index>(quads_.positions.size()),
+                    3);
     Index rows = 0;
     for (Index q = 0; q < check_.count; ++q) {
       const std::array<Vector3, 4> p = corners_of(q);
@@ -349,7 +346,8 @@ class QuadJudge {
     if (!wrong.empty())
       blame(listed("border loop does not follow one of the surface once, in order (vertex",
                    "border loops do not follow one of the surface once, in order (vertices",
-                   wrong) + ")");
+                   wrong) +
+            ")");
     if (!missing_.empty())
       blame(listed("corner of the surface's border has no vertex (of the surface)",
                    "corners of the surface's border have no vertex (of the surface)", missing_));
@@ -365,9 +363,8 @@ class QuadJudge {
       const Vector3 in = p - Vector3(positions.row(border[(i + count - 1) % count]));
       const Vector3 out = Vector3(positions.row(border[(i + 1) % count])) - p;
       if (degrees(std::atan2(in.cross(out).norm(), in.dot(out))) < kCornerTurn) continue;
-      const bool is_met = std::any_of(loop.begin(), loop.end(), [&](Index h) {
-        return (point(from(h)) - p).norm() <= close;
-      });
+      const bool is_met = std::any_of(
+          loop.begin(), loop.end(), [&](Index h) { return (point(from(h)) - p).norm() <= close; });
       if (!is_met) missing_.push_back(border[i]);
     }
   }
@@ -386,8 +383,7 @@ class QuadJudge {
 
 }  // namespace
 
-QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface,
-                      const StopCheck& stop) {
+QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface, const StopCheck& stop) {
   return QuadJudge(quads, surface, stop).judge();
 }
 

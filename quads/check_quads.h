@@ -40,15 +40,15 @@ struct QuadDistance {
 struct QuadCheck {
   // What is wrong, a sentence each, faces and vertices from 1: empty where nothing is.
   std::vector<std::string> defects;
-  Topology topology;              // of the quads; zeros where they make no surface
-  Index count = 0;                // faces
-  Index irregular = 0;            // inner vertices of other than 4 quads
-  std::vector<Index> folded;      // quads with a folded corner, ascending
-  std::vector<Index> turned;      // where there is a surface
-  double min_scaled_jacobian = 0;  // the least sine of a corner, against n
+  Topology topology;                // of the quads; zeros where they make no surface
+  Index count = 0;                  // faces
+  Index irregular = 0;              // inner vertices of other than 4 quads
+  std::vector<Index> folded;        // quads with a folded corner, ascending
+  std::vector<Index> turned;        // where there is a surface
+  double min_scaled_jacobian = 0;   // the least sine of a corner, against n
   double mean_scaled_jacobian = 0;  // the mean over quads of the least one of each
-  double angle_deviation = 0;     // mean over corners of |angle - 90|, degrees
-  QuadDistance hausdorff;         // where there is a surface
+  double angle_deviation = 0;       // mean over corners of |angle - 90|, degrees
+  QuadDistance hausdorff;           // where there is a surface
 
   bool is_valid() const { return defects.empty(); }
 };

@@ -25,7 +25,8 @@ int exact_sign(const std::array<PointPair, 4>& pairs) {
   const auto dot = [&](std::size_t i, std::size_t k) {
     Integer sum = 0;
     for (std::size_t c = 0; c < 3; ++c)
-      sum += (scaled[6 * i + 3 + c] - scaled[6 * i + c]) * (scaled[6 * k + 3 + c] - scaled[6 * k + c]);
+      sum +=
+          (scaled[6 * i + 3 + c] - scaled[6 * i + c]) * (scaled[6 * k + 3 + c] - scaled[6 * k + c]);
     return sum;
   };
   const Integer left = dot(0, 2) * dot(1, 3), right = dot(0, 3) * dot(1, 2);

@@ -18,8 +18,7 @@ struct PointPair {
 };
 
 // The sign of ((a x b) . (c x d)): 1, 0 or -1.
-int sign_of_normals(const PointPair& a, const PointPair& b, const PointPair& c,
-                    const PointPair& d);
+int sign_of_normals(const PointPair& a, const PointPair& b, const PointPair& c, const PointPair& d);
 
 }  // namespace majorant
 

@@ -136,9 +136,8 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
     record.begin(Activity::Solving);
     ArcNumbers numbers(lattice, t_mesh, arcs, stop);
     const std::vector<Index> edges =
-        options.edge_length
-            ? numbers.at(*options.edge_length / lattice.unit() / std::sqrt(part))
-            : numbers.for_count(part * static_cast<double>(result.asked));
+        options.edge_length ? numbers.at(*options.edge_length / lattice.unit() / std::sqrt(part))
+                            : numbers.for_count(part * static_cast<double>(result.asked));
     result.quads = ExtractedQuads(lattice, t_mesh, edges).polygons();
     smooth_quads(result.quads, file_positions(mesh), mesh.faces(), stop);
     record.begin(Activity::Proving);

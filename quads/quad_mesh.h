@@ -40,7 +40,7 @@ struct QuadMesh {
   // were made.
   std::optional<long> least_count;
   Index cones = 0, patches = 0;
-  bool has_joined_arcs = false;  // arcs without edges; false: all have one at least
+  bool has_joined_arcs = false;       // arcs without edges; false: all have one at least
   Status status = Status::Converged;  // of the map's optimization, which a limit may have ended
 };
 
@@ -48,8 +48,8 @@ struct QuadMesh {
 inline constexpr double kCountClose = 0.05;
 
 // mesh: connected. Throws Error(Unsupported) for a border; InvalidArgument for options out of range
-// or that exclude each other; Error(Infeasible) where no whole numbers or no valid quads were found;
-// as make_seamless(); Stopped when the record's start_stop() says so.
+// or that exclude each other; Error(Infeasible) where no whole numbers or no valid quads were
+// found; as make_seamless(); Stopped when the record's start_stop() says so.
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record);
 
 }  // namespace majorant

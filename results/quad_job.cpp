@@ -108,17 +108,17 @@ Json quad_report(const QuadJob& job) {
   section["degree"] = 1;
   Json input = input_section(job.polygons, *job.surface.mesh);
   for (Json& line : repairs) input["repairs"].push_back(line);
-  Json report{{"schema_version", 1},
-              {"version", MAJORANT_VERSION},
-              {"command", "quads"},
-              {"status", status_name(job.status)},
-              {"message", describe(job.check, QuadsComparedWith::Surface)},
-              {"warnings", job.polygons.warnings},
-              {"input", input},
-              {"options", job.asked},
-              {"quads", section},
-              {"seconds",
-               {{"read", job.read_seconds}, {"solve", job.solve_seconds}, {"write", 0.0}}}};
+  Json report{
+      {"schema_version", 1},
+      {"version", MAJORANT_VERSION},
+      {"command", "quads"},
+      {"status", status_name(job.status)},
+      {"message", describe(job.check, QuadsComparedWith::Surface)},
+      {"warnings", job.polygons.warnings},
+      {"input", input},
+      {"options", job.asked},
+      {"quads", section},
+      {"seconds", {{"read", job.read_seconds}, {"solve", job.solve_seconds}, {"write", 0.0}}}};
   report["peak_memory_bytes"] = peak_memory_bytes();
   report["threads"] = ThreadCount::current();
   return report;
@@ -131,8 +131,7 @@ void write_quads(const std::string& path, const PolygonMesh& quads, const Surfac
   write_file_atomically(path, text, [&](const std::string& temporary) {
     const QuadCheck check = check_quads(read_mesh(temporary), &surface);
     if (!check.is_valid())
-      throw Error(ErrorKind::Invalid,
-                  fmt::format("{}: {}", path, fmt::join(check.defects, "; ")));
+      throw Error(ErrorKind::Invalid, fmt::format("{}: {}", path, fmt::join(check.defects, "; ")));
   });
 }
 

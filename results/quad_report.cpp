@@ -26,19 +26,20 @@ Json quads_section(const QuadCheck& check, QuadsComparedWith surface) {
 std::string describe(const QuadCheck& check, QuadsComparedWith surface) {
   if (!check.is_valid()) return fmt::format("{}", fmt::join(check.defects, "; "));
   const Topology& t = check.topology;
-  const std::string measured =
-      fmt::format("{} irregular, scaled Jacobian at least {:.4f}, {:.4f} in the mean, angles off by "
-                  "{:.2f} degrees in the mean",
-                  check.irregular, check.min_scaled_jacobian, check.mean_scaled_jacobian,
-                  check.angle_deviation);
+  const std::string measured = fmt::format(
+      "{} irregular, scaled Jacobian at least {:.4f}, {:.4f} in the mean, angles off by "
+      "{:.2f} degrees in the mean",
+      check.irregular, check.min_scaled_jacobian, check.mean_scaled_jacobian,
+      check.angle_deviation);
   const std::string counts =
       fmt::format("{} quads, Euler characteristic {}, {} border loop{}", check.count,
                   t.euler_characteristic(), t.boundary_loops, t.boundary_loops == 1 ? "" : "s");
   if (surface == QuadsComparedWith::Nothing)
     return fmt::format("{}, none folded; {}; not asked: surface (--surface)", counts, measured);
-  return fmt::format("{} as the surface, none folded or turned; {}; {:.3g} to the surface, {:.3g} "
-                     "from it",
-                     counts, measured, check.hausdorff.to_surface, check.hausdorff.from_surface);
+  return fmt::format(
+      "{} as the surface, none folded or turned; {}; {:.3g} to the surface, {:.3g} "
+      "from it",
+      counts, measured, check.hausdorff.to_surface, check.hausdorff.from_surface);
 }
 
 }  // namespace majorant

@@ -78,7 +78,8 @@ void ExtractedQuads::join() {
       if (sum_of(patch.sides[s], edges_) > 0) continue;
       const std::vector<Index> there = vertices_of_side(patch.sides[s + 1]);
       const std::vector<Index> back = vertices_of_side(patch.sides[(s + 3) % 4]);
-      for (std::size_t i = 0; i < there.size(); ++i) same_.join(there[i], back[back.size() - 1 - i]);
+      for (std::size_t i = 0; i < there.size(); ++i)
+        same_.join(there[i], back[back.size() - 1 - i]);
     }
 }
 

@@ -52,7 +52,8 @@ class Quantizer {
         const auto fits = [&](Index there, int by) {
           return (excess_[there] + (there == e ? need : 0)) * by < 0;
         };
-        const std::vector<Change> path = cheapest_path({e, need}, fits, -1, std::numeric_limits<double>::infinity());
+        const std::vector<Change> path =
+            cheapest_path({e, need}, fits, -1, std::numeric_limits<double>::infinity());
         if (path.empty())
           throw Error(ErrorKind::Infeasible,
                       "no whole numbers of quads were found for the sides of all patches");

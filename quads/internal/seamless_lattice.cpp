@@ -48,10 +48,14 @@ std::vector<std::int64_t> rounded_unknowns(const BezierMap& map, double unit) {
 
 LatticePoint turned(LatticePoint p, int turns) {
   switch (quarter(turns)) {
-    case 1: return {-p.v, p.u};
-    case 2: return {-p.u, -p.v};
-    case 3: return {p.v, -p.u};
-    default: return p;
+    case 1:
+      return {-p.v, p.u};
+    case 2:
+      return {-p.u, -p.v};
+    case 3:
+      return {p.v, -p.u};
+    default:
+      return p;
   }
 }
 

@@ -40,7 +40,9 @@ inline WideInteger cross(LatticePoint a, LatticePoint b) {
 }
 inline int sign(WideInteger x) { return (x > 0) - (x < 0); }
 // 1 where c is to the left of the line from a to b, -1 to the right.
-inline int side(LatticePoint a, LatticePoint b, LatticePoint c) { return sign(cross(b - a, c - a)); }
+inline int side(LatticePoint a, LatticePoint b, LatticePoint c) {
+  return sign(cross(b - a, c - a));
+}
 
 // The remainder of any integer number of quarter turns, 0 to 3.
 inline int quarter(int turns) { return ((turns % 4) + 4) % 4; }
@@ -62,7 +64,8 @@ class SeamlessLattice {
   int quarter_turns(Index vertex) const { return quarter_turns_[vertex]; }
   bool is_cone(Index vertex) const { return quarter_turns_[vertex] != 4; }
   LatticePoint corner(Index half_edge) const { return corners_[half_edge]; }
-  // Of the chart of the face of a half-edge towards that of the opposite one: p' = i^-turns (p - t).
+  // Of the chart of the face of a half-edge towards that of the opposite one: p' = i^-turns (p -
+  // t).
   int turns(Index half_edge) const { return turns_[half_edge]; }
   LatticePoint beyond(Index half_edge, LatticePoint p) const;
   int direction_beyond(Index half_edge, int direction) const {

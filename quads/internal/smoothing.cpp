@@ -34,10 +34,13 @@ class Smoother {
   void smooth() {
     // Sweeps; the last ones change little. Chosen, not tuned.
     constexpr int kSweeps = 5, kRepairs = 30;
+    // The part that where the map has a vertex has in its goal: tips of the surface are not left.
+    constexpr double kStay = 0.5;
+    const std::vector<Vector3> start = mesh_.positions;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       for (std::size_t v = 0; v < quads_.size(); ++v) {
         stop_.poll_at(v);
-        move_towards(v, middle(v));
+        move_towards(v, (1 - kStay) * middle(v) + kStay * start[v]);
       }
     }
     for (int sweep = 0; sweep < kRepairs; ++sweep)
@@ -116,8 +119,8 @@ class Smoother {
     likely_[v] = nearest.face;
     Vector3 point = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
-      point += nearest.barycentric[k] *
-               Vector3(surface_positions_.row(surface_faces_(nearest.face, k)));
+      point +=
+          nearest.barycentric[k] * Vector3(surface_positions_.row(surface_faces_(nearest.face, k)));
     return point;
   }
 
@@ -135,9 +138,8 @@ class Smoother {
     return false;
   }
 
-  // One sweep over the vertices of bad quads: steps around them after which fewer are turned, or the
-  // worst corner is better.
-  // Returns whether there is anything left to do, and it helps.
+  // One sweep over the vertices of bad quads: steps around them after which fewer are turned, or
+  // the worst corner is better. Returns whether there is anything left to do, and it helps.
   bool repair() {
     constexpr double kBad = 0.1;
     constexpr int kDirections = 8;

@@ -26,12 +26,12 @@ struct InTheWay {
 
 // A line while it grows.
 struct Trace {
-  Index cone;      // the vertex that it starts from
-  int order;       // among the lines that leave it, counterclockwise
-  std::vector<LineLeg> legs;    // the last one is under way
+  Index cone;                 // the vertex that it starts from
+  int order;                  // among the lines that leave it, counterclockwise
+  std::vector<LineLeg> legs;  // the last one is under way
   bool has_ended = false;
-  std::int64_t length = 0;      // once it has ended
-  Index on = -1;                // the line that it ended on, at `on_distance` of it
+  std::int64_t length = 0;  // once it has ended
+  Index on = -1;            // the line that it ended on, at `on_distance` of it
   std::int64_t on_distance = 0;
   int on_quarter = 0;  // its way back, in quarter turns from the direction of that line
   Index met = -1;      // the line that came towards it: both are one, from cone to cone
@@ -106,7 +106,8 @@ class Tracer {
     do {
       for (const int direction : leaving_directions(lattice_, h)) {
         require_off(direction, h, next(h));
-        traces_.push_back({.cone = vertex, .order = order++,
+        traces_.push_back({.cone = vertex,
+                           .order = order++,
                            .legs = {{face_of(h), direction, lattice_.corner(h)}}});
       }
       h = surface_.opposite(previous(h));
@@ -159,9 +160,8 @@ class Tracer {
         meet(t, passage.trace, distance_along(leg, across.start));
         return;
       }
-      const LatticePoint p = leg.direction % 2 == 0
-                                 ? LatticePoint{across.start.u, leg.start.v}
-                                 : LatticePoint{leg.start.u, across.start.v};
+      const LatticePoint p = leg.direction % 2 == 0 ? LatticePoint{across.start.u, leg.start.v}
+                                                    : LatticePoint{leg.start.u, across.start.v};
       const Hit hit{distance_along(leg, p), passage, distance_along(across, p)};
       if (hit.distance <= 0 || hit.on_distance <= 0) continue;
       if (is_end && hit.on_distance >= other.length) continue;
@@ -196,8 +196,8 @@ class Tracer {
     trace.length = hit.distance;
     trace.on = hit.on.trace;
     trace.on_distance = hit.on_distance;
-    trace.on_quarter = quarter(trace.legs.back().direction + 2 -
-                               traces_[hit.on.trace].legs[hit.on.leg].direction);
+    trace.on_quarter =
+        quarter(trace.legs.back().direction + 2 - traces_[hit.on.trace].legs[hit.on.leg].direction);
   }
 
   void meet(Index t, Index other, std::int64_t length) {
@@ -276,8 +276,7 @@ class TMeshBuilder {
         line_of_[trace.met] = {line, true};
         const std::vector<LineLeg>& back = traces_[trace.met].legs;
         for (auto leg = back.rbegin(); leg != back.rend(); ++leg)
-          joined.legs.push_back(
-              {leg->face, quarter(leg->direction + 2), leg->at(trace.length)});
+          joined.legs.push_back({leg->face, quarter(leg->direction + 2), leg->at(trace.length)});
       }
       mesh_.lines.push_back(std::move(joined));
     }
@@ -400,10 +399,10 @@ class TMeshBuilder {
                        static_cast<Index>(mesh_.patches.size());
     const Index wanted = lattice_.surface().topology().euler_characteristic();
     if (euler != wanted)
-      refuse(fmt::format("their Euler characteristic is {}, that of the surface {}", euler, wanted));
+      refuse(
+          fmt::format("their Euler characteristic is {}, that of the surface {}", euler, wanted));
     WideInteger area = 0;
-    for (const TPatch& patch : mesh_.patches)
-      area += 2 * WideInteger{patch.width} * patch.height;
+    for (const TPatch& patch : mesh_.patches) area += 2 * WideInteger{patch.width} * patch.height;
     if (area != lattice_.twice_area()) refuse("the areas of patches do not add up");
   }
 

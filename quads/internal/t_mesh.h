@@ -28,9 +28,7 @@ struct LineLeg {
   int direction;
   LatticePoint start;
 
-  LatticePoint at(std::int64_t distance) const {
-    return start + distance * unit_vector(direction);
-  }
+  LatticePoint at(std::int64_t distance) const { return start + distance * unit_vector(direction); }
 };
 
 // From a cone to where it ends, on another line or in another cone.
@@ -48,7 +46,7 @@ struct TNode {
 // Half-arc 2 a runs along arc a as its line does, 2 a + 1 against it.
 struct TArc {
   Index line;
-  std::int64_t begin, end;   // distances along the line
+  std::int64_t begin, end;    // distances along the line
   std::array<Index, 2> node;  // there
 
   std::int64_t length() const { return end - begin; }

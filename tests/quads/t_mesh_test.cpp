@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/quads/internal/extraction.h"
