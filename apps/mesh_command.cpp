@@ -116,7 +116,8 @@ void add_mesh_check(CLI::App& mesh, Action* run) {
 }
 
 void add_mesh(CLI::App& app, Action* run) {
-  CLI::App& verb = *app.add_subcommand("mesh", "check and optimize meshes of volumes, straight or curved");
+  CLI::App& verb =
+      *app.add_subcommand("mesh", "check and optimize meshes of volumes, straight or curved");
   begin_group(verb, OptionGroup::General);
   verb.get_help_ptr()->group(verb.option_defaults()->get_group());
   verb.require_subcommand(1);

@@ -47,7 +47,7 @@ constexpr std::string_view kSizeFrom = "size=";
 
 // Numbers with space between them: edge lengths.
 std::vector<double> read_sizes(const std::string& path, const StopCheck& stop) {
-  const std::string content = read_whole_file(path, stop);
+  std::string content = read_whole_file(path, stop);
   require_text(path, content);
   std::istringstream words(content);
   std::vector<double> sizes;
@@ -55,9 +55,8 @@ std::vector<double> read_sizes(const std::string& path, const StopCheck& stop) {
     char* end = nullptr;
     sizes.push_back(std::strtod(word.c_str(), &end));
     if (*end != '\0' || !(sizes.back() > 0) || !std::isfinite(sizes.back()))
-      throw Error(ErrorKind::Unreadable,
-                  fmt::format("{}: {} is no edge length, a positive number", path,
-                              in_quotes(word)));
+      throw Error(ErrorKind::Unreadable, fmt::format("{}: {} is no edge length, a positive number",
+                                                     path, in_quotes(word)));
   }
   if (sizes.empty()) throw Error(ErrorKind::Unreadable, path + ": no edge lengths");
   return sizes;
@@ -101,9 +100,8 @@ void require_usable(const MeshOptimizeRequest& request) {
   if (target.starts_with(kSizeFrom)) inputs.push_back(target.substr(kSizeFrom.size()));
   require_writable(request.common, {{{request.output}, {".msh", ".mesh", ".vtu"}}}, inputs);
   if (format != format_of(request.output))
-    throw Error(ErrorKind::Usage,
-                fmt::format("{}: the mesh is written in the format of {}, {}", request.output,
-                            request.input, format));
+    throw Error(ErrorKind::Usage, fmt::format("{}: the mesh is written in the format of {}, {}",
+                                              request.output, request.input, format));
 }
 
 // "part.msh: converged: 384 tetrahedra of degree 2; 25 elements were not valid, none is left; ..."
@@ -112,14 +110,15 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
   const VolumeCheck &before = result.before, &after = result.after;
   const auto count = static_cast<Index>(before.cells.size());
   const Index bad = count - before.count(ProofStatus::Proven);
-  std::string text = fmt::format("{}: {}: {}", request.input, status_name(result.status),
-                                 elements_in_words(mesh));
+  std::string text =
+      fmt::format("{}: {}: {}", request.input, status_name(result.status), elements_in_words(mesh));
   if (result.status == Status::Infeasible || !after.is_valid())
     return one_line(text + fmt::format("; {}; no mesh is written\n", result.message));
   if (bad > 0)
     text += fmt::format("; {} {} not valid, none is left", bad, bad == 1 ? "was" : "were");
   text += fmt::format(
-      "; energy {:.6g} to {:.6g}; scaled Jacobian at least {:.4g}, {:.4g} in the mean, before {:.4g} "
+      "; energy {:.6g} to {:.6g}; scaled Jacobian at least {:.4g}, {:.4g} in the mean, before "
+      "{:.4g} "
       "and {:.4g}; {} nodes moved\n",
       result.initial_value, result.value, after.least_scaled_jacobian(),
       after.mean_scaled_jacobian(), before.least_scaled_jacobian(), before.mean_scaled_jacobian(),
@@ -132,9 +131,9 @@ std::string impossible_in_words(const VolumeMesh& mesh, const VolumeResult& resu
   for (const CellName& name : result.impossible) {
     if (listed-- == 0) break;
     const CellBlock& block = mesh.blocks[to_size(name.block)];
-    text += fmt::format("  element {} ({}, region {}): impossible, its held nodes make det J <= 0\n",
-                        name_of(mesh, name), plural_of(block.type.shape),
-                        block.regions[to_size(name.cell)]);
+    text += fmt::format(
+        "  element {} ({}, region {}): impossible, its held nodes make det J <= 0\n",
+        name_of(mesh, name), plural_of(block.type.shape), block.regions[to_size(name.cell)]);
   }
   return text;
 }
@@ -188,8 +187,8 @@ int mesh_optimize(const MeshOptimizeRequest& request) {
     return or_interrupted(doing + " " + request.input,
                           [&] { return within_memory(request.input, work); });
   };
-  VolumeMesh mesh = guarded(
-      "reading", [&] { return read_volume_mesh(request.input, record.start_stop()); });
+  VolumeMesh mesh =
+      guarded("reading", [&] { return read_volume_mesh(request.input, record.start_stop()); });
   const VolumeOptions options = options_of(request, mesh, record.start_stop());
   const VolumeResult result =
       guarded("optimizing", [&] { return optimize_volume_mesh(mesh, options, record); });
@@ -248,9 +247,9 @@ void add_mesh_optimize(CLI::App& mesh, Action* run) {
                   "fixed; slide: planes move in themselves, their edges along themselves; free")
       ->check(one_of({"fixed", "slide", "free"}));
   begin_group(verb, OptionGroup::Solver);
-  verb.add_option("--tolerance", request->tolerance,
-                  fmt::format("part of the energy that may be left, estimated ({})",
-                              request->tolerance))
+  verb.add_option(
+          "--tolerance", request->tolerance,
+          fmt::format("part of the energy that may be left, estimated ({})", request->tolerance))
       ->check(positive_number());
   verb.add_option("--max-iterations", request->max_iterations,
                   fmt::format("after untangling ({})", request->max_iterations))

@@ -25,9 +25,9 @@ namespace majorant {
 inline constexpr double kFirstEps = 0.1, kFirstEpsHeld = 1;
 
 struct UntangledPoint {
-  Vec x;                // full unknowns
-  Verdict verdict;      // of x; its margin: the least bound of det J, by the size of the elements
-  int iterations = 0;   // Newton steps
+  Vec x;               // full unknowns
+  Verdict verdict;     // of x; its margin: the least bound of det J, by the size of the elements
+  int iterations = 0;  // Newton steps
 };
 
 // energies: terms of the problem whose one parameter is eps. judge: the checks of all elements, on

@@ -59,25 +59,23 @@ std::vector<NamedEnergy> all_energies() {
                 },
                 barrier(Barrier::Weak))),
       named("|J - R|^2; isometry 0",
-            solid_spectral("arap",
-                           [](const auto& s) {
-                             return (s - 1.0) * (s - 1.0);
-                           },
-                           everywhere)),
+            solid_spectral(
+                "arap", [](const auto& s) { return (s - 1.0) * (s - 1.0); }, everywhere)),
       named("|J - R|^2 + |J^-1 - R^-1|^2; isometry 0",
-            solid_spectral("symmetric-arap",
-                           [](const auto& s) {
-                             const auto inverse = 1.0 / s;
-                             return (s - 1.0) * (s - 1.0) + (inverse - 1.0) * (inverse - 1.0);
-                           },
-                           barrier(Barrier::Weak))),
-      named("sum of log^2 of the singular values; isometry 0",
-            solid_spectral("log-isometric",
-                           [](const auto& s) {
-                             using std::log;
-                             return log(s) * log(s);
-                           },
-                           barrier(Barrier::Weak))),
+            solid_spectral(
+                "symmetric-arap",
+                [](const auto& s) {
+                  const auto inverse = 1.0 / s;
+                  return (s - 1.0) * (s - 1.0) + (inverse - 1.0) * (inverse - 1.0);
+                },
+                barrier(Barrier::Weak))),
+      named("sum of log^2 of the singular values; isometry 0", solid_spectral(
+                                                                   "log-isometric",
+                                                                   [](const auto& s) {
+                                                                     using std::log;
+                                                                     return log(s) * log(s);
+                                                                   },
+                                                                   barrier(Barrier::Weak))),
   };
 }
 

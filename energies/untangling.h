@@ -4,7 +4,8 @@
 //     F_eps(J) = (|J|^2 + lambda (D^2 + 1)) / chi(eps, D),   D = det J,
 //     chi = (D + sqrt(eps^2 + D^2)) / 2,  for D < 0 written eps^2 / (2 (sqrt(eps^2 + D^2) - D)).
 //
-// Of volumes (SolidUntanglingDensity), with chi^(2/3) so that scales of J do not count in the first:
+// Of volumes (SolidUntanglingDensity), with chi^(2/3) so that scales of J do not count in the
+// first:
 //
 //     F_eps(J) = |J|^2 / chi(eps, D)^(2/3) + lambda (D^2 + 1) / chi(eps, D).
 //
@@ -112,7 +113,7 @@ class SolidUntanglingDensity final {
   Parts parts_at(double d) const {
     const double r = std::hypot(d, eps_);
     const double chi = d > 0 ? (d + r) / 2 : eps_ / (r - d) * (eps_ / 2);
-    const auto power = [&](double p, double (&out)[3]) {
+    const auto power = [&](double p, double(&out)[3]) {
       out[0] = std::pow(chi, -p);
       out[1] = -p * out[0] / r;
       out[2] = p * out[0] / r * (p + d / r) / r;

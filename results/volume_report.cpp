@@ -145,8 +145,7 @@ Json optimized_mesh_report(const VolumeMesh& mesh, const VolumeResult& result,
   section["curved_sides"] = result.curved_sides;
   section["impossible"] = Json::array();
   for (const CellName& name : result.impossible)
-    section["impossible"].push_back(
-        mesh.blocks[to_size(name.block)].numbers[to_size(name.cell)]);
+    section["impossible"].push_back(mesh.blocks[to_size(name.block)].numbers[to_size(name.cell)]);
   return {{"status", status_name(result.status)},
           {"message", result.message},
           {"input",

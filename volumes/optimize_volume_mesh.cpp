@@ -27,7 +27,8 @@ namespace {
 constexpr double kLatticePart = 0.5;
 
 EnergyFactory untangling_energy(int dim) {
-  return dim == 3 ? energy_factory(SolidUntanglingDensity(1)) : energy_factory(UntanglingDensity(1));
+  return dim == 3 ? energy_factory(SolidUntanglingDensity(1))
+                  : energy_factory(UntanglingDensity(1));
 }
 
 class VolumeOptimizer {
@@ -66,18 +67,21 @@ class VolumeOptimizer {
       throw Error(ErrorKind::Unsupported, fmt::format("{}: {}", mesh_.file, what));
     };
     if (check.inverted() == static_cast<Index>(check.cells.size()))
-      refuse(fmt::format("all {} elements are turned around, det J < 0 all over them; reverse the "
-                         "order of their corners, or mirror the mesh",
-                         check.cells.size()));
+      refuse(
+          fmt::format("all {} elements are turned around, det J < 0 all over them; reverse the "
+                      "order of their corners, or mirror the mesh",
+                      check.cells.size()));
     if (!check.disagreements.empty() || !check.crowded.empty())
-      refuse("its elements do not fit together, mesh check says where; only what is the same in "
-             "both elements of a side can be moved");
+      refuse(
+          "its elements do not fit together, mesh check says where; only what is the same in "
+          "both elements of a side can be moved");
   }
 
   VolumeResult refused() {
     result_.status = Status::Infeasible;
     result_.message = fmt::format(
-        "{} element{} cannot be valid whatever moves: the nodes that are held make det J <= 0 there",
+        "{} element{} cannot be valid whatever moves: the nodes that are held make det J <= 0 "
+        "there",
         result_.impossible.size(), result_.impossible.size() == 1 ? "" : "s");
     result_.after = result_.before;
     return std::move(result_);
@@ -115,9 +119,9 @@ class VolumeOptimizer {
       const bool is_affine = space.degree() == 1 && space.element().factors.size() == 1;
       Quadrature rule = space.default_rule(RestJacobian::Constant);
       if (!is_affine) rule = guarded_rule(rule, space.degree(), kLatticePart);
-      energies.push_back(builder.add(
-          untangling_energy(net_->dim())(net_->parts()[k].space, targets_[k], {rule}),
-          1 / measure_));
+      energies.push_back(
+          builder.add(untangling_energy(net_->dim())(net_->parts()[k].space, targets_[k], {rule}),
+                      1 / measure_));
     }
     builder.add(*held_);
     const Problem problem = builder.build();
@@ -139,13 +143,13 @@ class VolumeOptimizer {
   VolumeResult untouched() {
     const Directive why = record_.stop()();
     result_.after = result_.before;
-    result_.status = why != Directive::Continue ? stopped_status(why)
+    result_.status = why != Directive::Continue  ? stopped_status(why)
                      : result_.before.is_valid() ? Status::Stalled
                                                  : Status::Infeasible;
     result_.message =
         fmt::format("{}: {} of {} elements are not proven to be valid after {} steps",
-                    why != Directive::Continue ? "stopped while untangling" : "not untangled", left_,
-                    result_.before.cells.size(), result_.untangling_iterations);
+                    why != Directive::Continue ? "stopped while untangling" : "not untangled",
+                    left_, result_.before.cells.size(), result_.untangling_iterations);
     return std::move(result_);
   }
 

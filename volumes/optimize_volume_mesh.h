@@ -50,12 +50,12 @@ struct VolumeResult {
   // Infeasible: some element cannot be valid, or was not made so.
   Status status = Status::Failed;
   std::string message;
-  Points3 points;                     // #P by 3, in the order of the mesh
-  VolumeCheck before, after;          // of the mesh as it was, and with these points
-  std::vector<CellName> impossible;   // whose fixed nodes make det J <= 0 somewhere
+  Points3 points;                    // #P by 3, in the order of the mesh
+  VolumeCheck before, after;         // of the mesh as it was, and with these points
+  std::vector<CellName> impossible;  // whose fixed nodes make det J <= 0 somewhere
   Index unknowns = 0, moved_nodes = 0;
-  Index held_sides = 0, curved_sides = 0;      // sides that do not move; of Slide: in no plane
-  double initial_value = 0, value = 0;         // means of the density; the first after untangling
+  Index held_sides = 0, curved_sides = 0;  // sides that do not move; of Slide: in no plane
+  double initial_value = 0, value = 0;     // means of the density; the first after untangling
   int untangling_iterations = 0;
 };
 

@@ -124,7 +124,7 @@ VolumeMesh read_volume_mesh(const std::string& path, const StopCheck& stop) {
 }
 
 std::string volume_mesh_content(const VolumeMesh& mesh) {
-  if (!mesh.source) throw InvalidArgument("volume_mesh_content: a mesh that no file was read for");
+  if (!mesh.source) return gmsh_mesh_content(mesh, {GmshVersion::New, GmshEncoding::Text});
   return mesh.source->with_points(mesh.points);
 }
 
@@ -134,6 +134,7 @@ void write_volume_mesh(const std::string& path, const VolumeMesh& mesh,
 }
 
 GmshFormat gmsh_format_of(const VolumeMesh& mesh) {
+  if (!mesh.source) return {GmshVersion::New, GmshEncoding::Text};
   const std::string content = volume_mesh_content(mesh);
   if (first_word(mesh.file, content, {}) != "$MeshFormat")
     refuse_mesh(mesh.file, "no .msh; versions and encodings are gmsh's");
@@ -142,6 +143,7 @@ GmshFormat gmsh_format_of(const VolumeMesh& mesh) {
 
 std::string gmsh_mesh_content(const VolumeMesh& mesh, const GmshFormat& format,
                               std::vector<std::string>* left_out) {
+  if (!mesh.source) return gmsh_content(gmsh_document_of(mesh), format, left_out);
   if (gmsh_format_of(mesh) == format) return volume_mesh_content(mesh);
   return gmsh_content(read_gmsh_document(mesh.file, volume_mesh_content(mesh), {}), format,
                       left_out);

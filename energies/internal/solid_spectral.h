@@ -1,7 +1,7 @@
 // Isotropic densities of volumes from one line: the sum of a function of each singular value of J,
 // the last of which has the sign of det J.
 //
-//   auto arap = solid_spectral("arap", [](const auto& s) { return (s - 1.0) * (s - 1.0); }, traits);
+//     auto arap = solid_spectral("arap", [](const auto& s) { return (s - 1.0) * (s - 1.0); });
 //
 // With J = U diag(s) V^T, U and V rotations, and A = U^T dJ V the derivatives of f = sum p(s_i) are
 //     df  = sum_i p'(s_i) A_ii,
@@ -10,6 +10,7 @@
 // [SGK19]; a_ij at equal values is p''.
 #pragma once
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <array>
 #include <cmath>
@@ -79,12 +80,12 @@ class SolidSpectralDensity {
 
   Jets jets_at(const Factors& factors) const {
     Jets jets;
-    for (int i = 0; i < 3; ++i) jets[static_cast<std::size_t>(i)] = p_(Jet::variable(factors.s[i], 0));
+    for (int i = 0; i < 3; ++i)
+      jets[static_cast<std::size_t>(i)] = p_(Jet::variable(factors.s[i], 0));
     return jets;
   }
   double inside_domain(double f, const Factors& factors) const {
-    const bool inside =
-        f == f && (traits.domain == Domain::Everywhere || factors.s[2] > 0);
+    const bool inside = f == f && (traits.domain == Domain::Everywhere || factors.s[2] > 0);
     return inside ? f : std::numeric_limits<double>::infinity();
   }
 
@@ -109,8 +110,7 @@ class SolidSpectralDensity {
         // Closer values are equal: their quotient would have lost half of its digits.
         constexpr double kEqual = 1e-6;
         const bool are_equal = std::abs(difference) <= kEqual * (std::abs(si) + std::abs(sj));
-        const double a =
-            are_equal ? (jets[i].h[0] + jets[j].h[0]) / 2 : (di - dj) / difference;
+        const double a = are_equal ? (jets[i].h[0] + jets[j].h[0]) / 2 : (di - dj) / difference;
         const double b = (di + dj) / (sum == 0 ? std::numeric_limits<double>::min() : sum);
         const Matrix P = factors.U.col(row) * factors.V.col(column).transpose(),
                      Q = factors.U.col(column) * factors.V.col(row).transpose();
@@ -129,7 +129,8 @@ class SolidSpectralDensity {
 };
 
 template <class Formula>
-SolidSpectralDensity<Formula> solid_spectral(std::string name, Formula p, const Traits& traits = {}) {
+SolidSpectralDensity<Formula> solid_spectral(std::string name, Formula p,
+                                             const Traits& traits = {}) {
   return {std::move(name), std::move(p), traits};
 }
 

@@ -29,8 +29,8 @@ UntangleResult untangle(const MapSpecification& spec,
                         const RunRecord& record, double first_eps) {
   const MapSpecification asked = untangling(spec);
   const LocalInjectivity injectivity(space, 2 * spec.rest.measure);
-  const MapProblem map = map_problem(
-      asked, space, start, energy_terms(asked, space, {lattice_rule(1)}), nullptr);
+  const MapProblem map =
+      map_problem(asked, space, start, energy_terms(asked, space, {lattice_rule(1)}), nullptr);
   UntangledPoint point = descend_untangling(
       map.problem, {map.energies.front()}, [&](VecIn x) { return injectivity.check(x); },
       map.problem.reduce(start), first_eps > 0 ? first_eps : own_first_eps(spec),

@@ -74,9 +74,7 @@ std::string cube(int count, const std::function<Vector3(const Vector3&)>& moved)
   return text + "End\n";
 }
 
-bool is_inside(const Vector3& at, int count) {
-  return at.minCoeff() > 0 && at.maxCoeff() < count;
-}
+bool is_inside(const Vector3& at, int count) { return at.minCoeff() > 0 && at.maxCoeff() < count; }
 
 TEST_F(OptimizedMeshes, TangledCubesAreUntangled) {
   test::Random random(1);
@@ -133,9 +131,8 @@ TEST_F(OptimizedMeshes, BoundariesSlideOrAreFree) {
 
 TEST_F(OptimizedMeshes, WhatIsForcedIsNamedBeforehand) {
   // A corner of the cube pulled through the cell that has four vertices of the boundary.
-  const VolumeMesh mesh = mesh_of(cube(2, [](const Vector3& at) -> Vector3 {
-    return at.isZero() ? Vector3(1.6, 1.6, 1.6) : at;
-  }));
+  const VolumeMesh mesh = mesh_of(cube(
+      2, [](const Vector3& at) -> Vector3 { return at.isZero() ? Vector3(1.6, 1.6, 1.6) : at; }));
   const VolumeResult result = optimized(mesh);
   EXPECT_EQ(result.status, Status::Infeasible);
   EXPECT_FALSE(result.impossible.empty());
@@ -144,8 +141,9 @@ TEST_F(OptimizedMeshes, WhatIsForcedIsNamedBeforehand) {
 }
 
 TEST_F(OptimizedMeshes, WhatCannotBeOptimizedIsRefused) {
-  const std::string mirrored =
-      cube(1, [](const Vector3& at) -> Vector3 { return {-at.x(), at.y(), at.z()}; });
+  const std::string mirrored = cube(1, [](const Vector3& at) -> Vector3 {
+    return {-at.x(), at.y(), at.z()};
+  });
   EXPECT_THROW(optimized(mesh_of(mirrored)), Error);
   const std::string surface =
       "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n1 1 1 0\n"

@@ -50,8 +50,7 @@ ControlNet::ControlNet(const VolumeMesh& mesh, const std::vector<CellSide>& side
   std::vector<char> is_used(to_size(rows), 0);
   for (const CellBlock& block : mesh.blocks)
     if (dimension(block.type.shape) == dim_)
-      for (Index k = 0; k < block.nodes.size(); ++k)
-        is_used[to_size(block.nodes.data()[k])] = 1;
+      for (Index k = 0; k < block.nodes.size(); ++k) is_used[to_size(block.nodes.data()[k])] = 1;
   for (Index row = 0; row < rows; ++row) {
     if (is_used[to_size(row)] == 0) continue;
     const Index name = same.find(row);
@@ -65,8 +64,8 @@ ControlNet::ControlNet(const VolumeMesh& mesh, const std::vector<CellSide>& side
     numbering.cells = block.nodes.unaryExpr([&](Index row) { return point_of_[row]; });
     numbering.node_count = count_;
     parts_.push_back({static_cast<Index>(b),
-                      std::make_shared<const NumberedSpace>(
-                          ReferenceCell::of(block.type).element(), std::move(numbering))});
+                      std::make_shared<const NumberedSpace>(ReferenceCell::of(block.type).element(),
+                                                            std::move(numbering))});
   }
 }
 

@@ -55,6 +55,10 @@ GmshFormat read_gmsh_format(const std::string& path, std::string content);
 GmshDocument read_gmsh_document(const std::string& path, std::string content,
                                 const StopCheck& stop);
 
+// Of a mesh: rows of points from 1, numbers of cells from 1 as they come, regions as entities and
+// physical groups. Throws Error(Unsupported) for nodes that are not those of a lattice.
+GmshDocument gmsh_document_of(const VolumeMesh& mesh);
+
 // Nodes and elements in their order, with their tags. left_out: what that version or encoding has
 // no place for here. Throws Error(Unsupported) for tags that 2.2 cannot hold.
 std::string gmsh_content(const GmshDocument& document, const GmshFormat& wanted,

@@ -25,7 +25,8 @@ constexpr double kFlat = 1e-12;
 // Sines of angles between planes: below the first they are one plane, above the second two, and
 // points between planes of angles in between are held.
 constexpr double kSamePlane = 1e-9, kOtherPlane = 1e-3;
-// Of det J, in parts of the product of its columns' sizes: far above the rounding of control points.
+// Of det J, in parts of the product of its columns' sizes: far above the rounding of control
+// points.
 constexpr double kRounding = 1e-12;
 
 // det J <= 0 at a corner, where derivatives are integer combinations of control points (rows: a
@@ -42,8 +43,9 @@ bool is_not_positive_at_corner(const ReferenceCell& reference, const RowMatrix& 
       if (reference.nodes_are_control_points())
         control = Fraction(nodes(k, d));
       else
-        for (Index i = 0; i < nodes.rows(); ++i)
-          control += Fraction(exact.numerators[to_size(k * nodes.rows() + i)], exact.denominator) *
+        for (Index i = 0; i < static_cast<Index>(nodes.rows()); ++i)
+          control += Fraction(exact.numerators[to_size(k * static_cast<Index>(nodes.rows()) + i)],
+                              exact.denominator) *
                      Fraction(nodes(i, d));
       for (int a = 0; a < dim; ++a) J[to_size(a)][to_size(d)] += Fraction(rows(a, k)) * control;
     }
@@ -171,8 +173,8 @@ void HeldPoints::hold_boundary(const VolumeMesh& mesh, const std::vector<CellSid
                                VolumeBoundary boundary) {
   Planes planes(mesh, net_);
   for_each_side(sides, [&](std::span<const CellSide> cells) {
-    const bool is_inner = cells.size() > 1 && region_of(mesh, cells.front().name) ==
-                                                  region_of(mesh, cells.back().name);
+    const bool is_inner = cells.size() > 1 &&
+                          region_of(mesh, cells.front().name) == region_of(mesh, cells.back().name);
     if (is_inner) return;
     ++sides_;
     if (boundary == VolumeBoundary::Fixed) {
@@ -293,8 +295,10 @@ std::vector<CellName> HeldPoints::impossible_cells(const VolumeMesh& mesh) const
           is_held = is_held && (may_move[to_size(cells(e, k))] == 0 || rows.col(k).isZero(0));
         if (!is_held) continue;
         const RowMatrix J = rows * control;
-        const double size =
-            (rows.cwiseAbs() * (control.rowwise() - control.row(0)).cwiseAbs()).rowwise().sum().prod();
+        const double size = (rows.cwiseAbs() * (control.rowwise() - control.row(0)).cwiseAbs())
+                                .rowwise()
+                                .sum()
+                                .prod();
         const double det = J.determinant();
         if (det <= -kRounding * size) return true;
         if (s >= corner_count(block.type.shape) || det > kRounding * size) continue;

@@ -21,45 +21,50 @@
 namespace majorant {
 namespace {
 
-// gmsh's numbers of element types; none for those without a place here.
-std::optional<CellType> gmsh_type(std::int64_t number) {
+struct GmshType {
+  int number;
+  CellShape shape;
+  int degree;
+  NodeSet set = NodeSet::Full;
+  CellType type() const { return {shape, degree, NodeKind::Uniform, set}; }
+};
+
+// gmsh's numbers of element types.
+constexpr auto kGmshTypes = [] {
   using enum CellShape;
-  struct Entry {
-    int number;
-    CellShape shape;
-    int degree;
-    NodeSet set = NodeSet::Full;
-  };
-  constexpr Entry kTypes[] = {{15, Point, 1},
-                              {1, Segment, 1},
-                              {8, Segment, 2},
-                              {26, Segment, 3},
-                              {27, Segment, 4},
-                              {2, Triangle, 1},
-                              {9, Triangle, 2},
-                              {21, Triangle, 3},
-                              {23, Triangle, 4},
-                              {3, Quad, 1},
-                              {10, Quad, 2},
-                              {16, Quad, 2, NodeSet::Serendipity},
-                              {36, Quad, 3},
-                              {37, Quad, 4},
-                              {4, Tetrahedron, 1},
-                              {11, Tetrahedron, 2},
-                              {29, Tetrahedron, 3},
-                              {30, Tetrahedron, 4},
-                              {5, Hexahedron, 1},
-                              {12, Hexahedron, 2},
-                              {17, Hexahedron, 2, NodeSet::Serendipity},
-                              {92, Hexahedron, 3},
-                              {93, Hexahedron, 4},
-                              {6, Wedge, 1},
-                              {13, Wedge, 2},
-                              {18, Wedge, 2, NodeSet::Serendipity},
-                              {90, Wedge, 3},
-                              {91, Wedge, 4}};
-  for (const Entry& e : kTypes)
-    if (e.number == number) return CellType{e.shape, e.degree, NodeKind::Uniform, e.set};
+  return std::to_array<GmshType>({{15, Point, 1},
+                                  {1, Segment, 1},
+                                  {8, Segment, 2},
+                                  {26, Segment, 3},
+                                  {27, Segment, 4},
+                                  {2, Triangle, 1},
+                                  {9, Triangle, 2},
+                                  {21, Triangle, 3},
+                                  {23, Triangle, 4},
+                                  {3, Quad, 1},
+                                  {10, Quad, 2},
+                                  {16, Quad, 2, NodeSet::Serendipity},
+                                  {36, Quad, 3},
+                                  {37, Quad, 4},
+                                  {4, Tetrahedron, 1},
+                                  {11, Tetrahedron, 2},
+                                  {29, Tetrahedron, 3},
+                                  {30, Tetrahedron, 4},
+                                  {5, Hexahedron, 1},
+                                  {12, Hexahedron, 2},
+                                  {17, Hexahedron, 2, NodeSet::Serendipity},
+                                  {92, Hexahedron, 3},
+                                  {93, Hexahedron, 4},
+                                  {6, Wedge, 1},
+                                  {13, Wedge, 2},
+                                  {18, Wedge, 2, NodeSet::Serendipity},
+                                  {90, Wedge, 3},
+                                  {91, Wedge, 4}});
+}();
+
+std::optional<CellType> gmsh_type(std::int64_t number) {  // none: without a place here
+  for (const GmshType& t : kGmshTypes)
+    if (t.number == number) return t.type();
   return std::nullopt;
 }
 
@@ -300,7 +305,8 @@ class GmshReader {
 
   void read_entities() {
     std::array<Index, 4> counts{};
-    for (Index& count : counts) count = in_.count(in_.large("the number of entities"), 4, "entities");
+    for (Index& count : counts)
+      count = in_.count(in_.large("the number of entities"), 4, "entities");
     const auto read_tags = [&](std::vector<int>& out) {
       const Index count = in_.count(in_.large("the number of tags"), 2, "tags");
       for (Index k = 0; k < count; ++k) out.push_back(static_cast<int>(in_.small("a tag")));
@@ -475,6 +481,28 @@ class GmshReader {
 
 int gmsh_node_count(int type) { return gmsh_type(type)->node_count(); }
 int gmsh_dimension(int type) { return dimension(gmsh_type(type)->shape); }
+
+GmshDocument gmsh_document_of(const VolumeMesh& mesh) {
+  GmshDocument out;
+  out.format.version = GmshVersion::Old;  // of which physical groups are the elements'
+  for (Index k = 0; k < mesh.points.rows(); ++k)
+    out.nodes.push_back(
+        {k + 1, {mesh.points(k, 0), mesh.points(k, 1), mesh.points(k, 2)}, {-1, 0}});
+  for (const CellBlock& block : mesh.blocks) {
+    const auto known = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
+                                    [&](const GmshType& t) { return t.type() == block.type; });
+    if (known == kGmshTypes.end())
+      refuse_mesh(mesh.file, describe(block.type) + " whose nodes are not those of a lattice");
+    const std::vector<int> order = gmsh_order(block.type);
+    for (Index cell = 0; cell < block.size(); ++cell) {
+      const int region = block.regions[to_size(cell)];
+      out.elements.push_back({static_cast<std::int64_t>(out.elements.size()) + 1, known->number,
+                              region, region, out.element_nodes.size()});
+      for (const int k : order) out.element_nodes.push_back(block.nodes(cell, k) + 1);
+    }
+  }
+  return out;
+}
 
 GmshFormat read_gmsh_format(const std::string& path, std::string content) {
   return GmshReader(path, std::move(content), {}).format();

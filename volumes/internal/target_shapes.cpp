@@ -91,8 +91,7 @@ class TargetShapes {
             tangents = own;
         const RowMatrix inverse = tangents.inverse();
         rest.inverse.row(e) = Eigen::Map<const Eigen::RowVectorXd>(inverse.data(), inverse.size());
-        rest.measure[e] =
-            tangents.determinant() * part.space->reference_measure();
+        rest.measure[e] = tangents.determinant() * part.space->reference_measure();
       }
     }
     return out;
@@ -141,8 +140,7 @@ std::vector<RestShapes> target_shapes(const VolumeMesh& mesh, const ControlNet& 
                                       const VolumeOptions& options) {
   if (options.target == VolumeTarget::Size) {
     std::size_t cells = 0;
-    for (const ControlNet::Part& part : net.parts())
-      cells += to_size(part.space->element_count());
+    for (const ControlNet::Part& part : net.parts()) cells += to_size(part.space->element_count());
     if (options.sizes.size() != 1 && options.sizes.size() != cells)
       throw InvalidArgument(fmt::format("{} sizes for {} elements: one is needed, or one for each",
                                         options.sizes.size(), cells));
