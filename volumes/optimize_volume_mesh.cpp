@@ -23,8 +23,10 @@
 namespace majorant {
 namespace {
 
-// The part of the points of the lattice in rules of untangling: det J counts there, not integrals.
-constexpr double kLatticePart = 0.5;
+// The weight of the points of the lattice: what is worst in a curved element is at its corners and
+// edges, which rules for integrals do not see. Of 0.001, 0.3, 0.6 and 0.9 the one that leaves the
+// largest scaled Jacobians, least and mean, on the public meshes of degrees 2 to 4.
+constexpr double kLatticePart = 0.9;
 
 EnergyFactory untangling_energy(int dim) {
   return dim == 3 ? energy_factory(SolidUntanglingDensity(1))
@@ -109,19 +111,21 @@ class VolumeOptimizer {
     return all;
   }
 
+  static Quadrature rule_of(const BernsteinSpace& space) {
+    const Quadrature rule = space.default_rule(RestJacobian::Constant);
+    const bool is_affine = space.degree() == 1 && space.element().factors.size() == 1;
+    return is_affine ? rule : guarded_rule(rule, space.degree(), kLatticePart);
+  }
+
   // Whether x_ is valid then.
   bool untangle() {
     record_.announce("untangling");
+    const EnergyFactory energy = untangling_energy(net_->dim());
     ProblemBuilder builder(static_cast<Index>(x_.size()));
     std::vector<TermId> energies;
     for (std::size_t k = 0; k < targets_.size(); ++k) {
-      const BernsteinSpace& space = *net_->parts()[k].space;
-      const bool is_affine = space.degree() == 1 && space.element().factors.size() == 1;
-      Quadrature rule = space.default_rule(RestJacobian::Constant);
-      if (!is_affine) rule = guarded_rule(rule, space.degree(), kLatticePart);
-      energies.push_back(
-          builder.add(untangling_energy(net_->dim())(net_->parts()[k].space, targets_[k], {rule}),
-                      1 / measure_));
+      const auto& space = net_->parts()[k].space;
+      energies.push_back(builder.add(energy(space, targets_[k], {rule_of(*space)}), 1 / measure_));
     }
     builder.add(*held_);
     const Problem problem = builder.build();
@@ -131,12 +135,9 @@ class VolumeOptimizer {
         problem, energies, [&](VecIn x) { return judge(all, x); }, problem.reduce(x_),
         is_held ? kFirstEpsHeld : kFirstEps, record_.stop());
     result_.untangling_iterations = point.iterations;
-    if (!point.verdict.feasible) {
-      left_ = static_cast<Index>(point.verdict.blocking.size());
-      return false;
-    }
-    x_ = std::move(point.x);
-    return true;
+    left_ = static_cast<Index>(point.verdict.blocking.size());
+    if (point.verdict.feasible) x_ = std::move(point.x);
+    return point.verdict.feasible;
   }
 
   // Nothing was found that is better than the mesh as it is.
@@ -160,7 +161,9 @@ class VolumeOptimizer {
     ProblemBuilder builder(static_cast<Index>(x_.size()));
     for (const WeightedEnergy& summand : energy)
       for (std::size_t k = 0; k < targets_.size(); ++k)
-        builder.add(summand.make(net_->parts()[k].space, targets_[k]), summand.weight / measure_);
+        builder.add(
+            summand.make(net_->parts()[k].space, targets_[k], {rule_of(*net_->parts()[k].space)}),
+            summand.weight / measure_);
     builder.add(*held_);
     for (auto& checker : checkers(depth)) builder.add(std::move(checker));
     return builder.build();

@@ -91,7 +91,7 @@ class Optimized(CommandTest):
 
     def test_impossible_elements(self):
         """A corner of the boundary that is pulled through its cell: no file, the elements by name."""
-        path = self.write('a.mesh', medit(2, lambda i, j, k: (1.6,) * 3 if (i, j, k) == (0, 0, 0) else
+        path = self.write('a.mesh', medit(2, lambda i, j, k: (1.4, 0.8, 0.2) if (i, j, k) == (2, 0, 0) else
                                           (float(i), float(j), float(k))))
         done = majorant('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--report', self.path('r.json'))
         self.assertEqual(done.code, INVALID, done.err)

@@ -76,7 +76,7 @@ def test_curved_and_planar():
 
 def test_impossible():
     X, T = cube(2)
-    X[0] = 1.6
+    X[2] = 1.4, 0.8, 0.2  # a corner through the cell that it has with three other points of the boundary
     with pytest.raises(majorant.InvalidError, match='cannot be valid whatever moves.*elements'):
         majorant.optimize(majorant.VolumeMesh(X, {'tetrahedra': T}))
 

@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/volumes/internal/reference_cell.h"
 
@@ -75,6 +75,7 @@ class TargetShapes {
   std::vector<RestShapes> make() {
     measure_surroundings();
     std::size_t cell = 0;
+    double is = 0, should_be = 0;  // measures of all cells together
     std::vector<RestShapes> out;
     for (const ControlNet::Part& part : net_.parts()) {
       const CellBlock& block = mesh_.blocks[to_size(part.block)];
@@ -92,30 +93,44 @@ class TargetShapes {
         const RowMatrix inverse = tangents.inverse();
         rest.inverse.row(e) = Eigen::Map<const Eigen::RowVectorXd>(inverse.data(), inverse.size());
         rest.measure[e] = tangents.determinant() * part.space->reference_measure();
+        is += rest.measure[e];
+        should_be += straight(mesh_, block, e).determinant() * part.space->reference_measure();
       }
     }
+    if (options_.target == VolumeTarget::Ideal && should_be > 0)
+      for (RestShapes& rest : out) scale(std::pow(should_be / is, 1.0 / net_.dim()), rest);
     return out;
   }
 
  private:
-  // Of each corner the mean det of the straight cells around it.
+  static void scale(double factor, RestShapes& rest) {
+    rest.inverse /= factor;
+    rest.measure *= integer_power(factor, rest.dim);
+  }
+
+  // Of each corner the mean det of the straight cells around it, with its sign: together they are
+  // the star of the corner, wherever that is.
   void measure_surroundings() {
     mean_.setZero(net_.count());
     Vec count = Vec::Zero(net_.count());
+    double sum = 0;
+    Index cells = 0;
     for (const ControlNet::Part& part : net_.parts()) {
       const CellBlock& block = mesh_.blocks[to_size(part.block)];
       const StraightTangents straight(block.type.shape, net_.dim());
       const double regular = regular_tangents(block.type.shape, net_.dim()).determinant();
       for (Index e = 0; e < block.size(); ++e) {
-        const double size = std::abs(straight(mesh_, block, e).determinant()) / regular;
+        const double size = straight(mesh_, block, e).determinant() / regular;
+        sum += size;
+        ++cells;
         for (int k = 0; k < corner_count(block.type.shape); ++k) {
           mean_[part.space->cells()(e, k)] += size;
           count[part.space->cells()(e, k)] += 1;
         }
       }
     }
-    for (Index k = 0; k < mean_.size(); ++k)
-      if (count[k] > 0) mean_[k] /= count[k];
+    const double mean = std::abs(sum) / cells;
+    for (Index k = 0; k < mean_.size(); ++k) mean_[k] = mean_[k] > 0 ? mean_[k] / count[k] : mean;
   }
 
   // The edges of the regular cell that is wanted.
