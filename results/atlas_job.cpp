@@ -177,7 +177,7 @@ void AtlasJob::solve() {
     const StopCheck& stop = record.start_stop();
     visibility = hide_from ? visibility_from(*surface.mesh, *hide_from, stop)
                            : ambient_visibility(*surface.mesh, stop);
-    if (!getenv("NOHIDE")) options.cuts.wanted.weight = hiding_weights(*surface.mesh, visibility);
+    options.cuts.wanted.weight = hiding_weights(*surface.mesh, visibility);
   }
   atlas = unwrap(surface.mesh, options, record);
 }
