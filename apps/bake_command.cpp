@@ -25,6 +25,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/pictures/image_file.h"
 #include "majorant/results/bake_job.h"
+#include "majorant/results/model_texture.h"
 
 namespace majorant::app {
 namespace {
@@ -43,7 +44,10 @@ struct BakeRequest {
   double time_limit = std::numeric_limits<double>::infinity();
 
   std::string input_of_values() const { return image.empty() ? attribute : image; }
+  // What OLD itself shows, where nothing else is named.
+  bool is_of_model() const { return image.empty() && attribute.empty(); }
   bool names_file() const {
+    if (is_of_model()) return false;
     return !image.empty() || std::find(kBakeAttributes.begin(), kBakeAttributes.end(), attribute) ==
                                  kBakeAttributes.end();
   }
@@ -76,10 +80,11 @@ void require_usable(BakeRequest& request) {
   require_some_output(request.outputs, writable_images());
   if (request.outputs.size() > 1)
     throw Error(ErrorKind::Usage, "-o: one image a run; the report has its own flag");
-  if (request.image.empty() == request.attribute.empty())
+  const bool names_both = !request.image.empty() && !request.attribute.empty();
+  if (names_both || (request.is_of_model() && !may_have_texture(request.from)))
     throw Error(ErrorKind::Usage,
                 "say what to bake: --image FILE, or --attribute position, normal, face, distortion "
-                "or FILE.npy");
+                "or FILE.npy; the textures of an OBJ or GLB that is OLD are baked without either");
   if (request.attribute.find("tangent") != std::string::npos)
     throw Error(
         ErrorKind::Unsupported,
@@ -89,7 +94,7 @@ void require_usable(BakeRequest& request) {
                     request.attribute));
   const std::string format = extension(output_of(request));
   const bool is_png = format == ".png";
-  if (is_png && request.image.empty() && request.attribute != "normal")
+  if (is_png && !request.attribute.empty() && request.attribute != "normal")
     throw Error(ErrorKind::Usage,
                 fmt::format("--attribute {}: these are numbers, which a PNG does not hold; write "
                             "-o OUT.npy{}",
@@ -108,9 +113,10 @@ void require_usable(BakeRequest& request) {
 // How the image is kept; the image to bake has been read.
 void choose_options(const BakeRequest& request, BakeJob& job) {
   BakeOptions& options = job.options;
-  if (!job.images.empty()) {
-    options.width = job.images.front().width();
-    options.height = job.images.front().height();
+  if (!job.images.empty()) options.width = options.height = 0;
+  for (const Raster& image : job.images) {
+    options.width = std::max(options.width, image.width());
+    options.height = std::max(options.height, image.height());
   }
   if (!request.size.empty()) parse_size(request.size, options);
   options.samples = request.samples;
@@ -120,7 +126,10 @@ void choose_options(const BakeRequest& request, BakeJob& job) {
   options.transfer = Transfer::Linear;
   if (format != ".png") return;
   const bool has_image = !job.images.empty();
-  const bool is_eight = has_image && job.images.front().depth() == PixelDepth::Eight;
+  const bool is_eight =
+      has_image && std::all_of(job.images.begin(), job.images.end(), [](const Raster& image) {
+        return image.depth() == PixelDepth::Eight;
+      });
   options.depth =
       request.depth.value_or(is_eight ? 8 : 16) == 8 ? PixelDepth::Eight : PixelDepth::Sixteen;
   if (!has_image) options.transfer = Transfer::Signed;
@@ -140,6 +149,14 @@ void read_inputs(const BakeRequest& request, BakeJob& job, const StopCheck& stop
   };
   job.target = surface(request.surface, Texcoords::Needed);
   job.carrier = surface(request.from, Texcoords::Optional);
+  if (request.is_of_model()) {
+    ModelTexture texture = or_interrupted("reading the textures of " + request.from, [&] {
+      return within_memory(request.from, [&] { return read_texture(job.carrier.polygons, stop); });
+    });
+    say_warnings(texture.warnings);
+    job.images = std::move(texture.images);
+    job.image_of_polygon = std::move(texture.image_of_polygon);
+  }
   if (!request.image.empty())
     job.images.push_back(or_interrupted("reading " + request.image, [&] {
       return within_memory(request.image, [&] { return read_image(request.image, stop); });
@@ -262,7 +279,8 @@ void add_bake(CLI::App& app, Action* run) {
       ->type_name("OLD")
       ->required();
   verb.add_option("--image", request->image,
-                  fmt::format("bake this image, in OLD's texture coordinates: {}",
+                  fmt::format("bake this image, in OLD's texture coordinates: {}; without it and "
+                              "--attribute the textures of OLD, an .obj or .glb",
                               fmt::join(readable_images(), " ")))
       ->type_name("FILE");
   verb.add_option(

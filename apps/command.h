@@ -54,6 +54,7 @@ void add_convert(CLI::App& app, Action* run);
 void add_bake(CLI::App& app, Action* run);
 void add_info(CLI::App& app, Action* run);
 void add_mesh(CLI::App& app, Action* run);
+void add_quads(CLI::App& app, Action* run);
 
 }  // namespace majorant::app
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "apps/arguments/help_text.h"
@@ -19,6 +20,8 @@
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/smallest_rectangle.h"
+#include "majorant/pictures/turned_over.h"
+#include "majorant/results/check_map.h"
 #include "majorant/results/report.h"
 
 namespace majorant::app {
@@ -77,13 +80,11 @@ void align(MapFile& map, const std::string& name) {
   map.claims = json_text(all);
 }
 
-// The page of a map, with what its claims say of the run that made it.
+// The page of a map, with what `check` finds it to be.
 MapPage page_of(const MapFile& map, const std::string& name) {
-  MapPage page;
-  page.title = page_title(name);
-  page.facts = json_text({{"command", "convert"}});
-  page.points = claimed_points(parse_claims(map.claims, name), map);
-  return page;
+  MapCheck check(map, {.name = name, .reported = true}, RunRecord());
+  check.report["command"] = "convert";
+  return checked_page(map, check, {name});
 }
 
 // Arrays of a file whose scale is assumed would claim what it does not.
@@ -110,6 +111,16 @@ std::vector<std::string> left_out_of(const std::string& path, const MapFile& map
   return what;
 }
 
+// Where there are pictures to see it in.
+void say_turned_over(const ConvertRequest& request, const MapFile& map) {
+  const auto is_picture = [](const std::string& path) {
+    return extension(path) == ".svg" || extension(path) == ".png";
+  };
+  if (!std::any_of(request.outputs.begin(), request.outputs.end(), is_picture)) return;
+  if (const std::size_t count = turned_over_cells(map).size(); count > 0)
+    say("{}: {}, magenta in pictures\n", request.input, turned_over_words(count));
+}
+
 void write_report(const ConvertRequest& request, const MapFile& map, WrittenFiles& written) {
   const Json report{{"schema_version", 1},      {"version", MAJORANT_VERSION},
                     {"command", "convert"},     {"input", {{"file", request.input}}},
@@ -120,9 +131,10 @@ void write_report(const ConvertRequest& request, const MapFile& map, WrittenFile
 int convert(ConvertRequest request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   if (request.distortion.empty()) require_some_output(request.outputs, map_extensions());
+  request.formats.read_image();
   require_writable(request.common,
                    {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
-                   {request.input, request.formats.readable_image()});
+                   {request.input, request.formats.image});
   request.formats.require_effect(request.outputs);
   const ThreadCount threads(usable_threads(request.common.threads));
   MapFile map = within_memory(
@@ -145,7 +157,10 @@ int convert(ConvertRequest request) {
       if (!request.common.quiet) say_left_out(path, left_out_of(path, map, request.formats));
     });
   if (!request.common.report.empty()) write_report(request, map, written);
-  if (!request.common.quiet) written.say_sizes();
+  if (!request.common.quiet) {
+    say_turned_over(request, map);
+    written.say_sizes();
+  }
   return written.conclude(kSuccess);
 }
 

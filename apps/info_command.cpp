@@ -17,6 +17,7 @@
 #include "apps/within_memory.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/mesh/union_find.h"
@@ -187,8 +188,10 @@ std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, const MapFile
     BezierMap map = seamless_from_texture(mesh).map;
     const Seams& seams = map.seams();
     const Json cones = cones_section(map);
-    out.add("texture: seamless, {} cones, {} chains of {} seam edges\n", cones.size(),
-            seams.chain_count(), seams.edges().size());
+    out.add("texture: seamless, {}, {} of {}\n",
+            count_text(static_cast<Index>(cones.size()), "cone"),
+            count_text(seams.chain_count(), "chain"),
+            count_text(static_cast<Index>(seams.edges().size()), "seam edge"));
     out.report["texture"] = {{"seamless", true},
                              {"cones", cones},
                              {"chains", seams.chain_count()},
@@ -246,25 +249,22 @@ std::string unwrap_refusal(const SurfaceMesh& surface) try {
 
 std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, const MapFile* curved,
                     Description& out) {
-  std::string refusal, other_verb;
+  std::string refusal, problem, other_verb;
   try {
     const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
-    other_verb = ", `majorant seamless` tries a map with cones, which may overlap";
+    other_verb = ", or `majorant seamless`, which tries a map with cones that may overlap";
     return runnable(mesh, curved, out);
   } catch (const Error& e) {
     refusal = command_message(e);
+    problem = problem_of(e);
   } catch (const std::bad_alloc&) {
     return "parametrize would refuse: out of memory while making the start";
   }
   const std::string unwrapping = unwrap_refusal(repaired);
   if (!unwrapping.empty())
     return fmt::format("parametrize would refuse: {}; and unwrap: {}", refusal, unwrapping);
-  // Most refusals name it themselves.
-  const bool names_unwrap = refusal.find("`majorant unwrap") != std::string::npos;
-  return fmt::format(
-      "parametrize would refuse: {}{}{}", refusal,
-      names_unwrap ? "" : fmt::format("; `majorant unwrap {} -o OUT.obj` maps it", polygons.file),
-      refusal.find("`majorant seamless") != std::string::npos ? "" : other_verb);
+  return fmt::format("use `majorant unwrap {} -o OUT.obj`{}; parametrize would refuse: {}",
+                     polygons.file, other_verb, problem);
 }
 
 // Describes what `majorant unwrap` would do, up to the solve. Throws Error as it would.
@@ -276,10 +276,9 @@ void describe_plan(const RepairedSurface& surface, Description& out) {
     charts += component.pieces;
     stretch = std::max(stretch, component.estimated_stretch);
   }
-  out.add(
-      "plan: unwrap makes {} chart{}, cut along {} edges of length {:.6g}, stretch about {:.3f}\n",
-      charts, charts == 1 ? "" : "s", cuts.edges + surface.cut_edges,
-      cuts.length + surface.cut_length, stretch);
+  out.add("plan: unwrap makes {}, cut along {} of length {:.6g}, stretch about {:.3f}\n",
+          count_text(charts, "chart"), count_text(cuts.edges + surface.cut_edges, "edge"),
+          cuts.length + surface.cut_length, stretch);
   out.report["plan"] = cuts_section(cuts, surface);
   out.report["plan"]["charts"] = charts;
   out.report["plan"]["estimated_stretch"] = stretch;

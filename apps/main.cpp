@@ -13,6 +13,7 @@
 #include "apps/arguments/command_line.h"
 #include "apps/arguments/help_text.h"
 #include "apps/command.h"
+#include "apps/or_interrupted.h"
 #include "apps/parts.h"
 #include "apps/process.h"
 #include "apps/refusal_message.h"
@@ -57,6 +58,7 @@ int run(int argc, char** argv) {
   add_compare(app, &action);
   add_convert(app, &action);
   add_bake(app, &action);
+  add_quads(app, &action);
   add_info(app, &action);
   add_mesh(app, &action);
   if (argc == 1) {
@@ -83,6 +85,9 @@ int run(int argc, char** argv) {
 int run_safely(int argc, char** argv) {
   try {
     return run(argc, argv);
+  } catch (const Interrupted& e) {
+    say("majorant: {}; nothing is written\n", e.what());
+    return exit_code(e.kind());
   } catch (const Error& e) {
     say("majorant: {}\n", command_message(e));
     return exit_code(e.kind());

@@ -46,7 +46,8 @@ MapRun::MapRun(MapTask task, MapVerb& request, const std::vector<std::string>& o
   request.solve.require_usable(request.outputs, request.map);
   std::vector<std::string> inputs = request.map.inputs();
   inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
-  inputs.push_back(request.outputs.formats.readable_image());
+  request.outputs.formats.read_image(record_.start_stop());
+  inputs.push_back(request.outputs.formats.image);
   require_writable(request.common,
                    {{request.outputs.files, request.outputs.extensions},
                     {{request.solve.scaffold_file}, {".vtu", ".svg"}},

@@ -1,5 +1,5 @@
 // Makes an error with a line out of a limit or Ctrl-C that ends a run before there is anything to
-// write.
+// write, or the writing of one of several files.
 //
 //   const auto read = [&] { return read_mesh(path, stop); };
 //   const PolygonMesh polygons = or_interrupted("reading " + path, read);
@@ -14,14 +14,20 @@
 
 namespace majorant::app {
 
-// work(); Error(Invalid, "interrupted while DOING; nothing is written") when it throws Stopped.
+// Who ends the run with it adds that nothing is written; who writes other files (WrittenFiles),
+// which these are.
+class Interrupted : public Error {
+ public:
+  explicit Interrupted(const std::string& message) : Error(ErrorKind::Invalid, message) {}
+};
+
+// work(); Interrupted("interrupted while DOING") when it throws Stopped.
 template <class Work>
 auto or_interrupted(const std::string& doing, const Work& work) {
   try {
     return work();
   } catch (const Stopped& stopped) {
-    throw Error(ErrorKind::Invalid,
-                fmt::format("{} while {}; nothing is written", stopped.what(), doing));
+    throw Interrupted(fmt::format("{} while {}", stopped.what(), doing));
   }
 }
 

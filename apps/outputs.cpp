@@ -16,9 +16,11 @@
 #include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
+#include "apps/or_interrupted.h"
 #include "apps/refusal_message.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/input_file.h"
 #include "majorant/pictures/png_file.h"
 
 namespace majorant::app {
@@ -27,6 +29,7 @@ namespace {
 constexpr const char* kAutomatic = "auto";
 constexpr const char* kLagrange = "lagrange";
 constexpr const char* kSurface = "surface";
+constexpr int kMostSquares = PngOptions::kLargest;  // of a checkerboard: narrower ones are not seen
 
 // A positive number, 0 for kAutomatic.
 double parse_spacing(const std::string& text) {
@@ -72,20 +75,19 @@ Vector3 parse_view(const std::string& text) {
   return {view[0], view[1], view[2]};
 }
 
-// "W,H".
-void parse_size(const std::string& text, PngOptions& png) {
+// "N", both sides, or "W,H".
+SheetSize parse_size(const std::string& text) {
   const std::vector<double> sides = parse_numbers(text);
   const auto usable = [](double side) {
     return PngOptions::kSmallest <= side && side <= PngOptions::kLargest &&
            side == std::floor(side);
   };
-  if (sides.size() != 2 || !usable(sides[0]) || !usable(sides[1]))
+  const bool is_size = sides.size() == 1 || sides.size() == 2;
+  if (!is_size || !std::all_of(sides.begin(), sides.end(), usable))
     throw CLI::ValidationError(
-        "--size",
-        fmt::format("'{}' is no size; give width and height in pixels, {} to {}: 1000,800", text,
-                    PngOptions::kSmallest, PngOptions::kLargest));
-  png.width = static_cast<int>(sides[0]);
-  png.height = static_cast<int>(sides[1]);
+        "--size", fmt::format("'{}' is no size; give pixels, {} to {}: 1000, a square, or 1000,800",
+                              text, PngOptions::kSmallest, PngOptions::kLargest));
+  return {static_cast<int>(sides.front()), static_cast<int>(sides.back())};
 }
 
 Quantity parse_quantity(const std::string& name) {
@@ -230,10 +232,10 @@ int WrittenFiles::conclude(int code) const {
   return code == kSuccess || code == kLimit ? worst : code;
 }
 
-std::string FormatOptions::readable_image() const {
-  if (!png.image) return {};
-  read_png(*png.image);
-  return *png.image;
+void FormatOptions::read_image(const StopCheck& stop) {
+  if (image.empty()) return;
+  png.image = or_interrupted("reading " + image, [&] { return read_whole_file(image, stop); });
+  pixels_of_png(image, *png.image);
 }
 
 bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
@@ -244,6 +246,7 @@ bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
 }
 
 void FormatOptions::add_to(CLI::App& verb) {
+  verb_ = &verb;
   begin_group(verb, OptionGroup::Files);
   verb.add_option(
           "--refine", tessellation.refine,
@@ -266,8 +269,10 @@ void FormatOptions::add_to(CLI::App& verb) {
       ->check(one_of({"image", kSurface}));
   begin_group(verb, OptionGroup::Pictures);
   verb.add_option_function<std::string>(
-          "--grid", [this](const std::string& spacing) { svg.grid = parse_spacing(spacing); },
-          "SVG: draw lines of constant u and v this far apart in uv (alone: a 32nd of the layout)")
+          "--grid",
+          [this](const std::string& spacing) { svg.grid = png.grid = parse_spacing(spacing); },
+          "SVG and PNG: draw lines of constant u and v this far apart in uv, with --view on the "
+          "surface (alone: a 32nd of the layout)")
       ->type_name("SPACING")
       ->default_str(kAutomatic)  // what it is without a value
       ->expected(0, 1);
@@ -277,11 +282,12 @@ void FormatOptions::add_to(CLI::App& verb) {
            {"--refine", {".obj", ".ply", ".glb", ".gltf"}},
            {"--vtu", {".vtu"}},
            {"--msh", {".msh"}},
-           {"--grid", {".svg"}},
+           {"--grid", {".svg", ".png"}},
            {"--color-range", {".svg", ".png", ".html"}},
            {"--color-by", {".svg", ".png", ".html"}},
            {"--align", map_extensions()},
-           {"--size", {".png"}},
+           {"--size", {".svg", ".png"}},
+           {"--edges", {".svg", ".png"}},
            {"--transparent", {".svg", ".png"}},
            {"--view", {".png"}},
            {"--image", {".png"}}})
@@ -296,9 +302,16 @@ void FormatOptions::require_effect(const std::vector<std::string>& files) const 
     if (option->count() > 0 && !is_seen)
       throw Error(
           ErrorKind::Usage,
-          fmt::format("{0} is of {1}, and no output is one; add -o OUT{2}, or leave out {0}",
-                      option->get_name(), fmt::join(extensions, " "), extensions.front()));
+          fmt::format("{0} is of {1}, and no output is one; add -o OUT{2}, or leave out {0}{3}",
+                      option->get_name(), fmt::join(extensions, " "), extensions.front(),
+                      other_meaning(option->get_name())));
   }
+}
+
+// Pixels are counted for textures, too.
+std::string FormatOptions::other_meaning(const std::string& option) const {
+  const bool is_texture = option == "--size" && verb_->get_option_no_throw("--resolution");
+  return is_texture ? " (that of a texture for the layout is --resolution)" : "";
 }
 
 void FormatOptions::add_pictures_to(CLI::App& verb) {
@@ -324,9 +337,24 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
       ->expected(0, 1)
       ->check(one_of({"yes", "no"}));
   verb.add_option_function<std::string>(
-          "--size", [this](const std::string& size) { parse_size(size, png); },
-          "PNG: width and height in pixels (1000,800)")
-      ->type_name("W,H");
+          "--size",
+          [this](const std::string& text) {
+            const SheetSize size = parse_size(text);
+            png.width = size.width;
+            png.height = size.height;
+            svg.size = size;
+          },
+          "PNG: pixels along both sides, or width and height (1000,800); SVG: in px, letters stay "
+          "as large (700,525 "
+          "for a column of a paper; default 1000, as high as it takes)")
+      ->type_name("N|W,H");
+  verb.add_option_function<std::string>(
+          "--edges",
+          [this](const std::string& answer) {
+            svg.edges = png.edges = answer == "yes" ? CellEdges::Drawn : CellEdges::Left;
+          },
+          "SVG and PNG of layouts: the edges of triangles (yes), or the outline alone (no)")
+      ->check(one_of({"yes", "no"}));
   verb.add_flag_function(
       "--transparent", [this](std::int64_t) { svg.paper = png.paper = Paper::None; },
       "SVG and PNG: without the white paper behind the drawing");
@@ -348,9 +376,17 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
           "pictures: colours of density, area, angle, sigma-max or sigma-min, at every pixel of a "
           "PNG")
       ->check(one_of(quantity_names()));
-  verb.add_option("--image", png.image, "PNG: lay this .png on the surface or the layout")
+  verb.add_option("--image", image, "PNG: lay this .png on the surface or the layout")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);
+  verb.add_option("--squares", png.squares,
+                  "PNG with --view: squares of the checkerboard along the side of what a texture "
+                  "fills (default: round widths, some 20 to 40 along the layout)")
+      ->type_name("N")
+      ->check(whole_number(1, kMostSquares))
+      ->needs("--view")
+      ->excludes("--image")
+      ->excludes("--color-by");
 }
 
 void say_left_out(const std::string& path, const std::vector<std::string>& what) {

@@ -66,8 +66,10 @@ class WrittenFiles {
 
 // Options of single formats, as the user gave them.
 struct FormatOptions : MapFormats {
-  // The file that --image names, or empty. Throws Error(Unreadable) where it is no picture.
-  std::string readable_image() const;
+  std::string image;  // file of png.image, or empty
+
+  // Reads the file that --image names. Throws Error(Unreadable) where it is no PNG.
+  void read_image(const StopCheck& stop = {});
 
   // Returns whether --align asks for a map that is turned itself: some of these files hold its
   // coordinates.
@@ -85,7 +87,10 @@ struct FormatOptions : MapFormats {
   };
 
   void add_pictures_to(CLI::App& verb);
+  // What else may have been meant by an option, for the end of a message.
+  std::string other_meaning(const std::string& option) const;
 
+  const CLI::App* verb_ = nullptr;  // that has the options
   std::vector<OfFormats> options_;
 };
 

@@ -1,7 +1,10 @@
 #include "apps/page_content.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "apps/outputs.h"
@@ -28,6 +31,22 @@ std::vector<PageSnapshot> frames_of(const FinishedRun& run) {
   return frames;
 }
 
+// The text of a page for a cell that is not proven to be positive: det J at the points of a
+// lattice.
+std::string describe_fault(const MapProof& proof, Index cell) {
+  if (!proof.map()) return "det J is not proven to be positive";
+  constexpr int kSteps = 8;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; i + j <= kSteps; ++j) {
+      const double a = static_cast<double>(i) / kSteps, b = static_cast<double>(j) / kSteps;
+      least = std::min(least, proof.map()->jacobian(cell, {a, b, 1 - a - b}).determinant());
+    }
+  return least > 0
+             ? fmt::format("det J is not proven to be positive, sampled down to {:.3g}", least)
+             : fmt::format("turned over: det J is {:.3g} at a point of it", least);
+}
+
 }  // namespace
 
 std::string page_title(const std::string& input) {
@@ -51,6 +70,18 @@ MapPage page_of(const FinishedRun& run, Json report) {
   page.facts = page_facts(std::move(report), run.map.inputs());
   page.points = shown_points(run.job);
   if (run.job.film) page.snapshots = frames_of(run);
+  return page;
+}
+
+MapPage checked_page(const MapFile& file, const MapCheck& check,
+                     const std::vector<std::string>& inputs) {
+  MapPage page;
+  page.title = page_title(inputs.front());
+  page.map = file;
+  page.facts = page_facts(check.report, inputs);
+  for (const Index cell : check.proof.not_positive)
+    page.faults.push_back({cell, describe_fault(check.proof, cell)});
+  page.points = claimed_points(check.claims, file);
   return page;
 }
 

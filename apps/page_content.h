@@ -8,6 +8,7 @@
 #include "apps/result_files.h"
 #include "majorant/io/claims.h"
 #include "majorant/pictures/pictures.h"
+#include "majorant/results/check_map.h"
 #include "majorant/results/report.h"
 
 namespace majorant::app {
@@ -22,6 +23,10 @@ bool has_page(const std::vector<std::string>& paths);
 
 // The page of a run, but for its map and its scaffold.
 MapPage page_of(const FinishedRun& run, Json report);
+// The page of a file as `check` finds it: the verdict, its reasons, the cells that fail. inputs:
+// the file itself, then what else was read.
+MapPage checked_page(const MapFile& file, const MapCheck& check,
+                     const std::vector<std::string>& inputs);
 // Pins and handles of a job, for pages and pictures.
 std::vector<PagePoint> shown_points(const MapJob& job);
 // Handles with a target, by vertex of the input, model units.

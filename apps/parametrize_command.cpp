@@ -19,7 +19,7 @@ struct ParametrizeRequest : MapVerb {
 
 // Cuts keep off vertices with pins and handles.
 void cut_open(const ParametrizeRequest& request, MapJob& job) {
-  CutOptions asked = request.seams.options(*job.polygons);
+  CutOptions asked = request.seams.options(*job.polygons, job.record.start_stop());
   const MapOptions map =
       read_options(request.map, *job.polygons, *job.mesh, job.record.start_stop()).map;
   for (const auto* points : {&map.pins, &map.handles})

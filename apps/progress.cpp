@@ -108,6 +108,10 @@ class Log {
     activity_ = activity;
     since_ = Clock::now();
   }
+  // Steps tell of what is solved, nothing else of what is cut.
+  void announce(std::string_view part) {
+    if (activity_ == Activity::Cutting) held_ += fmt::format("{}\n", part);
+  }
   void end() {
     if (!activity_) return;
     held_ += fmt::format("{:<9} {:8.2f} s\n", activity_name(*activity_), seconds_since(since_));
@@ -137,6 +141,7 @@ class Progress::Display {
       log_.emplace();
   }
   void begin(Activity activity) {
+    degree_ = 0;
     if (live_) live_->begin(activity);
     if (log_) log_->begin(activity);
   }
@@ -150,6 +155,7 @@ class Progress::Display {
   }
   void announce(std::string_view part) {
     if (live_) live_->say_of_step(std::string(part));
+    if (log_) log_->announce(part);
   }
   void finish() {
     if (!log_) return;

@@ -87,9 +87,9 @@ void summarize(const FinishedRun& run, const WrittenFiles& written) {
   if (run.job.cuts) say_untextured(run.map.input, *run.job.cuts);
   written.say_sizes();
   const std::string seams = seam_summary(measures_section(*r.map, r.measures, run.map.energy));
-  say("{}: {} after {} iterations, {} {:.6f} (start {:.6g}){}, degree {}{}, {}, layout {}, {:.2f} "
-      "s\n",
-      run.map.input, status_name(r.status), steps_taken(run.job.record.trace()), run.map.energy,
+  say("{}: {} after {}, {} {:.6f} (start {:.6g}){}, degree {}{}, {}, layout {}, {:.2f} s\n",
+      run.map.input, status_name(r.status),
+      count_text(steps_taken(run.job.record.trace()), "iteration"), run.map.energy,
       r.measures.value, r.initial_value,
       run.map.weights.empty() ? "" : ", both without the face weights", run.map.degree, seams,
       overlap_words(run.job.boundary, image_of(*r.map)), range_text(*r.map),

@@ -10,6 +10,7 @@
 #include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
+#include "apps/or_interrupted.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_vertex_lists.h"
@@ -71,7 +72,7 @@ Strictness SeamRequest::needed_of_file() const {
   return seams == "uv" ? Strictness::Texcoords : Strictness::Shape;
 }
 
-CutOptions SeamRequest::options(const PolygonMesh& polygons) const {
+CutOptions SeamRequest::options(const PolygonMesh& polygons, const StopCheck& stop) const {
   CutOptions cuts;
   if (max_stretch && !(*max_stretch > 1))
     throw Error(
@@ -90,7 +91,9 @@ CutOptions SeamRequest::options(const PolygonMesh& polygons) const {
   if (file().empty()) return cuts;
   cuts.method = CutMethod::Given;
   cuts.edges_source = file();
-  cuts.edges = read_seams(file(), static_cast<Index>(polygons.positions.size()));
+  cuts.edges = or_interrupted("reading " + file(), [&] {
+    return read_seams(file(), static_cast<Index>(polygons.positions.size()), stop);
+  });
   return cuts;
 }
 

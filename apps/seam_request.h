@@ -2,7 +2,7 @@
 //
 //   SeamRequest seams;
 //   seams.add_to(verb);
-//   const SurfaceCuts cuts = choose_cuts(*mesh, seams.options(polygons));
+//   const SurfaceCuts cuts = choose_cuts(*mesh, seams.options(polygons, record.start_stop()));
 #pragma once
 
 #include <CLI/App.hpp>
@@ -27,7 +27,7 @@ struct SeamRequest {
   // The parts of a mesh file that must not be broken.
   Strictness needed_of_file() const;
   // Throws Error(Usage) for words that make no sense and as read_seams.
-  CutOptions options(const PolygonMesh& polygons) const;
+  CutOptions options(const PolygonMesh& polygons, const StopCheck& stop) const;
   Json to_json() const;  // for reports and claims
 };
 

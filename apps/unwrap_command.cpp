@@ -37,7 +37,7 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/results/atlas_job.h"
 #include "majorant/results/global_verdict.h"
-#include "majorant/results/obj_texture.h"
+#include "majorant/results/model_texture.h"
 
 namespace majorant::app {
 namespace {
@@ -130,7 +130,7 @@ struct UnwrapRequest {
   double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
   bool no_pack = false;
   std::string scale;  // empty: as `map` allows
-  bool bake = false;  // the texture of an OBJ, too
+  bool bake = false;  // the texture of the model, too
 
   void add_to(CLI::App& verb);
   // Takes from the preset what was not said.
@@ -168,8 +168,9 @@ void UnwrapRequest::add_to(CLI::App& verb) {
       ->excludes("--padding")
       ->excludes("--resolution");
   verb.add_flag("--bake", bake,
-                "move the texture of an OBJ (map_Kd) to the new layout: OUT.png and OUT.mtl beside "
-                "OUT.obj; the layout is that of --normalize")
+                "move the texture to the new layout, which is that of --normalize: of an OBJ "
+                "(map_Kd) to OUT.png and OUT.mtl beside OUT.obj, of a GLB (base colours) into "
+                "OUT.glb")
       ->excludes("--no-pack");
   verb.add_option(
           "--weld", weld,
@@ -237,7 +238,7 @@ void UnwrapRequest::open(AtlasJob& job, PolygonMesh polygons, Strictness strictn
     throw Error(ErrorKind::Unsupported,
                 fmt::format("{}: {}; leave out --strict to have it repaired so", job.polygons->file,
                             describe(*first)));
-  job.options.cuts = seams.options(*job.polygons);
+  job.options.cuts = seams.options(*job.polygons, job.record.start_stop());
   if (keep_seams) job.old_seams = OldSeams::Cut;
   if (!hide_from.empty()) job.hide_from = direction_of(hide_from);
   if (charts == kOneChart) job.options.limit = StretchLimit::Reported;
@@ -281,22 +282,27 @@ struct UnwrapVerb {
   UnwrapRequest unwrap;
 };
 
-// The .obj among the outputs; null where there is none.
-const std::string* baked_output(const std::vector<std::string>& files) {
-  const auto found = std::find_if(files.begin(), files.end(), [](const std::string& path) {
-    return extension(path) == ".obj";
-  });
-  return found == files.end() ? nullptr : &*found;
+// The output that the texture moves to: of the kind of the input; null where there is none.
+const std::string* baked_output(const UnwrapVerb& request) {
+  const std::string input = format_of(request.map.input);
+  const auto is_same_kind = [&](const std::string& path) {
+    return input == ".obj" ? extension(path) == ".obj" : is_gltf(path);
+  };
+  const std::vector<std::string>& files = request.outputs.files;
+  const auto found = std::find_if(files.begin(), files.end(), is_same_kind);
+  return found == files.end() || !may_have_texture(request.map.input) ? nullptr : &*found;
 }
 
-// What --bake needs, and the files that it writes.
+// What --bake needs, and the files that it writes beside the model.
 std::vector<std::string> baked_files(const UnwrapVerb& request) {
   if (!request.unwrap.bake) return {};
-  const std::string* const obj = baked_output(request.outputs.files);
-  if (format_of(request.map.input) != ".obj" || obj == nullptr)
+  const std::string* const model = baked_output(request);
+  if (model == nullptr)
     throw Error(ErrorKind::Usage,
-                "--bake moves the texture of an OBJ and needs one as output, too: -o OUT.obj");
-  return {texture_file(*obj), material_file(*obj)};
+                "--bake moves the texture of an OBJ to an OBJ, that of a GLB or glTF to one of "
+                "these: -o OUT.obj, or -o OUT.glb");
+  if (extension(*model) != ".obj") return {};
+  return {texture_file(*model), material_file(*model)};
 }
 
 Json options_of(const UnwrapVerb& request) {
@@ -322,8 +328,18 @@ void choose_scale(UnwrapVerb& request) {
   if (scale.empty()) scale = has_targets ? "model" : "unit";
 }
 
-void require_usable(UnwrapVerb& request) {
+// A border of that many pixels on either side leaves room for charts.
+void require_room(const UnwrapRequest& unwrap) {
+  if (!unwrap.no_pack && 2 * unwrap.padding >= unwrap.resolution)
+    throw Error(ErrorKind::Usage,
+                fmt::format("--padding {:g}: on both sides of the layout it takes all of the {:g} "
+                            "pixels of --resolution; give less of the one or more of the other",
+                            unwrap.padding, unwrap.resolution));
+}
+
+void require_usable(UnwrapVerb& request, const StopCheck& stop) {
   require_gpl_parts("unwrap");
+  require_room(request.unwrap);
   if (request.unwrap.bake) request.outputs.normalize = true;  // what an image shows
   request.outputs.require_usable(request.map);
   if (request.outputs.turns_map())
@@ -341,12 +357,13 @@ void require_usable(UnwrapVerb& request) {
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   request.unwrap.use_preset();
   request.unwrap.require_divisible();
+  request.outputs.formats.read_image(stop);
   require_writable(request.common,
                    {{baked_files(request), {".png", ".mtl"}},
                     {request.outputs.files, request.outputs.extensions},
                     {{request.outputs.distortion}, {".csv"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
-                    request.unwrap.seams.file(), request.outputs.formats.readable_image()});
+                    request.unwrap.seams.file(), request.outputs.formats.image});
 }
 
 // A run of unwrap that has ended. Only refers: all must outlive it.
@@ -357,7 +374,8 @@ struct FinishedUnwrap {
   const AtlasJob& job;
   std::chrono::steady_clock::time_point start;  // of the run
   Progress& progress;
-  const std::optional<ObjTexture>& texture;  // to be baked
+  const std::optional<ModelTexture>& texture;  // to be baked
+  const std::string* baked;                    // the output that it moves to, or null
 };
 
 // Points with targets keep their charts where they put them.
@@ -374,6 +392,12 @@ MapPage page_of(const FinishedUnwrap& run) {
   return page;
 }
 
+void bake(const FinishedUnwrap& run, const std::string& model, const FileVerification& verify) {
+  or_interrupted("baking the texture of " + model, [&] {
+    bake_texture(*run.texture, *run.job.polygons, model, verify, run.job.record.stop());
+  });
+}
+
 void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
   FaceDistortion table;
   const MapFile file = atlas_file(run.job, &table);
@@ -386,21 +410,17 @@ void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
     if (extension(path) != ".json")
       written.write(path, [&] {
         PolygonMesh moved;  // where its materials are in another file
-        const bool is_baked = run.texture && extension(path) == ".obj";
-        if (is_baked) moved = with_material_file(*run.job.polygons, path);
-        write_map(path, file, is_baked ? &moved : run.job.polygons.get(), formats,
-                  proof_of_file(path, promise(run.job, path), file, formats));
+        const bool is_baked = run.baked != nullptr && path == *run.baked;
+        const bool has_materials = is_baked && extension(path) == ".obj";
+        if (has_materials) moved = with_material_file(*run.job.polygons, path);
+        const FileVerification verify = proof_of_file(path, promise(run.job, path), file, formats);
+        write_map(path, file, has_materials ? &moved : run.job.polygons.get(), formats, verify);
+        if (is_baked && !has_materials) bake(run, path, verify);
         if (!run.common.quiet)
           say_left_out(path, left_out(path, file, formats, run.job.polygons.get()));
       });
-  if (!run.texture) return;
-  const std::string& obj = *baked_output(run.outputs.files);
-  if (written.has(obj))
-    written.write(texture_file(obj), [&] {
-      or_interrupted("baking " + texture_file(obj), [&] {
-        bake_texture(*run.texture, *run.job.polygons, obj, run.job.record.stop());
-      });
-    });
+  if (run.baked != nullptr && extension(*run.baked) == ".obj" && written.has(*run.baked))
+    written.write(texture_file(*run.baked), [&] { bake(run, *run.baked, {}); });
 }
 
 void write_reports(const FinishedUnwrap& run, double write_seconds, WrittenFiles& written) {
@@ -490,10 +510,10 @@ int unwrap_file(UnwrapVerb request) {
   Progress progress(request.common, {Activity::Reading, Activity::Cutting, Activity::Solving,
                                      Activity::Packing, Activity::Proving, Activity::Writing});
   RunRecord record = request.solve.make_record(progress);
-  require_usable(request);
+  require_usable(request, record.start_stop());
   const ThreadCount threads(usable_threads(request.common.threads));
   AtlasJob job(record);
-  std::optional<ObjTexture> texture;
+  std::optional<ModelTexture> texture;
   job.energy = request.map.energy;
   record.begin(Activity::Reading);
   or_interrupted("reading " + request.map.input, [&] {
@@ -505,7 +525,7 @@ int unwrap_file(UnwrapVerb request) {
     say_warnings(polygons.warnings);
     if (request.unwrap.bake) {
       texture = within_memory(request.map.input,
-                              [&] { return read_obj_texture(polygons, record.start_stop()); });
+                              [&] { return read_texture(polygons, record.start_stop()); });
       say_warnings(texture->warnings);
     }
     request.unwrap.open(job, std::move(polygons), strictness);
@@ -528,7 +548,8 @@ int unwrap_file(UnwrapVerb request) {
   job.linear_solver = solvers.section();
   job.memory = solvers.memory();
   job.prove();
-  return write_atlas({request.common, request.outputs, request.map, job, start, progress, texture});
+  return write_atlas({request.common, request.outputs, request.map, job, start, progress, texture,
+                      texture ? baked_output(request) : nullptr});
 }
 
 }  // namespace

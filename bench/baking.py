@@ -1,14 +1,22 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""How well textures survive a bake: an atlas -> another atlas -> back, in dB, and from a mesh to a coarser copy.
+"""How well textures survive a bake, how their seams look, and what large images and thin charts cost.
 
-    bench/baking.py MAJORANT [--size 2048] [--folder DIR] MESH.obj...
+    bench/baking.py MAJORANT [--size 2048] [--large 8192] [--folder DIR] [--copy SCAN.obj COPY.obj]... MESH.obj...
 
-A mesh is unwrapped twice, with other charts. On the first atlas a texture is drawn by a formula of the position:
-waves, 127.5 + 110 sin(2 pi 16 x / D + phase) in red, green and blue, D the diagonal; and a checkerboard of 64 cells
-along D. It is baked to the second atlas and back, one sample a texel, and compared at the texels whose centres lie
-in a chart. Prints a table.
+A texture is drawn by a formula of the position: waves, 127.5 + 110 sin(2 pi 16 x / D + phase) in red, green and blue,
+D the diagonal; and a checkerboard of 64 cells along D. One sample a texel. Four tables:
+
+* Round trips: a mesh is unwrapped twice, with other charts; the texture of the first atlas is baked to the second and
+  back, and compared at the texels whose centres lie in a chart. Seams: at 16 points of each edge along which the
+  second layout is cut, the difference of what a bilinear filter reads on the two sides, less that of the first
+  texture there, which is 0 where the first layout is not cut; in codes of 1/255, of a second atlas of floats, so
+  that no rounding is in it. Crowded are points at which one of the layouts has another part of the surface, or the other
+  side of the cut, within two or three texels: what is read there no baker can help; they are counted, and left out.
+* Copies: from a mesh to a coarser one; compared with the formula at the points of the mesh that the copy shows.
+* Charts: thousands of them, and strips of a fifth of a texel.
+* Large images of the last mesh: seconds and memory.
 """
 import argparse
 import json
@@ -22,6 +30,13 @@ from PIL import Image
 
 PHASES = (0, 2, 4)
 WAVES, CELLS = 16, 64
+POINTS_OF_EDGE = 16
+CHARTS = 4740
+# Strips of the second table of charts: in texels, their width and the distance of two.
+STRIP, APART = 0.2, 1.7
+OFF = 3  # codes
+APART_AT_LEAST = 3  # texels, of the two sides of a cut: filters of both read two each way
+FAR = 2.5  # texels from what a filter reads at one point: another part of the surface
 
 
 def waves(position, diagonal):
@@ -34,6 +49,106 @@ def checkerboard(position, diagonal):
     return np.repeat(255 * cell[..., None], 3, axis=-1)
 
 
+def read_obj(path):
+    """Positions, texture coordinates, and of each triangle the numbers of both."""
+    points, texcoords, faces = [], [], []
+    with open(path) as f:
+        for line in f:
+            words = line.split()
+            if words[:1] == ['v']:
+                points.append([float(x) for x in words[1:4]])
+            elif words[:1] == ['vt']:
+                texcoords.append([float(x) for x in words[1:3]])
+            elif words[:1] == ['f']:
+                faces.append([[int(n) - 1 for n in corner.split('/')[:2]] for corner in words[1:]])
+    return np.array(points), np.array(texcoords), np.array(faces)
+
+
+def write_obj(path, points, texcoords, faces):
+    with open(path, 'w') as f:
+        for p in points:
+            f.write('v %.17g %.17g %.17g\n' % tuple(p))
+        for t in texcoords:
+            f.write('vt %.17g %.17g\n' % tuple(t))
+        for face in faces:
+            f.write('f ' + ' '.join('%d/%d' % (n + 1, n + 1) for n in face) + '\n')
+
+
+def edges_of(faces):
+    """{(v, w), v < w: [(corner of v, corner of w) of each face]} as numbers of texture coordinates."""
+    edges = {}
+    for face in faces:
+        for k in range(3):
+            (v, a), (w, b) = face[k], face[(k + 1) % 3]
+            edges.setdefault((min(v, w), max(v, w)), []).append((a, b) if v < w else (b, a))
+    return {edge: sides for edge, sides in edges.items() if len(sides) == 2}
+
+
+def filtered(image, uv):
+    """Codes that a bilinear filter in linear light reads."""
+    height, width = image.shape[:2]
+    x, y = uv[..., 0] * width - 0.5, (1 - uv[..., 1]) * height - 0.5
+    left, top = np.floor(x).astype(int), np.floor(y).astype(int)
+    s, t = (x - left)[..., None], (y - top)[..., None]
+
+    def at(column, row):
+        code = image[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)] / 255
+        return np.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4)
+
+    above = (1 - s) * at(left, top) + s * at(left + 1, top)
+    below = (1 - s) * at(left, top + 1) + s * at(left + 1, top + 1)
+    linear = (1 - t) * above + t * below
+    return 255 * np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+
+
+class Seams:
+    """Points along the edges on which a layout is cut. layout, old: of read_obj; shown: the positions that texels in
+    charts and right beside them show, NaN elsewhere."""
+
+    def __init__(self, layout, old, shown):
+        of_layout, of_old = edges_of(layout[2]), edges_of(old[2])
+        cut = [edge for edge, (a, b) in of_layout.items() if (layout[1][list(a)] != layout[1][list(b)]).any()]
+        self.uv = self.points_of(layout[1][np.array([of_layout[edge] for edge in cut])])
+        self.old_uv = self.points_of(old[1][np.array([of_old[edge] for edge in cut])])
+        ends = layout[0][np.array(cut)]
+        self.has_room = np.linalg.norm(self.uv[0] - self.uv[1], axis=1) * len(shown) > APART_AT_LEAST
+        for side in (0, 1):
+            length = np.linalg.norm(np.diff(self.uv[side].reshape(len(cut), -1, 2)[:, [0, -1]], axis=1)[:, 0], axis=1)
+            texel = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / np.maximum(length * len(shown), 1e-9)
+            self.has_room &= self.finds_room(shown, self.uv[side], self.points_of(ends[:, None])[0],
+                                             np.repeat(texel, POINTS_OF_EDGE))
+
+    @staticmethod
+    def points_of(ends):
+        """ends: edge, side, end, coordinate. By side: #P rows."""
+        along = ((np.arange(POINTS_OF_EDGE) + 0.5) / POINTS_OF_EDGE)[None, None, :, None]
+        points = (1 - along) * ends[:, :, None, 0] + along * ends[:, :, None, 1]
+        return points.swapaxes(0, 1).reshape(ends.shape[1], -1, ends.shape[3])
+
+    @staticmethod
+    def finds_room(shown, uv, position, texel):
+        """Whether none of the four texels that are filtered shows another part of the surface, which lies there."""
+        height, width = shown.shape[:2]
+        left = np.floor(uv[:, 0] * width - 0.5).astype(int)
+        top = np.floor((1 - uv[:, 1]) * height - 0.5).astype(int)
+        has_room = np.ones(len(uv), bool)
+        for column in (left, left + 1):
+            for row in (top, top + 1):
+                there = shown[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)]
+                has_room &= ~(np.linalg.norm(there - position, axis=1) > FAR * texel)
+        return has_room
+
+    def steps(self, image, old_image):
+        """By how much what a filter reads on both sides differs more than in the old layout: #P codes."""
+        def step(image, sides):
+            return np.abs(filtered(image, sides[0]) - filtered(image, sides[1])).max(-1)
+        return step(image, self.uv) - step(old_image, self.old_uv)
+
+
+def psnr(error):
+    return 10 * np.log10(255 ** 2 / np.mean(error ** 2))
+
+
 class Bench:
     def __init__(self, binary, folder, size):
         self.binary, self.folder, self.size = binary, folder, size
@@ -44,36 +159,114 @@ class Bench:
     def run(self, *args):
         subprocess.run([self.binary, *map(str, args), '--quiet', '--force'], check=True)
 
-    def bake(self, new, old, out, *args):
+    def bake(self, new, old, out, *args, size=None):
         report = self.path('report.json')
-        start = time.time()
-        self.run('bake', self.path(new), '--from', self.path(old), '-o', self.path(out), '--size', self.size,
+        self.run('bake', self.path(new), '--from', self.path(old), '-o', self.path(out), '--size', size or self.size,
                  '--report', report, *args)
         with open(report) as f:
-            return json.load(f)['bake'], time.time() - start
+            return json.load(f)
 
     def image(self, name):
         return np.asarray(Image.open(self.path(name))).astype(float)
 
+    def codes_without_rounding(self, name):
+        """Of an array of linear light."""
+        linear = np.maximum(np.load(self.path(name)).astype(float), 0)
+        return 255 * np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+
+    def positions(self, new, old, *args):
+        self.bake(new, old, 'position.npy', '--attribute', 'position', *args)
+        return np.load(self.path('position.npy')).astype(float)
+
+    def draw(self, formula, diagonal, layout, image):
+        """The texture of a layout, with padding."""
+        position = self.positions(layout, layout, '--padding', 64)
+        texture = np.nan_to_num(np.rint(formula(position, diagonal))).astype(np.uint8)
+        Image.fromarray(texture).save(self.path(image))
+
     def round_trip(self, mesh):
-        """Rows of the table."""
         self.run('unwrap', mesh, '-o', self.path('old.obj'), '--normalize')
         self.run('unwrap', mesh, '-o', self.path('new.obj'), '--normalize', '--max-stretch', 1.002)
-        self.bake('old.obj', 'old.obj', 'inside.npy', '--attribute', 'position', '--padding', 0)
-        inside = ~np.isnan(np.load(self.path('inside.npy'))[..., 0])
-        self.bake('old.obj', 'old.obj', 'all.npy', '--attribute', 'position', '--padding', 64)
-        position = np.load(self.path('all.npy')).astype(float)
-        known = position[inside]
-        diagonal = np.linalg.norm(known.max(0) - known.min(0))
+        old, new = read_obj(self.path('old.obj')), read_obj(self.path('new.obj'))
+        diagonal = np.linalg.norm(old[0].max(0) - old[0].min(0))
+        inside = ~np.isnan(self.positions('old.obj', 'old.obj', '--padding', 0)[..., 0])
+        shown = self.positions('new.obj', 'new.obj', '--padding', 1)
+        seams = None
         for name, formula in (('waves', waves), ('checkerboard', checkerboard)):
-            texture = np.nan_to_num(np.rint(formula(position, diagonal))).astype(np.uint8)
-            Image.fromarray(texture).save(self.path('old.png'))
-            there, seconds = self.bake('new.obj', 'old.obj', 'new.png', '--image', self.path('old.png'))
+            self.draw(formula, diagonal, 'old.obj', 'old.png')
+            report = self.bake('new.obj', 'old.obj', 'new.png', '--image', self.path('old.png'))
             self.bake('old.obj', 'new.obj', 'back.png', '--image', self.path('new.png'))
             error = (self.image('back.png') - self.image('old.png'))[inside]
-            psnr = 10 * np.log10(255 ** 2 / np.mean(error ** 2))
+            self.bake('new.obj', 'old.obj', 'new.npy', '--image', self.path('old.png'), '--padding', 2)
+            codes = self.codes_without_rounding('new.npy')
+            if seams is None:  # waves: where the first atlas is off, it was crowded itself
+                shown[np.abs(codes - formula(shown, diagonal)).max(-1) > OFF] = np.inf
+                seams = Seams(new, old, shown)
+            steps = seams.steps(codes, self.image('old.png'))[seams.has_room]
+            there = report['bake']
             yield (os.path.basename(mesh), name, there['charts'], there['charts_without_texels'],
-                   there['doubly_covered'], there['misses'], '%.1f' % psnr, '%.2f' % seconds)
+                   there['doubly_covered'], there['misses'], '%.1f' % psnr(error), len(seams.has_room),
+                   int((~seams.has_room).sum()), *('%.2f' % max(0, np.percentile(steps, p)) for p in (50, 99, 100)),
+                   '%.2f' % report['seconds']['total'])
+
+    def copy(self, scan, copy):
+        self.run('unwrap', scan, '-o', self.path('scan.obj'), '--normalize')
+        self.run('unwrap', copy, '-o', self.path('copy.obj'), '--normalize')
+        points = read_obj(self.path('scan.obj'))[0]
+        diagonal = np.linalg.norm(points.max(0) - points.min(0))
+        position = self.positions('copy.obj', 'scan.obj', '--padding', 0)
+        inside = ~np.isnan(position[..., 0])
+        for name, formula in (('waves', waves), ('checkerboard', checkerboard)):
+            self.draw(formula, diagonal, 'scan.obj', 'scan.png')
+            report = self.bake('copy.obj', 'scan.obj', 'copy.png', '--image', self.path('scan.png'))
+            error = self.image('copy.png')[inside] - formula(position[inside], diagonal)
+            there = report['bake']
+            yield (os.path.basename(scan), os.path.basename(copy), name, there['covered'], there['misses'],
+                   '%.1f' % psnr(error), '%.2f' % report['seconds']['total'])
+
+    def many_charts(self):
+        """A square of triangles, each of them a chart of its own, in a square of cells."""
+        side = int(np.ceil(np.sqrt(CHARTS)))
+        cell = np.array([[k % side, k // side] for k in range(CHARTS)])[:, None]
+        corner = np.array([[0.1, 0.1], [0.9, 0.1], [0.1, 0.9]])
+        uv = ((cell + corner) / side).reshape(-1, 2)
+        yield 'triangles', uv, np.arange(3 * CHARTS).reshape(-1, 3)
+        count = int((self.size - 2) / APART)
+        left = (1 + APART * np.arange(count)) / self.size
+        ends = np.stack([left, left, left + STRIP / self.size], -1)
+        up = np.tile([0.01, 0.99, 0.5], (count, 1))
+        yield 'strips', np.stack([ends, up], -1).reshape(-1, 2), np.arange(3 * count).reshape(-1, 3)[:, [0, 2, 1]]
+
+    def charts(self):
+        for name, uv, faces in self.many_charts():
+            points = np.concatenate([uv, np.zeros((len(uv), 1))], 1)
+            write_obj(self.path('charts.obj'), points, uv, faces)
+            report = self.bake('charts.obj', 'charts.obj', 'charts.npy', '--attribute', 'position')
+            there = report['bake']
+            yield (name, there['charts'], there['charts_without_texels'], there['covered'], there['partly_covered'],
+                   there['doubly_covered'], '%.2f' % report['seconds']['total'])
+
+    def large(self, mesh, size):
+        self.run('unwrap', mesh, '-o', self.path('old.obj'), '--normalize')
+        points = read_obj(self.path('old.obj'))[0]
+        self.draw(waves, np.linalg.norm(points.max(0) - points.min(0)), 'old.obj', 'old.png')
+        for out, what in (('large.png', ['--image', self.path('old.png')]),
+                          ('large.png', ['--image', self.path('old.png'), '--depth', '16']),
+                          ('large.npy', ['--attribute', 'position']),
+                          ('large.exr', ['--attribute', 'position'])):
+            report = self.bake('old.obj', 'old.obj', out, *what, size=size)
+            yield (os.path.basename(mesh), '%d x %d' % (size, size),
+                   out[-3:] + (' of 16 bits' if '16' in what else ''), '%.2f' % (report['peak_memory_bytes'] / 1e9),
+                   '%.1f' % report['seconds']['total'])
+
+
+def print_table(head, rows):
+    print('| ' + ' | '.join(head) + ' |')
+    print('|' + '|'.join('---' if name in ('mesh', 'copy', 'texture', 'layout', 'size', 'format') else '--:'
+                         for name in head) + '|')
+    for row in rows:
+        print('| ' + ' | '.join(map(str, row)) + ' |', flush=True)
+    print()
 
 
 def main():
@@ -81,15 +274,20 @@ def main():
     parser.add_argument('majorant')
     parser.add_argument('meshes', nargs='+')
     parser.add_argument('--size', type=int, default=2048)
+    parser.add_argument('--large', type=int, default=0)
+    parser.add_argument('--copy', nargs=2, action='append', default=[])
     parser.add_argument('--folder')
     options = parser.parse_args()
-    print('| mesh | texture | charts | without texels | double | misses | PSNR, dB | s |')
-    print('|---|---|--:|--:|--:|--:|--:|--:|')
     with tempfile.TemporaryDirectory(dir=options.folder) as folder:
         bench = Bench(options.majorant, folder, options.size)
-        for mesh in options.meshes:
-            for row in bench.round_trip(mesh):
-                print('| ' + ' | '.join(map(str, row)) + ' |', flush=True)
+        print_table(('mesh', 'texture', 'charts', 'without texels', 'double', 'misses', 'PSNR, dB', 'points of seams', 'crowded',
+                     'median', '99 %', 'largest step', 's'), (row for mesh in options.meshes for row in bench.round_trip(mesh)))
+        if options.copy:
+            print_table(('mesh', 'copy', 'texture', 'texels', 'misses', 'PSNR, dB', 's'),
+                        (row for pair in options.copy for row in bench.copy(*pair)))
+        print_table(('layout', 'charts', 'without texels', 'centres', 'partly', 'double', 's'), bench.charts())
+        if options.large:
+            print_table(('mesh', 'size', 'format', 'memory, GB', 's'), bench.large(options.meshes[-1], options.large))
 
 
 if __name__ == '__main__':

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "majorant/certify/box_pairs.h"
@@ -363,6 +364,28 @@ InverseMap::Points InverseMap::locate(const Points2& uv, const StopCheck& stop) 
   });
   points.is_undecided.assign(undecided.begin(), undecided.end());
   return points;
+}
+
+InverseMap::Lists InverseMap::locate_all(const Points2& uv, const StopCheck& stop) const {
+  const auto count = static_cast<Index>(uv.rows());
+  const Index tasks = (count + kPointsOfTask - 1) / kPointsOfTask;
+  std::vector<std::vector<Preimage>> of_task(to_size(tasks));
+  Lists lists;
+  lists.begin.assign(to_size(count) + 1, 0);
+  parallel_tasks(tasks, [&](Index task, int) {
+    stop.poll();
+    Search search(map_, *tree_);
+    const Index last = std::min(count, (task + 1) * kPointsOfTask);
+    for (Index k = task * kPointsOfTask; k < last; ++k) {
+      const std::vector<Found>& found = search.preimages(uv.row(k));
+      lists.begin[to_size(k) + 1] = static_cast<Index>(found.size());
+      for (const Found& one : found) of_task[to_size(task)].push_back(one.preimage);
+    }
+  });
+  std::partial_sum(lists.begin.begin(), lists.begin.end(), lists.begin.begin());
+  for (const auto& list : of_task)
+    lists.preimages.insert(lists.preimages.end(), list.begin(), list.end());
+  return lists;
 }
 
 }  // namespace majorant

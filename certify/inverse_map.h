@@ -6,6 +6,7 @@
 //     std::cout << p.face << ": " << p.barycentric.transpose() << "\n";
 //   const Points2 uv = Points2::Random(1000, 2);
 //   const InverseMap::Points found = inverse.locate(uv);       // one of each, on all threads
+//   const InverseMap::Lists all = inverse.locate_all(uv);
 //   // found.face[k] == -1: proven to lie outside of the layout
 //
 // A map whose layout does not overlap has exactly one preimage of every point inside, none of those
@@ -59,6 +60,14 @@ class InverseMap {
   };
   // The first preimage of every row of uv, #P by 2. Polls `stop`: Stopped.
   Points locate(const Points2& uv, const StopCheck& stop = {}) const;
+
+  // All preimages of every row of uv, #P by 2, as preimages() has them; those of row k are from
+  // begin[k] to begin[k + 1]. Polls `stop`: Stopped.
+  struct Lists {
+    std::vector<Index> begin;  // #P + 1
+    std::vector<Preimage> preimages;
+  };
+  Lists locate_all(const Points2& uv, const StopCheck& stop = {}) const;
 
   const BezierMap& map() const { return map_; }
 

@@ -1,5 +1,5 @@
 // Constraints of maps: what is eliminated exactly, and, in local_injectivity.h, what every step
-// must hold.
+// must hold. Points and single unknowns are held without a mesh: framework/fixed_points.h.
 //
 //   builder.add(FixedPoints({{12, {0.1, 0.2}}}));              // a pin in the plane
 //   builder.add(AxisAlignment(space, {{12, 0}, {40, 1}}));     // edges along the axes
@@ -16,64 +16,10 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/constraint.h"
+#include "majorant/framework/fixed_points.h"
 #include "majorant/mesh/seams.h"
 
 namespace majorant {
-
-// Control points held at given positions by elimination.
-//
-//   builder.add(FixedPoints({{12, {0.1, 0.2}}}));                 // a pin in the plane
-//   builder.add(FixedPoints::at({12, 13, 14}, x));                // held where x has them
-//   builder.add(FixedPoints::in_space({{7, {0.1, 0.2, 0.3}}}));   // 3 unknowns a node
-//
-// A problem whose terms have nodes of another dimension refuses them, with InvalidArgument.
-
-struct FixedPoint {
-  Index node;
-  Vector2 position;
-};
-struct FixedPoint3 {
-  Index node;
-  Vector3 position;
-};
-
-class FixedPoints final : public Constraint {
- public:
-  explicit FixedPoints(const std::vector<FixedPoint>& points);
-  static FixedPoints in_space(std::vector<FixedPoint3> points);
-  // Holds `nodes` where x has them, which has `dim` numbers per node. Throws InvalidArgument for a
-  // node that x does not have, and unless dim is 2 or 3.
-  static FixedPoints at(const std::vector<Index>& nodes, VecIn x, int dim = 2);
-
-  void append_rows(ConstraintRows& rows) const override;
-
- private:
-  FixedPoints(std::vector<FixedPoint3> points, int dim) : points_(std::move(points)), dim_(dim) {}
-  std::vector<FixedPoint3> points_;  // of the plane: z is not looked at
-  int dim_;
-};
-
-// Hard constraints on single unknowns, whatever they are: coordinates of nodes of any dimension.
-//
-//   const std::vector<FixedUnknown> held{{3 * 12 + 2, 0.5}};                     // z of node 12
-//   builder.add(FixedUnknowns(held));
-//   builder.add(std::make_shared<QuadraticPenalty>(FixedUnknowns(held)), 1e3);   // the same, soft
-//
-// For points of the plane or of space FixedPoints is shorter.
-
-struct FixedUnknown {
-  Index unknown;  // of the full unknowns x
-  double value;
-};
-
-class FixedUnknowns final : public Constraint {
- public:
-  explicit FixedUnknowns(std::vector<FixedUnknown> unknowns) : unknowns_(std::move(unknowns)) {}
-  void append_rows(ConstraintRows& rows) const override;
-
- private:
-  std::vector<FixedUnknown> unknowns_;
-};
 
 // Seams that hold exactly: the control points on the two sides of every seam edge agree up to the
 // chain's rotation and translation, c = i^k c' + t.

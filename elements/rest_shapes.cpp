@@ -111,6 +111,9 @@ RowMatrix in_frames(const Points3& positions, const Cells& faces, const Points3&
   RowMatrix out(faces.rows(), 2);
   for (Index f = 0; f < faces.rows(); ++f) {
     const auto part = tangent_part(positions, faces, f, vectors.row(f));
+    if (!vectors.row(f).allFinite())
+      throw InvalidArgument("in_frames: the vector of triangle " + std::to_string(f) +
+                            " is not finite");
     if (!part)
       throw InvalidArgument("in_frames: the vector of triangle " + std::to_string(f) +
                             " has no tangent part, or the triangle no plane");

@@ -5,12 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <string>
 #include <utility>
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/barrier_path.h"
+#include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/colored_batches.h"
 #include "majorant/framework/partition.h"
+#include "majorant/framework/problem_parts.h"
+#include "majorant/framework/violation.h"
 
 namespace majorant {
 namespace {
@@ -26,6 +32,39 @@ HeldBounds held(const std::vector<HeldBound>& bounds) {
   HeldBounds::Bounds all;
   for (const HeldBound& b : bounds) all.push_back(b.bound);
   return HeldBounds(std::move(all));
+}
+
+// The violation of bounds (violation.h) is minimized, and with it whatever else the problem has, of
+// a weight that falls with the margin asked for: the penalty method of [NW06] Sec. 17.1.
+struct ViolationRules {
+  // The room, relative to that of a bound or to 1, that the first round asks for: what bounds are
+  // relaxed by, too.
+  double first_margin = 0.1;
+  // The factor of the margin from one round to the next.
+  double fall = 0.1;
+  // The last margin is 1e-9: less is not told from none.
+  int most_rounds = 9;
+  // The relative change of a violation that is none, and the part of it that a margin may be, where
+  // it is called a minimum.
+  double unchanged = 0.01;
+  // The relative difference of two Hessians that is rounding.
+  double rounding = 1e-9;
+};
+
+constexpr const char* kNoProof = "; that is no proof that there is none, start inside";
+
+// The bound that a point violates most, by how much, and where.
+struct LargestViolation {
+  const BarrierChecker* bound = nullptr;
+  double amount = 0;
+  std::string place;
+};
+
+std::string place_of(const EnergyTerm& term, Index element) {
+  const ElementDofs& dofs = term.element_dofs();
+  if (dofs.local_size() == 1) return fmt::format("unknown {}", dofs.nodes(element, 0));
+  return fmt::format("element {}, which begins with unknown {}", element,
+                     dofs.block * dofs.nodes(element, 0));
 }
 
 // One run: the phases so far and the point they have reached.
@@ -48,34 +87,43 @@ class Phases {
   }
 
   BarrierResult run() {
-    if (!enter() || !check_start(stepper_.evaluator(), result_)) return std::move(result_);
+    if (!enter() || !has_start()) return std::move(result_);
     result_.energy = measure().energy;
     const double first = m_ > 0 ? options_.first_gap * scale() / m_ : 0;
     follow_barrier({first, options_.fall}, [this](double mu) {
       const bool last = m_ * mu <= options_.tolerance * scale();
       minimize(mu, last);
       if (last) return PathEnd::Arrived;
-      const bool goes_on = result_.status == Status::Converged || result_.status == Status::Stalled;
-      return goes_on ? PathEnd::None : PathEnd::Ended;
+      return went_on() ? PathEnd::None : PathEnd::Ended;
     });
     return std::move(result_);
   }
 
  private:
+  bool has_start() {
+    if (check_start(stepper_.evaluator(), result_)) return true;
+    if (bounds_.bounds().size() < barriers_.size())
+      result_.message +=
+          ": Bounds::interior() moves a start inside, BarrierMinimizer::of_bounds() leads it";
+    return false;
+  }
+
   double scale() const { return std::max(1.0, std::abs(result_.energy)); }
 
   int iterations_left() const {
     return options_.newton.stopping.max_iterations - static_cast<int>(result_.iterations.size());
   }
 
+  bool is_barrier(TermId id) const {
+    return std::find(barriers_.begin(), barriers_.end(), id) != barriers_.end();
+  }
+
   // E and B here.
   BarrierPhase measure() const {
     const Vec x = problem_.expand(result_.y);
     BarrierPhase phase;
-    for (const TermId id : problem_.terms()) {
-      const bool is_barrier = std::find(barriers_.begin(), barriers_.end(), id) != barriers_.end();
-      (is_barrier ? phase.barrier : phase.energy) += term_energy(problem_, id, x);
-    }
+    for (const TermId id : problem_.terms())
+      (is_barrier(id) ? phase.barrier : phase.energy) += term_energy(problem_, id, x);
     return phase;
   }
 
@@ -83,9 +131,66 @@ class Phases {
   bool enter() {
     require_size("the start y", result_.y.size(), problem_.size());
     require_finite("the start y", result_.y);
-    const auto point = [this] { return problem_.expand(result_.y); };
-    if (!bounds_.violated(point())) return true;
+    const Vec start = problem_.expand(result_.y);
+    if (!bounds_.violated(start)) return true;
     result_.energy = measure().energy;
+    const bool inside = measures_all(start) ? minimize_violation() : tighten();
+    stepper_.reset(problem_);
+    return inside;
+  }
+
+  bool went_on() const {
+    return result_.status == Status::Converged || result_.status == Status::Stalled;
+  }
+
+  static const ViolationMeasure* measure_of(const BarrierChecker& bound) {
+    return dynamic_cast<const ViolationMeasure*>(&bound);
+  }
+
+  bool measures_all(VecIn x) const {
+    return std::all_of(bounds_.bounds().begin(), bounds_.bounds().end(), [&](const auto& bound) {
+      return measure_of(*bound) || bound->check(x).feasible;
+    });
+  }
+
+  // By minima of the violation of all bounds that are not met. Those that are hold on the way.
+  bool minimize_violation() {
+    const ViolationRules rules;
+    const double scale = this->scale(), mu = options_.first_gap * scale / m_;
+    double before = std::numeric_limits<double>::infinity();
+    bool no_room = false;
+    LargestViolation left;
+    for (int k = 0; k < rules.most_rounds && !no_room; ++k) {
+      const double margin = rules.first_margin / std::pow(1 / rules.fall, k);
+      stepper_.reset(with_violations(margin, {margin * margin / scale, mu}));
+      if (k == 0 && !check_start(stepper_.evaluator(), result_)) return false;
+      descend({}, stepper_.evaluator().value(result_.y));
+      left = largest_violation();
+      if (left.bound && went_on()) {
+        no_room = result_.status == Status::Converged && margin <= rules.unchanged * left.amount &&
+                  left.amount >= (1 - rules.unchanged) * before && is_convex_here(rules.rounding);
+        before = left.amount;
+        continue;
+      }
+      result_.energy = measure().energy;
+      return !left.bound;
+    }
+    const std::string where = fmt::format("'{}' by {:.3g} at {}{}", left.bound->name(), left.amount,
+                                          left.place, held_back_by(*left.bound));
+    if (no_room)
+      refuse(*left.bound, Status::Infeasible,
+             "no point meets the bounds, or none nearby if they are not convex: their smallest "
+             "violation is that of " +
+                 where);
+    else
+      refuse(*left.bound, Status::Stalled,
+             "no point was found that meets the bounds: the last one violates " + where + kNoProof);
+    return false;
+  }
+
+  // By relaxed bounds that are tightened, which needs no measure.
+  bool tighten() {
+    const auto point = [this] { return problem_.expand(result_.y); };
     const double mu = options_.first_gap * scale() / m_;
     const BoundEntryRules rules;
     bool checked = false;
@@ -96,19 +201,101 @@ class Phases {
       checked = true;
       stepper_.reset(weighted(relaxed, factor * mu));
       this->descend(brief_rules(0, rules.tolerance), stepper_.evaluator().value(result_.y));
-      return result_.status == Status::Converged || result_.status == Status::Stalled;
+      return went_on();
     };
     const Entry entry = enter_bounds(bounds_, rules, point, descend);
-    stepper_.reset(problem_);
+    if (entry == Entry::Inside) return true;
     if (entry == Entry::Outside) {
       const BarrierChecker& violated = *bounds_.violated(point());
-      result_.status = Status::Infeasible;
-      result_.message =
-          fmt::format("no point was found that meets the bound '{}'", violated.name());
-      result_.blocking = violated.check(point()).blocking;
+      refuse(violated, Status::Stalled,
+             fmt::format("no point was found that meets the bound '{}'{}{}", violated.name(),
+                         held_back_by(violated), kNoProof));
     }
-    if (entry != Entry::Inside) result_.energy = measure().energy;
-    return entry == Entry::Inside;
+    result_.energy = measure().energy;
+    return false;
+  }
+
+  // The way inside has ended without one.
+  void refuse(const BarrierChecker& violated, Status status, std::string why) {
+    result_.status = status;
+    result_.message = std::move(why);
+    result_.blocking = violated.check(problem_.expand(result_.y)).blocking;
+    result_.energy = measure().energy;
+  }
+
+  // What else limits the point: other bounds that it violates, else the checker that it is nearest
+  // to.
+  std::string held_back_by(const BarrierChecker& violated) const {
+    const Vec x = problem_.expand(result_.y);
+    const FeasibilityChecker* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& checker : problem_.checkers()) {
+      const double margin = checker.get() == &violated ? least : checker->check(x).margin;
+      if (!(margin < least)) continue;
+      least = margin;
+      nearest = checker.get();
+    }
+    return nearest ? fmt::format(", held back by '{}'", nearest->name()) : "";
+  }
+
+  LargestViolation largest_violation() const {
+    const Vec x = problem_.expand(result_.y);
+    LargestViolation largest;
+    for (const auto& bound : bounds_.bounds()) {
+      if (bound->check(x).feasible) continue;
+      const auto term = measure_of(*bound)->violation(0);
+      const Vec squares = element_values(*term, {}, ColoredBatches(term->element_dofs(), {}), x);
+      Index element = 0;
+      const double amount = std::sqrt(squares.maxCoeff(&element));
+      if (!largest.bound || amount > largest.amount)
+        largest = {bound.get(), amount, place_of(*term, element)};
+    }
+    return largest;
+  }
+
+  // Whether the stepper's problem, without the energy, has a Hessian whose parts are all
+  // semidefinite.
+  bool is_convex_here(double rounding) const {
+    TermChanges changes;
+    for (const TermId id : problem_.terms()) {
+      if (is_barrier(id)) continue;
+      changes.emplace_back(id, problem_.state(id));
+      changes.back().second.weight = 0;
+    }
+    const Problem problem = stepper_.evaluator().problem().with(std::move(changes));
+    if (!problem.supports(Curvature::Exact) || !problem.supports(Curvature::Projected))
+      return false;
+    Evaluator evaluator(problem);
+    Vec gradient, exact, projected;
+    evaluator.linearize(result_.y, Curvature::Exact, gradient, exact);
+    evaluator.linearize(result_.y, Curvature::Projected, gradient, projected);
+    return (exact - projected).norm() <= rounding * projected.norm();
+  }
+
+  struct RestWeights {
+    double energy, barrier;  // that of a barrier is the product of both
+  };
+  // The problem with the violation in place of the bounds that are not met, and these weights for
+  // the rest.
+  Problem with_violations(double margin, const RestWeights& rest) const {
+    const Vec x = problem_.expand(result_.y);
+    std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>> terms;
+    auto checkers = problem_.checkers();
+    std::vector<TermId> violated;
+    for (std::size_t k = 0; k < bounds_.bounds().size(); ++k) {
+      const auto& bound = bounds_.bounds()[k];
+      if (bound->check(x).feasible) continue;
+      violated.push_back(barriers_[k]);
+      terms.emplace_back(barriers_[k], measure_of(*bound)->violation(margin));
+      std::erase(checkers, bound);
+    }
+    TermChanges changes;
+    for (const TermId id : problem_.terms()) {
+      if (std::find(violated.begin(), violated.end(), id) != violated.end()) continue;
+      changes.emplace_back(id, problem_.state(id));
+      changes.back().second.weight *= rest.energy * (is_barrier(id) ? rest.barrier : 1);
+    }
+    return problem_.exchanged(terms, std::move(checkers)).with(std::move(changes));
   }
 
   // The problem with what is held in place of the bounds.

@@ -19,9 +19,10 @@
 // g bounds what E is above its constrained minimum. A constraint with multiplier l ends at the
 // distance mu / l from its boundary. Not for equality constraints: eliminate them (constraint.h);
 // nor for starts on the boundary: they must be inside, but for a BarrierChecker's bounds
-// (of_bounds(); feasibility.h has the code). A start that does not meet such a bound is first
-// led inside: by barriers of the bound relaxed as far as the point needs it, tightened as it comes
-// nearer.
+// (of_bounds(); feasibility.h has the code). A start that does not meet such bounds is first led
+// inside: by minima of their violation, which is what Bounds and Inequality measure
+// (violation.h), else by barriers of bounds relaxed as far as the point needs it, tightened as it
+// comes nearer.
 #pragma once
 
 #include <vector>
@@ -76,8 +77,10 @@ class BarrierMinimizer final : public Minimizer {
   static BarrierMinimizer of_bounds(std::vector<HeldBound> bounds, std::vector<TermId> more = {},
                                     BarrierOptions options = {});
 
-  // y0: strictly inside, but for the bounds. Status::Infeasible names what it violates, or the
-  // bound that no point was found to meet. Throws InvalidArgument for ids that the problem does not
+  // y0: strictly inside, but for the bounds. Status::Infeasible names what it violates, or says
+  // that the violation of the bounds has a minimum that is not 0, by how much and where; for bounds
+  // that are convex nothing is feasible then. Status::Stalled where no way inside was found, which
+  // proves nothing. Throws InvalidArgument for ids that the problem does not
   // have, and for bounds that are none of its checkers.
   BarrierResult run(const Problem& problem, Vec y0, RunObserver* observer = nullptr) const;
   SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override {

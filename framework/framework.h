@@ -13,7 +13,9 @@
 //                                 check_derivatives()
 //     curvature.h                 which matrix stands for second derivatives
 //     constraint.h                affine equations, eliminated exactly
+//     fixed_points.h              pins: points and single unknowns that are held
 //     feasibility.h               what a line search holds; bounds with barriers
+//     violation.h                 how far a start is outside of a bound, as an energy
 //     problem.h                   ProblemBuilder, Problem: terms, constraints, checkers; Evaluator
 //     dual2.h                     derivatives of formulas, of first and second order
 //
@@ -44,6 +46,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/first_order.h"
+#include "majorant/framework/fixed_points.h"
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/line_search.h"
 #include "majorant/framework/linear_solver.h"
@@ -55,6 +58,7 @@
 #include "majorant/framework/stepper.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
+#include "majorant/framework/violation.h"
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause

@@ -50,9 +50,9 @@ void require_fitting(const EnergyTerm& term, Index full_size) {
     for (Index k = 0; k < s.nodes.cols(); ++k)
       if (s.nodes(e, k) < 0 || s.nodes(e, k) >= nodes)
         throw InvalidArgument(fmt::format(
-            "term '{}': node {} of element {} is {}, a stencil leaves the {} unknowns (nodes of "
-            "{}: 0..{})",
-            term.name(), k, e, s.nodes(e, k), full_size, s.block, nodes - 1));
+            "term '{}': node {} of element {} is {}: the problem has {} unknowns, nodes 0 to {} of "
+            "{} each",
+            term.name(), k, e, s.nodes(e, k), full_size, nodes - 1, s.block));
 }
 
 // ConstraintRows::expect_nodes().

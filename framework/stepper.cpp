@@ -1,7 +1,11 @@
 #include "majorant/framework/stepper.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/internal/diagnosis.h"
@@ -24,6 +28,17 @@ class Observed final : public Descent {
  private:
   RunObserver* observer_;
 };
+
+// Names the checker, what of it is violated, and by how much in its own measure.
+std::string why_violated(const FeasibilityChecker& checker, double margin,
+                         const std::vector<Index>& blocking) {
+  std::string text = fmt::format("the start violates {}", checker.name());
+  if (blocking.size() == 1) text += fmt::format(" at element {}", blocking.front());
+  if (blocking.size() > 1)
+    text += fmt::format(" at element {} and {} more", blocking.front(), blocking.size() - 1);
+  if (margin < 0) text += fmt::format(", by {:.3g}", -margin);
+  return text + "; start where it holds";
+}
 
 }  // namespace
 
@@ -114,7 +129,8 @@ bool check_start(Evaluator& evaluator, SolveResult& result) {
   const Vec x = problem.expand(result.y);
   if (auto violation = evaluator.violation(x)) {
     result.blocking = std::move(violation->verdict.blocking);
-    result.message = std::string("the start violates ") + std::string(violation->checker->name());
+    result.energy = std::numeric_limits<double>::quiet_NaN();
+    result.message = why_violated(*violation->checker, violation->verdict.margin, result.blocking);
     return false;
   }
   result.energy = evaluator.value(result.y);

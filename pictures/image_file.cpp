@@ -133,6 +133,15 @@ Raster read_image(const std::string& path, const StopCheck& stop) {
                           fmt::join(readable_images(), " ")));
 }
 
+Raster decode_image(const std::string& name, const std::string& bytes) {
+  if (bytes.starts_with("\x89PNG")) return decode_png(name, bytes);
+  if (bytes.starts_with("\xFF\xD8\xFF")) return decode_jpeg(name, bytes);
+  if (bytes.starts_with("RIFF"))
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: WebP images are not read; convert it to PNG", name));
+  throw Error(ErrorKind::Unreadable, fmt::format("{}: neither PNG nor JPEG", name));
+}
+
 std::string encode_image(const std::string& path, const Raster& image, const ImageLabels& labels) {
   const std::string format = format_of(path);
   if (format == ".npy") return encode_npy(image);

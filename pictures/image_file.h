@@ -32,6 +32,9 @@ std::vector<std::string> writable_images();
 // it was left out), for CMYK, and for more than memory has; Stopped.
 Raster read_image(const std::string& path, const StopCheck& stop = {});
 
+// The same of the bytes of a PNG or JPEG, which say themselves what they are. name: for messages.
+Raster decode_image(const std::string& name, const std::string& bytes);
+
 struct ImageLabels {
   Transfer transfer = Transfer::Linear;  // PNG says so where it is Srgb
   std::vector<std::string> channels;     // of EXR; empty: Y, Y A, R G B, R G B A

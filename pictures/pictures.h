@@ -52,6 +52,14 @@ struct PagePoint {
 // What a picture lies on: a transparent one shows what is behind it.
 enum class Paper { White, None };
 
+// Whether the edges of cells are drawn; without them the boundary of the layout is.
+enum class CellEdges { Drawn, Left };
+
+// Of a vector drawing, px.
+struct SheetSize {
+  int width = 1000, height = 800;  // PngOptions::kSmallest to kLargest
+};
+
 // The layout of a map as a vector drawing: what to look at, and to put into a paper.
 
 struct SvgOptions {
@@ -69,28 +77,35 @@ struct SvgOptions {
   Alignment alignment = Alignment::Automatic;
   std::vector<PagePoint> points = {};  // held and pulled ones, with their targets
   Paper paper = Paper::White;
+  // None: 1000 wide, as high as it takes. Letters, lines and marks have the same px on any sheet,
+  // and so are a larger part of a smaller one: 24 px letters of a sheet 700 wide are 8 points high
+  // in a column of 84 mm.
+  std::optional<SheetSize> size = std::nullopt;
+  CellEdges edges = CellEdges::Drawn;
 };
 
 // One <path> per colour, of the curved boundaries of its cells: lines for degree 1, quadratic and
 // cubic Bezier curves for 2 and 3, exactly; higher degrees as four Hermite cubics an edge. The v
-// axis points up. The drawing is 1000 wide and fits the control points (a layout more than 4 times
-// as tall as wide is 4000 high instead); coordinates have 6 digits of the drawing's size. <title>
-// and <desc> say what it is of.
+// axis points up. Without a size the drawing is 1000 wide and fits the control points (a layout
+// more than 4 times as tall as wide is 4000 high instead); coordinates have 6 digits of the
+// drawing's size. <title> and <desc> say what it is of.
 //
 // Cells are filled by `distortion`, the mean density of the energy that the map's claims name, on
 // the fixed scale of that energy (docs/pictures.md): pictures of different maps can be compared.
 // The legend names energy, degree and isometry, the smallest and the largest value on the map (not
 // of the means that are drawn; as MapMeasures::max_density), and how many means are beyond the
-// scale. Without both the cells are grey, or in pale colours by chart. The output depends on
-// nothing but the map and the options.
+// scale. Without both the cells are grey, or in pale colours by chart. Cells that are turned over
+// have kFlippedColor and lie over all others; their number is in the second legend, and no number
+// of the first one counts them. The output depends on nothing but the map and the options.
 //
-// Over the cells: grid lines if asked for, cut off at the layout's boundary; where the map has
-// several charts, thin outlines in one colour a chart, and its number where there is room; where it
-// has seams, thick lines along both sides of them in one colour a chain, and dots on the cones,
-// blue for index > 0 and green for index < 0; points and lines to their targets; rings where
-// boundary edges meet; a second legend. Throws Error(Invalid) if the map is
-// inconsistent or not finite, Error(Usage) if the file cannot be written, the grid cannot be drawn
-// or the range of colours leaves out the isometry.
+// Behind the cells: the unit square, of layouts that lie in it and were made for it (claimed to be
+// normalized, or without claims). Over them: grid lines if asked for, cut off at the layout's
+// boundary; where the map has several charts, thin outlines in one colour a chart, and its number
+// where there is room; where it has seams, thick lines along both sides of them in one colour a
+// chain, and dots on the cones, blue for index > 0 and green for index < 0; points and lines to
+// their targets; rings where boundary edges meet; a second legend. Throws Error(Invalid) if the map
+// is inconsistent or not finite, Error(Usage) if the file cannot be written, the grid cannot be
+// drawn, a side of the sheet is out of range or the range of colours leaves out the isometry.
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options = {});
 // The drawing as text, for who has a place for it already. Throws Error(Invalid) likewise.
 std::string svg_text(const MapFile& map, const SvgOptions& options = {});
@@ -117,7 +132,9 @@ std::string svg_text(const MapFile& map, const SvgOptions& options = {});
 //     * Light comes from the eye: sRGB values times 0.72 + 0.28 |cos| of its angle with the normal,
 //       which is interpolated between those of corners, means of the faces around them by area.
 //     * Checkerboard: squares of 1, 2 or 5 times a power of ten uv units, at least a 40th of the
-//       layout's larger side, edges on multiples of that.
+//       layout's larger side, edges on multiples of that; or `squares` along the side of the square
+//       that an image lies on.
+//     * Grid: on the surface lines whose width is a twelfth of their distance.
 //     * Image: upright over the unit square of layouts that were made for one (claimed to be
 //       normalized, or without claims), over the square around the middle of others that has their
 //       larger side; bilinear, and repeated beyond it.
@@ -130,22 +147,26 @@ struct PngOptions {
   int width = 1000, height = 800;
   std::optional<Vector3> view = {};       // none: the layout
   std::optional<Quantity> quantity = {};  // none: see image
-  // A PNG file that is laid on; none: a checkerboard on a surface, the density (grey where the
-  // claims name no energy) on a layout.
+  // The bytes of a PNG file that is laid on; none: a checkerboard on a surface, the density (grey
+  // where the claims name no energy) on a layout.
   std::optional<std::string> image = {};
+  std::optional<int> squares = {};             // of the checkerboard, at least 1; none: see above
   std::optional<ColorRange> color_range = {};  // none: that of the fixed scale
   Alignment alignment = Alignment::Automatic;
+  std::optional<double> grid = {};       // as of SvgOptions; over colours and images
   std::optional<MapFile> scaffold = {};  // around a layout, as of SvgOptions
   std::vector<PagePoint> points = {};    // likewise
   Paper paper = Paper::White;
+  CellEdges edges = CellEdges::Drawn;  // of a layout
 };
 
 // Heat maps have a legend below, as SVG's, with the same smallest and largest value, those of the
-// whole map. Turned over cells have kFlippedColor. The bytes depend on the map and the options
+// whole map. Turned over cells have kFlippedColor but under an image, where they are turned over;
+// they lie over others, and are counted as in SVG. The bytes depend on the map and the options
 // alone, not on the number of threads. Throws Error(Invalid) if the map is inconsistent or not
-// finite, Error(Unreadable) for an image that is none, Error(Usage) for a size out of range, a view
-// that is no direction, a range without the isometry, a density whose energy is not named, and
-// where the file cannot be written.
+// finite, Error(Unreadable) for an image that is none, Error(Usage) for a size out of range, no
+// squares, a view that is no direction, a range without the isometry, a density whose energy is not
+// named, and where the file cannot be written.
 void write_png(const std::string& path, const MapFile& map, const PngOptions& options = {});
 
 // A map as a page for a browser: the surface in 3D and the layout side by side, exact, in one file.

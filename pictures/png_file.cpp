@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
 #include "majorant/io/reading_limit.h"
 #include "majorant/pictures/image_file.h"
 #include "majorant/pictures/internal/image_limits.h"
@@ -131,12 +130,11 @@ std::string encode_png(const PixelImage& image) {
   return bytes;
 }
 
-PixelImage read_png(const std::string& path) {
+PixelImage pixels_of_png(const std::string& path, const std::string& bytes) {
   Png png;
   const auto fail = [&](const std::string& reason) {
     throw Error(ErrorKind::Unreadable, fmt::format("{}: {}; give a PNG image", path, reason));
   };
-  const std::string bytes = read_whole_file(path);
   if (png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size()) == 0)
     fail(png.image.message);
   constexpr png_uint_32 kMost = kLargestImage;

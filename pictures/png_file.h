@@ -24,9 +24,9 @@ struct PixelImage {
 // The bytes of a file, the same for the same pixels. Throws Error(Usage) where libpng fails.
 std::string encode_png(const PixelImage& image);
 
-// Reads a PNG of any colours and depths as 8-bit RGB, transparent parts on white. Throws
-// Error(Unreadable), naming the file, for what is no .png or too large.
-PixelImage read_png(const std::string& path);
+// A PNG of any colours and depths as 8-bit RGB, transparent parts on white. bytes: of the file.
+// Throws Error(Unreadable), naming the file, for what is no .png or too large.
+PixelImage pixels_of_png(const std::string& path, const std::string& bytes);
 
 // The numbers of a PNG, 1 to 4 channels of 8 or 16 bits; fewer bits, palettes and transparent
 // colours as 8 bits a channel. bytes: of the file. Throws as read_image() (image_file.h).

@@ -10,7 +10,6 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
-#include "majorant/io/claims.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_check.h"
 #include "majorant/pictures/internal/alignment.h"
@@ -24,6 +23,7 @@
 #include "majorant/pictures/internal/rasterizer.h"
 #include "majorant/pictures/pictures.h"
 #include "majorant/pictures/png_file.h"
+#include "majorant/pictures/turned_over.h"
 
 namespace majorant {
 namespace {
@@ -64,7 +64,7 @@ Square square_around(const MapFile& map) {
 // The square that a texture lies on: the unit square of layouts that were made for one, the square
 // around others.
 Square texture_square(const MapFile& map) {
-  if (readable_claims(map.claims).normalized || has_assumed_scale(map)) return {{0.5, 0.5}, 1};
+  if (is_for_unit_square(map)) return {{0.5, 0.5}, 1};
   return square_around(map);
 }
 
@@ -80,6 +80,15 @@ class CellPainter final : public Painter {
 
  private:
   CellColors colors_;
+};
+
+// What grid lines lie on.
+class LightPainter final : public Painter {
+ public:
+  void paint(std::span<const Fragment>, std::span<FloatColor> colors,
+             ValueSummary&) const override {
+    std::fill(colors.begin(), colors.end(), kLight);
+  }
 };
 
 // Paints what depends on uv alone.
@@ -99,7 +108,14 @@ class TexturePainter : public Painter {
 
 class CheckerPainter final : public TexturePainter {
  public:
-  explicit CheckerPainter(const MapFile& map) : TexturePainter(map) {
+  // count: of squares along that of the texture; none: as wide as PngOptions says.
+  CheckerPainter(const MapFile& map, const std::optional<int>& count) : TexturePainter(map) {
+    if (count) {
+      const Square square = texture_square(map);
+      width_ = square.side / *count;
+      corner_ = square.middle.array() - 0.5 * square.side;
+      return;
+    }
     const double wanted = square_around(map).side / kSquares;
     const double power = std::pow(10.0, std::floor(std::log10(wanted)));
     width_ = 10 * power;
@@ -109,9 +125,11 @@ class CheckerPainter final : public TexturePainter {
 
  private:
   FloatColor color(const Vector2& uv) const override {
-    const double number = std::floor(uv[0] / width_) + std::floor(uv[1] / width_);
+    const Vector2 place = (uv - corner_) / width_;
+    const double number = std::floor(place[0]) + std::floor(place[1]);
     return std::fmod(number, 2.0) == 0 ? kLight : kDark;
   }
+  Vector2 corner_ = Vector2::Zero();
   double width_;
 };
 
@@ -174,12 +192,73 @@ class HeatPainter final : public Painter {
   ColorScale scale_;
 };
 
-std::unique_ptr<Painter> plain_painter(const MapFile& map) {
-  return std::make_unique<CellPainter>(plain_colors(map));
+// Paints points of these cells at which they are turned over in their colour, all others as another
+// painter.
+class TurnedOverPainter final : public Painter {
+ public:
+  TurnedOverPainter(const MapFile& map, const std::vector<Index>& over,
+                    std::unique_ptr<Painter> others)
+      : image_(map, 1),
+        is_over_(to_size(static_cast<Index>(map.cells.rows()))),
+        others_(std::move(others)) {
+    for (const Index cell : over) is_over_[to_size(cell)] = true;
+  }
+
+  void paint(std::span<const Fragment> samples, std::span<FloatColor> colors,
+             ValueSummary& values) const override {
+    others_->paint(samples, colors, values);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      const auto& [cell, xi] = samples[k];
+      if (cell >= 0 && is_over_[to_size(cell)] && !(image_.at(cell, xi).distortion.sigma_2 > 0))
+        colors[k] = as_float(kFlippedColor);
+    }
+  }
+
+ private:
+  BezierImage image_;
+  std::vector<bool> is_over_;
+  std::unique_ptr<Painter> others_;
+};
+
+// Lines of constant u and v over what another painter paints.
+class GridPainter final : public Painter {
+ public:
+  GridPainter(const MapFile& map, double spacing, std::unique_ptr<Painter> below)
+      : image_(map, 1), spacing_(spacing), below_(std::move(below)) {}
+
+  void paint(std::span<const Fragment> samples, std::span<FloatColor> colors,
+             ValueSummary& values) const override {
+    constexpr double kHalfLine = 1.0 / 24;  // of the spacing
+    below_->paint(samples, colors, values);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (samples[k].cell < 0) continue;
+      const Vector2 place = image_.uv(samples[k].cell, samples[k].xi) / spacing_;
+      const Vector2 off = (place - place.array().round().matrix()).cwiseAbs();
+      if (off.minCoeff() < kHalfLine) colors[k] = as_float(kGridColor);
+    }
+  }
+
+ private:
+  BezierImage image_;
+  double spacing_;
+  std::unique_ptr<Painter> below_;
+};
+
+std::unique_ptr<Painter> plain_painter(const MapFile& map, const std::vector<Index>& over) {
+  return std::make_unique<TurnedOverPainter>(map, over,
+                                             std::make_unique<CellPainter>(plain_colors(map)));
 }
 
-std::unique_ptr<Painter> checker_painter(const MapFile& map) {
-  return std::make_unique<CheckerPainter>(map);
+// A checkerboard, or a grid where its spacing is not 0.
+std::unique_ptr<Painter> textured_painter(const MapFile& map, double spacing,
+                                          const std::optional<int>& squares,
+                                          const std::vector<Index>& over) {
+  std::unique_ptr<Painter> texture;
+  if (spacing > 0)
+    texture = std::make_unique<GridPainter>(map, spacing, std::make_unique<LightPainter>());
+  else
+    texture = std::make_unique<CheckerPainter>(map, squares);
+  return std::make_unique<TurnedOverPainter>(map, over, std::move(texture));
 }
 
 // write_png.h says where the image lies.
@@ -209,6 +288,9 @@ void require_usable(const PngOptions& options) {
                 fmt::format("a view from ({:g}, {:g}, {:g}) is from nowhere; give the direction to "
                             "the eye",
                             view.x(), view.y(), view.z()));
+  if (options.squares && *options.squares < 1)
+    throw Error(ErrorKind::Usage,
+                fmt::format("a checkerboard of {} squares; give 1 or more", *options.squares));
   if (options.image && options.quantity)
     throw Error(ErrorKind::Usage, "an image and a heat map lie on top of each other; choose one");
 }
@@ -283,13 +365,21 @@ DrawnPixels draw_triangles(const std::vector<RasterTriangle>& triangles, const P
   return drawn;
 }
 
+// marks: the grid of a surface (that of a layout is drawn), the cells that are turned over.
 std::unique_ptr<Painter> painter_of(const MapFile& map, const PngOptions& options,
-                                    const std::optional<Quantity>& heat) {
+                                    const std::optional<Quantity>& heat, const LayoutMarks& marks) {
+  const double spacing = options.view ? LayoutSheet(map, marks, {}).grid_spacing() : 0;
+  const auto with_grid = [&](std::unique_ptr<Painter> painter) -> std::unique_ptr<Painter> {
+    if (spacing == 0) return painter;
+    return std::make_unique<GridPainter>(map, spacing, std::move(painter));
+  };
   if (heat)
-    return heat_painter(map, *heat, claimed_energy(map).sum,
-                        picture_scale(map, *heat, options.color_range));
-  if (options.image) return image_painter(map, read_png(*options.image));
-  return options.view ? checker_painter(map) : plain_painter(map);
+    return with_grid(heat_painter(map, *heat, claimed_energy(map).sum,
+                                  picture_scale(map, *heat, options.color_range)));
+  if (options.image)
+    return with_grid(image_painter(map, pixels_of_png("the image", *options.image)));
+  return options.view ? textured_painter(map, spacing, options.squares, marks.turned_over)
+                      : plain_painter(map, marks.turned_over);
 }
 
 std::optional<Legend> legend_of(const MapFile& map, const PngOptions& options,
@@ -301,16 +391,22 @@ std::optional<Legend> legend_of(const MapFile& map, const PngOptions& options,
 PixelImage surface_image(const MapFile& map, const PngOptions& options) {
   const std::optional<Quantity> heat = heat_of(map, options);
   const double scale = options.width / LayoutSheet::kWidth;
-  const double legend = heat ? LayoutSheet::kColorsHeight : 0;
+  const LayoutMarks seen{.grid = options.grid, .turned_over = turned_over_cells(map)};
+  const std::vector<Index>& over = seen.turned_over;
+  const double colors = heat ? LayoutSheet::kColorsHeight : 0;
+  const double marks = over.empty() ? 0 : LayoutSheet::kRowHeight;
   PixelSize size{options.width, options.height};
-  size.height = std::max(1, size.height - static_cast<int>(std::lround(scale * legend)));
+  size.height = std::max(1, size.height - static_cast<int>(std::lround(scale * (colors + marks))));
   const auto triangles = surface_triangles(map, *options.view, size);
-  const DrawnPixels drawn = draw_triangles(triangles, *painter_of(map, options, heat),
+  const DrawnPixels drawn = draw_triangles(triangles, *painter_of(map, options, heat, seen),
                                            SurfaceShade(map, *options.view, triangles), size);
   Canvas canvas({options.width, options.height}, scale, options.paper);
   canvas.lay(drawn.pixels);
   if (heat)
     canvas.paint(color_legend(*legend_of(map, options, heat, drawn.values), size.height / scale));
+  if (!over.empty())
+    canvas.paint(turned_over_legend(over.size(), heat ? LegendOf::Colors : LegendOf::Nothing,
+                                    size.height / scale + colors));
   return canvas.image();
 }
 
@@ -319,12 +415,17 @@ PixelImage layout_image(const MapFile& map, const LayoutMarks& marks, const PngO
   const std::optional<Quantity> heat = heat_of(map, options);
   const PixelSize size{options.width, options.height};
   const double scale = size.width / LayoutSheet::kWidth;
-  const LayoutSheet sheet(map, marks, heat ? LegendOf::Colors : LegendOf::Nothing,
-                          size.height / scale);
-  const auto triangles = layout_triangles(map, scale * sheet.scale(), [&](const Vector2& uv) {
+  const LayoutSheet sheet(
+      map, marks,
+      {.legend = heat ? LegendOf::Colors : LegendOf::Nothing, .height = size.height / scale});
+  auto triangles = layout_triangles(map, scale * sheet.scale(), [&](const Vector2& uv) {
     return Vector2(scale * sheet.place(uv));
   });
-  const DrawnPixels drawn = draw_triangles(triangles, *painter_of(map, options, heat), {}, size);
+  for (RasterTriangle& t : triangles)  // those lie over all others
+    if (std::binary_search(marks.turned_over.begin(), marks.turned_over.end(), t.cell))
+      t.depth = {1, 1, 1};
+  const DrawnPixels drawn =
+      draw_triangles(triangles, *painter_of(map, options, heat, marks), {}, size);
   const LayoutDrawing drawing =
       draw_layout(sheet, legend_of(map, options, heat, drawn.values), {}, CellFill::Nothing);
   Canvas canvas(size, scale, options.paper);
@@ -345,7 +446,8 @@ void write_png(const std::string& path, const MapFile& map, const PngOptions& op
   if (options.scaffold) require_sound("scaffold", *options.scaffold);
   const Vector2 direction = picture_direction(map, options.alignment);
   const MapFile shown = turned(map, direction);
-  const LayoutMarks marks = marks_of(map, direction, {}, options.scaffold, options.points);
+  LayoutMarks marks = marks_of(map, direction, options.grid, options.scaffold, options.points);
+  marks.edges = options.edges;
   write_file_atomically(path, encode_png(layout_image(shown, marks, options)));
 }
 

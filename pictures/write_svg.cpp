@@ -152,41 +152,54 @@ struct Heat {
   CellColors colors;
 };
 
-// Means over the cells; NaN where they are turned over.
+// Means over the cells.
 Vec cell_values(const MapFile& map, Quantity quantity) {
   const FaceDistortion faces =
       map.face_distortion.rows() > 0 ? map.face_distortion : measure_distortion(map).faces;
-  constexpr Index kSigmaMin = 1;
   const Index column = quantity == Quantity::SigmaMax   ? 0
-                       : quantity == Quantity::SigmaMin ? kSigmaMin
+                       : quantity == Quantity::SigmaMin ? 1
                        : quantity == Quantity::Area     ? 2
                                                         : 3;
-  return (faces.col(kSigmaMin).array() > 0).select(faces.col(column), std::nan(""));
+  return faces.col(column);
 }
 
-Heat heat_of(const MapFile& map, Quantity quantity, const Vec& cells, const SvgOptions& options) {
+// Cells that are turned over, as the marks have them, do not count.
+Heat heat_of(const MapFile& map, Quantity quantity, const Vec& cells, const LayoutMarks& marks,
+             const SvgOptions& options) {
   const ColorScale scale = picture_scale(map, quantity, options.color_range);
   ValueSummary values;
   CellColors colors;
-  for (const double value : cells) {
-    colors.push_back(std::isnan(value) ? kFlippedColor : scale.color(value));
-    if (!std::isnan(value)) values.add(scale, value);
+  auto over = marks.turned_over.begin();
+  for (Index cell = 0; cell < cells.size(); ++cell) {
+    colors.push_back(scale.color(cells[cell]));
+    const bool is_over = over != marks.turned_over.end() && *over == cell;
+    if (is_over) ++over;
+    if (!is_over) values.add(scale, cells[cell]);
   }
   return {make_legend(map, quantity, scale, values, "triangle means"), colors};
 }
 
 // The heat map that was asked for; else the density, where the cells have one and something says of
 // which energy.
-std::optional<Heat> heat_of(const MapFile& map, const SvgOptions& options) {
+std::optional<Heat> heat_of(const MapFile& map, const LayoutMarks& marks,
+                            const SvgOptions& options) {
   if (options.quantity && options.quantity != Quantity::Density)
-    return heat_of(map, *options.quantity, cell_values(map, *options.quantity), options);
+    return heat_of(map, *options.quantity, cell_values(map, *options.quantity), marks, options);
   const bool is_known = map.distortion.size() > 0 && !claimed_energy(map).name.empty();
-  if (is_known) return heat_of(map, Quantity::Density, map.distortion, options);
+  if (is_known) return heat_of(map, Quantity::Density, map.distortion, marks, options);
   if (options.quantity)
     throw Error(ErrorKind::Usage,
                 "the map has no density: no energy is claimed that it could be of, or none was "
                 "measured");
   return {};
+}
+
+void require_usable(const SheetSize& size) {
+  for (const int side : {size.width, size.height})
+    if (side < PngOptions::kSmallest || side > PngOptions::kLargest)
+      throw Error(ErrorKind::Usage,
+                  fmt::format("a sheet of {} x {} px: sides are {} to {}", size.width, size.height,
+                              PngOptions::kSmallest, PngOptions::kLargest));
 }
 
 }  // namespace
@@ -196,14 +209,25 @@ std::string svg_text(const MapFile& map, const SvgOptions& options) {
   if (options.scaffold) require_sound("scaffold", *options.scaffold);
   const Vector2 direction = picture_direction(map, options.alignment);
   const MapFile shown = turned(map, direction);
-  const LayoutMarks marks =
-      marks_of(map, direction, options.grid, options.scaffold, options.points);
-  const std::optional<Heat> heat = heat_of(shown, options);
-  const LayoutSheet sheet(shown, marks, heat ? LegendOf::Colors : LegendOf::Nothing, {});
+  LayoutMarks marks = marks_of(map, direction, options.grid, options.scaffold, options.points);
+  marks.edges = options.edges;
+  std::optional<Heat> heat = heat_of(shown, marks, options);
+  LayoutSheet::Format format;
+  if (options.size) {
+    require_usable(*options.size);
+    format.width = options.size->width;
+    format.height = options.size->height;
+  }
+  if (heat) {
+    if (options.size) heat->legend = wrapped(heat->legend, format.width);
+    format.legend = LegendOf::Colors;
+    format.notes = heat->legend.notes.size();
+  }
+  const LayoutSheet sheet(shown, marks, format);
   LayoutDrawing parts =
       draw_layout(sheet, heat ? std::optional(heat->legend) : std::nullopt,
                   heat ? std::optional(heat->colors) : std::nullopt, CellFill::Colors);
-  Drawing drawing{.width = LayoutSheet::kWidth,
+  Drawing drawing{.width = sheet.width(),
                   .height = sheet.height(),
                   .paper = options.paper,
                   .title = "Layout of a surface in the plane",

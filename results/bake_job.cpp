@@ -130,6 +130,7 @@ SurfaceValues values_of_images(const BakeJob& job) {
     if (each.back().channels % 2 == 0) channels = 4;
   }
   if (each.size() == 1) return each.front();
+  const Course course = each.front().course;
   const SurfaceMesh& mesh = *job.carrier.mesh;
   return {channels,
           [each = std::move(each), of = job.image_of_polygon, channels, &mesh](
@@ -141,7 +142,7 @@ SurfaceValues values_of_images(const BakeJob& job) {
             for (std::size_t c = 0; c < 3; ++c) value[c] = found[is_grey ? 0 : c];
             if (channels == 4) value[3] = has_alpha ? found[to_size(own.channels - 1)] : 1.0F;
           },
-          0};
+          0, course};
 }
 
 // What the carrier is asked for, and the names of its channels.

@@ -18,6 +18,23 @@ std::string what_is_open(const GlobalInjectivity& proof) {
   return text;
 }
 
+std::string local_words(const MapMeasures& measures) {
+  if (measures.locally_injective) return "locally injective";
+  return measures.sigma_min < 0 ? "not locally injective" : "not proven to be locally injective";
+}
+
+// local: what is known of the map at every point.
+std::string overlap_words(const GlobalInjectivity& proof, ImageOf image, const std::string& local) {
+  if (proof.result == ProofStatus::Proven) return "no overlaps";
+  const bool violated = proof.result == ProofStatus::Violated;
+  const std::string found = violated ? meeting_words(proof) : what_is_open(proof);
+  if (image == ImageOf::Charts) return "each chart without overlaps, the layout " + found;
+  if (image == ImageOf::CutAtSeams)
+    return local + ", cut open along its seams it " + found +
+           (violated ? ", as maps with cones may" : "");
+  return local + ", " + found;
+}
+
 }  // namespace
 
 ImageOf image_of(const BezierMap& map) {
@@ -25,22 +42,16 @@ ImageOf image_of(const BezierMap& map) {
 }
 
 std::string overlap_words(const GlobalInjectivity& proof, ImageOf image) {
-  if (proof.result == ProofStatus::Proven) return "no overlaps";
-  const bool violated = proof.result == ProofStatus::Violated;
-  const std::string found = violated ? meeting_words(proof) : what_is_open(proof);
-  if (image == ImageOf::Charts) return "each chart without overlaps, the layout " + found;
-  if (image == ImageOf::CutAtSeams)
-    return "locally injective, cut open along its seams it " + found +
-           (violated ? ", as maps with cones may" : "");
-  return "locally injective, " + found;
+  return overlap_words(proof, image, "locally injective");
 }
 
 Json overlap_section(const GlobalInjectivity& proof, ImageOf image, const MapMeasures& measures) {
   if (proof.result == ProofStatus::Violated)
-    return {{"globally_injective", false}, {"overlaps", overlap_words(proof, image)}};
+    return {{"globally_injective", false},
+            {"overlaps", overlap_words(proof, image, local_words(measures))}};
   if (!measures.locally_injective)
     return {{"globally_injective", nullptr},
-            {"overlaps", "not decided: the map is not proven to be locally injective"}};
+            {"overlaps", "not decided: the map is " + local_words(measures)}};
   Json injective;  // null: not decided
   if (proof.result == ProofStatus::Proven) injective = true;
   return {{"globally_injective", injective}, {"overlaps", overlap_words(proof, image)}};

@@ -21,7 +21,8 @@ ImageOf image_of(const BezierMap& map);
 // injective, overlaps itself near (u, v)", or why that is not decided.
 std::string overlap_words(const GlobalInjectivity& proof, ImageOf image);
 
-// {"globally_injective": true, false or null (not decided), "overlaps": the words}.
+// {"globally_injective": true, false or null (not decided), "overlaps": the words, of a map that is
+// as locally injective as it was measured to be}.
 Json overlap_section(const GlobalInjectivity& proof, ImageOf image, const MapMeasures& measures);
 
 // Sets these and "boundary" ({"pairs_tested", "pairs_left", "subdivisions", "reason",

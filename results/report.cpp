@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "majorant/certify/map_proof.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/parallel.h"
@@ -21,10 +22,14 @@ Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh) {
   const Topology& t = mesh.topology();
   Json repairs = Json::array();
   const auto unused = static_cast<Index>(polygons.positions.size()) - mesh.vertex_count();
-  if (unused > 0) repairs.push_back(fmt::format("{} unreferenced vertices left out", unused));
+  if (unused > 0)
+    repairs.push_back(
+        fmt::format("{} unreferenced {} left out", unused, unused == 1 ? "vertex" : "vertices"));
   if (mesh.face_count() != static_cast<Index>(polygons.polygons.size()))
-    repairs.push_back(fmt::format("{} polygons triangulated into {} faces",
-                                  polygons.polygons.size(), mesh.face_count()));
+    repairs.push_back(
+        fmt::format("{} triangulated into {}",
+                    count_text(static_cast<Index>(polygons.polygons.size()), "polygon"),
+                    count_text(mesh.face_count(), "face")));
   return {{"file", polygons.file},
           {"vertices", t.vertices},
           {"faces", t.faces},
@@ -127,8 +132,8 @@ Json cuts_section(const SurfaceCuts& cuts, const RepairedSurface& surface) {
 
 std::string seam_summary(const Json& measures_section) {
   if (!measures_section.contains("cones")) return {};
-  return fmt::format(", {} cones, seams fit to {:.1g} ({:.1f} ulp of the layout)",
-                     measures_section["cones"].size(),
+  return fmt::format(", {}, seams fit to {:.1g} ({:.1f} ulp of the layout)",
+                     count_text(static_cast<Index>(measures_section["cones"].size()), "cone"),
                      measures_section["seam_residual"].get<double>(),
                      measures_section["seam_residual_ulp"].get<double>());
 }

@@ -26,7 +26,7 @@ LAYERS = [
     ['parametrization/maps', 'parametrization/seams'],
     ['certify', 'parametrization/initialization', 'parametrization/scaffold'],
     ['parametrization/baking', 'parametrization/packing', 'parametrization/solve', 'parametrization/tessellation'],
-    ['parametrization/atlas', 'io'],
+    ['parametrization/atlas', 'quads', 'io'],
     ['pictures', 'volumes'],
     ['results'],
     ['apps/arguments', 'apps/plugins'],

@@ -1,6 +1,7 @@
 #include "majorant/terms/inequality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -14,19 +15,20 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-// An element for each finite bound: its distance is sign (x - at).
-class BoundBarrier final : public EnergyTerm {
+// f(room) for each finite bound, with room = sign (x - at); the gap to the bound across is +inf
+// where there is none.
+template <class F>
+class BoundTerm final : public EnergyTerm {
  public:
-  BoundBarrier(const Vec& lower, const Vec& upper) {
+  BoundTerm(const Vec& lower, const Vec& upper, F f) : f_(f) {
     std::vector<Index> unknowns;
-    const auto add = [&](Index unknown, double at, double sign) {
-      if (!std::isfinite(at)) return;
-      unknowns.push_back(unknown);
-      sides_.push_back({at, sign});
-    };
     for (Index k = 0; k < lower.size(); ++k) {
-      add(k, lower[k], 1);
-      add(k, upper[k], -1);
+      const double gap = upper[k] - lower[k];
+      for (const auto& [at, sign] : {std::pair(lower[k], 1.0), {upper[k], -1.0}}) {
+        if (!std::isfinite(at)) continue;
+        unknowns.push_back(k);
+        sides_.push_back({at, sign, gap});
+      }
     }
     element_dofs_.nodes =
         Eigen::Map<const Cells>(unknowns.data(), static_cast<Index>(unknowns.size()), 1);
@@ -37,31 +39,44 @@ class BoundBarrier final : public EnergyTerm {
 
   void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {
-    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
-      const double inside = distance(x, batch.elements[p]);
-      f[p] = inside > 0 ? -std::log(inside) : kNone;
-    }
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) f[p] = at(x, batch.elements[p])[0];
   }
-  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
-             Workspace& workspace, LocalSystem& out) const override {
-    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState&, Workspace&,
+             LocalSystem& out) const override {
     for (std::size_t p = 0; p < batch.elements.size(); ++p) {
-      const double inverse = 1 / distance(x, batch.elements[p]);
-      out.gradient[p] = -sides_[batch.elements[p]].sign * inverse;
-      if (out.hessian) out.hessian[p] = inverse * inverse;
+      const std::array<double, 3> f = at(x, batch.elements[p]);
+      out.value[p] = f[0];
+      out.gradient[p] = sides_[batch.elements[p]].sign * f[1];
+      if (out.hessian) out.hessian[p] = f[2];
     }
   }
 
  private:
   struct Side {
-    double at, sign;
+    double at, sign, gap;
   };
-  double distance(VecIn x, Index e) const {
+  std::array<double, 3> at(VecIn x, Index e) const {
     const Side& side = sides_[e];
-    return side.sign * (x[element_dofs_.nodes(e, 0)] - side.at);
+    return f_(side.sign * (x[element_dofs_.nodes(e, 0)] - side.at), side.gap);
   }
+  F f_;
   std::vector<Side> sides_;
   ElementDofs element_dofs_;
+};
+
+// Value, slope and bend of -log(room).
+std::array<double, 3> barrier_of(double room, double /*gap*/) {
+  const double inverse = 1 / room;
+  return {room > 0 ? -std::log(room) : kNone, -inverse, inverse * inverse};
+}
+
+// The same of max(0, m - room)^2, m the margin, or that part of the gap.
+struct MissingRoom {
+  double margin;
+  std::array<double, 3> operator()(double room, double gap) const {
+    const double missing = std::max(0.0, margin * std::min(1.0, gap) - room);
+    return {missing * missing, -2 * missing, missing > 0 ? 2.0 : 0.0};
+  }
 };
 
 // The clearance, relative to the gap between two bounds, or to 1, and to what a point exceeds a
@@ -69,7 +84,7 @@ class BoundBarrier final : public EnergyTerm {
 // tenth.
 constexpr double kClear = 0.1;
 
-class BoundChecker final : public BarrierChecker {
+class BoundChecker final : public BarrierChecker, public ViolationMeasure {
  public:
   BoundChecker(Vec lower, Vec upper) : lower_(std::move(lower)), upper_(std::move(upper)) {}
   std::string_view name() const override { return "bounds"; }
@@ -98,7 +113,10 @@ class BoundChecker final : public BarrierChecker {
   }
 
   std::shared_ptr<const EnergyTerm> barrier() const override {
-    return std::make_shared<const BoundBarrier>(lower_, upper_);
+    return Bounds(lower_, upper_).barrier();
+  }
+  std::shared_ptr<const EnergyTerm> violation(double margin) const override {
+    return std::make_shared<const BoundTerm<MissingRoom>>(lower_, upper_, MissingRoom{margin});
   }
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
     require_fitting(x);
@@ -139,7 +157,7 @@ Bounds::Bounds(Vec lower, Vec upper) : lower_(std::move(lower)), upper_(std::mov
 }
 
 std::shared_ptr<const EnergyTerm> Bounds::barrier() const {
-  return std::make_shared<const BoundBarrier>(lower_, upper_);
+  return std::make_shared<const BoundTerm<decltype(&barrier_of)>>(lower_, upper_, &barrier_of);
 }
 
 std::shared_ptr<const BarrierChecker> Bounds::checker() const {

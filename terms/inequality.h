@@ -31,6 +31,7 @@
 #include <utility>
 
 #include "majorant/framework/feasibility.h"
+#include "majorant/framework/violation.h"
 #include "majorant/terms/local_term.h"
 
 namespace majorant {
@@ -39,7 +40,7 @@ namespace detail {
 
 // g(z) > -slack at all elements; paths are not certified.
 template <int N, int Block, class F>
-class InequalityChecker final : public BarrierChecker {
+class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
  public:
   InequalityChecker(std::string name, Cells nodes, F g, double slack = 0)
       : name_(std::move(name)), nodes_(std::move(nodes)), g_(std::move(g)), slack_(slack) {}
@@ -61,6 +62,14 @@ class InequalityChecker final : public BarrierChecker {
       using std::log;
       return -log(g(e, z) + slack);
     });
+  }
+  std::shared_ptr<const EnergyTerm> violation(double margin) const override {
+    return make_term<N, Block>(name_, nodes_,
+                               [g = g_, wanted = margin - slack_](Index e, const auto& z) {
+                                 auto missing = wanted - g(e, z);
+                                 if (missing <= 0) missing = 0.0;
+                                 return missing * missing;
+                               });
   }
   // The slack is a tenth of the size of g, which is about 1, beyond what x violates.
   std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
@@ -114,6 +123,7 @@ class Inequality {
 // nodes: #E by N, or, with Block 1, the unknowns themselves.
 template <int N, int Block = 1, class F>
 Inequality<N, Block, F> inequality(std::string name, Cells nodes, F g) {
+  detail::require_function_of_elements<N, Block, F>();
   return {std::move(name), std::move(nodes), std::move(g)};
 }
 

@@ -116,13 +116,17 @@ struct Residuals {
 }  // namespace detail
 
 // nodes: #E by N, or, with Block 1, the unknowns themselves. Throws InvalidArgument where
-// they do not have N columns.
+// they do not have N columns, and for negative ones.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nodes, F residuals,
                                                      RobustLoss loss = {}) {
-  using Model = detail::Residuals<N, Block, F>;
-  return std::make_shared<const detail::ElementTerm<Model>>(
-      std::move(name), std::move(nodes), Model{std::move(residuals), std::move(loss)});
+  if constexpr (detail::require_function_of_elements<N, Block, F>()) {
+    using Model = detail::Residuals<N, Block, F>;
+    return std::make_shared<const detail::ElementTerm<Model>>(
+        std::move(name), std::move(nodes), Model{std::move(residuals), std::move(loss)});
+  } else {
+    return nullptr;
+  }
 }
 
 }  // namespace majorant

@@ -91,12 +91,16 @@ struct LocalFunction {
 }  // namespace detail
 
 // nodes: #E by N, or, with Block 1, the unknowns themselves. f(Index e, NodeValues<T, Block, N> z)
-// -> T. Throws InvalidArgument where `nodes` does not have N columns.
+// -> T. Throws InvalidArgument where `nodes` does not have N columns, and for negative nodes.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) {
-  using Model = detail::LocalFunction<N, Block, F>;
-  return std::make_shared<const detail::ElementTerm<Model>>(std::move(name), std::move(nodes),
-                                                            Model{std::move(f)});
+  if constexpr (detail::require_function_of_elements<N, Block, F>()) {
+    using Model = detail::LocalFunction<N, Block, F>;
+    return std::make_shared<const detail::ElementTerm<Model>>(std::move(name), std::move(nodes),
+                                                              Model{std::move(f)});
+  } else {
+    return nullptr;
+  }
 }
 
 // A linear energy c.x: loads, gravity, prices.

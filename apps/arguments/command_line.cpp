@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "apps/arguments/suggestion.h"
@@ -16,14 +17,50 @@ namespace {
 
 constexpr const char* kDefaultVerb = "unwrap";
 
-// Names that other tools have for an option of ours.
-constexpr std::array<std::pair<const char*, const char*>, 6> kOtherNames = {{
+using OtherName = std::pair<const char*, const char*>;
+
+// Names that other tools have for a verb of ours.
+constexpr std::array<OtherName, 6> kOtherVerbs = {{
     {"flatten", kDefaultVerb},
     {"unfold", kDefaultVerb},
     {"uv", kDefaultVerb},
     {"verify", "check"},
     {"export", "convert"},
     {"describe", "info"},
+}};
+
+// And for an option: of several, the first that the verb has.
+constexpr std::array<OtherName, 30> kOtherOptions = {{
+    {"--margin", "--padding"},
+    {"--island-margin", "--padding"},
+    {"--gutter", "--padding"},
+    {"--spacing", "--padding"},
+    {"--bleed", "--padding"},
+    {"--texture-size", "--resolution"},
+    {"--texture-size", "--size"},
+    {"--texture-resolution", "--resolution"},
+    {"--texture-resolution", "--size"},
+    {"--image-size", "--resolution"},
+    {"--image-size", "--size"},
+    {"--max-charts", "--charts"},
+    {"--num-charts", "--charts"},
+    {"--chart-count", "--charts"},
+    {"--islands", "--charts"},
+    {"--stretch", "--max-stretch"},
+    {"--max-distortion", "--max-stretch"},
+    {"--sharp", "--seams"},
+    {"--cut", "--seams"},
+    {"--order", "--degree"},
+    {"--injective", "--bijective"},
+    {"--no-overlap", "--bijective"},
+    {"--no-overlaps", "--bijective"},
+    {"--iterations", "--max-iterations"},
+    {"--timeout", "--time-limit"},
+    {"--jobs", "--threads"},
+    {"-j", "--threads"},
+    {"--overwrite", "--force"},
+    {"--checker", "--view"},
+    {"--checkerboard", "--view"},
 }};
 
 bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
@@ -46,10 +83,17 @@ bool contains(const std::vector<std::string>& names, const std::string& word) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
 
+// The one of `names` that other tools call `word`; empty if there is none.
+std::string other_name(const std::string& word, std::span<const OtherName> others,
+                       const std::vector<std::string>& names) {
+  for (const auto& [other, ours] : others)
+    if (word == other && contains(names, ours)) return ours;
+  return {};
+}
+
 std::string verb_near(const std::string& word, const std::vector<std::string>& verbs) {
-  for (const auto& [other, verb] : kOtherNames)
-    if (word == other && contains(verbs, verb)) return verb;
-  return nearest(word, verbs);
+  const std::string verb = other_name(word, kOtherVerbs, verbs);
+  return verb.empty() ? nearest(word, verbs) : verb;
 }
 
 [[noreturn]] void refuse_verb(const std::string& word, const std::vector<std::string>& verbs) {
@@ -82,9 +126,12 @@ std::string about_extra(const CLI::App& app, const CLI::App& verb, const std::st
   if (!is_option(word)) return fmt::format("one word too many: '{}'", word);
   const std::string option = word.substr(0, word.find('='));
   const std::string problem = fmt::format("{} has no option '{}'", verb.get_name(), option);
+  const std::vector<std::string> names = long_options(verb);
+  if (const std::string ours = other_name(option, kOtherOptions, names); !ours.empty())
+    return problem + did_you_mean(ours, {ours});
   const std::vector<std::string> others = verbs_with(app, option);
   if (!others.empty()) return fmt::format("{}, {} has", problem, fmt::join(others, ", "));
-  return problem + did_you_mean(option, long_options(verb));
+  return problem + did_you_mean(option, names);
 }
 
 }  // namespace

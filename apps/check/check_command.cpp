@@ -1,5 +1,7 @@
 // majorant check RESULT: proves and measures a finished map again, from the file alone. Claims of
-// the file describe; what is proven is decided from points and uv (certify/map_proof.h).
+// the file describe; what is proven is decided from points and uv (certify/map_proof.h). Of a mesh
+// of quads without texture coordinates: whether it is a quad mesh of its surface
+// (quads/check_quads.h).
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -21,10 +23,14 @@
 #include "apps/within_memory.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/waiting_output.h"
+#include "majorant/mesh/repair.h"
+#include "majorant/quads/check_quads.h"
 #include "majorant/results/check_map.h"
+#include "majorant/results/quad_report.h"
 
 namespace majorant::app {
 namespace {
@@ -35,7 +41,7 @@ struct Request {
   std::string cuts = "auto";
   std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
-  bool certify = false, seamless = false;
+  bool certify = false, seamless = false, quads = false;
 };
 
 CheckRequest::Cuts cuts_of(const std::string& said) {
@@ -63,33 +69,6 @@ std::string in_words(const MapCheck& check) {
                      open);
 }
 
-// The text of a page for a cell that is not proven to be positive: det J at the points of a
-// lattice.
-std::string describe_fault(const MapProof& proof, Index cell) {
-  if (!proof.map()) return "det J is not proven to be positive";
-  constexpr int kSteps = 8;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= kSteps; ++i)
-    for (int j = 0; i + j <= kSteps; ++j) {
-      const double a = static_cast<double>(i) / kSteps, b = static_cast<double>(j) / kSteps;
-      least = std::min(least, proof.map()->jacobian(cell, {a, b, 1 - a - b}).determinant());
-    }
-  return least > 0
-             ? fmt::format("det J is not proven to be positive, sampled down to {:.3g}", least)
-             : fmt::format("turned over: det J is {:.3g} at a point of it", least);
-}
-
-MapPage page_of(const Request& request, const MapFile& file, const MapCheck& check) {
-  MapPage page;
-  page.title = page_title(request.result);
-  page.map = file;
-  page.facts = page_facts(check.report, {request.result, request.surface});
-  for (const Index cell : check.proof.not_positive)
-    page.faults.push_back({cell, describe_fault(check.proof, cell)});
-  page.points = claimed_points(check.claims, file);
-  return page;
-}
-
 // One line: "FILE: valid, degree 3: ...", "FILE: invalid: ..." or "FILE: undecided: ...".
 std::string verdict_of(const Request& request, const MapFile& file, const MapCheck& check) {
   const std::vector<std::string>& list = check.findings.list();
@@ -112,11 +91,69 @@ int conclude(const Request& request, const MapFile& file, const MapCheck& check)
   WrittenFiles written;
   const std::string& report = request.common.report;
   for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_page(path, page_of(request, file, check)); });
+    written.write(path, [&] {
+      write_page(path, checked_page(file, check, {request.result, request.surface}));
+    });
   if (const std::string& path = request.distortion; !path.empty())
     written.write(path, [&] { write_distortion(path, file, measure_distortion(file).faces); });
   if (!report.empty()) written.write(report, [&] { write_json(report, check.report); });
   return written.conclude(is_valid ? kSuccess : kInvalid);
+}
+
+// Formats in which a mesh can be something else than a map.
+bool may_be_quads(const Request& request) {
+  const std::string format = format_of(request.result);
+  return request.quads || (format != ".vtu" && format != ".pvtu" && format != ".msh");
+}
+
+bool is_of_quads(const PolygonMesh& mesh) {
+  return mesh.texcoords.empty() &&
+         std::all_of(mesh.polygons.begin(), mesh.polygons.end(),
+                     [](const std::vector<Index>& polygon) { return polygon.size() == 4; });
+}
+
+void require_of_maps(const Request& request) {
+  const auto refuse = [&](std::string_view flag) {
+    throw Error(ErrorKind::Usage,
+                fmt::format("{}: is of maps, and {} is a mesh of quads; leave it out", flag,
+                            request.result));
+  };
+  if (request.seamless) refuse("--seamless");
+  if (request.certify) refuse("--certify");
+  if (request.cuts != "auto") refuse("--cuts");
+  if (!request.distortion.empty()) refuse("--distortion");
+  if (!request.outputs.empty()) refuse("-o");
+}
+
+int check_as_quads(const Request& request, const PolygonMesh& quads, const PolygonMesh* polygons,
+                   const RunRecord& record, Progress& progress) {
+  record.begin(Activity::Proving);
+  const auto with = polygons ? QuadsComparedWith::Surface : QuadsComparedWith::Nothing;
+  const QuadCheck check = or_interrupted("checking " + request.result, [&] {
+    std::optional<RepairedSurface> surface;
+    if (polygons) surface = repair(*polygons, {.welding = Welding::EqualPlaces}, record.stop());
+    return check_quads(quads, surface ? surface->mesh.get() : nullptr, record.stop());
+  });
+  progress.finish();
+  const std::string_view status = check.is_valid() ? "valid" : "invalid";
+  const std::string message = describe(check, with);
+  if (!check.is_valid() || !request.common.quiet) {
+    const std::string line =
+        one_line(fmt::format("{}: {}: {}", request.result, status, message)) + "\n";
+    request.common.report == kStandardOutput ? say_text(line) : print_text(line);
+  }
+  WrittenFiles written;
+  if (const std::string& path = request.common.report; !path.empty())
+    written.write(path, [&] {
+      write_json(path, {{"schema_version", 1},
+                        {"version", MAJORANT_VERSION},
+                        {"command", "check"},
+                        {"status", status},
+                        {"message", message},
+                        {"warnings", quads.warnings},
+                        {"quads", quads_section(check, with)}});
+    });
+  return written.conclude(check.is_valid() ? kSuccess : kInvalid);
 }
 
 int check(const Request& request) {
@@ -133,13 +170,27 @@ int check(const Request& request) {
     });
   };
   record.begin(Activity::Reading);
-  const MapFile file = read(request.result, read_map);
-  say_warnings(file.warnings);
   std::optional<PolygonMesh> surface;
-  if (!request.surface.empty()) {
+  const auto read_surface = [&] {
+    if (request.surface.empty()) return;
     surface = read(request.surface, read_mesh);
     say_warnings(surface->warnings);
+  };
+  std::optional<PolygonMesh> mesh;
+  if (may_be_quads(request))
+    mesh = read(request.result, [](const std::string& path, const StopCheck& asked, Strictness s) {
+      return read_mesh(path, asked, std::max(s, Strictness::Texcoords));
+    });
+  if (mesh && (request.quads || is_of_quads(*mesh))) {
+    require_of_maps(request);
+    say_warnings(mesh->warnings);
+    read_surface();
+    return check_as_quads(request, *mesh, surface ? &*surface : nullptr, record, progress);
   }
+  const MapFile file = mesh ? to_map_file(*mesh) : read(request.result, read_map);
+  mesh.reset();
+  say_warnings(file.warnings);
+  read_surface();
   const MapCheck check(file,
                        {.name = request.result,
                         .surface = surface ? &*surface : nullptr,
@@ -183,6 +234,10 @@ void add_check(CLI::App& app, Action* run) {
                   "write a table of stretch, area and angle distortion per face to FILE.csv")
       ->type_name("FILE");
   begin_group(verb, OptionGroup::Map);
+  verb.add_flag("--quads", request->quads,
+                "a mesh of quads (implied where a file has nothing but quads, and no texture "
+                "coordinates): oriented manifold, none folded; with --surface none turned, Euler "
+                "characteristic and border of the surface");
   verb.add_flag("--certify", request->certify, "prove global injectivity as well");
   request->common.add_to(verb);
   verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");

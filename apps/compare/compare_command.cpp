@@ -39,6 +39,7 @@
 #include "apps/progress.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/parallel.h"
@@ -478,7 +479,8 @@ int compare(const CompareRequest& request) {
   comparison.title = fmt::format("{}, degree {}, {}, {} boundary, {} unknowns",
                                  page_title(request.map.input), request.map.degree,
                                  request.map.energy, request.map.boundary, contest.problem.size());
-  comparison.machine = fmt::format("{}, {} threads", processor(), ThreadCount::current());
+  comparison.machine =
+      fmt::format("{}, {}", processor(), count_text(ThreadCount::current(), "thread"));
   const std::vector<LinearSolverRun> solvers = measure_linear_solvers(request, contest);
   if (!solvers.empty() && request.common.report != kStandardOutput)
     print_text(linear_solver_table(solvers) + "\n");

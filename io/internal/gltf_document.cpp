@@ -267,17 +267,27 @@ std::optional<std::size_t> GltfDocument::optional_index(const Gltf& object, cons
   return index(object, key, name);
 }
 
-std::string GltfDocument::bytes_of(const std::string& uri, const StopCheck& stop) const {
+// name: of the list whose entry names the URI.
+std::string GltfDocument::bytes_of(const std::string& uri, const char* name,
+                                   const StopCheck& stop) const {
   if (!is_data(uri)) return read_whole_file(file_of_uri(path_, uri), stop);
   constexpr std::string_view kBase64 = ";base64,";
   const std::size_t begin = uri.find(kBase64);
-  if (begin == std::string::npos) damaged("buffers: uri is no base64 data");
+  if (begin == std::string::npos) damaged(fmt::format("{}: uri is no base64 data", name));
   std::string text = uri.substr(begin + kBase64.size());
   constexpr std::size_t kGroup = 4;
   while (text.size() % kGroup != 0) text += '=';
   std::optional<std::string> bytes = decode_base64(text);
-  if (!bytes) damaged("buffers: uri is no base64 data");
+  if (!bytes) damaged(fmt::format("{}: uri is no base64 data", name));
   return *std::move(bytes);
+}
+
+std::string GltfDocument::image(std::size_t k, const StopCheck& stop) const {
+  if (k >= list("images").size()) damaged(fmt::format("image {} out of range", k));
+  const Gltf& entry = list("images")[k];
+  if (entry.contains("uri")) return bytes_of(entry["uri"].get<std::string>(), "images", stop);
+  std::size_t stride = 0;
+  return std::string(view(index(entry, "bufferView", "images"), stride));
 }
 
 void GltfDocument::load_buffers(const StopCheck& stop) {
@@ -291,7 +301,7 @@ void GltfDocument::load_buffers(const StopCheck& stop) {
       if (!entry["uri"].is_string()) damaged("buffers: uri is no text");
       const auto uri = entry["uri"].get<std::string>();
       const auto [place, is_new] = known.try_emplace(uri, buffers_.size());
-      bytes = is_new ? bytes_of(uri, stop) : buffers_[place->second];
+      bytes = is_new ? bytes_of(uri, "buffers", stop) : buffers_[place->second];
       if (is_new) given_ += bytes.size();
     } else if (buffers_.empty() && has_binary_) {
       bytes = std::move(binary_);

@@ -69,6 +69,10 @@ class GltfDocument {
   // it has: accessors without bytes stand for zeros, and any can be named again and again.
   void take(std::size_t bytes) const;
 
+  // The bytes of the file that an image is: embedded, or beside the document. Throws
+  // Error(Unreadable) where there are none.
+  std::string image(std::size_t k, const StopCheck& stop) const;
+
   // The bytes of a buffer, of its byteLength.
   std::string_view buffer(std::size_t k) const { return buffers_[k]; }
 
@@ -80,7 +84,7 @@ class GltfDocument {
   void require_supported() const;
   void require_sound_lists() const;
   void load_buffers(const StopCheck& stop);
-  std::string bytes_of(const std::string& uri, const StopCheck& stop) const;
+  std::string bytes_of(const std::string& uri, const char* name, const StopCheck& stop) const;
   std::string_view view(std::size_t k, std::size_t& stride) const;
   struct Layout {
     GltfElements elements;   // without their bytes

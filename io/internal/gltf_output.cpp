@@ -75,7 +75,29 @@ void visit_views(Gltf& json, const Visit& visit) {
   visit_all(json, "images", [&](Gltf& image) { visit_member(image, "bufferView", visit); });
 }
 
-// Extensions whose references are followed above, or that have none to accessors and buffer views.
+// Calls visit(reference) with every number of a texture in a value of a material.
+void visit_textures_of(Gltf& value, const Visit& visit) {
+  if (!value.is_object()) return;
+  for (auto& [key, member] : value.items()) {
+    if (key == "extras" || !member.is_object()) continue;
+    if (key.ends_with("Texture") || key.ends_with("texture")) visit_member(member, "index", visit);
+    visit_textures_of(member, visit);
+  }
+}
+
+void visit_texture_numbers(Gltf& json, const Visit& visit) {
+  visit_all(json, "materials", [&](Gltf& material) { visit_textures_of(material, visit); });
+}
+
+void visit_image_numbers(Gltf& json, const Visit& visit) {
+  visit_all(json, "textures", [&](Gltf& texture) {
+    visit_member(texture, "source", visit);
+    visit_all(texture, "extensions",
+              [&](Gltf& extension) { visit_member(extension, "source", visit); });
+  });
+}
+
+// Extensions whose references are followed above, or that have none.
 bool is_known(const std::string& extension) {
   static const std::set<std::string> kKnown = {
       "KHR_mesh_quantization", "KHR_texture_transform", "KHR_lights_punctual",
@@ -227,6 +249,8 @@ void GltfOutput::drop_unused(const GltfDocument& document) {
     if (before.contains(key))
       for (const Gltf& name : before[key])
         if (!is_known(name.get<std::string>())) return;
+  drop_entries(json_, "textures", references(before, visit_texture_numbers), visit_texture_numbers);
+  drop_entries(json_, "images", references(before, visit_image_numbers), visit_image_numbers);
   drop_entries(json_, "accessors", references(before, visit_accessors), visit_accessors);
   drop_entries(json_, "bufferViews", references(before, visit_views), visit_views);
   gather(document, {binary_});

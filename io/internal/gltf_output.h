@@ -47,8 +47,8 @@ class GltfOutput {
 
   // Takes the bytes of a document's buffer views, which keep their numbers. Before any is added.
   void take_buffers(const GltfDocument& document);
-  // Removes accessors and buffer views that the document refers to and this file does not, unless
-  // there are extensions that may.
+  // Removes accessors, textures, images and buffer views that the document refers to and this file
+  // does not, unless there are extensions that may.
   void drop_unused(const GltfDocument& document);
 
   // The file: GLB, or JSON with its data in it. glb() throws Error(Invalid) beyond 4 GB.

@@ -303,8 +303,13 @@ class Unwrapping {
     const std::vector<Task> tasks = tasks_;
     const std::vector<Chart> charts = atlas_.charts;
     const SurfaceCuts cuts = atlas_.cuts;
+    record_.begin(Activity::Cutting);
+    record_.announce(fmt::format("cutting again: {} of {} chart{}", which.size(), tasks_.size(),
+                                 tasks_.size() == 1 ? "" : "s"));
     try {
-      solve_charts(cut_charts(which, cuts_of_these(record_.stop())));
+      const std::vector<std::size_t> changed = cut_charts(which, cuts_of_these(record_.stop()));
+      record_.begin(Activity::Solving);
+      solve_charts(changed);
     } catch (const Stopped&) {
     }
     if (record_.directive() == Directive::Continue) return true;
@@ -493,8 +498,15 @@ class Unwrapping {
       return tasks_[a].mesh->face_count() > tasks_[b].mesh->face_count();
     });
     std::size_t large = 0;
-    while (large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart)
-      solve_chart(order[large++], record_.observer());
+    const auto announce = [&](std::size_t chart) {
+      record_.announce(fmt::format("chart {} of {}", chart, order.size()));
+    };
+    for (; large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart;
+         ++large) {
+      announce(large + 1);
+      solve_chart(order[large], record_.observer());
+    }
+    std::size_t solved = large;
     std::mutex failing, telling;
     std::exception_ptr failure;
     std::size_t failed = tasks_.size();  // the first in the order of charts is thrown
@@ -503,9 +515,9 @@ class Unwrapping {
       try {
         solve_chart(chart, nullptr);
         const std::vector<TraceEntry>& trace = atlas_.charts[chart].trace;
-        if (trace.empty() || !record_.observer()) return;
         const std::lock_guard lock(telling);
-        record_.observer()->after_step(trace.back(), {});
+        if (!trace.empty() && record_.observer()) record_.observer()->after_step(trace.back(), {});
+        announce(++solved);
       } catch (...) {
         const std::lock_guard lock(failing);
         if (chart < failed) failure = std::current_exception();

@@ -21,6 +21,9 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 // Rows of texels of a task.
 constexpr int kRowsOfBand = 16;
+// Rows and columns around a piece in which texels have something of it: one for filters, and one
+// because row() and column() round.
+constexpr int kReach = 2;
 // Straight pieces along the edge of a curved face, for what it covers of texels beside its centres:
 // chords of 8 leave a 64th of the sagitta.
 constexpr int kPiecesOfCurve = 8;
@@ -38,6 +41,19 @@ struct Piece {
   Index face;
   int part;  // of the face
 };
+
+// The box of the points that a bilinear filter mixes with this texel: of twice its size.
+Box2 filtered_box(const TexelGrid& grid, int x, int y) {
+  return {grid.point(x - 0.5, y + 1.5), grid.point(x + 1.5, y - 0.5)};
+}
+
+// Barycentric coordinates of any point of the plane; not finite where the triangle has no area.
+Barycentric coordinates(const std::array<Vector2, 3>& corner, const Vector2& p) {
+  const double doubled = cross(corner[1] - corner[0], corner[2] - corner[0]);
+  const double first = cross(corner[1] - p, corner[2] - p) / doubled;
+  const double second = cross(corner[2] - p, corner[0] - p) / doubled;
+  return {first, second, 1 - first - second};
+}
 
 // The faces as straight pieces, and which of them reach into which band of rows.
 class Pieces {
@@ -90,9 +106,8 @@ class Pieces {
     const int bands = (grid.height() + kRowsOfBand - 1) / kRowsOfBand;
     const auto for_bands_of = [&](const Piece& piece, const auto& visit) {
       const auto [least, most] = std::minmax({piece.uv[0].y(), piece.uv[1].y(), piece.uv[2].y()});
-      // A row more on both sides: rows() rounds.
-      const int top = std::max(grid.row(most) - 1, 0);
-      const int bottom = std::min(grid.row(least) + 1, grid.height() - 1);
+      const int top = std::max(grid.row(most) - kReach, 0);
+      const int bottom = std::min(grid.row(least) + kReach, grid.height() - 1);
       for (int b = top / kRowsOfBand; b <= bottom / kRowsOfBand; ++b) visit(to_size(b));
     };
     first_.assign(to_size(bands) + 1, 0);
@@ -113,8 +128,41 @@ class Pieces {
 // What is found of a texel before it has a value.
 struct Covered {
   SurfacePlace place;
-  double area = 0;  // of the face that covers most
+  double area = 0;                // of Part: of the piece that covers most
+  double distance = 0;            // of Margin: of the nearest piece, squared
+  const Piece* beside = nullptr;  // that piece
   Texel texel = Texel::Empty;
+};
+
+// The texels of some rows, and one row more above and below, of which the centres alone are known.
+class Band {
+ public:
+  Band(int top, int bottom, int width)
+      : top_(top),
+        bottom_(bottom),
+        width_(width),
+        texels_(to_size(bottom - top + 2) * to_size(width)) {}
+
+  Covered& at(int x, int y) {
+    return texels_[to_size(y - top_ + 1) * to_size(width_) + to_size(x)];
+  }
+  // Whether one of the texels around shows its centre in this chart.
+  template <class ChartOf>
+  bool has_center_beside(int x, int y, Index chart, const ChartOf& chart_of) {
+    for (int row = y - 1; row <= y + 1; ++row)
+      for (int column = std::max(x - 1, 0); column <= std::min(x + 1, width_ - 1); ++column)
+        if (const Covered& texel = at(column, row);
+            texel.texel == Texel::Centre && chart_of(texel.place.face) == chart)
+          return true;
+    return false;
+  }
+
+  int top() const { return top_; }
+  int bottom() const { return bottom_; }
+
+ private:
+  int top_, bottom_, width_;
+  std::vector<Covered> texels_;
 };
 
 // The one that a texel shows: the first that is proven, where there is one.
@@ -142,6 +190,7 @@ class Baker {
         values_(values),
         grid_(options.width, options.height),
         pieces_(layout.map(), grid_),
+        continuation_(layout.map().mesh()),
         chart_of_(face_components(layout.map().mesh().opposites())),
         texels_(to_size(options.width) * to_size(options.height), Texel::Empty),
         baked_{{options.width, options.height, values.channels, options.depth}, {}} {
@@ -173,92 +222,136 @@ class Baker {
   }
 
  private:
-  void bake_band(int band, BakeCounts& counts, const StopCheck& stop) {
-    const int top = band * kRowsOfBand, bottom = std::min(top + kRowsOfBand, options_.height);
-    std::vector<Covered> covered(to_size(bottom - top) * to_size(options_.width));
-    find_centers(top, bottom, covered, counts, stop);
-    pieces_.for_band(band, [&](const Piece& piece) { cover(piece, top, bottom, covered); });
+  void bake_band(int index, BakeCounts& counts, const StopCheck& stop) {
+    const int top = index * kRowsOfBand;
+    Band band(top, std::min(top + kRowsOfBand, options_.height), options_.width);
+    find_centers(band, counts, stop);
+    pieces_.for_band(index, [&](const Piece& piece) { cover(piece, band); });
     Scratch scratch(values_.channels);
-    for (int y = top; y < bottom; ++y) {
+    for (int y = band.top(); y < band.bottom(); ++y) {
       stop.poll();
-      for (int x = 0; x < options_.width; ++x)
-        write(x, y, covered[place_in_band(x, y - top)], counts, scratch);
+      for (int x = 0; x < options_.width; ++x) write(x, y, band, counts, scratch);
     }
   }
 
-  std::size_t place_in_band(int x, int row) const {
-    return to_size(row) * to_size(options_.width) + to_size(x);
-  }
-
-  void find_centers(int top, int bottom, std::vector<Covered>& covered, BakeCounts& counts,
-                    const StopCheck& stop) const {
-    for (int y = top; y < bottom; ++y) {
+  void find_centers(Band& band, BakeCounts& counts, const StopCheck& stop) const {
+    const int last = std::min(band.bottom(), options_.height - 1);
+    for (int y = std::max(band.top() - 1, 0); y <= last; ++y) {
       stop.poll();
       for (int x = 0; x < options_.width; ++x) {
         const std::vector<Preimage> found = layout_.preimages(grid_.center(x, y));
         if (found.empty()) continue;
+        Covered& texel = band.at(x, y);
+        texel.place = shown(found);
+        texel.texel = Texel::Centre;
+        if (y < band.top() || y >= band.bottom()) continue;  // counted by another band
         const auto proven =
             std::count_if(found.begin(), found.end(), [](const Preimage& p) { return p.proven; });
         ++counts.covered;
         counts.doubly_covered += proven > 1 ? 1 : 0;
         counts.undecided += proven == 0 ? 1 : 0;
-        Covered& texel = covered[place_in_band(x, y - top)];
-        texel.place = shown(found);
-        texel.texel = Texel::Centre;
       }
     }
   }
 
-  // Texels of the band that have no centre in a chart and some of this piece.
-  void cover(const Piece& piece, int top, int bottom, std::vector<Covered>& covered) const {
+  // Texels of the band that have no centre in a chart and some of this piece, or are filtered with
+  // those that have.
+  void cover(const Piece& piece, Band& band) const {
     const auto [left, right] = std::minmax({piece.uv[0].x(), piece.uv[1].x(), piece.uv[2].x()});
     const auto [low, high] = std::minmax({piece.uv[0].y(), piece.uv[1].y(), piece.uv[2].y()});
-    const int first = std::max(grid_.column(left) - 1, 0);
-    const int last = std::min(grid_.column(right) + 1, options_.width - 1);
-    const int above = std::max(grid_.row(high) - 1, top);
-    const int below = std::min(grid_.row(low) + 1, bottom - 1);
+    const int first = std::max(grid_.column(left) - kReach, 0);
+    const int last = std::min(grid_.column(right) + kReach, options_.width - 1);
+    const int above = std::max(grid_.row(high) - kReach, band.top());
+    const int below = std::min(grid_.row(low) + kReach, band.bottom() - 1);
     for (int y = above; y <= below; ++y)
       for (int x = first; x <= last; ++x) {
-        Covered& texel = covered[place_in_band(x, y - top)];
-        if (texel.texel == Texel::Centre || !interiors_meet(piece.uv, grid_.box(x, y))) continue;
-        const ClippedTriangle part = clipped(piece.uv, grid_.box(x, y));
-        if (texel.texel == Texel::Part && !(part.area > texel.area)) continue;
-        texel = {pieces_.place(piece, part.centroid), part.area, Texel::Part};
+        Covered& texel = band.at(x, y);
+        if (texel.texel == Texel::Centre) continue;
+        if (interiors_meet(piece.uv, grid_.box(x, y)))
+          cover_part(piece, grid_.box(x, y), texel);
+        else if (texel.texel != Texel::Part && has_margin() &&
+                 interiors_meet(piece.uv, filtered_box(grid_, x, y)))
+          cover_margin(piece, grid_.center(x, y), texel);
       }
   }
 
-  void write(int x, int y, const Covered& covered, BakeCounts& counts, Scratch& scratch) {
+  bool has_margin() const { return options_.padding > 0 && values_.course == Course::Continuous; }
+
+  void cover_part(const Piece& piece, const Box2& box, Covered& texel) const {
+    const ClippedTriangle part = clipped(piece.uv, box);
+    if (texel.texel == Texel::Part && !(part.area > texel.area)) return;
+    texel = {pieces_.place(piece, part.centroid), part.area, 0, &piece, Texel::Part};
+  }
+
+  void cover_margin(const Piece& piece, const Vector2& center, Covered& texel) const {
+    const auto lifted = [](const Vector2& p) { return Vector3(p.x(), p.y(), 0); };
+    const NearestPoint nearest = nearest_of_triangle(lifted(piece.uv[0]), lifted(piece.uv[1]),
+                                                     lifted(piece.uv[2]), lifted(center));
+    if (texel.texel == Texel::Margin && !(nearest.distance < texel.distance)) return;
+    texel = {pieces_.place(piece, nearest.barycentric), 0, nearest.distance, &piece, Texel::Margin};
+  }
+
+  void write(int x, int y, Band& band, BakeCounts& counts, Scratch& scratch) {
+    const Covered& covered = band.at(x, y);
     Texel texel = covered.texel;
     std::vector<float>& value = scratch.value;
     std::fill(value.begin(), value.end(), values_.background);
-    if (texel != Texel::Empty) {
+    const Piece* const beyond = beyond_border(x, y, band);
+    if (texel == Texel::Margin && beyond == nullptr) texel = Texel::Empty;
+    const bool is_covered = texel == Texel::Centre || texel == Texel::Part;
+    if (is_covered) {
       counts.partly += texel == Texel::Part ? 1 : 0;
-      has_texel_[to_size(chart_of_[to_size(covered.place.face)])].store(1,
-                                                                        std::memory_order_relaxed);
-      if (!find_value(x, y, covered.place, scratch)) {
-        texel = Texel::Miss;
-        ++counts.misses;
-      }
+      has_texel_[to_size(chart_of(covered.place.face))].store(1, std::memory_order_relaxed);
+    }
+    if (texel != Texel::Empty && !find_value(x, y, covered.place, beyond, scratch)) {
+      texel = is_covered ? Texel::Miss : Texel::Empty;
+      counts.misses += is_covered ? 1 : 0;
     }
     texels_[to_size(y) * to_size(options_.width) + to_size(x)] = texel;
+    const bool is_encoded = options_.depth != PixelDepth::Float && has_value(texel);
     for (int c = 0; c < values_.channels; ++c)
-      baked_.image.set(
-          x, y, c,
-          options_.depth == PixelDepth::Float || texel == Texel::Empty || texel == Texel::Miss
-              ? value[to_size(c)]
-              : encoded(value[to_size(c)], options_.transfer, c, values_.channels));
+      baked_.image.set(x, y, c,
+                       is_encoded
+                           ? encoded(value[to_size(c)], options_.transfer, c, values_.channels)
+                           : value[to_size(c)]);
   }
 
-  // False where nothing is known. The mean of the samples that lie in charts, where there are some.
-  bool find_value(int x, int y, const SurfacePlace& place, Scratch& scratch) const {
+  Index chart_of(Index face) const { return chart_of_[to_size(face)]; }
+
+  // The piece whose continuation beyond the border of its chart a texel shows; null: it does not,
+  // having its centre in a chart, or no centre of its chart around.
+  const Piece* beyond_border(int x, int y, Band& band) const {
+    const Covered& covered = band.at(x, y);
+    if (covered.beside == nullptr || values_.course == Course::OfFaces) return nullptr;
+    const bool is_wide = band.has_center_beside(x, y, chart_of(covered.place.face),
+                                                [&](Index face) { return chart_of(face); });
+    return is_wide ? covered.beside : nullptr;
+  }
+
+  // The point of the surface at this point of the layout, or of a piece that is continued there;
+  // none where no chart has it.
+  std::optional<SurfacePlace> place_at(const Vector2& uv, const Piece* continued) const {
+    if (continued == nullptr) {
+      const std::vector<Preimage> found = layout_.preimages(uv);
+      return found.empty() ? std::nullopt : std::optional(shown(found));
+    }
+    const Barycentric xi = coordinates(continued->uv, uv);
+    if (!xi.allFinite()) return std::nullopt;
+    return continuation_.at(pieces_.place(*continued, xi));
+  }
+
+  // False where nothing is known. The mean of the samples that lie in charts, or in what is
+  // continued, where there are some.
+  bool find_value(int x, int y, const SurfacePlace& place, const Piece* continued,
+                  Scratch& scratch) const {
     const int n = options_.samples;
     std::vector<float>& sum = scratch.sum;
     std::fill(sum.begin(), sum.end(), 0.0F);
     int known = 0;
-    for (int i = 0; n > 1 && i < n * n; ++i) {
+    for (int i = 0; (n > 1 || continued != nullptr) && i < n * n; ++i) {
       const double across = (i % n + 0.5) / n, down = (i / n + 0.5) / n;
-      const std::vector<Preimage> found = layout_.preimages(grid_.point(x + across, y + down));
-      if (found.empty() || !value_at(shown(found), scratch.one, scratch.likely)) continue;
+      const auto sampled = place_at(grid_.point(x + across, y + down), continued);
+      if (!sampled || !value_at(*sampled, scratch.one, scratch.likely)) continue;
       ++known;
       for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += scratch.one[c];
     }
@@ -283,6 +376,7 @@ class Baker {
   const SurfaceValues& values_;
   TexelGrid grid_;
   Pieces pieces_;
+  ChartContinuation continuation_;
   std::vector<Index> chart_of_;  // by face
   std::vector<Texel> texels_;
   std::vector<std::atomic<char>> has_texel_;  // by chart
@@ -362,7 +456,7 @@ SurfaceValues normal_values(const SurfaceMesh& mesh) {
             };
             write_vector((p(1) - p(0)).cross(p(2) - p(0)).stableNormalized(), value);
           },
-          0};
+          0, Course::OfFaces};
 }
 
 SurfaceValues normal_values(Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor> corners) {
@@ -382,7 +476,7 @@ SurfaceValues face_values(const SurfaceMesh& mesh) {
           [&mesh](const SurfacePlace& place, float* value) {
             *value = static_cast<float>(mesh.input_face(place.face));
           },
-          -1};
+          -1, Course::OfFaces};
 }
 
 SurfaceValues table_of_faces(RowMatrix rows) {
@@ -392,7 +486,7 @@ SurfaceValues table_of_faces(RowMatrix rows) {
             for (Index c = 0; c < kept->cols(); ++c)
               value[c] = static_cast<float>((*kept)(place.face, c));
           },
-          kNothing};
+          kNothing, Course::OfFaces};
 }
 
 SurfaceValues table_of_vertices(const SurfaceMesh& mesh, RowMatrix rows) {
@@ -416,7 +510,7 @@ SurfaceValues texture_values(const BezierMap& layout, const Raster& image, Trans
           [&layout, &image, decoder, filter](const SurfacePlace& place, float* value) {
             sample(image, *decoder, layout.evaluate(place.face, place.barycentric), filter, value);
           },
-          0};
+          0, filter == Filter::Nearest ? Course::OfFaces : Course::Continuous};
 }
 
 bool is_in_unit_square(const BezierMap& map) {

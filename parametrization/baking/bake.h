@@ -6,9 +6,12 @@
 //   const BakedImage baked = bake(layout, {}, place_of, position_values(*mesh));
 //   const bool is_proven = baked.counts.doubly_covered == 0 && baked.counts.undecided == 0;
 //
-// Every texel whose centre lies in a chart gets the value there, one that a chart covers elsewhere
-// that at the middle of what is covered, of the face that covers most of it; charts without any
-// centre have texels so. What is around charts is filled from the nearest of their texels.
+// Every texel whose centre lies in a chart gets the value there. Others that a bilinear filter
+// reads at a point of a chart get that of the surface as it goes on beyond the chart's border,
+// across cuts: the two sides of a cut look alike. Where a chart is so thin that it has no centre
+// around, they get the value at the middle of what is covered, of the face that covers most of it;
+// charts without any centre have texels so. What is around is filled from the nearest of these
+// texels.
 //
 // Not for layouts outside of [0, 1]^2, of which nothing is seen: is_in_unit_square().
 #pragma once
@@ -18,16 +21,11 @@
 #include <vector>
 
 #include "majorant/certify/inverse_map.h"
+#include "majorant/parametrization/baking/chart_continuation.h"
 #include "majorant/parametrization/baking/nearest_point.h"
 #include "majorant/parametrization/baking/raster.h"
 
 namespace majorant {
-
-// A point of a surface.
-struct SurfacePlace {
-  Index face = -1;
-  Barycentric barycentric = Barycentric::Zero();
-};
 
 // The point of the surface that carries the values for a point of the one that is baked for; none:
 // a miss. likely: the face of the last answer, or -1. From several threads at a time.
@@ -41,11 +39,18 @@ std::optional<PlaceOf> same_places(const SurfaceMesh& surface, const SurfaceMesh
 // carrier; it and `surface` outlive the result.
 PlaceOf nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance);
 
+// How what a surface carries goes on across the edges of its faces.
+enum class Course {
+  Continuous,  // it may be mixed: what lies beyond a chart's border is shown around it
+  OfFaces      // numbers, normals of flat faces: the nearest of the chart's own are shown around it
+};
+
 // What a surface carries: `channels` numbers at every point, written to `value`.
 struct SurfaceValues {
   int channels = 1;
   std::function<void(const SurfacePlace& place, float* value)> at;  // from several threads
   float background = 0;                                             // where nothing is known
+  Course course = Course::Continuous;
 };
 // What these refer to outlives them.
 SurfaceValues position_values(const SurfaceMesh& mesh);  // x y z of the file; NaN: nothing
@@ -62,7 +67,7 @@ SurfaceValues texture_values(const BezierMap& layout, const Raster& image, Trans
 
 struct BakeOptions {
   int width = 1024, height = 1024;
-  int padding = 16;  // texels around charts that are filled
+  int padding = 16;  // texels around charts that are filled; 0: none beside what charts cover
   int samples = 1;   // along each side of a texel
   PixelDepth depth = PixelDepth::Eight;
   Transfer transfer = Transfer::Linear;  // of the image

@@ -1,10 +1,10 @@
 #include "majorant/parametrization/baking/nearest_point.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "majorant/framework/error.h"
@@ -13,24 +13,53 @@
 namespace majorant {
 namespace {
 
-namespace geometry = boost::geometry;
-using TreePoint = geometry::model::point<double, 3, geometry::cs::cartesian>;
-using TreeBox = geometry::model::box<TreePoint>;
-using TreeEntry = std::pair<TreeBox, Index>;
-
-// Boxes of a leaf. Measured with 16 to 32: the same.
-constexpr std::size_t kLeaf = 16;
+// Faces of a leaf.
+constexpr Index kLeaf = 4;
 // Points that a task takes: successive ones are often neighbours.
 constexpr Index kPointsOfTask = 256;
 // The relative rounding of squared distances to boxes and to points in them, generously.
 constexpr double kRounding = 1e-14;
 
-TreePoint tree_point(const Vector3& p) { return {p.x(), p.y(), p.z()}; }
+using Box = Eigen::AlignedBox3d;
 
 }  // namespace
 
+// A binary tree: the faces of a node are those from `begin` to `end`, halved at the median of their
+// middles along the longest side of its box. The first child of node k is k + 1.
 struct SurfaceTree::Boxes {
-  geometry::index::rtree<TreeEntry, geometry::index::quadratic<kLeaf>> tree;
+  struct Node {
+    Box box;
+    Index begin = 0, end = 0;
+    Index second = 0;  // child; 0: a leaf
+  };
+  std::vector<Node> nodes;
+  std::vector<Index> faces;
+
+  explicit Boxes(const std::vector<Box>& of_faces) : faces(of_faces.size()) {
+    std::iota(faces.begin(), faces.end(), 0);
+    nodes.reserve(faces.size());
+    add(of_faces, 0, static_cast<Index>(faces.size()));
+  }
+
+ private:
+  Index add(const std::vector<Box>& of_faces, Index begin, Index end) {
+    const auto number = static_cast<Index>(nodes.size());
+    Node node{{}, begin, end, 0};
+    for (Index i = begin; i < end; ++i) node.box.extend(of_faces[to_size(faces[to_size(i)])]);
+    nodes.push_back(node);
+    if (end - begin <= kLeaf) return number;
+    Index axis = 0;
+    node.box.sizes().maxCoeff(&axis);
+    const Index middle = begin + (end - begin) / 2;
+    const auto center = [&](Index f) { return of_faces[to_size(f)].center()[axis]; };
+    std::nth_element(
+        faces.begin() + begin, faces.begin() + middle, faces.begin() + end,
+        [&](Index f, Index g) { return std::pair(center(f), f) < std::pair(center(g), g); });
+    add(of_faces, begin, middle);
+    const Index second = add(of_faces, middle, end);
+    nodes[to_size(number)].second = second;
+    return number;
+  }
 };
 
 NearestPoint nearest_of_triangle(const Vector3& a, const Vector3& b, const Vector3& c,
@@ -69,17 +98,10 @@ SurfaceTree::SurfaceTree(Points3 positions, Cells faces)
     : positions_(std::move(positions)), faces_(std::move(faces)) {
   if (faces_.rows() == 0) throw InvalidArgument("SurfaceTree: no faces");
   if (!positions_.allFinite()) throw InvalidArgument("SurfaceTree: a position is not finite");
-  std::vector<TreeEntry> entries;
-  entries.reserve(to_size(static_cast<Index>(faces_.rows())));
-  for (Index f = 0; f < faces_.rows(); ++f) {
-    Vector3 low = positions_.row(faces_(f, 0)), high = low;
-    for (Index k = 1; k < 3; ++k) {
-      low = low.cwiseMin(positions_.row(faces_(f, k)).transpose());
-      high = high.cwiseMax(positions_.row(faces_(f, k)).transpose());
-    }
-    entries.emplace_back(TreeBox(tree_point(low), tree_point(high)), f);
-  }
-  boxes_ = std::make_unique<const Boxes>(Boxes{decltype(Boxes::tree)(entries)});
+  std::vector<Box> boxes(to_size(static_cast<Index>(faces_.rows())));
+  for (Index f = 0; f < faces_.rows(); ++f)
+    for (Index k = 0; k < 3; ++k) boxes[to_size(f)].extend(Vector3(positions_.row(faces_(f, k))));
+  boxes_ = std::make_unique<const Boxes>(boxes);
 }
 
 SurfaceTree::~SurfaceTree() = default;
@@ -96,15 +118,33 @@ NearestPoint SurfaceTree::of_face(Index face, const Vector3& p) const {
 
 NearestPoint SurfaceTree::nearest(const Vector3& p, Index likely) const {
   NearestPoint best = of_face(likely < 0 ? 0 : likely, p);
-  const TreePoint at = tree_point(p);
-  const auto& tree = boxes_->tree;
-  for (auto entry = tree.qbegin(geometry::index::nearest(at, static_cast<unsigned>(tree.size())));
-       entry != tree.qend(); ++entry) {
-    if (geometry::comparable_distance(at, entry->first) >
-        best.distance * best.distance * (1 + kRounding))
-      break;
-    const NearestPoint other = of_face(entry->second, p);
-    if (other.distance < best.distance) best = other;
+  const auto& nodes = boxes_->nodes;
+  const auto distance_to = [&](Index node) {
+    return nodes[to_size(node)].box.squaredExteriorDistance(p);
+  };
+  const auto may_be_nearer = [&](double squared) {
+    return squared <= best.distance * best.distance * (1 + kRounding);
+  };
+  // Of halves one waits at each depth; medians keep that below 2 log #F.
+  std::array<std::pair<Index, double>, 2 * std::numeric_limits<Index>::digits> waiting;
+  std::size_t count = 0;
+  waiting[count++] = {0, distance_to(0)};
+  while (count > 0) {
+    const auto [at, squared] = waiting[--count];
+    if (!may_be_nearer(squared)) continue;
+    const Boxes::Node& node = nodes[to_size(at)];
+    if (node.second == 0) {
+      for (Index i = node.begin; i < node.end; ++i)
+        if (const NearestPoint other = of_face(boxes_->faces[to_size(i)], p);
+            other.distance < best.distance)
+          best = other;
+      continue;
+    }
+    std::pair<Index, double> near{at + 1, distance_to(at + 1)};
+    std::pair<Index, double> far{node.second, distance_to(node.second)};
+    if (far.second < near.second) std::swap(near, far);
+    if (may_be_nearer(far.second)) waiting[count++] = far;
+    if (may_be_nearer(near.second)) waiting[count++] = near;
   }
   return best;
 }

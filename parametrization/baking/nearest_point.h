@@ -1,13 +1,14 @@
-// The nearest points of a triangle surface, by Boost.Geometry's R-tree over the boxes of its faces.
+// The nearest points of a triangle surface, by a tree of the boxes of its faces.
 //
 //   const SurfaceTree tree(mesh->positions(), mesh->faces());
 //   const NearestPoint p = tree.nearest({0, 0, 1});
 //   std::cout << p.face << " at " << p.distance << "\n";
 //   const auto all = tree.locate(Points3::Random(1000, 3));   // on all threads
 //
-// Exact but for rounding: boxes are visited by ascending distance until the next one is farther
-// than the best point found. Of faces at one distance any may be named. Faces without an area count
-// as the segments or points that they are.
+// Exact but for rounding: what is left out lies in boxes that are farther than the best point
+// found. A tree of its own: Boost.Geometry's R-tree, asked for one box after the other, took 0.6 ms
+// a point beside a surface of 10,000 faces. Of faces at one distance any may be named. Faces
+// without an area count as the segments or points that they are.
 //
 // Not for rays, and not for points inside of solids: there is no sign.
 #pragma once

@@ -65,13 +65,12 @@ class NearestInRow {
 std::vector<int> nearest_rows(const std::vector<Texel>& texels, std::size_t width,
                               std::size_t height) {
   std::vector<int> rows(texels.size());
-  const auto has_value = [&](std::size_t place) {
-    return texels[place] == Texel::Centre || texels[place] == Texel::Part;
-  };
   for (std::size_t y = 0; y < height; ++y)
     for (std::size_t x = 0; x < width; ++x) {
       const std::size_t place = y * width + x;
-      rows[place] = has_value(place) ? static_cast<int>(y) : y > 0 ? rows[place - width] : kNowhere;
+      rows[place] = has_value(texels[place]) ? static_cast<int>(y)
+                    : y > 0                  ? rows[place - width]
+                                             : kNowhere;
     }
   for (std::size_t y = height - 1; y-- > 0;)
     for (std::size_t x = 0; x < width; ++x) {
@@ -217,7 +216,7 @@ void fill_from_nearest(Raster& raster, const std::vector<Texel>& texels, int pad
       for (int x = 0; x < width; ++x) {
         const Texel texel = texels[first + to_size(x)];
         const int column = nearest[to_size(x)];
-        if (texel == Texel::Centre || texel == Texel::Part || column == kNowhere) continue;
+        if (has_value(texel) || column == kNowhere) continue;
         const double across = column - x;
         if (texel == Texel::Miss || across * across + squares[to_size(column)] <= reach)
           raster.copy_pixel(x, y, column, rows[first + to_size(column)]);

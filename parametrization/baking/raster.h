@@ -85,12 +85,15 @@ enum class Texel : std::uint8_t {
   Empty,
   Centre,  // its centre lies in a chart
   Part,    // a part of it lies in a chart, its centre does not
+  Margin,  // none of it lies in a chart, and filters read it at points of one
   Miss     // lies in a chart, but what it shows was not found
 };
 
-// Pixels that are Empty and no farther than `padding` from one that is Centre or Part get the
-// nearest one's value, and so does every Miss, however far; distances between centres. Polls
-// `stop`. texels: by pixel, row after row. O(#pixels).
+inline bool has_value(Texel texel) { return texel != Texel::Empty && texel != Texel::Miss; }
+
+// Pixels that are Empty and no farther than `padding` from one that has a value get
+// the nearest one's, and so does every Miss, however far; distances between centres.
+// Polls `stop`. texels: by pixel, row after row. O(#pixels).
 void fill_from_nearest(Raster& raster, const std::vector<Texel>& texels, int padding,
                        const StopCheck& stop = {});
 

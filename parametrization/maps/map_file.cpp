@@ -11,6 +11,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/pair_order.h"
 #include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/mesh/triangulate_polygon.h"
 
 namespace majorant {
@@ -93,8 +95,8 @@ MapFile to_map_file(const BezierMap& map) {
 
 MapFile to_map_file(const PolygonMesh& textured) {
   if (textured.polygon_texcoords.size() != textured.polygons.size())
-    throw Error(ErrorKind::Unreadable,
-                textured.file + ": not every corner has texture coordinates");
+    throw Refusal(ErrorKind::Unsupported, textured.file,
+                  message_prefix(textured.file) + "has no texture coordinates; ", Hint::Unwrap);
   MapFile file;
   file.warnings = textured.warnings;
   file.points_rounding = textured.position_rounding;

@@ -46,8 +46,8 @@ struct MapFile {
 MapFile to_map_file(const BezierMap& map);
 // A mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair; input_vertex
 // and input_face are the file's own. Polygons are triangulated, so that the triangles are positive
-// in the plane if the polygon has such a triangulation. Throws Error(Unreadable) where a corner has
-// none.
+// in the plane if the polygon has such a triangulation. Throws Refusal(Unsupported) for a mesh
+// without any texture coordinates, Error(Unreadable) where a face has none.
 MapFile to_map_file(const PolygonMesh& textured);
 
 // u, v per node of a space over the file's cells, out of its points: points that are one node must

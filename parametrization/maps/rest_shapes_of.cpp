@@ -30,6 +30,8 @@ RowMatrix in_frames(const SurfaceMesh& mesh, const Points3& vectors) {
   for (Index f = 0; f < mesh.face_count(); ++f) {
     out.row(f) << 1, 0;
     if (!has_plane[f]) continue;
+    if (!vectors.row(f).allFinite())
+      throw InvalidArgument(fmt::format("in_frames: the vector of face {} is not finite", f));
     const auto part = tangent_part(mesh.positions(), mesh.faces(), f, vectors.row(f));
     if (!part)
       throw InvalidArgument(fmt::format("in_frames: the vector of face {} has no tangent part", f));

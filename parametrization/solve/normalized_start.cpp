@@ -43,11 +43,14 @@ double scale_of(const SurfaceMesh& mesh, const Ranks& ranks) {
 
 void require_face_weights(const SurfaceMesh& mesh, const Vec& weights) {
   if (weights.size() == 0) return;
-  if (weights.size() != mesh.face_count() ||
-      !std::all_of(weights.begin(), weights.end(), is_usable_weight))
-    throw InvalidArgument(
-        fmt::format("{}face weights must be one number in {:g}..{:g} for each face",
-                    message_prefix(mesh), 1 / kLargestFactor, kLargestFactor));
+  if (weights.size() != mesh.face_count())
+    throw InvalidArgument(fmt::format("{}{} face weights for {} faces: one each is needed",
+                                      message_prefix(mesh), weights.size(), mesh.face_count()));
+  const auto wrong = std::find_if_not(weights.begin(), weights.end(), is_usable_weight);
+  if (wrong != weights.end())
+    throw InvalidArgument(fmt::format("{}face weight [{}] is {:g}, {:g} to {:g} is needed",
+                                      message_prefix(mesh), wrong - weights.begin(), *wrong,
+                                      1 / kLargestFactor, kLargestFactor));
 }
 
 // Requires that the normalized map is injective, as it is solved, whatever the size of the mesh.

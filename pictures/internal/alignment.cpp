@@ -2,6 +2,7 @@
 
 #include "majorant/certify/moved_layout.h"
 #include "majorant/io/claims.h"
+#include "majorant/io/layout_scale.h"
 #include "majorant/parametrization/maps/smallest_rectangle.h"
 
 namespace majorant {
@@ -34,6 +35,10 @@ Vector2 turned(const Vector2& uv, const Vector2& direction) {
   if (direction == Vector2(1, 0)) return uv;
   const Points2 moved = LayoutMotion{direction}(Points2(uv.transpose()));
   return Vector2(moved.row(0));
+}
+
+bool is_for_unit_square(const MapFile& map) {
+  return readable_claims(map.claims).normalized || has_assumed_scale(map);
 }
 
 }  // namespace majorant

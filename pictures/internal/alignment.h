@@ -13,6 +13,10 @@ Vector2 picture_direction(const MapFile& map, Alignment alignment);
 MapFile turned(const MapFile& map, const Vector2& direction);
 Vector2 turned(const Vector2& uv, const Vector2& direction);
 
+// Returns whether the layout was made for the unit square: claimed to be normalized, or of those
+// who know no other layouts, which make no claims.
+bool is_for_unit_square(const MapFile& map);
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -1,6 +1,7 @@
 #include "majorant/pictures/internal/layout_drawing.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 
 #include "majorant/certify/global_injectivity.h"
@@ -15,6 +17,8 @@
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/pictures/internal/alignment.h"
+#include "majorant/pictures/internal/letters.h"
+#include "majorant/pictures/turned_over.h"
 
 namespace majorant {
 namespace {
@@ -24,7 +28,6 @@ constexpr int kPiecesPerEdge = 4;  // Hermite cubics of degrees above 3
 
 // The legend of colours.
 constexpr double kBarLeft = 26;
-constexpr double kBarWidth = LayoutSheet::kWidth - 2 * kBarLeft;
 constexpr double kBarHeight = 20;
 constexpr double kPoint = 14;                        // of an end that values are beyond
 constexpr double kLetters = 24, kSmallLetters = 20;  // to be read at a quarter of the size
@@ -33,16 +36,16 @@ constexpr int kSteps = 72;
 // Marks.
 constexpr double kMostLines = 4000;  // of grids, in each direction; nothing could be seen of more
 constexpr double kGridLines = 32;    // along the larger side, unless said otherwise
-constexpr double kOutlineWidth = 1.5, kSeamWidth = 2.5, kTargetWidth = 1.8;
+constexpr double kSquareWidth = 1.2, kOutlineWidth = 1.5, kSeamWidth = 2.5, kTargetWidth = 1.8;
 constexpr double kConeRadius = 5, kHeldRadius = 5, kTargetRadius = 8, kMeetingRadius = 10;
 constexpr double kNameShare = 0.3;  // of the side of a square as large as the chart
 constexpr double kSmallestName = 8, kLargestName = 22;
-constexpr double kTint = 0.25;              // how much of a chart's colour its cells have
-constexpr double kRow = 40, kColumn = 245;  // of the legend of marks
-constexpr int kColumns = 4;
+constexpr double kTint = 0.25;   // how much of a chart's colour its cells have
+constexpr double kColumn = 245;  // of the legend of marks
+constexpr int kAllColumns = 1000;
 constexpr Color kInk{51, 51, 51}, kWhite{255, 255, 255}, kGrey{221, 221, 221};
-constexpr Color kGridColor{20, 50, 122}, kPinColor{28, 31, 36}, kHandleColor{213, 94, 0};
-constexpr Color kMeetingColor{230, 0, 122};
+constexpr Color kPinColor{28, 31, 36}, kHandleColor{213, 94, 0};
+constexpr Color kMeetingColor{230, 0, 122}, kSquareColor{120, 120, 120};
 constexpr Color kScaffoldFill{246, 246, 246}, kScaffoldEdge{208, 208, 208};
 // Far apart in hue from their neighbours, dark enough to be seen on the cells' colours.
 constexpr Color kColors[] = {{123, 47, 190}, {0, 139, 139}, {194, 24, 91},  {46, 125, 50},
@@ -207,12 +210,15 @@ Shape segment(const Vector2& from, const Vector2& to, const Stroke& stroke) {
 }
 
 // Cells of one colour, and of one orientation, are one shape: where they cover each other, they
-// still wind the same way.
+// still wind the same way. Those that are turned over come last.
 std::vector<DrawingItem> draw_cells(const LayoutSheet& sheet,
                                     const std::optional<CellColors>& colors, CellFill fill) {
   const MapFile& map = sheet.map();
-  const CellColors shown = colors ? *colors : plain_colors(map);
-  const Stroke edges{kInk, sheet.stroke_width()};
+  CellColors shown = colors ? *colors : plain_colors(map);
+  for (const Index cell : sheet.marks().turned_over) shown[to_size(cell)] = kFlippedColor;
+  // Without edges, one of their own colour, as wide, closes the gaps between cells.
+  const bool has_edges = sheet.marks().edges == CellEdges::Drawn;
+  if (!has_edges && fill == CellFill::Nothing) return {};
   std::vector<Shape> shapes;
   std::map<std::tuple<int, int, int, bool>, std::size_t> shape_of;
   for (Index cell = 0; cell < map.cells.rows(); ++cell) {
@@ -220,12 +226,14 @@ std::vector<DrawingItem> draw_cells(const LayoutSheet& sheet,
     const auto [found, is_new] = shape_of.try_emplace(
         {color.red, color.green, color.blue, signed_area(sheet, cell) > 0}, shapes.size());
     if (is_new) {
-      Shape shape{.stroke = edges};
+      Shape shape{.stroke = Stroke{has_edges ? kInk : color, sheet.stroke_width()}};
       if (fill == CellFill::Colors) shape.fill = color;
       shapes.push_back(std::move(shape));
     }
     sheet.add_cell(shapes[found->second].path, map, cell);
   }
+  std::stable_partition(shapes.begin(), shapes.end(),
+                        [](const Shape& shape) { return shape.fill != kFlippedColor; });
   return {std::make_move_iterator(shapes.begin()), std::make_move_iterator(shapes.end())};
 }
 
@@ -236,9 +244,8 @@ std::vector<DrawingItem> draw_scaffold(const LayoutSheet& sheet) {
   Shape shape{.fill = kScaffoldFill, .stroke = Stroke{kScaffoldEdge, sheet.stroke_width()}};
   for (Index cell = 0; cell < scaffold->cells.rows(); ++cell)
     sheet.add_cell(shape.path, *scaffold, cell);
-  return {Clipped{"drawing",
-                  rectangle({0, 0}, {LayoutSheet::kWidth, sheet.layout_height()}),
-                  {std::move(shape)}}};
+  return {Clipped{
+      "drawing", rectangle({0, 0}, {sheet.width(), sheet.layout_height()}), {std::move(shape)}}};
 }
 
 // The outline of every chart, in its colour.
@@ -306,6 +313,21 @@ void add_grid(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   items.emplace_back(Clipped{"layout", boundary_path(sheet), {std::move(lines)}});
 }
 
+std::vector<Vector2> unit_square_of(const MapFile& map) {
+  if (!is_for_unit_square(map) || map.uv.minCoeff() < 0 || map.uv.maxCoeff() > 1) return {};
+  return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+}
+
+void add_unit_square(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+  const std::vector<Vector2>& corners = sheet.marks().unit_square;
+  if (corners.empty()) return;
+  Shape square{.stroke = Stroke{kSquareColor, kSquareWidth}};
+  square.path.move(sheet.place(corners.front()));
+  for (std::size_t k = 1; k < corners.size(); ++k) square.path.line(sheet.place(corners[k]));
+  square.path.close();
+  items.emplace_back(std::move(square));
+}
+
 // Both sides of every seam edge, one colour a chain.
 void add_seams(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
   const MapFile& map = sheet.map();
@@ -362,11 +384,22 @@ struct Entry {
   int columns = 1;
 };
 
+constexpr double kHalfSign = 7;
+
+// What legends of colours name are numbers of the others.
+Entry turned_over_entry(std::size_t count, LegendOf above) {
+  const bool has_numbers = above == LegendOf::Colors;
+  return {{Shape{.path = rectangle({-kHalfSign, -kHalfSign}, {2 * kHalfSign, 2 * kHalfSign}),
+                 .fill = kFlippedColor}},
+          turned_over_words(count) + (has_numbers ? ", not counted in the numbers above" : ""),
+          has_numbers ? 3 : 1};
+}
+
 // Signs, each with its middle in the origin.
-std::vector<Entry> legend_entries(const MapFile& map, const LayoutMarks& marks, double spacing) {
-  constexpr double kHalfLine = 7;
+std::vector<Entry> legend_entries(const MapFile& map, const LayoutMarks& marks, double spacing,
+                                  LegendOf above) {
   const auto line = [&](const Color& color) {
-    return std::vector<DrawingItem>{segment({-kHalfLine, 0}, {kHalfLine, 0}, {color, kSeamWidth})};
+    return std::vector<DrawingItem>{segment({-kHalfSign, 0}, {kHalfSign, 0}, {color, kSeamWidth})};
   };
   std::vector<Entry> entries;
   const auto [positive, negative] = count_cones(map);
@@ -391,25 +424,29 @@ std::vector<Entry> legend_entries(const MapFile& map, const LayoutMarks& marks, 
                                            hold == PagePoint::Hold::Handle ? ", targets" : "")});
   }
   if (marks.scaffold)
-    entries.push_back({{Shape{.path = rectangle({-kHalfLine, -kHalfLine}, {14, 14}),
+    entries.push_back({{Shape{.path = rectangle({-kHalfSign, -kHalfSign}, {14, 14}),
                               .fill = kScaffoldFill,
                               .stroke = Stroke{kScaffoldEdge, 1}}},
                        "space around"});
+  if (!marks.turned_over.empty())
+    entries.push_back(turned_over_entry(marks.turned_over.size(), above));
   if (!marks.meeting.words.empty())
     entries.push_back({{Circle{.center = {0, 0},
                                .radius = kMeetingRadius,
                                .stroke = Stroke{kMeetingColor, kSeamWidth}}},
                        marks.meeting.words,
-                       kColumns});
+                       kAllColumns});
   return entries;
 }
 
-// Row and column of each entry, and the number of rows.
-std::pair<std::vector<std::pair<int, int>>, int> legend_places(const std::vector<Entry>& entries) {
+// Row and column of each entry on a drawing of this width, and the number of rows.
+std::pair<std::vector<std::pair<int, int>>, int> legend_places(const std::vector<Entry>& entries,
+                                                               double width) {
+  const int columns = static_cast<int>((width - LayoutSheet::kMargin) / kColumn);
   std::vector<std::pair<int, int>> places;
   int row = 0, column = 0;
   for (const Entry& entry : entries) {
-    if (column + entry.columns > kColumns) ++row, column = 0;
+    if (column > 0 && column + entry.columns > columns) ++row, column = 0;
     places.emplace_back(row, column);
     column += entry.columns;
   }
@@ -442,14 +479,14 @@ struct Moved {
   }
 };
 
-void add_marks_legend(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
+// From this height on.
+void add_marks_legend(const std::vector<Entry>& entries, double top, double width,
+                      std::vector<DrawingItem>& items) {
   constexpr double kSign = 10, kText = 28, kFoot = 7;
-  const std::vector<Entry> entries =
-      legend_entries(sheet.map(), sheet.marks(), sheet.grid_spacing());
-  const auto places = legend_places(entries).first;
+  const auto places = legend_places(entries, width).first;
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const Vector2 at(LayoutSheet::kMargin + places[k].second * kColumn,
-                     sheet.marks_top() + (places[k].first + 0.5) * kRow);
+                     top + (places[k].first + 0.5) * LayoutSheet::kRowHeight);
     for (const DrawingItem& item : entries[k].sign)
       items.push_back(std::visit(Moved{at + Vector2(kSign, 0)}, item));
     items.emplace_back(
@@ -457,12 +494,16 @@ void add_marks_legend(const LayoutSheet& sheet, std::vector<DrawingItem>& items)
   }
 }
 
+std::vector<Entry> entries_of(const LayoutSheet& sheet) {
+  return legend_entries(sheet.map(), sheet.marks(), sheet.grid_spacing(), sheet.legend());
+}
+
 std::string description_of(const LayoutSheet& sheet, const std::optional<Legend>& legend) {
   const MapFile& map = sheet.map();
   std::string text = fmt::format("{} triangles of degree {}", map.cells.rows(), map.degree);
-  if (legend) text += fmt::format(", coloured by {}: {}", legend->title, legend->note);
-  for (const Entry& entry : legend_entries(map, sheet.marks(), sheet.grid_spacing()))
-    text += "; " + entry.text;
+  if (legend)
+    text += fmt::format(", coloured by {}: {}", legend->title, fmt::join(legend->notes, " "));
+  for (const Entry& entry : entries_of(sheet)) text += "; " + entry.text;
   return text;
 }
 
@@ -505,16 +546,22 @@ LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
   LayoutMarks marks{.grid = grid, .direction = direction, .points = points};
   for (PagePoint& point : marks.points) point.target = turned(point.target, direction);
   if (scaffold) marks.scaffold = turned(*scaffold, direction);
+  for (const Vector2& corner : unit_square_of(map))
+    marks.unit_square.push_back(turned(corner, direction));
   marks.meeting = meeting_of(map);
   for (Vector2& uv : marks.meeting.places) uv = turned(uv, direction);
+  marks.turned_over = turned_over_cells(map);
   return marks;
 }
 
-LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, LegendOf legend,
-                         std::optional<double> height)
-    : map_(map), marks_(marks) {
+LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, const Format& format)
+    : map_(map), marks_(marks), legend_(format.legend), width_(format.width) {
   low_ = map.uv.colwise().minCoeff().transpose();
   high_ = map.uv.colwise().maxCoeff().transpose();
+  for (const Vector2& corner : marks.unit_square) {
+    low_ = low_.cwiseMin(corner);
+    high_ = high_.cwiseMax(corner);
+  }
   for (const PagePoint& point : marks.points) {
     low_ = low_.cwiseMin(point.target);
     high_ = high_.cwiseMax(point.target);
@@ -528,21 +575,24 @@ LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, LegendOf 
                               "take a spacing between them",
                               grid_spacing_, 2 * half_size()));
   }
-  marks_height_ = kRow * legend_places(legend_entries(map, marks, grid_spacing_)).second;
-  const double legends = marks_height_ + (legend == LegendOf::Colors ? kColorsHeight : 0);
+  marks_height_ =
+      kRowHeight * legend_places(legend_entries(map, marks, grid_spacing_, legend_), width_).second;
+  const double colors = kColorsHeight + kNoteHeight * (static_cast<double>(format.notes) - 1);
+  const double legends = marks_height_ + (legend_ == LegendOf::Colors ? colors : 0);
+  const std::optional<double>& height = format.height;
   // Halves: the extent of two finite numbers may overflow.
   const Vector2 extent = (0.5 * high_ - 0.5 * low_).cwiseMax(1e-300);
   const double tallest = height ? std::max(*height - legends - 2 * kMargin, kMargin) : kTallest;
-  scale_ = std::min((kWidth - 2 * kMargin) / extent[0], tallest / extent[1]);
+  scale_ = std::min(std::max(width_ - 2 * kMargin, kMargin) / extent[0], tallest / extent[1]);
   layout_height_ = height ? *height - legends : scale_ * extent[1] + 2 * kMargin;
   height_ = height ? *height : std::round(layout_height_ + legends);
   corner_ = {kMargin, kMargin};
-  if (height) corner_ = 0.5 * (Vector2(kWidth, layout_height_) - scale_ * extent);
+  if (height) corner_ = 0.5 * (Vector2(width_, layout_height_) - scale_ * extent);
   for (int edge = 0; edge < 3; ++edge) edges_[to_size(edge)] = bezier_edge_points(map.degree, edge);
 }
 
 double LayoutSheet::stroke_width() const {
-  const double area = kWidth * layout_height_ / static_cast<double>(map_.cells.rows());
+  const double area = width_ * layout_height_ / static_cast<double>(map_.cells.rows());
   return std::clamp(0.02 * std::sqrt(std::max(area, 0.0)), 0.05, 1.0);
 }
 
@@ -568,16 +618,59 @@ void LayoutSheet::add_cell(Path& path, const MapFile& map, Index cell) const {
   path.close();
 }
 
-std::vector<DrawingItem> color_legend(const Legend& legend, double top) {
+Legend wrapped(const Legend& legend, double width) {
+  constexpr double kWidest = 1.15;  // letters of readers are up to as much wider than ours
+  constexpr std::string_view kBetween = "; ";
+  Legend broken = legend;
+  broken.notes.clear();
+  for (std::string_view rest : legend.notes)
+    while (!rest.empty()) {
+      const std::string_view part = rest.substr(0, rest.find(kBetween));
+      const bool has_more = part.size() < rest.size();
+      const std::string piece = std::string(part) + (has_more ? ";" : "");
+      rest.remove_prefix(part.size() + (has_more ? kBetween.size() : 0));
+      const std::string joined = broken.notes.empty() ? piece : broken.notes.back() + " " + piece;
+      const bool fits =
+          kWidest * kSmallLetters * text_width(joined) <= width - 2 * LayoutSheet::kMargin;
+      if (fits && !broken.notes.empty())
+        broken.notes.back() = joined;
+      else
+        broken.notes.push_back(piece);
+    }
+  return broken;
+}
+
+namespace {
+
+// Those whose labels have room beside each other on a bar of this width; both ends have.
+std::vector<ColorScale::Tick> ticks_with_room(const ColorScale& scale, double width) {
+  constexpr double kSpace = 0.4 * kLetters;
+  const std::vector<ColorScale::Tick> all = scale.ticks();
+  const auto half = [](const ColorScale::Tick& t) { return 0.5 * kLetters * text_width(t.label); };
+  const auto have_room = [&](const ColorScale::Tick& a, const ColorScale::Tick& b) {
+    return width * (b.position - a.position) >= half(a) + half(b) + kSpace;
+  };
+  std::vector<ColorScale::Tick> shown;
+  for (const ColorScale::Tick& tick : all) {
+    const bool is_end = &tick == &all.front() || &tick == &all.back();
+    if (is_end || (have_room(shown.back(), tick) && have_room(tick, all.back())))
+      shown.push_back(tick);
+  }
+  return shown;
+}
+
+}  // namespace
+
+std::vector<DrawingItem> color_legend(const Legend& legend, double top, double width) {
   const double y = top + 12 + kLetters, below = y + kBarHeight;
+  const double bar = std::max(width - 2 * kBarLeft, kBarLeft);
   std::vector<DrawingItem> items;
   items.emplace_back(
       Label{.at = {LayoutSheet::kMargin, y - 12}, .text = legend.title, .size = kLetters});
   for (int k = 0; k < kSteps; ++k) {  // each to the end of the bar: no hairlines between them
-    const double from = k * kBarWidth / kSteps;
-    items.emplace_back(
-        Shape{.path = rectangle({kBarLeft + from, y}, {kBarWidth - from, kBarHeight}),
-              .fill = legend.scale.color_at((k + 0.5) / kSteps)});
+    const double from = k * bar / kSteps;
+    items.emplace_back(Shape{.path = rectangle({kBarLeft + from, y}, {bar - from, kBarHeight}),
+                             .fill = legend.scale.color_at((k + 0.5) / kSteps)});
   }
   const auto add_end = [&](double x, double way, const Color& color) {
     Shape end{.fill = color};
@@ -588,18 +681,27 @@ std::vector<DrawingItem> color_legend(const Legend& legend, double top) {
     items.emplace_back(std::move(end));
   };
   if (legend.goes_below) add_end(kBarLeft, -1, legend.scale.colors().front());
-  if (legend.goes_above) add_end(kBarLeft + kBarWidth, 1, legend.scale.colors().back());
-  for (const ColorScale::Tick& tick : legend.scale.ticks()) {
-    const double x = kBarLeft + tick.position * kBarWidth;
+  if (legend.goes_above) add_end(kBarLeft + bar, 1, legend.scale.colors().back());
+  for (const ColorScale::Tick& tick : ticks_with_room(legend.scale, bar)) {
+    const double x = kBarLeft + tick.position * bar;
     items.emplace_back(Shape{.path = rectangle({x - 1, below}, {2, 5}), .fill = kInk});
     items.emplace_back(Label{.at = {x, below + 5 + kLetters},
                              .text = tick.label,
                              .size = kLetters,
                              .anchor = Label::Anchor::Middle});
   }
-  items.emplace_back(Label{.at = {LayoutSheet::kMargin, below + 16 + kLetters + kSmallLetters},
-                           .text = legend.note,
-                           .size = kSmallLetters});
+  double foot = below + 16 + kLetters + kSmallLetters;
+  for (const std::string& note : legend.notes) {
+    items.emplace_back(
+        Label{.at = {LayoutSheet::kMargin, foot}, .text = note, .size = kSmallLetters});
+    foot += LayoutSheet::kNoteHeight;
+  }
+  return items;
+}
+
+std::vector<DrawingItem> turned_over_legend(std::size_t count, LegendOf above, double top) {
+  std::vector<DrawingItem> items;
+  add_marks_legend({turned_over_entry(count, above)}, top, LayoutSheet::kWidth, items);
   return items;
 }
 
@@ -607,7 +709,11 @@ LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<Legend>&
                           const std::optional<CellColors>& colors, CellFill fill) {
   LayoutDrawing drawing;
   drawing.behind = draw_scaffold(sheet);
+  add_unit_square(sheet, drawing.behind);
   drawing.cells = draw_cells(sheet, colors, fill);
+  if (sheet.marks().edges == CellEdges::Left)
+    drawing.over.emplace_back(
+        Shape{.path = boundary_path(sheet), .stroke = Stroke{kInk, kOutlineWidth}});
   add_grid(sheet, drawing.over);
   add_chart_outlines(sheet, drawing.over);
   add_seams(sheet, drawing.over);
@@ -616,9 +722,9 @@ LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<Legend>&
   add_meeting(sheet, drawing.over);
   add_chart_names(sheet, drawing.over);
   if (legend)
-    for (DrawingItem& item : color_legend(*legend, sheet.layout_height()))
+    for (DrawingItem& item : color_legend(*legend, sheet.layout_height(), sheet.width()))
       drawing.over.push_back(std::move(item));
-  add_marks_legend(sheet, drawing.over);
+  add_marks_legend(entries_of(sheet), sheet.marks_top(), sheet.width(), drawing.over);
   drawing.description = description_of(sheet, legend);
   return drawing;
 }

@@ -1,6 +1,6 @@
 // The layout of a map as a drawing, with its legends.
 //
-//  const LayoutSheet sheet(map, marks, LegendOf::Colors, {});
+//  const LayoutSheet sheet(map, marks, {.legend = LegendOf::Colors});
 //  sheet.place(uv);                                     // in units of the drawing
 //  const LayoutDrawing drawing = draw_layout(sheet, legend, &colors);
 #pragma once
@@ -32,8 +32,11 @@ struct LayoutMarks {
   std::optional<double> grid = {};  // as of SvgOptions
   Vector2 direction{1, 0};          // what was turned to (1, 0): lines are those of u and v before
   std::optional<MapFile> scaffold = {};
+  std::vector<Vector2> unit_square = {};  // its corners, around layouts made for it that lie in it
   std::vector<PagePoint> points = {};
   LayoutMeeting meeting = {};
+  CellEdges edges = CellEdges::Drawn;
+  std::vector<Index> turned_over = {};  // cells, rising: kFlippedColor, over all others
 };
 
 // Of a map whose drawing has `direction` turned to (1, 0): the marks are turned, too, words are
@@ -44,24 +47,37 @@ LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
 
 enum class LegendOf { Nothing, Colors };
 
+// The lines of a legend of colours broken where there is not room for them on a drawing of this
+// width.
+Legend wrapped(const Legend& legend, double width);
+
+inline constexpr Color kGridColor{20, 50, 122};
+
 // Places of a drawing: the layout, as large as it fits, above its legends.
 class LayoutSheet {
  public:
   static constexpr double kWidth = 1000;
   static constexpr double kMargin = 10;
-  // What the legend of colours takes.
-  static constexpr double kColorsHeight = 130;
+  // What the legend of colours takes, and a row of that of marks.
+  static constexpr double kColorsHeight = 130, kNoteHeight = 26, kRowHeight = 40;
 
-  // height: of the drawing; none: what it needs. Map and marks must outlive it. Throws Error(Usage)
-  // for a grid that cannot be drawn.
-  LayoutSheet(const MapFile& map, const LayoutMarks& marks, LegendOf legend,
-              std::optional<double> height);
+  struct Format {
+    LegendOf legend = LegendOf::Nothing;
+    double width = kWidth;
+    std::optional<double> height = {};  // none: what it needs
+    std::size_t notes = 1;              // lines of the legend of colours
+  };
+
+  // Map and marks must outlive it. Throws Error(Usage) for a grid that cannot be drawn.
+  LayoutSheet(const MapFile& map, const LayoutMarks& marks, const Format& format);
 
   const MapFile& map() const { return map_; }
   const LayoutMarks& marks() const { return marks_; }
+  double width() const { return width_; }
   double height() const { return height_; }
   double layout_height() const { return layout_height_; }  // with margins
   double marks_top() const { return height_ - marks_height_; }
+  LegendOf legend() const { return legend_; }
   // Corners of the box around the layout and the targets of points, and half its larger side: the
   // extent of two finite numbers may overflow.
   const Vector2& low() const { return low_; }
@@ -86,9 +102,10 @@ class LayoutSheet {
  private:
   const MapFile& map_;
   const LayoutMarks& marks_;
+  LegendOf legend_;
   Vector2 low_, high_, corner_;  // corner_: where the box is placed
   double scale_ = 1;             // units of the drawing a half unit of uv
-  double height_ = 0, layout_height_ = 0, marks_height_ = 0, grid_spacing_ = 0;
+  double width_ = kWidth, height_ = 0, layout_height_ = 0, marks_height_ = 0, grid_spacing_ = 0;
   std::array<std::vector<int>, 3> edges_;  // local control points
 };
 
@@ -110,8 +127,11 @@ enum class CellFill { Colors, Nothing };
 LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<Legend>& legend,
                           const std::optional<CellColors>& colors, CellFill fill);
 
-// The legend of colours from this height on: title, bar, ticks, note.
-std::vector<DrawingItem> color_legend(const Legend& legend, double top);
+// The legend of colours from this height on: title, bar, ticks, notes.
+std::vector<DrawingItem> color_legend(const Legend& legend, double top,
+                                      double width = LayoutSheet::kWidth);
+// A row of the legend of marks from this height on: so many cells are turned over.
+std::vector<DrawingItem> turned_over_legend(std::size_t count, LegendOf above, double top);
 
 }  // namespace majorant
 

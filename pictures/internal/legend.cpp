@@ -90,19 +90,20 @@ void ValueSummary::add(const ValueSummary& other) {
 
 Legend make_legend(const MapFile& map, Quantity quantity, const ColorScale& scale,
                    const ValueSummary& values, const std::string& parts) {
-  Legend legend{scale, scale.label(), "", values.below > 0, values.above > 0};
+  Legend legend{scale, scale.label(), {}, values.below > 0, values.above > 0};
   if (const std::string energy = claimed_energy(map).name; quantity == Quantity::Density)
     legend.title = fmt::format("{} density", energy);
   legend.title += fmt::format(", degree {}", map.degree);
-  legend.note = fmt::format("isometry {:.4g}", scale.neutral());
+  std::string note = fmt::format("isometry {:.4g}", scale.neutral());
   const std::optional<Extremes> e = extremes_of(map, quantity);
   if (e && std::isfinite(e->smallest) && std::isfinite(e->largest))  // else the uv overflow
-    legend.note += fmt::format("; smallest {:.4g}, largest {:.4g}{}", e->smallest, e->largest,
+    note += fmt::format("; smallest {:.4g}, largest {:.4g}{}", e->smallest, e->largest,
                                how_sampled(map.degree));
   for (const auto& [count, where, end] :
        {std::tuple{values.below, "below", scale.low()}, {values.above, "above", scale.high()}})
     if (count > 0)
-      legend.note += fmt::format("; {} of {} {} {} {:.4g}", count, values.count, parts, where, end);
+      note += fmt::format("; {} of {} {} {} {:.4g}", count, values.count, parts, where, end);
+  legend.notes = {note};
   return legend;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "majorant/parametrization/maps/map_file.h"
 #include "majorant/pictures/color_scale.h"
@@ -11,7 +12,9 @@ namespace majorant {
 
 struct Legend {
   ColorScale scale;
-  std::string title, note;  // one line each, ASCII; what the energy was called included
+  // One line each, ASCII; what the energy was called included.
+  std::string title;
+  std::vector<std::string> notes;               // lines, one unless wrapped
   bool goes_below = false, goes_above = false;  // values are beyond the ends
 };
 

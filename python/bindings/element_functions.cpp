@@ -9,6 +9,7 @@
 #include "arrays.h"
 #include "kept.h"
 #include "majorant/framework/detail/packed_symmetric.h"
+#include "majorant/framework/violation.h"
 
 namespace majorant::python {
 namespace {
@@ -89,7 +90,7 @@ class PythonTerm final : public EnergyTerm {
 };
 
 // g + slack > 0; paths are not certified. As Inequality has it (terms/inequality.h).
-class PythonInequality final : public BarrierChecker {
+class PythonInequality final : public BarrierChecker, public ViolationMeasure {
  public:
   PythonInequality(std::string name, ElementDofs element_dofs, std::shared_ptr<const Kept> function,
                    double slack)
@@ -122,6 +123,12 @@ class PythonInequality final : public BarrierChecker {
   std::shared_ptr<const EnergyTerm> barrier() const override {
     const py::gil_scoped_acquire lock;
     return python_term(name_, element_dofs_, function_->get().attr("barrier")(slack_),
+                       {Curvature::Exact, Curvature::Projected});
+  }
+
+  std::shared_ptr<const EnergyTerm> violation(double margin) const override {
+    const py::gil_scoped_acquire lock;
+    return python_term(name_, element_dofs_, function_->get().attr("violation")(margin - slack_),
                        {Curvature::Exact, Curvature::Projected});
   }
 

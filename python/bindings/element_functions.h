@@ -26,7 +26,8 @@ std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs elem
                                               pybind11::object function,
                                               std::vector<Curvature> curvatures);
 
-// g > 0 at every element: evaluate(z, e) is g, barrier(slack) the function -log(g + slack).
+// g > 0 at every element: evaluate(z, e) is g, barrier(slack) the function -log(g + slack),
+// violation(margin) the function max(0, margin - g)^2.
 std::shared_ptr<const BarrierChecker> python_inequality(std::string name, ElementDofs element_dofs,
                                                         pybind11::object function);
 

@@ -2,12 +2,20 @@
 
 #include <pybind11/stl.h>
 
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "arrays.h"
+#include "majorant/io/claims.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/parametrization/maps/energy_text.h"
+#include "majorant/parametrization/maps/smallest_rectangle.h"
+#include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/pictures.h"
+#include "majorant/pictures/turned_over.h"
 #include "majorant/results/write_map.h"
 #include "mesh.h"
 #include "run.h"
@@ -105,6 +113,35 @@ std::string drawing(const MapFile& file, const std::string& quantity) {
   return run([&] { return svg_text(file, options); });
 }
 
+// The scale of the density in pictures: lower end, value at isometry, upper end, unit, and colours
+// (256 by 3, 0 to 1); None where the claims name no energy.
+py::object density_scale(const MapFile& file) {
+  const std::optional<std::string> name = readable_claims(file.claims).energy;
+  const std::optional<EnergySum> energy = name ? find_energy_sum(*name) : std::nullopt;
+  if (!energy) return py::none();
+  const ColorScale scale = color_scale(Quantity::Density, *energy);
+  Points3 colors(ColorScale::kColors, 3);
+  for (Index k = 0; k < colors.rows(); ++k) {
+    const Color& color = scale.colors()[to_size(k)];
+    colors.row(k) << color.red, color.green, color.blue;
+  }
+  return py::make_tuple(scale.low(), scale.neutral(), scale.high(), scale.unit(),
+                        moved(Points3(colors / 255)));
+}
+
+py::array cells_turned_over(const MapFile& file) {
+  const std::vector<Index> cells = turned_over_cells(file);
+  return moved(Eigen::VectorXi(Eigen::Map<const Eigen::Matrix<Index, Eigen::Dynamic, 1>>(
+                                   cells.data(), static_cast<Index>(cells.size()))
+                                   .cast<int>()));
+}
+
+// Of the longer side of the layout.
+std::pair<double, double> direction_of(const MapFile& file) {
+  const Vector2 direction = layout_direction(file.uv, file.cells);
+  return {direction.x(), direction.y()};
+}
+
 // In VTK's order.
 py::array multi_indices(int degree) {
   const auto indices = bezier_multi_indices(degree);
@@ -143,6 +180,9 @@ void bind_map_files(py::module_& module) {
              py::arg("promise"), py::arg("input"), py::arg("refine"), py::arg("lagrange"),
              py::arg("surface"));
   module.def("svg_text", &drawing, py::arg("file"), py::arg("quantity"));
+  module.def("density_scale", &density_scale, py::arg("file"));
+  module.def("turned_over_cells", &cells_turned_over, py::arg("file"));
+  module.def("layout_direction", &direction_of, py::arg("file"));
   module.def("multi_indices", &multi_indices, py::arg("degree"));
 }
 

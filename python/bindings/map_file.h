@@ -20,7 +20,7 @@ using SharedMap = std::shared_ptr<MapFile>;
 using Promise = std::tuple<int, bool, bool, bool, bool>;
 Promise promise_from(const ProofRequest& request);
 
-// Registers MapFile, read_map, save_map, svg_text and multi_indices.
+// Registers MapFile, read_map, save_map, svg_text, what plots need, and multi_indices.
 void bind_map_files(pybind11::module_& module);
 
 }  // namespace majorant::python

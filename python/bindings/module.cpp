@@ -14,11 +14,13 @@
 #include "majorant/parametrization/solve/parametrize.h"
 #include "map_file.h"
 #include "mesh.h"
+#include "places.h"
 #include "problem.h"
 #include "run.h"
 #include "solve.h"
 #include "space.h"
 #include "terms.h"
+#include "volume.h"
 
 namespace majorant::python {
 namespace {
@@ -72,9 +74,11 @@ PYBIND11_MODULE(_core, module) {
   bind_map_files(module);
   bind_solvers(module);
   bind_check(module);
+  bind_places(module);
   bind_spaces(module);
   bind_terms(module);
   bind_problems(module);
+  bind_volumes(module);
   module.def("energies", &energies);
   module.def("split_energy", &split_energy, py::arg("text"));
   module.def("vector_instructions", &majorant::vector_instructions);

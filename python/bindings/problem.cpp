@@ -25,16 +25,20 @@
 namespace majorant::python {
 namespace {
 
-// Rows of A x = b.
+// Rows of A x = b; call: which A of the problem's it is, from 1.
 class Rows final : public Constraint {
  public:
-  Rows(const Integers& starts, const Integers& columns, const Doubles& values,
+  Rows(int call, const Integers& starts, const Integers& columns, const Doubles& values,
        const Doubles& targets)
-      : starts_(starts), columns_(columns), values_(values), targets_(targets) {}
+      : of_call_(call > 1 ? " of constrain() number " + std::to_string(call) : ""),
+        starts_(starts),
+        columns_(columns),
+        values_(values),
+        targets_(targets) {}
 
   void append_rows(ConstraintRows& rows) const override {
     for (py::ssize_t r = 0; r + 1 < starts_.size(); ++r) {
-      rows.begin_row("row " + std::to_string(r));
+      rows.begin_row("A[" + std::to_string(r) + "]" + of_call_);
       for (Index k = starts_.at(r); k < starts_.at(r + 1); ++k)
         rows.add(columns_.at(k), values_.at(k));
       rows.end_row(targets_.at(r));
@@ -42,6 +46,7 @@ class Rows final : public Constraint {
   }
 
  private:
+  std::string of_call_;
   const Integers &starts_, &columns_;
   const Doubles &values_, &targets_;
 };
@@ -58,7 +63,7 @@ class PythonProblem {
   }
   void constrain(const Integers& starts, const Integers& columns, const Doubles& values,
                  const Doubles& targets) {
-    builder_.add(Rows(starts, columns, values, targets));
+    builder_.add(Rows(++constrained_, starts, columns, values, targets));
     problem_.reset();
   }
   void keep_injective(const Space& s) {
@@ -94,6 +99,7 @@ class PythonProblem {
  private:
   ProblemBuilder builder_;
   Index size_;
+  int constrained_ = 0;  // calls of constrain()
   std::optional<Problem> problem_;
   std::vector<std::shared_ptr<const BarrierChecker>> bounds_;
 };

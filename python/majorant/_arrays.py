@@ -40,7 +40,8 @@ def integers(name: str, value: Any, shape: Sequence[int | None], below: int, of:
     outside = (array < 0) | (array >= below)
     if outside.any():
         where = tuple(int(i) for i in np.argwhere(outside)[0])
-        raise UsageError(f'{name}{list(where)} is {array[where]}, but there are {below} {of}, from 0')
+        count = f'there are {below} {of}, from 0' if below < _LARGEST else f'{of} are counted from 0'
+        raise UsageError(f'{name}{list(where)} is {array[where]}, but {count}')
     return np.ascontiguousarray(array, dtype=np.int32)
 
 
@@ -150,7 +151,12 @@ def rows(A: Any, b: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray
     else:
         import scipy.sparse
         matrix = scipy.sparse.csr_matrix(floats('A', A, (None, None)))
-    values = floats('A.data', matrix.data, (None,))
+    _array('A', matrix.data, 'biuf', 'numbers')
+    wrong = np.flatnonzero(~np.isfinite(matrix.data))
+    if len(wrong):
+        row = int(np.searchsorted(matrix.indptr, wrong[0], 'right')) - 1
+        raise UsageError(f'A[{row}, {matrix.indices[wrong[0]]}] is {matrix.data[wrong[0]]}; all numbers must be finite')
+    values = floats('A', matrix.data, (None,))
     targets = floats('b', b, (matrix.shape[0],))
     return (matrix.indptr.astype(np.int32), matrix.indices.astype(np.int32), values, targets,
             int(matrix.shape[1]))

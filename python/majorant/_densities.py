@@ -78,7 +78,10 @@ class Density:
 
         J: (q, 2, 2) or (q, 3, 3), inside of the domain and away from its boundary.
         """
-        self._function.check(np.asarray(J, dtype=float), tolerance)
+        matrices = np.asarray(J, dtype=float)
+        if matrices.ndim != 3 or matrices.shape[1:] not in ((2, 2), (3, 3)):
+            raise UsageError(f'J has shape {matrices.shape}, not (q, 2, 2) or (q, 3, 3)')
+        self._function.check(matrices, tolerance)
 
     def __repr__(self) -> str:
         return f'<majorant.Density {self.name!r}>'

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 # Cells of meshio that are no faces; its triangles by their degree.
 _NO_FACES = ('vertex', 'line')
+_LAGRANGE = 'VTK_LAGRANGE_TRIANGLE'
 _TRIANGLES = ('triangle', 'triangle6', 'triangle10', 'triangle15', 'triangle21', 'triangle28', 'triangle36',
               'triangle45')
 
@@ -45,17 +46,18 @@ def mesh_arrays(mesh: Any) -> tuple[Doubles, Any]:
     return np.asarray(mesh.points, dtype=float), [face for block in blocks for face in block]
 
 
-def to_meshio(map: 'Map') -> Any:
+def to_meshio(map: 'Map', names: str) -> Any:
     try:
         import meshio
     except ImportError:
         raise UsageError('to_meshio needs meshio (Debian: python3-meshio)') from None
-    uv = np.empty((len(map.control_points), 2))
-    uv[map.cells] = map.evaluate(np.arange(len(map.cells))[:, None], map._lattice)
+    uv = np.zeros((len(map.control_points), 3))
+    uv[map.cells, :2] = map.evaluate(np.arange(len(map.cells))[:, None], map._lattice)
     data: dict[str, Any] = {'input_face': [map.input_faces], 'chart': [map.charts]}
     if len(map.distortion):
         data['distortion'] = [map.distortion]
-    return meshio.Mesh(map.nodes, [(_TRIANGLES[map.degree - 1], map.cells)], point_data={'uv': uv}, cell_data=data)
+    name = _LAGRANGE if names == 'vtk' and map.degree > 2 else _TRIANGLES[map.degree - 1]
+    return meshio.Mesh(map.nodes, [(name, map.cells)], point_data={'uv': uv}, cell_data=data)
 
 
 def to_trimesh(map: 'Map') -> Any:

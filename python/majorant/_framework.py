@@ -143,6 +143,8 @@ class Problem:
     def add(self, term: Term, weight: float = 1.0) -> 'Problem':
         if not isinstance(term, Term):
             raise UsageError(f'{term!r} is no Term')
+        if term._function is not None:
+            term._function._elements.require_within(self.full_size, term.name)
         if term._size > self.full_size:
             raise UsageError(f'{term.name} has unknowns up to {term._size - 1}; the problem has {self.full_size}')
         if term._of_all and term._size != self.full_size:
@@ -179,10 +181,8 @@ class Problem:
         """g >= 0 at every element of the inequality, to the gap of `minimize`; it may start outside."""
         if not isinstance(inequality, Inequality):
             raise UsageError(f'{inequality!r} is no Inequality')
-        if inequality._elements.size > self.full_size:
-            raise UsageError(f'{inequality.name} has unknowns up to {inequality._elements.size - 1}; the problem has '
-                             f'{self.full_size}')
         elements = inequality._elements
+        elements.require_within(self.full_size, inequality.name)
         self._core.hold(inequality.name, elements.cells, elements.block, inequality)
         self._has_bounds = True
         return self
@@ -242,7 +242,8 @@ class Problem:
 
         Bounds and inequalities are met along barriers whose weight falls to 0, by 'newton' alone; x0 may
         violate them. gap: what the last barrier may cost, relative to the energy, 1e-8 if None.
-        Status 'infeasible' names a bound that no point was found to meet.
+        Status 'infeasible' says by how much: the violation has a minimum above 0, so that convex bounds
+        leave nothing; 'stalled' that no point inside was found, which proves nothing.
         """
         if self._has_bounds and method != 'newton':
             raise UsageError(f"bounds and inequalities are for method='newton', not {method!r}")
@@ -271,8 +272,10 @@ def _curvature(name: Any) -> str:
 def _limits(name: str, value: Any, size: int) -> Doubles:
     """One for each unknown."""
     array = np.asarray(value)
-    if array.dtype.kind not in 'iuf' or array.shape not in ((), (size,)) or np.isnan(array).any():
+    if array.dtype.kind not in 'iuf' or array.shape not in ((), (size,)):
         raise UsageError(f'{name} is neither a number nor {size} numbers')
+    if np.isnan(array).any():
+        raise UsageError(f'{name} is nan' if array.ndim == 0 else f'{name}[{int(np.argmax(np.isnan(array)))}] is nan')
     return np.ascontiguousarray(np.broadcast_to(array, (size,)), dtype=np.float64)
 
 

@@ -212,12 +212,20 @@ class Map:
         _core.save_map(name, self._file, self._mesh, self._promise, self._input,
                        integer('refine', refine, 1, 20), cells == 'lagrange', content == 'surface')
 
-    def to_meshio(self) -> Any:
+    def to_meshio(self, names: str = 'gmsh') -> Any:
         """A meshio.Mesh: triangles of the map's degree with their nodes on the surface, as Lagrange
-        elements have them, point data 'uv', cell data 'input_face', 'chart' and, if any, 'distortion'.
-        Not certified, as `save` is."""
+        elements have them, point data 'uv' (#N, 3), its last column 0, since gmsh and VTK know no vectors
+        of two; cell data 'input_face', 'chart' and, if any, 'distortion'. Not certified, as `save` is.
+
+        names: what cells of degree 3 or more are called. meshio knows two ways, and writes each to its own
+        files: 'gmsh', 'triangle10' and so on; 'vtk', 'VTK_LAGRANGE_TRIANGLE', for .vtu and .vtk.
+
+            r.to_meshio().write('a.msh', file_format='gmsh')
+            r.to_meshio('vtk').write('a.vtu')
+        """
         from ._exchange import to_meshio
-        return to_meshio(self)
+        from ._options import choice
+        return to_meshio(self, choice('names', names, ('gmsh', 'vtk')))
 
     def to_trimesh(self) -> Any:
         """A trimesh.Trimesh with texture coordinates, of a map of degree 1; along cuts vertices are
@@ -237,17 +245,23 @@ class Map:
             quantity = 'density' if len(self.distortion) else 'area'
         return _core.svg_text(self._file, choice('quantity', quantity, QUANTITIES))
 
-    def plot(self, ax: Any = None, values: ArrayLike | None = None, *, cmap: str = 'viridis') -> Any:
+    def plot(self, ax: Any = None, values: ArrayLike | None = None, *, cmap: Any = None, vmin: float | None = None,
+             vmax: float | None = None, linewidth: float = 0.3, edges: bool = True, align: bool = False) -> Any:
         """The layout in matplotlib: curved faces, the boundary in black, seams in red. Returns the axes.
 
             ax = r.plot(plt.subplot(), r.distortion)
-            plt.colorbar(ax.collections[0])
+            plt.colorbar(ax.collections[0], extend='max')
 
         ax: axes; None: the current ones. values: (#F,) numbers that colour the faces; None: the charts
-        where there are several, else `distortion`. Edges are drawn of short straight pieces.
+        where there are several, else `distortion`. Curves are drawn of short straight pieces.
+        cmap, vmin, vmax: as of matplotlib. None: `distortion` has the colours of svg() and all pictures of
+        this program, from vmin to vmax where these are given; other values have 'viridis' and their own range.
+        linewidth: of edges, points; those of the boundary and of seams are at least 1. edges: whether edges
+        inside are drawn. align: turns the layout until its longer side lies, as pictures of free ones are.
+        Faces that are turned over are magenta, over all others, and have a label for legends.
         """
         from ._plots import plot
-        return plot(self, ax, values, cmap)
+        return plot(self, ax, values, cmap, vmin, vmax, linewidth, edges, align)
 
     def _repr_html_(self) -> str:
         """In notebooks: the layout, unless that would be too much for a page."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from . import _core
 from ._errors import UsageError
 from ._types import Doubles
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 # Straight pieces of a curved edge: those of degree 8 still look smooth on a page.
 _PIECES = 12
 _CHART_COLORS = 'Set3'
+_TURNED_OVER = '#d600be'  # kFlippedColor of pictures/color_scale.h
 
 
 def edge_curves(map: 'Map') -> Doubles:
@@ -37,15 +39,43 @@ def outer_edges(map: 'Map') -> tuple[np.ndarray, np.ndarray]:
     return is_boundary, is_outer & ~is_boundary
 
 
-def plot(map: 'Map', ax: Any, values: Any, cmap: str) -> Any:
+def density_norm(scale: Any, low: float, high: float) -> Any:
+    """Positions on a scale of densities (pictures/color_scale.h), from 0 at low to 1 at high."""
+    from matplotlib.colors import FuncNorm
+    _, neutral, _, unit, _ = scale
+    # Below isometry nothing is; the logarithm has its tangent there.
+    def forward(v: Any) -> Any:
+        x = (np.asarray(v, dtype=float) - neutral) / unit
+        return np.where(x < 0, x, np.log1p(np.maximum(x, 0)))
+
+    def inverse(t: Any) -> Any:
+        t = np.asarray(t, dtype=float)
+        return neutral + unit * np.where(t < 0, t, np.expm1(np.maximum(t, 0)))
+    return FuncNorm((forward, inverse), vmin=low, vmax=high)
+
+
+def _turned(curves: Doubles, direction: tuple[float, float]) -> Doubles:
+    c, s = direction
+    return curves @ np.array([[c, -s], [s, c]])
+
+
+def plot(map: 'Map', ax: Any, values: Any, cmap: Any, vmin: float | None, vmax: float | None, linewidth: float,
+         edges: bool, align: bool) -> Any:
     try:
         import matplotlib.pyplot as plt
         from matplotlib.collections import LineCollection, PolyCollection
+        from matplotlib.colors import ListedColormap
     except ImportError:
         raise UsageError('plot needs matplotlib; svg() and save("map.svg") do not') from None
     ax = plt.gca() if ax is None else ax
     curves = edge_curves(map)
-    faces = PolyCollection(curves[:, :, :-1].reshape(len(curves), -1, 2), edgecolors='0.35', linewidths=0.3)
+    if align:
+        curves = _turned(curves, _core.layout_direction(map._file))
+    outlines = curves[:, :, :-1].reshape(len(curves), -1, 2)
+    # Without edges, those of a face's own colour close the gaps between faces.
+    look = {'edgecolors': '0.35' if edges else 'face', 'linewidths': linewidth}
+    faces = PolyCollection(outlines, **look)
+    over = _core.turned_over_cells(map._file)
     if values is None and map.charts.any():
         faces.set_facecolor(plt.get_cmap(_CHART_COLORS)(map.charts % plt.get_cmap(_CHART_COLORS).N))
     elif values is None and not len(map.distortion):
@@ -54,12 +84,24 @@ def plot(map: 'Map', ax: Any, values: Any, cmap: str) -> Any:
         numbers = np.asarray(map.distortion if values is None else values, dtype=float)
         if numbers.shape != (len(curves),):
             raise UsageError(f'values has shape {numbers.shape}, not ({len(curves)},)')
-        faces.set_array(numbers)
-        faces.set_cmap(cmap)
+        is_over = np.zeros(len(curves), dtype=bool)
+        is_over[over] = True
+        faces.set_array(np.ma.masked_array(numbers, is_over))
+        scale = _core.density_scale(map._file) if np.array_equal(numbers, map.distortion) else None
+        if scale is None or cmap is not None:
+            faces.set_cmap(cmap or 'viridis')
+            faces.set_clim(vmin, vmax)
+        else:
+            faces.set_cmap(ListedColormap(scale[4], name='majorant'))
+            faces.set_norm(density_norm(scale, scale[0] if vmin is None else vmin, scale[2] if vmax is None else vmax))
     ax.add_collection(faces)
+    if len(over):
+        label = f'{len(over)} triangle{"" if len(over) == 1 else "s"} turned over'
+        ax.add_collection(PolyCollection(outlines[over], facecolors=_TURNED_OVER, label=label, **look))
     for label, chosen, color in zip(('boundary', 'seams'), outer_edges(map), ('black', 'tab:red')):
         if chosen.any():
-            ax.add_collection(LineCollection(list(curves[chosen]), colors=color, linewidths=1, label=label))
+            ax.add_collection(LineCollection(list(curves[chosen]), colors=color, linewidths=max(1, linewidth),
+                                             label=label))
     ax.set_aspect('equal')
     ax.autoscale_view()
     return ax

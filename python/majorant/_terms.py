@@ -22,6 +22,9 @@ class Elements:
 
     def __init__(self, nodes: ArrayLike, block: int):
         self.block = _options.integer('block', block, 1, 64)
+        shape = np.shape(nodes)
+        if len(shape) != 2:
+            raise UsageError(f'nodes has shape {shape}, not (#elements, nodes of each)')
         self.cells = _arrays.integers('nodes', nodes, (None, None), 2**31 - 1, 'nodes')
         if not self.cells.size:
             raise UsageError('nodes is empty')
@@ -29,6 +32,14 @@ class Elements:
         self.unknowns = (nodes64 + np.arange(self.block)).reshape(len(self.cells), -1)
         self.size = (int(self.cells.max()) + 1) * self.block  #: unknowns that a problem has at least
         self.numbers = np.arange(len(self.cells), dtype=np.int32)
+
+    def require_within(self, size: int, name: str) -> None:
+        """Names the first node that a problem of `size` unknowns does not have."""
+        outside = self.cells.astype(np.int64) >= size // self.block
+        if outside.any():
+            e, k = (int(i) for i in np.argwhere(outside)[0])
+            raise UsageError(f'{name}: node {k} of element {e} is {self.cells[e, k]}; the problem has {size} unknowns, '
+                             f'nodes 0 to {size // self.block - 1} of {self.block} each')
 
     def of(self, x: ArrayLike, name: str) -> Doubles:
         """z of all elements."""
@@ -145,11 +156,14 @@ def least_squares(nodes: ArrayLike, residuals: Callable[..., Any], derivatives: 
     derivatives(z, e), if given, returns dr/dz, (q, k) or (q, m, k), or that and the second derivatives,
     (q, k, k) or (q, m, k, k), without which there is no 'exact'. nodes, block: as for `element_term`.
     """
+    if loss is not None:
+        _options.choice('loss', loss, LOSSES)
     if (loss is None) != (width is None):
-        raise UsageError('loss and width go together')
+        raise UsageError(f'width={width!r} is of a loss: {", ".join(LOSSES)}' if loss is None else
+                         f'loss={loss!r} needs a width, in the units of the residuals')
     elements = Elements(nodes, block)
     function = PointFunction(str(name), 'element', residuals, derivatives, rank=1)
-    squares = _Squares(function, None if loss is None else _options.choice('loss', loss, LOSSES),
+    squares = _Squares(function, loss,
                        1.0 if width is None else _options.number('width', width, 0, _options.LARGEST))
     curvatures: tuple[str, ...] = ('projected', 'reweighted')
     if derivatives is None or _gives_bends(derivatives, elements):
@@ -224,6 +238,10 @@ class Inequality:
     def barrier(self, slack: float) -> '_Outer':
         """-log(g + slack)."""
         return _Outer(self._function, lambda g: _logarithm(g + slack))
+
+    def violation(self, margin: float) -> '_Outer':
+        """max(0, margin - g)^2."""
+        return _Outer(self._function, lambda g: _violation(g - margin))
 
     def __repr__(self) -> str:
         return f'<majorant.Inequality {self.name!r}>'

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 Doubles = NDArray[np.float64]
 Integers = NDArray[np.int32]
+Flags = NDArray[np.bool_]
 Faces = Union[ArrayLike, Sequence[ArrayLike]]
 Energy = Union[str, 'Density', Sequence[tuple[Any, float]]]
 Points = Mapping[int, Union[Sequence[float], Doubles, None]]

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "majorant/framework/dual2.h"
@@ -53,6 +54,24 @@ using NodeValues = Eigen::Matrix<T, Block, N>;
 
 namespace detail {
 
+// z of Dual2 for more of them is no object for the stack.
+inline constexpr int kMostUnknowns = 30;
+
+// Says in one line each what a lambda of elements is not; true where it is one.
+template <int N, int Block, class F>
+constexpr bool require_function_of_elements() {
+  using Numbers = NodeValues<double, Block, N>;
+  using Variables = NodeValues<Dual1<double, N * Block>, Block, N>;
+  constexpr bool few = N * Block <= kMostUnknowns;
+  constexpr bool fits = std::is_invocable_v<const F&, Index, const Numbers&> &&
+                        std::is_invocable_v<const F&, Index, const Variables&>;
+  static_assert(few,
+                "an element has at most 30 unknowns, N Block: use a density for maps of higher "
+                "degree, an EnergyTerm for all else");
+  static_assert(fits, "the lambda takes (Index element, const auto& z), z being Block by N");
+  return few && fits;
+}
+
 // A Model has, all const:
 //     nodes, block                       constexpr, N and Block
 //     supports(Curvature)
@@ -70,6 +89,13 @@ class ElementTerm final : public EnergyTerm {
       throw InvalidArgument("term '" + name_ + "': its lambda takes " + std::to_string(N) +
                             " nodes, the list has " + std::to_string(element_dofs_.nodes.cols()) +
                             " columns");
+    for (Index e = 0; e < element_dofs_.nodes.rows(); ++e)
+      for (int k = 0; k < N; ++k)
+        if (element_dofs_.nodes(e, k) < 0)
+          throw InvalidArgument("term '" + name_ + "': node " + std::to_string(k) + " of element " +
+                                std::to_string(e) + " is " +
+                                std::to_string(element_dofs_.nodes(e, k)) +
+                                ", they are counted from 0");
   }
 
   std::string_view name() const override { return name_; }

@@ -134,6 +134,21 @@ class Values(BakeTest):
         self.refused(UNREADABLE, 'bake', self.old, '--from', self.old, '--image', cut, '-o', self.path('c.png'),
                      says=cut)
 
+    def test_the_textures_that_a_model_shows(self):
+        """Of the materials of an OBJ: each face has the colour of its image."""
+        for name, gray in (('a', 40), ('b', 200)):
+            self.write(name + '.png', image_bytes(np.full((16, 32, 3), gray, np.uint8)))
+        self.write('old.mtl', 'newmtl a\nmap_Kd a.png\nnewmtl b\nmap_Kd b.png\n')
+        lines = self.read('old.obj').decode().splitlines()
+        first = next(k for k, line in enumerate(lines) if line.startswith('f '))
+        lines[first:first] = ['mtllib old.mtl', 'usemtl a']
+        lines.insert(first + 2 + len(self.faces) // 2, 'usemtl b')  # the upper half of the grid
+        model = self.write('model.obj', '\n'.join(lines) + '\n')
+        self.run_ok('bake', self.old, '--from', model, '-o', self.path('a.png'))
+        found = self.array('a.png')
+        self.assertEqual(found.shape, (16, 32, 3))
+        self.assertTrue((found[1:7] == 200).all() and (found[9:15] == 40).all())
+
     def test_normals_faces_and_tables(self):
         points, faces = grid(4, lambda x, y: 0)
         flat = self.write('flat.obj', obj_text(points, faces, [p[:2] for p in points]))
@@ -228,7 +243,8 @@ class Refusals(BakeTest):
 
     def test_usage(self):
         out, args = self.path('out.png'), ['bake', self.old, '--from', self.old]
-        self.refused(USAGE, *args, '-o', out, says='--image')
+        self.refused(USAGE, 'bake', self.old, '--from', self.path('none.vtu'), '-o', out, says='--image')
+        self.refused(UNSUPPORTED, *args, '-o', out, says='map_Kd')  # has none itself
         self.refused(USAGE, *args, '--attribute', 'position', '-o', out, says='.npy')
         self.refused(UNSUPPORTED, *args, '--attribute', 'tangent-normal', '-o', out, says='tangent')
         self.refused(USAGE, *args, '--attribute', 'normal', '-o', self.path('a.obj'), says='.png')
@@ -287,6 +303,14 @@ class Unwrap(CommandTest):
         self.assertEqual(np.asarray(Image.open(self.path('out/new.png'))).shape, (256, 256, 3))
         self.assertLess(np.abs(old - new).max(), 4)
         self.assertEqual(self.run_ok('check', self.path('out/new.obj'), '--certify').code, OK)
+
+    def test_a_limit_that_comes_before_the_texture(self):
+        new = self.path('new.obj')
+        done = majorant('unwrap', self.model(), '-o', new, '--bake', '--time-limit', 0, '--quiet')
+        self.assertEqual(done.code, INVALID, done.err)
+        self.assertRegex(done.err, 'the time limit was reached while baking .*; written: ' + re.escape(new))
+        self.assertNotIn('nothing is written', done.err)
+        self.assertFalse(os.path.exists(self.path('new.png')))
 
     def test_several_materials_become_one_image(self):
         self.write('gray.png', image_bytes(np.full((32, 32), 77, np.uint8)))

@@ -218,6 +218,7 @@ class Check(CommandTest):
         path = self.tampered('free1', swap, 'det J')
         report = self.report_of(path, '--certify', code=INVALID)
         self.assertIs(report['result']['globally_injective'], None)
+        self.assertEqual(report['result']['overlaps'], 'not decided: the map is not locally injective')
         self.assertTrue(any('could not be decided' in finding for finding in report['findings']))
 
     @where(os.path.join(SHARED, 'data', 'public', 'disks'))
@@ -278,7 +279,8 @@ class Check(CommandTest):
         first = next(k for k, line in enumerate(text) if line.startswith('vt '))
         text[first + 30] = 'vt 50 50'
         self.found(self.write('bad.obj', '\n'.join(text)), says='bad.obj')
-        self.refused(UNREADABLE, 'check', self.mesh)  # no texture coordinates: not a result
+        self.refused(UNSUPPORTED, 'check', self.mesh, says='has no texture coordinates; use `majorant unwrap`')
+        self.refused(UNSUPPORTED, 'convert', self.mesh, '-o', self.path('o.svg'), says='has no texture coordinates')
 
     def test_the_report_of_a_failure(self):
         path = self.tampered('free1', lambda vtu: vtu.claims.update(value=3.0))

@@ -101,6 +101,8 @@ class Info(CommandTest):
                 path, _, report = self.info(points, faces, name + '.obj')
                 self.assertIn(says, report['message'])
                 self.keeps_its_word(path, report['message'])
+                if ' can run' not in report['message']:  # what to do comes first
+                    self.assertTrue(report['message'].startswith('use `majorant unwrap %s -o OUT.obj`' % path))
 
     def test_a_defect_is_no_case_for_seamless(self):
         _, _, report = self.info(*fin())

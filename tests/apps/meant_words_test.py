@@ -38,6 +38,36 @@ class MeantWords(CommandTest):
                       self.said('info', mesh, 'c.obj'))
         self.assertIn('input is required (see majorant info --help)', self.said('info'))
 
+    def test_options_by_their_names_elsewhere(self):
+        mesh = generated('cap')
+        for verb, wrong, right in [('unwrap', '--margin', '--padding'), ('unwrap', '--texture-size', '--resolution'),
+                                   ('unwrap', '--texture-resolution=512', '--resolution'),
+                                   ('unwrap', '--max-charts', '--charts'), ('unwrap', '-j', '--threads'),
+                                   ('parametrize', '--order', '--degree'), ('bake', '--texture-size', '--size'),
+                                   ('bake', '--margin', '--padding')]:
+            run = [verb, mesh, '-o', self.path('o.png'), *(['--from', mesh] if verb == 'bake' else [])]
+            self.assertIn("%s has no option '%s' (did you mean '%s'?)" % (verb, wrong.split('=')[0], right),
+                          self.said(*run, wrong))
+        # Of the verb alone.
+        self.assertNotIn('--padding', self.said('check', mesh, '--margin', '4'))
+
+    def test_a_size_of_pictures_and_one_of_textures(self):
+        mesh = generated('cap')
+        self.assertIn('or leave out --size (that of a texture for the layout is --resolution)',
+                      self.said('unwrap', mesh, '-o', self.path('o.obj'), '--size', 512))
+        self.assertNotIn('--resolution', self.said('parametrize', mesh, '-o', self.path('o.obj'), '--size', 512))
+        for wrong in ('15', '8193', '10,20', '99.5', '20,20,20', '20,'):
+            self.assertIn("'%s' is no size; give pixels, 16 to 8192: 1000, a square, or 1000,800" % wrong,
+                          self.said('parametrize', mesh, '-o', self.path('o.png'), '--size', wrong))
+
+    def test_padding_that_leaves_no_room(self):
+        run = ['unwrap', generated('cap'), '-o', self.path('o.obj')]
+        for padding, resolution in ((600, 1024), (512, 1024), (1, 2)):
+            self.assertIn('--padding %d: on both sides of the layout it takes all of the %d pixels of --resolution'
+                          % (padding, resolution),
+                          self.said(*run, '--padding', padding, '--resolution', resolution))
+        self.run_ok(*run, '--padding', 500, '--resolution', 1024, '--quiet')
+
     def test_choices(self):
         run = ['parametrize', generated('cap'), '-o', self.path('out.vtu')]
         for option, wrong, right in [('--boundary', 'fixd', 'fixed'), ('--init', 'tute', 'tutte'),

@@ -33,10 +33,12 @@ CASES = {
     '--refine': (['--refine', '2'], ['.vtu', '.svg'], 'add -o OUT.obj'),
     '--vtu': (['--vtu', 'lagrange'], ['.obj', '.html'], 'add -o OUT.vtu'),
     '--msh': (['--msh', 'surface'], ['.vtu'], 'add -o OUT.msh'),
-    '--grid': (['--grid', '0.1'], ['.vtu', '.png'], 'add -o OUT.svg'),
+    '--grid': (['--grid', '0.1'], ['.vtu', '.html'], 'add -o OUT.svg'),
+    '--edges': (['--edges', 'no'], ['.vtu', '.html'], 'add -o OUT.svg'),
     '--color-range': (['--color-range', '4,5'], ['.vtu'], 'add -o OUT.svg'),
     '--color-by': (['--color-by', 'area'], ['.vtu'], 'add -o OUT.svg'),
     '--transparent': (['--transparent'], ['.vtu', '.html'], 'add -o OUT.svg'),
+    '--squares': (['--squares', '9'], ['.png'], '--squares requires --view'),
     '--view': (['--view', '1,0,0'], ['.svg'], 'add -o OUT.png'),
     '--resolution': (['--no-pack', '--resolution', '300'], ['.vtu'], '--resolution excludes --no-pack'),
     '--keep-seams': (['--seams', 'uv', '--keep-seams'], ['.vtu'], '--seams uv cuts along them already'),
@@ -49,7 +51,7 @@ PICTURED = ['parametrize', 'unwrap', 'seamless', 'deform', 'convert']
 # option -> verb -> the same
 OF_VERBS = {
     '--bake': {'unwrap': (['--bake'], ['.vtu'], '-o OUT.obj')},
-    '--size': {**{verb: (['--size', '99,99'], ['.svg'], 'add -o OUT.png') for verb in PICTURED}, 'bake': None},
+    '--size': {**{verb: (['--size', '99,99'], ['.vtu'], 'add -o OUT.svg') for verb in PICTURED}, 'bake': None},
     '--image': {**{verb: (['--image', 'PICTURE'], ['.svg'], 'add -o OUT.png') for verb in PICTURED}, 'bake': None},
     '--padding': {'unwrap': (['--no-pack', '--padding', '3'], ['.vtu'], '--padding excludes --no-pack'), 'bake': None},
     '--align': {**{verb: (['--align'], ['.csv'], 'add -o OUT.vtu') for verb in ('parametrize', 'seamless', 'deform')},

@@ -43,6 +43,18 @@ class Overlaps(CommandTest):
             self.assertGreaterEqual(times_covered(p, [[uv[v] for v in cell] for cell in map_.cells()]), 2)
         self.found(self.path('out.vtu'), '--certify', says='not globally injective')
 
+    def test_what_is_turned_over_is_not_called_injective(self):
+        self.run_ok('parametrize', self.write('ramp.obj', obj_text(*ramp(1.3))), '-o', self.path('a.vtu'),
+                    '--degree', 1)
+        vtu = Vtu(self.path('a.vtu'))
+        inner = 3 * 10 + 1
+        vtu.arrays['uv'][vtu.components['uv'] * inner] += 0.6
+        self.run_ok('check', vtu.write(self.path('b.vtu')), '--report', self.path('b.json'), code=INVALID)
+        result = json.loads(self.read('b.json'))['result']
+        self.assertEqual((result['locally_injective'], result['globally_injective']), (False, False))
+        self.assertTrue(result['overlaps'].startswith('not locally injective, overlaps itself near ('),
+                        result['overlaps'])
+
     def test_no_overlap(self):
         for mesh, flags in ((self.write('grid.obj', obj_text(*grid(5))), []),
                             (self.write('ramp.obj', obj_text(*ramp(1.3))), ['--bijective'])):

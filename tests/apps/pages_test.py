@@ -114,7 +114,19 @@ class Pages(CommandTest):
         self.run_ok('convert', self.path('a.vtu'), '-o', self.path('b.html'))
         a, b = self.data('a.html'), self.data('b.html')
         self.assertEqual((a['uv'], a['cells']), (b['uv'], b['cells']))
-        self.assertEqual((b['title'], b['facts']['command']), ('a.vtu', 'convert'))
+        self.assertEqual((b['title'], b['facts']['command'], b['facts']['status']), ('a.vtu', 'convert', 'valid'))
+        self.assertEqual((b['facts']['result']['overlaps'], b['faults']), ('no overlaps', []))
+
+    def test_converted_files_say_what_is_wrong(self):
+        """A face turned over, as by another program: the page says what `check` does."""
+        points, faces = grid(4)
+        uv = [(x + 0.6 * (k == 6), y) for k, (x, y, _) in enumerate(points)]
+        self.run_ok('convert', self.write('own.obj', obj_text(points, faces, uv)), '-o', self.path('own.html'))
+        data = self.data('own.html')
+        self.assertEqual((data['facts']['command'], data['facts']['status']), ('convert', 'invalid'))
+        self.assertTrue(data['faults'])
+        self.assertTrue(data['facts']['result']['overlaps'].startswith('not decided: the map is not locally'),
+                        data['facts']['result']['overlaps'])
 
     def test_check_shows_what_is_wrong(self):
         self.run_ok('parametrize', self.bumpy(), '-o', self.path('a.vtu'), '--degree', 2)

@@ -44,6 +44,16 @@ class Log(CommandTest):
         self.assertGreater(solving, 2)
         self.assertIn('converged', lines[-1])
 
+    def test_what_is_cut_again(self):
+        """A second map of the same surface does not begin without a word."""
+        points, faces = torus(12, 8, 0)
+        mesh = self.write('torus.obj', obj_text(points, faces))
+        lines = self.run_ok('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0001').err.splitlines()
+        again = [k for k, line in enumerate(lines) if re.fullmatch(r'cutting again: \d+ of \d+ charts?', line)]
+        self.assertTrue(again, lines)
+        self.assertEqual(logged(lines[again[0] - 1]), ['solving'])
+        self.assertEqual(logged(lines[again[0] + 1]), ['cutting'])
+
     def test_limits(self):
         self.assertIn('writing', self.phases('parametrize', generated('cap'), self.path('a.vtu'),
                                              '--degree', '2', '--time-limit', '0', code=LIMIT))
@@ -90,7 +100,7 @@ class Terminal(CommandTest):
             text = self.said(*verb, generated('cap'), self.path('a.vtu'))
             *live, last = text.split(CLEAR)
             shown = [re.fullmatch(r'\[(#+)(\.*)\] (\d) of (\d) (\w+) \d+\.\d s  '
-                                  r'(degree .*|raising the degree to 2)?', line) for line in live]
+                                  r'(degree .*|raising the degree to 2|chart 1 of 1)?', line) for line in live]
             names = [line[5] for line in shown]
             self.assertTrue(all((len(line[1]), len(line[1] + line[2])) == (int(line[3]), int(line[4]))
                                 for line in shown), live)
@@ -99,6 +109,7 @@ class Terminal(CommandTest):
             self.assertEqual(list(dict.fromkeys(names)), phases)
             self.assertLess(max(map(len, live)), 80)
             self.assertEqual(any('raising the degree to 2' in line for line in live), '2' in verb)
+            self.assertEqual(any('chart 1 of 1' in line for line in live), verb == ['unwrap'])
             self.assertEqual(logged(text), [])
             self.assertIn('converged', last)  # the line is taken away before
             self.assertTrue(last.endswith('\n'))

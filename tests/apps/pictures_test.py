@@ -8,7 +8,7 @@ import struct
 import unittest
 import zlib
 
-from command_helpers import UNREADABLE, USAGE, CommandTest, generated, majorant
+from command_helpers import UNREADABLE, USAGE, CommandTest, generated, grid, majorant, obj_text
 
 
 def read_png(data):
@@ -98,6 +98,20 @@ class Pictures(CommandTest):
                             self.picture(result, '--view', '1,0.5,2', '--size', '64,64'))
         self.assertEqual(picture, self.read('i.png'))
 
+    def test_what_is_turned_over_is_said(self):
+        """Of files by other programs, whose colours are those of no energy, too."""
+        points, faces = grid(4)
+        uv = [(x + 0.6 * (k == 6), y) for k, (x, y, _) in enumerate(points)]
+        own = self.write('own.obj', obj_text(points, faces, uv))
+        outcome = self.run_ok('convert', own, '-o', self.path('a.svg'), '-o', self.path('a.png'))
+        self.assertIn(own + ': 2 triangles turned over, magenta in pictures\n', outcome.err)
+        self.assertIn('>2 triangles turned over</text>', self.read('a.svg').decode())
+        for flags in ((), ('--view', '0,0,1'), ('--color-by', 'area')):
+            _, _, rows = read_png(self.picture(own, '--size', '200,200', *flags))
+            self.assertIn(bytes((214, 0, 190)), {row[3 * x:3 * x + 3] for row in rows for x in range(200)}, flags)
+        self.assertIn('>2 triangles turned over, not counted in the numbers above</text>',
+                      self.picture(own, '--color-by', 'area', name='a.svg').decode())
+
     def test_quantities_of_triangles(self):
         result = self.map('creature', '--degree', 2)
         drawn = {name: self.picture(result, '--color-by', name, name='a.svg').decode()
@@ -141,7 +155,7 @@ class Pictures(CommandTest):
         out = ('-o', self.path('a.png'))
         self.write('no.png', 'no picture')
         for code, flags, says in (
-                (USAGE, ('--size', '10,20'), '16 to 8192'), (USAGE, ('--size', '100'), '--size'),
+                (USAGE, ('--size', '10,20'), '16 to 8192'), (USAGE, ('--size', '10'), '--size'),
                 (USAGE, ('--size', '100.5,100'), '--size'),
                 (USAGE, ('--view', '0,0,0'), 'direction'), (USAGE, ('--view', '1,2'), 'direction'),
                 (USAGE, ('--view', '1,2,nan'), 'direction'),

@@ -119,13 +119,13 @@ class Waiting(CommandTest):
             process.send_signal(signal.SIGTERM)
             code, err = self.ended(process)
             self.assertEqual(code, INVALID, err)
-            self.assertIn('interrupted while reading ' + self.path('in.obj'), err)
+            self.assertIn('interrupted while reading %s; nothing is written\n' % self.path('in.obj'), err)
             self.assertEqual(self.files(), ['in.obj'])
 
-    def test_points_and_weights_that_nobody_writes(self):
+    def test_lists_and_images_that_nobody_writes(self):
         os.mkfifo(self.path('list'))
-        for option in ('--pins', '--handles', '--weights'):
-            process = self.start(*self.job('out.vtu'), option, self.path('list'))
+        for option in ('--pins', '--handles', '--weights', '--seams', '--image'):
+            process = self.start(*self.job('out.vtu', 'out.png'), option, self.path('list'))
             time.sleep(1)
             self.assertIsNone(process.poll())
             process.send_signal(signal.SIGTERM)
@@ -133,6 +133,15 @@ class Waiting(CommandTest):
             self.assertEqual(code, INVALID, err)
             self.assertIn('interrupted while reading ' + self.path('list'), err)
             self.assertEqual(self.files(), ['list'])
+
+    def test_an_image_that_somebody_writes(self):
+        self.run_ok('parametrize', generated('cap'), self.path('old.png'), '--size', '64')
+        os.mkfifo(self.path('fifo'))
+        process = self.start(*self.job('out.png'), '--image', self.path('fifo'))
+        with open(self.path('fifo'), 'wb') as fifo:
+            fifo.write(self.read('old.png'))
+        code, err = self.ended(process)
+        self.assertEqual(code, OK, err)
 
     def test_an_input_that_somebody_writes(self):
         os.mkfifo(self.path('in.obj'))

@@ -36,7 +36,10 @@ CHECKER = common.ROOT / 'tests/checker/check_map.py'
 # Damaged files are as many of each kind as the number says.
 SHARES = {'OBJ': 3, 'OFF': 1, 'PLY ascii': 2, 'PLY binary': 2, 'STL ascii': 1, 'STL binary': 1, 'VTU': 6,
           'VTU ascii': 2, 'VTU appended': 1, 'small map VTU': 5, 'small map OBJ': 2, 'pins JSON': 1,
-          'handles JSON': 1, 'cones JSON': 1, 'weights': 1}
+          'handles JSON': 1, 'cones JSON': 1, 'weights': 1, 'GLB binary': 3, 'glTF JSON': 3, 'MSH map': 2,
+          'volume MSH': 2, 'volume MSH binary': 1, 'volume MFEM': 1, 'volume Medit': 1, 'PNG binary': 1,
+          'JPEG binary': 1, 'EXR binary': 1}
+LISTS = ('pins JSON', 'handles JSON', 'cones JSON', 'weights')
 ENERGIES = ['symmetric-dirichlet', 'asap', 'mips', 'arap', 'symmetric-arap', 'log-isometric', 'authalic',
             'amips-exponential', 'symmetric-dirichlet + 0.1*asap']
 CURVATURES = ['projected', 'majorizer', 'paper-majorizer', 'exact', 'reweighted']
@@ -107,6 +110,19 @@ def compare(rng, mesh):
         + map_options(rng) + limits(rng) + some(rng, 0.3, ['--init', 'input'])
 
 
+def unwrap(rng, mesh):
+    outputs = ['OUT.' + rng.choice(('obj', 'vtu', 'ply', 'glb', 'gltf'))] + some(rng, 0.2, ['OUT.png'])
+    return ['unwrap', mesh] + limits(rng) + [word for path in outputs for word in ('-o', path)] \
+        + some(rng, 0.2, ['--degree', '2']) + some(rng, 0.3, ['--seams', rng.choice(('sharp', 'uv'))]) \
+        + some(rng, 0.2, ['--weld', 'no']) + some(rng, 0.1, ['--no-pack']) + some(rng, 0.3, ['--report', 'OUT.json'])
+
+
+def bake(rng, layout, surface, image=None):
+    what = ['--image', image] if image else ['--attribute', rng.choice(('position', 'normal', 'face'))]
+    return ['bake', layout, '--from', surface, *what, '-o', 'OUT.png' if image else 'OUT.npy', '--size', '16,16'] \
+        + some(rng, 0.3, ['--method', rng.choice(('same', 'nearest'))]) + some(rng, 0.3, ['--report', 'OUT.json'])
+
+
 def check(rng, result, surface):
     words = ['check', result, '--time-limit', '2'] + some(rng, 0.3, ['--certify']) + some(rng, 0.2, ['--seamless'])
     if surface and rng.random() < 0.6:
@@ -146,12 +162,18 @@ def on_map(rng, seed, good):
 
 def command(rng, seed, good):
     """What may be done with a file, as words; {} is the file, OUT the start of an output's name."""
-    if 'JSON' in seed.kind or seed.kind == 'weights':
+    if seed.kind in LISTS:
         return with_list(rng, seed.kind, good)
+    textured = str(good / 'textured.obj')
+    if seed.name.endswith(('.png', '.jpg', '.exr')):
+        return bake(rng, textured, textured, '{}')
+    if seed.kind.startswith('volume'):
+        return ['mesh', 'check', '{}'] + some(rng, 0.3, ['--report', 'OUT.json'])
     is_map, is_closed = 'map' in seed.kind or 'VTU' in seed.kind, seed.name.startswith(('closed', 'annulus', 'seams'))
     verbs = {'map': 60 if is_map else 15, 'parametrize': 10 if is_closed else 45, 'seamless': 30 if is_closed else 15,
              'deform': 30 if seed.name.startswith('flat') else 1, 'info': 8, 'compare': 5,
-             'convert': 10 if seed.name.endswith('.obj') else 0}
+             'convert': 10 if seed.name.endswith(('.obj', '.glb', '.gltf')) else 0, 'unwrap': 0 if is_map else 30,
+             'bake': 5}
     verb = rng.choices(list(verbs), verbs.values())[0]
     if verb == 'map':
         return on_map(rng, seed, good)
@@ -159,7 +181,10 @@ def command(rng, seed, good):
         return ['deform', '{}', '--handles', str(good / 'handles.json')] + solve_options(rng)
     if verb == 'info':
         return ['info', '{}'] + some(rng, 0.5, ['--report', 'OUT.json'])
-    words = {'parametrize': parametrize, 'seamless': seamless, 'compare': compare, 'convert': convert}[verb](rng, '{}')
+    if verb == 'bake':
+        return bake(rng, *rng.choice((('{}', textured), (textured, '{}'), ('{}', '{}'))))
+    words = {'parametrize': parametrize, 'seamless': seamless, 'compare': compare, 'convert': convert,
+             'unwrap': unwrap}[verb](rng, '{}')
     return words + (free_options(rng, words) if verb in ('parametrize', 'seamless') else [])
 
 

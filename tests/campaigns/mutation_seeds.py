@@ -17,6 +17,8 @@ import sys
 from collections import namedtuple
 from pathlib import Path
 
+from PIL import Image
+
 sys.path.append(str(Path(__file__).resolve().parents[2] / 'bench'))
 import common  # noqa: E402
 
@@ -150,6 +152,92 @@ def list_seeds():
     yield Seed('weights.txt', 'weights', text.encode(), None)
 
 
+# ------------------------------------------------------------------ volumes
+CORNERS = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+TETRAHEDRA = [(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0, 5, 1, 7)]  # of a cube
+# A tetrahedron of degree 2, its nodes as gmsh orders them.
+QUADRATIC = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (0.5, 0, 0), (0.5, 0.5, 0), (0, 0.5, 0), (0, 0, 0.5),
+             (0, 0.5, 0.5), (0.5, 0, 0.625)]
+
+
+def msh_2(points, cells, kind):
+    """gmsh 2.2; kind: 4 for tetrahedra, 11 of degree 2, 5 for hexahedra."""
+    rows = ['%d %r %r %r' % (k + 1, *p) for k, p in enumerate(points)]
+    elements = ['%d %d 2 1 1 %s' % (k + 1, kind, ' '.join(str(v + 1) for v in c)) for k, c in enumerate(cells)]
+    return '\n'.join(['$MeshFormat', '2.2 0 8', '$EndMeshFormat', '$Nodes', str(len(rows)), *rows, '$EndNodes',
+                      '$Elements', str(len(elements)), *elements, '$EndElements', ''])
+
+
+def msh_2_binary(points, cells, kind):
+    nodes = b''.join(struct.pack('<i3d', k + 1, *p) for k, p in enumerate(points))
+    elements = b''.join(struct.pack('<%di' % (3 + len(c)), k + 1, 1, 1, *(v + 1 for v in c))
+                        for k, c in enumerate(cells))
+    return b'$MeshFormat\n2.2 1 8\n' + struct.pack('<i', 1) + b'\n$EndMeshFormat\n$Nodes\n%d\n' % len(points) + nodes \
+        + b'\n$EndNodes\n$Elements\n%d\n' % len(cells) + struct.pack('<3i', kind, len(cells), 2) + elements \
+        + b'\n$EndElements\n'
+
+
+def msh_4(points, cells, kind):
+    rows = [str(k + 1) for k in range(len(points))] + ['%r %r %r' % tuple(p) for p in points]
+    elements = ['%d %s' % (k + 1, ' '.join(str(v + 1) for v in c)) for k, c in enumerate(cells)]
+    n, m = len(points), len(cells)
+    return '\n'.join(['$MeshFormat', '4.1 0 8', '$EndMeshFormat', '$Nodes', '1 %d 1 %d' % (n, n), '3 1 0 %d' % n, *rows,
+                      '$EndNodes', '$Elements', '1 %d 1 %d' % (m, m), '3 1 %d %d' % (kind, m), *elements,
+                      '$EndElements', ''])
+
+
+def mfem(points, cells):
+    return '\n'.join(['MFEM mesh v1.0', '', 'dimension', '3', '', 'elements', str(len(cells)),
+                      *('1 4 ' + ' '.join(map(str, c)) for c in cells), '', 'boundary', '0', '', 'vertices',
+                      str(len(points)), '3', *('%r %r %r' % tuple(p) for p in points), ''])
+
+
+def medit(points, cells):
+    return '\n'.join(['MeshVersionFormatted 2', 'Dimension 3', 'Vertices', str(len(points)),
+                      *('%r %r %r 0' % tuple(p) for p in points), 'Tetrahedra', str(len(cells)),
+                      *(' '.join(str(v + 1) for v in c) + ' 1' for c in cells), 'End', ''])
+
+
+def volume_seeds():
+    hexahedron = [(0, 1, 3, 2, 4, 5, 7, 6)]
+    curved = [tuple(range(10))]
+    for name, kind, content in (
+            ('cube_2.msh', 'volume MSH', msh_2(CORNERS, TETRAHEDRA, 4)),
+            ('cube_4.msh', 'volume MSH', msh_4(CORNERS, TETRAHEDRA, 4)),
+            ('hexahedron.msh', 'volume MSH', msh_4(CORNERS, hexahedron, 5)),
+            ('curved.msh', 'volume MSH', msh_2(QUADRATIC, curved, 11)),
+            ('cube_binary.msh', 'volume MSH binary', msh_2_binary(CORNERS, TETRAHEDRA, 4)),
+            ('curved_binary.msh', 'volume MSH binary', msh_2_binary(QUADRATIC, curved, 11)),
+            ('cube_mfem.mesh', 'volume MFEM', mfem(CORNERS, TETRAHEDRA)),
+            ('cube_medit.mesh', 'volume Medit', medit(CORNERS, TETRAHEDRA))):
+        yield Seed(name, kind, content if isinstance(content, bytes) else content.encode(), None)
+
+
+# ------------------------------------------------------------------ scenes and images
+def made_scenes(options, folder):
+    """What the program makes of the meshes in `folder`: scenes, MSH maps, images."""
+    def made(name, kind, *words):
+        done = common.run([options.binary.resolve(), *map(str, words), '--quiet', '--force'], 60)
+        if done.code not in (0, 4):
+            sys.exit('cannot make %s: %s' % (name, done.stderr))
+        return Seed(name, kind, (folder / name).read_bytes(), None)
+
+    textured = folder / 'textured.obj'
+    yield made('textured.obj', 'OBJ', 'unwrap', folder / 'rich.obj', '-o', textured)
+    for mesh in ('patch', 'closed'):
+        yield made(mesh + '.glb', 'GLB binary', 'unwrap', folder / (mesh + '.obj'), '-o', folder / (mesh + '.glb'))
+        yield made(mesh + '.gltf', 'glTF JSON', 'unwrap', folder / (mesh + '.obj'), '-o', folder / (mesh + '.gltf'))
+    for content in ('image', 'surface'):
+        yield made(content + '.msh', 'MSH map', 'convert', folder / 'map2.vtu', '-o', folder / (content + '.msh'),
+                   '--msh', content)
+    png = made('layout.png', 'PNG binary', 'convert', folder / 'map2.vtu', '-o', folder / 'layout.png', '--size', '64,64')
+    yield png
+    Image.open(folder / 'layout.png').convert('RGB').save(folder / 'layout.jpg')
+    yield Seed('layout.jpg', 'JPEG binary', (folder / 'layout.jpg').read_bytes(), None)
+    yield made('positions.exr', 'EXR binary', 'bake', textured, '--from', textured, '--attribute', 'position', '-o',
+               folder / 'positions.exr', '--size', '16,16')
+
+
 # ------------------------------------------------------------------ maps
 def in_ascii(vtu):
     """The same file with ascii arrays."""
@@ -202,11 +290,11 @@ def committed_maps():
 
 def seeds(options, folder):
     """{kind: [Seed]}; all files are written to `folder`, too."""
-    plain = list(mesh_seeds()) + list(list_seeds())
+    plain = list(mesh_seeds()) + list(list_seeds()) + list(volume_seeds())
     for seed in plain:
         (folder / seed.name).write_bytes(seed.content)
     kinds = {}
-    for seed in plain + list(made_maps(options, folder)) + list(committed_maps()):
+    for seed in plain + list(made_maps(options, folder)) + list(made_scenes(options, folder)) + list(committed_maps()):
         (folder / seed.name).write_bytes(seed.content)
         kinds.setdefault(seed.kind, []).append(seed)
     return kinds

@@ -31,7 +31,9 @@ def alone(*words):
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE))
 
 
-VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'bake', 'info', 'mesh check']
+VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'bake', 'quads', 'info', 'mesh check',
+         'mesh optimize']
+REPORTS = VERBS + ['check --quads']  # kinds of them: of a mesh of quads `check` says other things
 
 
 def page():
@@ -147,12 +149,12 @@ def keys(value, path=''):
 
 
 class Reports(CommandTest):
-    def report(self, verb, *args, code=0):
-        """The keys of the report of a run, and which of them were there."""
+    def report(self, verb, *args, code=0, kind=None):
+        """The keys of the report of a run, and which of them were there; kind: where it is not the verb."""
         self.run_ok(*verb.split(), *args, '--report', self.path('report.json'), '--quiet', '--force',
                     code=code)
         with open(self.path('report.json')) as f:
-            self.found.setdefault(verb, []).append(set(keys(json.load(f))))
+            self.found.setdefault(kind or verb, []).append(set(keys(json.load(f))))
 
     def run_all(self):
         """Runs of every verb that show, together, every key that its report can have."""
@@ -197,6 +199,8 @@ class Reports(CommandTest):
         self.report('parametrize', helpers.generated('buckle'), self.path('b.vtu'), '--seams', 'auto',
                     '--degree', 1)
         self.report('bake', with_uv, '--from', disk, '--attribute', 'position', '-o', self.path('b.npy'))
+        self.report('quads', helpers.generated('buckle'), self.path('quads.obj'), '--count', 600)
+        self.report('check', self.path('quads.obj'), '--surface', helpers.generated('buckle'), kind='check --quads')
         self.report('info', disk)
         self.report('info', disk, '--plan')
         self.report('info', self.write('small.obj', helpers.obj_text(
@@ -206,6 +210,7 @@ class Reports(CommandTest):
         self.report('info', self.path('image.msh'))
         self.report('info', inverted)
         self.report('mesh check', self.write('two.mesh', TWO_TETRAHEDRA))
+        self.report('mesh optimize', self.path('two.mesh'), '-o', self.path('one.mesh'), '--boundary', 'free')
         self.has_petsc = os.path.exists(os.path.join(os.path.dirname(helpers.BINARY), 'libmajorant_petsc.so'))
         if self.has_petsc:
             self.report('parametrize', disk, self.path('b.vtu'), '--degree', 1, '--linear-solver', 'mumps')
@@ -215,7 +220,7 @@ class Reports(CommandTest):
         self.found = {}
         self.run_all()
         runs = ['parametrize', 'seamless', 'deform']
-        verbs = {'all': VERBS, 'runs': runs, 'maps': runs + ['unwrap']}
+        verbs = {'all': REPORTS, 'runs': runs, 'maps': runs + ['unwrap']}
         always, sometimes, listed = {}, {}, []
         for key, where, *_ in rows(section('Reports')):
             name = re.match(r'`(.*?)`', key)[1]
@@ -226,7 +231,7 @@ class Reports(CommandTest):
                 for verb in verbs.get(word, [word]):
                     (sometimes if key.endswith('*') else always).setdefault(verb, set()).add(name)
         self.assertEqual(len(listed), len(set(listed)), 'a key is twice in docs/interface.md')
-        for verb in VERBS:
+        for verb in REPORTS:
             with self.subTest(verb):
                 reports = self.found[verb]
                 seen = set.union(*reports)

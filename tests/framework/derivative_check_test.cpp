@@ -1,6 +1,8 @@
 // The derivative checker finds each kind of mistake and names it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "framework/barrier_chain.h"
 #include "majorant/framework/energy_term.h"
 
@@ -111,6 +113,56 @@ TEST(DerivativeCheck, ElementsTogetherAreThoseAlone) {
       << r.message();
 }
 
+// r sin(a) of r = x_0 and a = x_1, of which r may be 1e6 times as large. The derivative by a is
+// right but for a factor.
+class Swing final : public EnergyTerm {
+ public:
+  explicit Swing(double factor) : factor_(factor) {}
+  std::string_view name() const override { return "swing"; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
+  bool supports(Curvature c) const override { return c == Curvature::Exact; }
+  void values(VecIn x, const ElementBatch&, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    f[0] = x[0] * std::sin(x[1]);
+  }
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
+    constexpr std::size_t stride = LocalSystem::stride;
+    values(x, batch, state, workspace, {out.value, 1});
+    out.gradient[0] = std::sin(x[1]);
+    out.gradient[stride] = factor_ * x[0] * std::cos(x[1]);
+    if (!out.hessian) return;
+    out.hessian[0] = 0;
+    out.hessian[stride] = std::cos(x[1]);
+    out.hessian[2 * stride] = -x[0] * std::sin(x[1]);
+  }
+
+ private:
+  double factor_;
+  ElementDofs element_dofs_ = test::band_elements(1, 2, 1);
+};
+
+TEST(DerivativeCheck, UnknownsOfOneElementMayDifferInSize) {
+  for (const double scale : {1e-6, 1.0, 50.0, 500.0, 5e4, 1e6, 1e9}) {
+    const DerivativeReport right = check_derivatives(Swing(1), Vec{{scale, 0.1}});
+    EXPECT_TRUE(right.ok()) << scale << "\n" << right.message();
+    const DerivativeReport wrong = check_derivatives(Swing(1.001), Vec{{scale, 0.1}});
+    ASSERT_FALSE(wrong.ok()) << scale;
+    EXPECT_EQ(wrong.message().find("not resolved"), std::string::npos) << wrong.message();
+    if (scale >= 1) EXPECT_EQ(wrong.mismatches.front().block, "gradient[1]");
+  }
+}
+
+TEST(DerivativeCheck, MessagesAreShort) {
+  DerivativeReport report;
+  for (Index e = 0; e < 100; ++e) report.mismatches.push_back({e / 2, "gradient[0]", 1, 2});
+  const std::string text = report.message();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 11);
+  EXPECT_TRUE(text.ends_with("... and 45 more elements\n")) << text;
+  report.mismatches.resize(10);
+  EXPECT_EQ(report.message().find("more elements"), std::string::npos);
+}
+
 // Zero, with all its derivatives, on one side.
 class Hinge final : public EnergyTerm {
  public:
@@ -142,6 +194,16 @@ TEST(DerivativeCheck, ElementsWithoutEnergy) {
   Hinge hinge;
   hinge.wrong = 1e-9;
   EXPECT_FALSE(check_derivatives(hinge, Vec::Constant(1, 0.5)).ok());
+}
+
+TEST(DerivativeCheck, WhatTwoStepsDisagreeAboutIsNotResolved) {
+  // max(0, x - 1)^2 a little to the left of 1, where steps of one size reach the other side.
+  Hinge hinge;
+  hinge.wrong = 1e-3;
+  const DerivativeReport report = check_derivatives(hinge, Vec::Constant(1, 1 - 1.5e-5));
+  ASSERT_FALSE(report.ok());
+  EXPECT_NE(report.message().find("not resolved by differences"), std::string::npos)
+      << report.message();
 }
 
 }  // namespace

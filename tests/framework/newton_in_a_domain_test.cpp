@@ -83,6 +83,8 @@ TEST(Newton, InfeasibleStarts) {
   EXPECT_EQ(r.status, Status::Infeasible);
   EXPECT_EQ(r.blocking, std::vector<Index>{1});
   EXPECT_EQ(r.y, Vec(Vector3(0, 7, 0)));
+  EXPECT_EQ(r.message.find("the start violates box at element 1"), 0) << r.message;
+  EXPECT_TRUE(std::isnan(r.energy));
 
   const Scalar barrier{[](double t) { return t > 0 ? t - std::log(t) : kInfinity; },
                        [](double t) { return 1 - 1 / t; }, [](double t) { return 1 / (t * t); }};

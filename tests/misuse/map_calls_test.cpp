@@ -77,9 +77,9 @@ const std::vector<Call> kCalls{
      [] { return run([](auto& o) { o.map.energy[0].weight = kNan; }); }},
     {"zero_handle_weight", "InvalidArgument: the weight 0 of soft handles",
      [] { return run([](auto& o) { o.map.handle_weight = 0; }); }},
-    {"few_face_weights", "InvalidArgument: face weights must be one number in",
+    {"few_face_weights", "InvalidArgument: 3 face weights for 8 faces: one each is needed",
      [] { return run([](auto& o) { o.map.face_weight = Vec::Ones(3); }); }},
-    {"nan_face_weight", "InvalidArgument: face weights must be one number in",
+    {"nan_face_weight", "InvalidArgument: face weight [0] is nan, ",
      [] { return run([](auto& o) { o.map.face_weight = Vec::Constant(8, kNan); }); }},
     {"nan_pin", "InvalidArgument: the target of vertex 4 is (nan, 0)",
      [] { return run([](auto& o) {

@@ -113,6 +113,12 @@ const scenes = {
       summary: document.getElementById('summary').textContent,
       heading: document.querySelector('#facts h2').textContent,
       isPast: document.getElementById('facts').classList.contains('past'),
+      ending: document.querySelector('#facts > .note').checkVisibility(),
+      // How far the layout that is shown leaves the view, in halves of it.
+      reach: (({app}) => Math.max(...Array.from({length: app.map.faceCount}, (_, face) => {
+        const p = app.layout.pointAt({face, xi: [1, 0, 0]}).project(app.layout.camera);
+        return Math.max(Math.abs(p.x), Math.abs(p.y));
+      })))(window.majorantPage),
       numbers: Object.fromEntries([...document.querySelectorAll('#facts div:first-child dt')].map(
           (name) => [name.textContent, name.nextSibling.textContent])),
     }));

@@ -263,6 +263,10 @@ class Gestures(CommandTest):
             steps = found[view]
             self.assertEqual(steps['clicked']['pinned']['face'], 20)
             self.assertIn('Selected', steps['clicked']['readout'])
+            read = re.search(r'x y z\s+(\S+) +(\S+) +(\S+)', steps['clicked']['readout'])
+            points, faces = grid(6, bumpy)
+            place = np.array([points[v] for v in faces[20]]).T @ steps['clicked']['pinned']['xi']
+            np.testing.assert_allclose([float(x) for x in read.groups()], place, atol=1e-5)
             self.assertIsNone(steps['released']['pinned'])
             self.assertEqual(steps['hovered']['hovered']['face'], 20)
             self.assertIsNone(steps['left']['hovered'])

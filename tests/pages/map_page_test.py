@@ -115,6 +115,9 @@ class MapPage(CommandTest):
         self.assertAlmostEqual(float(found['inFilm']['numbers']['energy']), start, delta=1e-3 * start)
         self.assertNotEqual(found['inFilm']['numbers']['largest density'],
                             found['atEnd']['numbers']['largest density'])
+        self.assertEqual((found['inFilm']['ending'], found['atEnd']['ending']), (False, True))
+        for moment in ('inFilm', 'atEnd'):  # Tutte's circle is larger than the result
+            self.assertLess(found[moment]['reach'], 1)
         self.assertEqual(found['after'], found['atEnd'])
 
     def test_a_saved_picture_says_which_side_is_which(self):

@@ -202,6 +202,17 @@ const scenes = {
   pair: (page) => page.evaluate(async () => {
     const {app} = window.majorantPage;
     const {beside} = app;
+    const first = app.state.show;
+    app.state.set({show: 'difference'});
+    // The first views: how much of a caption's height is above the highest corner.
+    const above = app.stage.views.map((view) => {
+      const {bottom} = view.element.querySelector('.caption').getBoundingClientRect();
+      const box = view.element.getBoundingClientRect();
+      const highest = Math.max(...Array.from({length: app.map.faceCount}, (_, face) =>
+        [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((xi) => view.pointAt({face, xi}).project(view.camera).y))
+        .flat());
+      return box.top + (1 - highest) / 2 * box.height - bottom;
+    });
     app.surface.turn(0.3, 0.1);
     app.surface.controls.dispatchEvent({type: 'change'});
     beside.layout.move(1, 0);
@@ -227,7 +238,7 @@ const scenes = {
       return scale.position(a - b);
     });
     app.state.set({hovered: {face: 5, xi: [0.2, 0.3, 0.5]}});
-    return {poses, sides, wanted, show: app.state.show, ends: [scale.low, scale.high],
+    return {poses, sides, wanted, above, show: first, ends: [scale.low, scale.high],
             views: document.querySelectorAll('.view').length, heading: document.title,
             readout: document.getElementById('readout').innerText,
             marked: [app, beside].map(({uniforms}) => uniforms.uHovered.value)};

@@ -17,7 +17,7 @@ namespace {
 PixelImage picture_of(const MapFile& map, const PngOptions& options) {
   const TemporaryFolder folder;
   write_png(folder.file("a.png"), map, options);
-  return read_png(folder.file("a.png"));
+  return pixels_of_png("a.png", content_of(folder.file("a.png")));
 }
 
 // The unit square in the plane z = 0, mapped by uv = (2 x, y / 2): an area kept, lengths not.
@@ -58,6 +58,25 @@ TEST(WritePng, HeatIsTheScaleAtThatValue) {
             color_scale(Quantity::Density, {{symmetric_dirichlet(), 1.0}}).color(8.5));
   scaled.uv.col(0) *= -1;
   EXPECT_EQ(picture_of(scaled, options).at(100, 70), kFlippedColor);
+}
+
+// The second triangle's image mirrored onto that of the first one, which it hides.
+TEST(WritePng, TurnedOverTrianglesAreSeen) {
+  MapFile map = square_map();
+  map.uv.row(3) << 2, 0;
+  const auto count = [](const PixelImage& image) {
+    return std::count(image.pixels.begin(), image.pixels.end(), kFlippedColor);
+  };
+  PngOptions options;
+  options.width = options.height = 200;
+  for (const bool has_energy : {true, false}) {
+    if (!has_energy) map.claims.clear();
+    options.view.reset();
+    EXPECT_GT(count(picture_of(map, options)), 2000) << has_energy;  // half of 196 x 49
+    options.view = Vector3(0, 0, 1);
+    EXPECT_GT(count(picture_of(map, options)), 10000) << has_energy;  // half of the square
+    EXPECT_EQ(count(picture_of(square_map(), options)), 0);
+  }
 }
 
 TEST(WritePng, TheCameraIsAsItSays) {
@@ -128,14 +147,12 @@ void expect_near(const Color& found, const Color& wanted) {
 }
 
 TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
-  const TemporaryFolder folder;
-  PixelImage quarters{2, 2, {{250, 0, 0}, {0, 250, 0}, {0, 0, 250}, {250, 250, 0}}};
-  write_file_atomically(folder.file("i.png"), encode_png(quarters));
+  const PixelImage quarters{2, 2, {{250, 0, 0}, {0, 250, 0}, {0, 0, 250}, {250, 250, 0}}};
   MapFile map = square_map();
   map.uv = map.points.leftCols(2);
   PngOptions options;
   options.width = options.height = 200;
-  options.image = folder.file("i.png");
+  options.image = encode_png(quarters);
   const PixelImage image = picture_of(map, options);
   for (const auto& [x, y, k] : {std::tuple{51, 51, 0}, {148, 51, 1}, {51, 148, 2}, {148, 148, 3}})
     expect_near(image.at(x, y), quarters.pixels[static_cast<std::size_t>(k)]);
@@ -144,17 +161,15 @@ TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
   expect_near(picture_of(map, options).at(148, 51), quarters.pixels[1]);
   for (const char* claims : {R"({"normalized": {"origin": [0, 0], "size": 2}})", ""}) {
     map.claims = claims;
-    expect_near(picture_of(map, options).at(100, 100), quarters.pixels[2]);
+    expect_near(picture_of(map, options).at(51, 148), quarters.pixels[2]);
+    expect_near(picture_of(map, options).at(148, 51), {255, 255, 255});
     map.uv.array() += 3;  // repeated
     expect_near(picture_of(map, options).at(100, 100), quarters.pixels[2]);
     map.uv.array() -= 3;
   }
-  std::ofstream(folder.file("no.png")) << "no image";
-  options.image = folder.file("no.png");
+  options.image = "no image";
   expect_contains(error_message(ErrorKind::Unreadable, [&] { picture_of(map, options); }),
-                  {"no.png: ", "give a PNG image"});
-  options.image = folder.file("missing.png");
-  error_message(ErrorKind::Unreadable, [&] { picture_of(map, options); });
+                  {"the image: ", "give a PNG image"});
 }
 
 TEST(WritePng, SquaresAreOnMultiplesOfTheirSide) {
@@ -173,6 +188,56 @@ TEST(WritePng, SquaresAreOnMultiplesOfTheirSide) {
       agree += ((i + j) % 2 == 0) == (c.red > 160) ? 1 : 0;
     }
   EXPECT_EQ(agree, 1600);
+}
+
+// Of a layout as SVG has it, of a surface where the map takes its points: lines are multiples.
+TEST(WritePng, GridsAreOnLayoutsAndSurfaces) {
+  PngOptions options;  // 1000 by 800
+  const Color line{20, 50, 122};
+  const auto count = [&](const PixelImage& image) {
+    return std::count(image.pixels.begin(), image.pixels.end(), line);
+  };
+  for (const bool is_surface : {false, true}) {
+    if (is_surface) options.view = Vector3(0, 0, 1);
+    options.grid.reset();
+    EXPECT_EQ(count(picture_of(square_map(), options)), 0);
+    options.grid = 0.5;
+    const PixelImage image = picture_of(square_map(), options);
+    EXPECT_GT(count(image), 700) << is_surface;  // of a layout three lines of 2 by 245
+    if (!is_surface) continue;
+    // u = 2 x: lines at every quarter of the side, each a 12th of that wide.
+    const double side = 0.96 * 800, left = (1000 - side) / 2;
+    EXPECT_EQ(image.at(static_cast<int>(left + side / 4), 150), line);
+    EXPECT_NE(image.at(static_cast<int>(left + side / 8), 150), line);
+    EXPECT_NE(image.at(static_cast<int>(left + side / 4 + side / 4 / 18), 150), line);
+  }
+  options.grid = 1e-6;
+  expect_contains(error_message(ErrorKind::Usage, [&] { picture_of(square_map(), options); }),
+                  {"cannot be drawn"});
+}
+
+TEST(WritePng, SquaresAreAsManyAsAreAskedFor) {
+  MapFile map = square_map();
+  map.uv = map.points.leftCols(2);
+  PngOptions options;
+  options.width = options.height = 430;
+  options.view = Vector3(0, 0, 1);
+  options.squares = 5;
+  const double square = 0.96 * 430 / 5;
+  for (const char* claims : {"", R"({"energy": "symmetric-dirichlet"})"}) {
+    map.claims = claims;
+    const PixelImage image = picture_of(map, options);
+    for (int i = 0; i < 5; ++i)
+      for (int j = 0; j < 5; ++j) {
+        const Color c = image.at(static_cast<int>(215 + (i - 2) * square),
+                                 static_cast<int>(215 - (j - 2) * square));
+        EXPECT_EQ((i + j) % 2 == 0, c.red > 160) << i << " " << j;
+      }
+    map.uv.array() += 3.37;  // around a layout that was not made for the unit square
+  }
+  options.squares = 0;
+  expect_contains(error_message(ErrorKind::Usage, [&] { picture_of(map, options); }),
+                  {"give 1 or more"});
 }
 
 TEST(WritePng, CurvedCellsAreEvaluatedExactly) {
@@ -247,7 +312,7 @@ TEST(WritePng, RefusesWhatCannotBeDrawn) {
   }
   options = {};
   options.quantity = Quantity::Area;
-  options.image = "a.png";
+  options.image = "any";
   expect_contains(refused(options), {"choose one"});
   options = {};
   MapFile map = square_map();
@@ -314,7 +379,7 @@ TEST(WritePng, TransparentOnesHaveNoPaper) {
     write_png(folder.file("a.png"), square_map(), options);
     const std::string bytes = content_of(folder.file("a.png"));
     EXPECT_EQ(bytes[25], 6);  // colours with how opaque they are
-    const PixelImage on_white = read_png(folder.file("a.png"));
+    const PixelImage on_white = pixels_of_png("a.png", bytes);
     double difference = 0;  // what is half covered libpng mixes in linear light
     for (std::size_t k = 0; k < white.pixels.size(); ++k)
       difference += std::abs(white.pixels[k].green - on_white.pixels[k].green);

@@ -132,6 +132,20 @@ MapFile two_triangles(double first) {
   return map;
 }
 
+// The corners of a cell in the other order, where it has no neighbours.
+void turn_over(MapFile& map, Index cell) {
+  const Index count = map.points.rows();
+  map.points.conservativeResize(count + 3, 3);
+  map.uv.conservativeResize(count + 3, 2);
+  for (Index k = 0; k < 3; ++k) {
+    map.points.row(count + k) = map.points.row(map.cells(cell, k));
+    map.uv.row(count + k) = map.uv.row(map.cells(cell, (3 - k) % 3));
+  }
+  map.input_vertex.conservativeResize(count + 3);
+  map.input_vertex.tail(3) = map.input_vertex(map.cells.row(cell));
+  map.cells.row(cell) << count, count + 1, count + 2;
+}
+
 std::string drawing_of(const MapFile& map, const SvgOptions& options = {}) {
   const TemporaryFolder folder;
   write_svg(folder.file("a.svg"), map, options);
@@ -174,7 +188,8 @@ TEST(WriteSvg, EveryQuantityHasItsScale) {
   MapFile map = two_triangles(4);
   map.face_distortion.resize(2, 6);
   map.face_distortion.row(0) << 2, 0.5, 1.25, 4, 2, 2;
-  map.face_distortion.row(1) << 3, -1, -2, 9, 9, 9;  // turned over
+  map.face_distortion.row(1) << 3, -1, -2, 9, 9, 9;
+  turn_over(map, 1);
   for (const auto& [quantity, value] : {std::pair{Quantity::SigmaMax, 2.0},
                                         {Quantity::SigmaMin, 0.5},
                                         {Quantity::Area, 1.25},
@@ -191,6 +206,23 @@ TEST(WriteSvg, EveryQuantityHasItsScale) {
   expect_contains(
       error_message(ErrorKind::Usage, [&] { drawing_of(map, {.quantity = Quantity::Density}); }),
       {"no density"});
+}
+
+// Magenta and over all others, in grey drawings, too; told in the legend, not counted in means.
+TEST(WriteSvg, TurnedOverTrianglesAreSeen) {
+  MapFile map = two_triangles(400);
+  turn_over(map, 0);
+  std::string text = drawing_of(map);
+  const ColorScale scale = color_scale(Quantity::Density, {{symmetric_dirichlet(), 1.0}});
+  EXPECT_EQ(fills(text), (std::vector{scale.color(5).hex(), kFlippedColor.hex()}));
+  expect_contains(text, {">1 triangle turned over, not counted in the numbers above</text>",
+                         "; 1 triangle turned over"});
+  EXPECT_EQ(count(text, "triangle means above"), 0u);
+  map.claims.clear();
+  text = drawing_of(map);
+  EXPECT_EQ(fills(text), (std::vector<std::string>{"#dddddd", kFlippedColor.hex()}));
+  expect_contains(text, {">1 triangle turned over</text>"});
+  EXPECT_EQ(count(drawing_of(two_triangles(5)), "turned over"), 0u);
 }
 
 // Not the means that are drawn: what reports have, of the whole map.
@@ -248,6 +280,22 @@ TEST(WriteSvg, LayoutsThatNothingHoldsLieAlongTheirLongerSide) {
   map.claims = free;
   const std::string with_grid = drawing_of(map, {.grid = 1.0});
   EXPECT_EQ(with_grid.substr(with_grid.find("viewBox"), 15), height(lying).substr(0, 15));
+}
+
+TEST(WriteSvg, TheUnitSquareIsAroundLayoutsMadeForIt) {
+  const std::string square = "<path stroke=\"#787878\" stroke-width=\"1.2\" d=\"M10 990l980 0";
+  MapFile map = two_triangles(4);
+  map.uv *= 0.25;
+  const std::string claims = map.claims;
+  EXPECT_EQ(count(drawing_of(map), "#787878"), 0u);  // whoever made it knows of no square
+  for (const std::string& made_for_it :
+       {std::string(), R"({"normalized": {"origin": [0, 0], "size": 2}, )" + claims.substr(1)}) {
+    map.claims = made_for_it;
+    EXPECT_EQ(count(drawing_of(map), square), 1u) << made_for_it;
+    map.uv.array() += 0.75;  // leaves it
+    EXPECT_EQ(count(drawing_of(map), "#787878"), 0u) << made_for_it;
+    map.uv.array() -= 0.75;
+  }
 }
 
 TEST(WriteSvg, ChartsHaveTheirNumbers) {
@@ -352,6 +400,40 @@ TEST(WriteSvg, SaysWhatItIsOfAndLiesOnPaperOrNot) {
                          "role=\"img\""});
   EXPECT_EQ(count(text, "<rect"), 1u);
   EXPECT_EQ(count(drawing_of(two_triangles(5), {.paper = Paper::None}), "<rect"), 0u);
+}
+
+// Letters stay as large, so that a smaller sheet has larger ones; what is too long is broken.
+TEST(WriteSvg, SheetsOfAnySize) {
+  const MapFile map = two_triangles(400);
+  for (const int width : {300, 700, 1000, 2000}) {
+    const std::string text = drawing_of(map, {.size = SheetSize{width, 600}});
+    expect_contains(text,
+                    {fmt::format("width=\"{0}\" height=\"600\" viewBox=\"0 0 {0} 600\"", width),
+                     "font-size=\"24\"", ">4</text>", ">40</text>"});
+    EXPECT_EQ(count(text, "font-size=\"20\""), width >= 1000  ? 1u
+                                               : width == 700 ? 2u
+                                                              : 3u)
+        << width;
+    const std::string path = paths_of(text)[0];  // of the first cell: 10 from the left
+    EXPECT_LT(std::stod(path.substr(1)), width);
+    EXPECT_EQ(parse_xml("a.svg", text).name, "svg");
+  }
+  EXPECT_LT(count(drawing_of(map, {.size = SheetSize{150, 600}}), "text-anchor"),
+            count(drawing_of(map), "text-anchor"));  // ticks without room
+  expect_contains(error_message(ErrorKind::Usage,
+                                [&] {
+                                  drawing_of(map, {.size = SheetSize{8, 600}});
+                                }),
+                  {"a sheet of 8 x 600 px: sides are 16 to 8192"});
+}
+
+TEST(WriteSvg, WithoutEdgesTheOutlineStays) {
+  const MapFile map = grid_map(4);
+  const std::string text = drawing_of(map, {.edges = CellEdges::Left});
+  EXPECT_EQ(count(text, "fill=\"#dddddd\" stroke=\"#dddddd\""), 1u);
+  const std::vector<std::string> outline = paths_of(text, "<path stroke=\"#333333\"");
+  ASSERT_EQ(outline.size(), 1u);
+  EXPECT_EQ(parts_of(outline[0]), 1u);
 }
 
 TEST(WriteSvg, HandlesAndPinsHaveTheirTargets) {

@@ -257,8 +257,9 @@ def test_a_map_in_a_box():
 
 
 @pytest.mark.parametrize('call, message', [
-    (lambda p: majorant.least_squares(NODES, curve, loss='huber'), 'loss and width go together'),
-    (lambda p: majorant.least_squares(NODES, curve, width=1.0), 'loss and width go together'),
+    (lambda p: majorant.least_squares(NODES, curve, loss='huber'), "loss='huber' needs a width"),
+    (lambda p: majorant.least_squares(NODES, curve, width=1.0), 'width=1.0 is of a loss: huber, soft-l1, cauchy, arctan, tukey'),
+    (lambda p: majorant.least_squares(NODES, curve, loss='hubert'), "loss='hubert' is none of 'huber', "),
     (lambda p: majorant.least_squares(NODES, curve, loss='l1', width=1.0), "loss='l1' is none of"),
     (lambda p: majorant.least_squares(NODES, curve, loss='huber', width=0), 'width=0 is no number above 0'),
     (lambda p: majorant.least_squares(NODES, 3), 'cannot be called'),
@@ -267,10 +268,10 @@ def test_a_map_in_a_box():
     (lambda p: majorant.parameter_blocks(([0, 1], 0)), 'size=0 is no integer from 1'),
     (lambda p: majorant.parameter_blocks(([0.5], 2)), 'first holds floating-point numbers'),
     (lambda p: p.hold(majorant.penalty(np.eye(2), [0, 0])), 'is no Inequality'),
-    (lambda p: p.hold(majorant.Inequality([[5]], curve)), 'unknowns up to 5; the problem has 2'),
+    (lambda p: p.hold(majorant.Inequality([[5]], curve)), 'node 0 of element 0 is 5; the problem has 2 unknowns'),
     (lambda p: p.bound(1, 1), 'lower[0] is 1.0, not below upper[0], 1.0'),
     (lambda p: p.bound([0, 1, 2]), 'lower is neither a number nor 2 numbers'),
-    (lambda p: p.bound([0, np.nan]), 'lower is neither a number nor 2 numbers'),
+    (lambda p: p.bound([0, np.nan]), 'lower[1] is nan'),
     (lambda p: p.bound(), 'nothing to hold'),
     (lambda p: p.bound(0).minimize([1, 1], 'lbfgs'), "bounds and inequalities are for method='newton', not 'lbfgs'"),
     (lambda p: p.minimize([1, 1], gap=1e-3), 'gap is of bounds and inequalities'),

@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Maps in matplotlib, and from and to meshes of meshio and trimesh."""
+import re
 import sys
 import types
 
@@ -46,8 +47,41 @@ def test_a_plot_has_faces_and_the_boundary(plt, degree):
     assert np.allclose(low, r.uv.min(0), atol=0.05) and np.allclose(high, r.uv.max(0), atol=0.05)
     r.plot(ax, np.arange(len(F)), cmap='magma')
     assert ax.collections[2].get_array()[3] == 3 and ax.collections[2].get_cmap().name == 'magma'
+    r.plot(ax, vmin=4, vmax=6, edges=False, linewidth=0.1)
+    assert ax.collections[4].get_clim() == (4, 6) and ax.collections[4].get_linewidth() == 0.1
     with pytest.raises(majorant.UsageError, match=r'values has shape \(3,\), not \(50,\)'):
         r.plot(ax, [1, 2, 3])
+
+
+def rgb(text):
+    return [int(text[k:k + 2], 16) for k in (1, 3, 5)]
+
+
+def test_a_plot_has_the_colours_of_drawings(plt):
+    r = majorant.parametrize(*helpers.grid(6, 0.8), degree=1)
+    ax = r.plot(plt.figure().gca(), align=True)
+    faces = ax.collections[0]
+    faces.update_scalarmappable()
+    shown = np.round(255 * faces.get_facecolors()[:, :3])
+    drawn = {tuple(rgb(c)) for c in re.findall(r'<path fill="(#[0-9a-f]{6})" stroke', r.svg('density'))}
+    assert len(drawn) > 5
+    for color in shown:  # a 256th of the scale at most
+        assert np.abs(np.array(list(drawn)) - color).max(1).min() <= 3
+    assert faces.norm.inverse(faces.norm(7.0)) == pytest.approx(7)
+    low, high = ax.dataLim.min, ax.dataLim.max
+    assert (high - low)[0] >= (high - low)[1]
+
+
+def test_a_plot_shows_what_is_turned_over(plt, tmp_path):
+    uv = V[:, :2].copy()
+    uv[7] += 0.9, 0
+    lines = [f'v {x} {y} {z}' for x, y, z in V] + [f'vt {u} {v}' for u, v in uv]
+    lines += ['f ' + ' '.join(f'{k}/{k}' for k in face + 1) for face in F]
+    (tmp_path / 'own.obj').write_text('\n'.join(lines))
+    ax = majorant.read(tmp_path / 'own.obj').plot(plt.figure().gca())
+    over = ax.collections[1]
+    assert over.get_label() == '2 triangles turned over'
+    assert np.allclose(255 * over.get_facecolor()[0, :3], (214, 0, 190))
 
 
 def test_a_plot_has_seams_and_charts(plt):
@@ -76,8 +110,9 @@ def test_to_meshio_and_back(tmp_path, degree):
     block, = mesh.cells
     assert block.type == {1: 'triangle', 2: 'triangle6', 3: 'triangle10', 4: 'triangle15'}[degree]
     assert np.array_equal(block.data, r.cells) and np.array_equal(mesh.points, r.nodes)
-    assert np.allclose(mesh.point_data['uv'][r.cells[:, :3]], r.corner_uv)
-    middle = mesh.point_data['uv'][r.cells[:, 3]] if degree == 2 else r.evaluate(np.arange(len(F)), [0.5, 0.5, 0])
+    uv = mesh.point_data['uv'][:, :2]
+    assert np.allclose(uv[r.cells[:, :3]], r.corner_uv) and not mesh.point_data['uv'][:, 2].any()
+    middle = uv[r.cells[:, 3]] if degree == 2 else r.evaluate(np.arange(len(F)), [0.5, 0.5, 0])
     assert np.allclose(middle, r.evaluate(np.arange(len(F)), [0.5, 0.5, 0]))
     if degree == 1:
         mesh.write(tmp_path / 'a.vtu')
@@ -88,10 +123,22 @@ def test_to_meshio_and_back(tmp_path, degree):
             majorant.mesh_arrays(mesh)
 
 
+@pytest.mark.parametrize('degree', [2, 3, 5])
+def test_meshio_writes_curved_triangles(tmp_path, degree):
+    meshio = pytest.importorskip('meshio')
+    r = majorant.parametrize(V, F, degree=degree)
+    for names, name, options in (('vtk', 'a.vtu', {}), ('gmsh', 'a.msh', {'file_format': 'gmsh'})):
+        r.to_meshio(names).write(tmp_path / name, **options)
+        block, = meshio.read(tmp_path / name).cells
+        assert np.array_equal(block.data, r.cells)
+    with pytest.raises(majorant.UsageError, match='names'):
+        r.to_meshio('vtu')
+
+
 def test_nodes_of_meshio_are_where_the_surface_is_evaluated():
     """Values at the nodes of a Lagrange triangle of degree 3 are its polynomial."""
     r = majorant.parametrize(V, F, degree=3)
-    uv = r.to_meshio().point_data['uv']
+    uv = r.to_meshio().point_data['uv'][:, :2]
     cell = r.cells[11]
     corner = r.nodes[cell[:3]]
     for node, point in zip(cell, r.nodes[cell]):

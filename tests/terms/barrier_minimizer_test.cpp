@@ -141,6 +141,10 @@ TEST(BarrierMinimizer, LimitsAndStarts) {
   const BarrierResult outside = run({}, Vec::Constant(10, 1));
   EXPECT_EQ(outside.status, Status::Infeasible);
   EXPECT_EQ(outside.y, Vec::Constant(10, 1));
+  EXPECT_TRUE(
+      outside.message.ends_with("Bounds::interior() moves a start inside, "
+                                "BarrierMinimizer::of_bounds() leads it"))
+      << outside.message;
 }
 
 // x_k >= limit for every unknown; certifies paths.
@@ -253,10 +257,90 @@ TEST(BarrierMinimizer, SaysWhichBoundNoPointMeets) {
   builder.add(std::make_shared<const HeldBelow>());
   const BarrierResult result =
       BarrierMinimizer::of_bounds({{barrier, above}}).run(builder.build(), Vec::Zero(2));
-  EXPECT_EQ(result.status, Status::Infeasible);
-  EXPECT_EQ(result.message, "no point was found that meets the bound 'above'");
+  EXPECT_EQ(result.status, Status::Stalled);
+  EXPECT_EQ(result.message,
+            "no point was found that meets the bound 'above', held back by 'held below'; that is "
+            "no proof that there is none, start inside");
   EXPECT_EQ(result.blocking, std::vector<Index>{0});
   EXPECT_TRUE(result.phases.empty());
+}
+
+// x^2 with x >= low, and 1 - x^2 >= 0 so many times.
+struct Slit {
+  Problem problem;
+  BarrierMinimizer minimizer;
+
+  explicit Slit(double low, Index copies = 1) : Slit(low, copies, ProblemBuilder(1)) {}
+
+ private:
+  Slit(double low, Index copies, ProblemBuilder builder) : problem(), minimizer({}) {
+    builder.add(make_term<1>("bowl", Cells{{0}}, [](Index, const auto& z) { return z[0] * z[0]; }),
+                1);
+    const double none = std::numeric_limits<double>::infinity();
+    const auto above = Bounds(Vec::Constant(1, low), Vec::Constant(1, none)).checker();
+    const auto below = inequality<1>("below 1", Cells::Zero(copies, 1), [](Index, const auto& z) {
+                         return 1.0 - z[0] * z[0];
+                       }).checker();
+    const HeldBound held[] = {{builder.add(above->barrier(), 1), above},
+                              {builder.add(below->barrier(), 1), below}};
+    builder.add(above).add(below);
+    problem = builder.build();
+    minimizer = BarrierMinimizer::of_bounds({held[0], held[1]});
+  }
+};
+
+TEST(BarrierMinimizer, FindsANarrowInside) {
+  for (const double low : {0.5, 0.9, 0.99, 0.9999})
+    for (const Index copies : {1, 1000})
+      for (const double start : {-0.9, 0.0, 5.0}) {
+        SCOPED_TRACE(testing::Message() << low << " " << copies << " " << start);
+        const Slit slit(low, copies);
+        const BarrierResult result = slit.minimizer.run(slit.problem, Vec::Constant(1, start));
+        EXPECT_EQ(result.status, Status::Converged) << result.message;
+        EXPECT_NEAR(result.y[0], low, 1e-5);
+        EXPECT_GT(result.y[0], low);
+        EXPECT_LE(result.iterations.size(), 100);
+      }
+}
+
+TEST(BarrierMinimizer, SaysByHowMuchBoundsContradictEachOther) {
+  const Slit slit(1.25);
+  for (const double start : {0.0, 5.0}) {  // 1 - x^2 >= 0 holds, and x >= 1.25
+    SCOPED_TRACE(start);
+    const BarrierResult result = slit.minimizer.run(slit.problem, Vec::Constant(1, start));
+    EXPECT_EQ(result.status, Status::Infeasible);
+    EXPECT_TRUE(result.phases.empty());
+    EXPECT_EQ(result.message,
+              start == 0 ? "no point meets the bounds, or none nearby if they are not convex: "
+                           "their smallest violation is that of 'bounds' by 0.25 at unknown 0, "
+                           "held back by 'below 1'"
+                         : "no point meets the bounds, or none nearby if they are not convex: "
+                           "their smallest violation is that of 'below 1' by 0.563 at unknown 0, "
+                           "held back by 'bounds'");
+  }
+}
+
+TEST(BarrierMinimizer, AStationaryPointThatIsNoMinimumProvesNothing) {
+  // Two points in one place have no direction in which they part.
+  ProblemBuilder builder(2);
+  builder.add(
+      make_term<2>("bowl", Cells{{0, 1}}, [](Index, const auto& z) { return z.squaredNorm(); }), 1);
+  const auto apart = inequality<2>("apart", Cells{{0, 1}}, [](Index, const auto& z) {
+                       return (z[1] - z[0]) * (z[1] - z[0]) - 1.0;
+                     }).checker();
+  const TermId barrier = builder.add(apart->barrier(), 1);
+  builder.add(apart);
+  const BarrierMinimizer minimizer = BarrierMinimizer::of_bounds({{barrier, apart}});
+  const Problem problem = builder.build();
+  const BarrierResult held = minimizer.run(problem, Vec::Zero(2));
+  EXPECT_EQ(held.status, Status::Stalled);
+  EXPECT_EQ(held.message,
+            "no point was found that meets the bounds: the last one violates 'apart' by 1 at "
+            "element 0, which begins with unknown 0; that is no proof that there is none, start "
+            "inside");
+  const BarrierResult found = minimizer.run(problem, Vec{{0, 0.1}});
+  EXPECT_EQ(found.status, Status::Converged) << found.message;
+  EXPECT_NEAR(found.energy, 0.5, 1e-6);
 }
 
 TEST(BarrierMinimizer, LimitsHoldOnTheWayInside) {

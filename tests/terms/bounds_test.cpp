@@ -32,6 +32,20 @@ TEST(Bounds, BarrierAndItsDerivatives) {
     EXPECT_EQ(Evaluator(problem).value(outside), kInfinity);
 }
 
+TEST(Bounds, ViolationAndItsDerivatives) {
+  const Bounds bounds(Vec{{0, 0, -kInfinity}}, Vec{{0.1, kInfinity, kInfinity}});
+  const auto measure = std::dynamic_pointer_cast<const ViolationMeasure>(bounds.checker());
+  ASSERT_TRUE(measure);
+  const auto violation = measure->violation(0.1);  // of the gap, where there is one
+  EXPECT_EQ(violation->element_dofs().nodes, bounds.barrier()->element_dofs().nodes);
+  const Vec x{{0.4, -2, 7}};
+  const DerivativeReport report = check_derivatives(*violation, x);
+  EXPECT_TRUE(report.ok()) << report.message();
+  const Problem problem = ProblemBuilder(3).add(violation, 1).build();
+  EXPECT_NEAR(Evaluator(problem).value(x), 0.31 * 0.31 + 2.1 * 2.1, 1e-14);
+  EXPECT_EQ(Evaluator(problem).value(Vec{{0.05, 0.2, 0}}), 0);
+}
+
 TEST(Bounds, StepsAreLimited) {
   const auto checker = Bounds(Vec{{0, -1, -kInfinity}}, Vec{{4, kInfinity, kInfinity}}).checker();
   const Vec x{{1, 1, 0}};

@@ -164,6 +164,8 @@ const Vec& ChartSolver::tutte() {
 // True where it ends with an injective map, which is the chart's then.
 bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecord& record) {
   if (record.directive() != Directive::Continue) return false;
+  // The steps of another attempt are told apart from those of the one before.
+  if (record.observer() && !record.trace().empty()) record.observer()->begin(Activity::Solving);
   ParametrizationOptions options = options_;
   options.map.injectivity = injectivity;
   options.map.initial.reset();

@@ -26,7 +26,7 @@ addEventListener('error', (event) => surprises.push(event.message || 'a resource
 document.addEventListener('securitypolicyviolation', (e) => surprises.push(e.violatedDirective));
 </script>"""
 
-PROBE = """<script>
+PROBE = """<script type="module">
 const found = {};
 const count = (selector) => document.querySelectorAll(selector).length;
 const survey = () => ({
@@ -67,6 +67,15 @@ try {
   }
   for (const button of document.querySelectorAll('#legend button')) button.click();
   found.hidden = survey();
+  const table = document.querySelector('.scroll');
+  await new Promise((done) => setTimeout(done, 100));  // observers
+  found.goesOn = [!document.getElementById('goes-on').hidden, table.scrollWidth > table.clientWidth];
+  table.scrollLeft = 1e5;
+  const ends = [...document.querySelectorAll('thead tr:first-child th, tbody tr:first-child > *')].map(
+      (cell) => cell.getBoundingClientRect().right);
+  found.reachable = Math.max(...ends) <= innerWidth;
+  const first = document.querySelector('tbody th');
+  found.methodInSight = !first || first.getBoundingClientRect().left >= 0;
   found.overflow = document.documentElement.scrollWidth - innerWidth;
 } catch (error) {
   surprises.push(String(error.stack));
@@ -113,6 +122,8 @@ def check(page, folder, width):
     expect(found['legend'] == found['rows'] == found['swatches'] == runs, 'a run is missing')
     expect(found['hostile'] == 0, 'a text became an element')
     expect(found['overflow'] <= 0, 'wider than the window')
+    expect(found['goesOn'][0] == found['goesOn'][1], 'nothing says that the table goes on')
+    expect(found['reachable'] and found['methodInSight'], 'a column of the table is out of reach')
     for survey in [found['start'], *found['views']]:
         expect(survey['runs'] == 2 * runs and survey['titles'] == 2, 'charts are not complete')
         expect(survey['unplaced'] == 0, 'a mark without a place')

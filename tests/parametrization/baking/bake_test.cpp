@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "counted_stop.h"
@@ -92,6 +93,63 @@ TEST(Bake, ChartsThinnerThanATexelHaveTexels) {
     EXPECT_EQ(baked.counts.partly, 5);
     EXPECT_NEAR(baked.image.value(2, 3, 1), (0.5625 - 0.3) / 0.5, 0.02);
   }
+}
+
+// A bumpy square, cut at x = 1/2; its halves lie apart, one of them turned and smaller.
+BezierMap apart(const SurfaceMesh& square) {
+  std::vector<char> is_cut(square.opposites().size(), 0);
+  const auto is_middle = [&](Index v) { return square.positions()(v, 0) == 0.5; };
+  for (Index h = 0; h < square.half_edge_count(); ++h)
+    is_cut[to_size(h)] = is_middle(square.from_vertex(h)) && is_middle(square.to_vertex(h));
+  const auto mesh = std::make_shared<const SurfaceMesh>(square.cut_along(is_cut, nullptr));
+  Vec uv(2 * mesh->vertex_count());
+  for (Index f = 0; f < mesh->face_count(); ++f) {
+    const bool is_left = mesh->positions()(mesh->faces()(f, 0), 0) +
+                             mesh->positions()(mesh->faces()(f, 1), 0) +
+                             mesh->positions()(mesh->faces()(f, 2), 0) <
+                         1.5;
+    for (Index k = 0; k < 3; ++k) {
+      const Index v = mesh->faces()(f, k);
+      const double x = mesh->positions()(v, 0), y = mesh->positions()(v, 1);
+      uv.segment<2>(2 * v) = is_left ? Vector2(0.05 + 0.8 * x, 0.1 + 0.8 * y)
+                                     : Vector2(0.95 - 0.35 * y, 0.1 + 0.35 * x);
+    }
+  }
+  return BezierMap::linear(mesh, uv);
+}
+
+TEST(Bake, BothSidesOfACutLookAlike) {
+  const BezierMap map = apart(*surface(grid(4, flat)));
+  BakeOptions options = floats(96, 64);
+  options.padding = 1;
+  const BakedImage baked = bake(InverseMap(map), options, *same_places(map.mesh(), map.mesh()),
+                                position_values(map.mesh()));
+  EXPECT_EQ(baked.counts.charts, 2);
+  const ColorDecoder decoder(baked.image, Transfer::Linear);
+  for (int k = 20; k <= 180; ++k) {  // away from the border, beyond which nothing goes on
+    const double y = k / 200.0;
+    for (const Vector2& uv :
+         {Vector2(0.05 + 0.8 * 0.5, 0.1 + 0.8 * y), Vector2(0.95 - 0.35 * y, 0.1 + 0.35 * 0.5)}) {
+      std::array<float, 3> value{};
+      sample(baked.image, decoder, uv, Filter::Bilinear, value.data());
+      EXPECT_NEAR(value[0], 0.5, 1e-5) << uv.transpose();
+      EXPECT_NEAR(value[1], y, 1e-5) << uv.transpose();
+    }
+  }
+}
+
+TEST(Bake, NumbersOfFacesAreNotContinued) {
+  const BezierMap map = apart(*surface(grid(4, flat)));
+  BakeOptions options = floats(96, 64);
+  options.padding = 2;
+  const BakedImage baked =
+      bake(InverseMap(map), options, *same_places(map.mesh(), map.mesh()), face_values(map.mesh()));
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 48; ++x) {  // around the left half
+      const float face = baked.image.value(x, y, 0);
+      if (face < 0) continue;
+      EXPECT_EQ(static_cast<int>(face) / 2 % 4 < 2, true) << x << ' ' << y;
+    }
 }
 
 TEST(Bake, CountsOverlapsAndMisses) {

@@ -229,6 +229,10 @@ new ResizeObserver(() => {
   width = charts[0].svg.clientWidth;
   render();
 }).observe(charts[0].figure);
+const table = document.querySelector('.scroll');
+new ResizeObserver(() => {
+  document.getElementById('goes-on').hidden = table.scrollWidth <= table.clientWidth;
+}).observe(table);
 render();
 document.documentElement.dataset.ready = 'yes';
 window.comparisonPage = {charts};  // for tests

@@ -90,18 +90,20 @@ export function writeFacts(app) {
   const parts = [...proofsOf(facts)];
   if (ofResult.childElementCount > 0) parts.unshift(measured);
   if (app.other) parts.unshift(...captionsOf([map, app.other]));
-  if (facts.message)
-    parts.push(element('p', {className: 'note'}, `${wordsOf(facts.status)}: ${facts.message}`));
+  const ending = element('p', {className: 'note'}, `${wordsOf(facts.status)}: ${facts.message}`);
+  if (facts.message) parts.push(ending);
   if (Object.keys(facts).length > 0)
     parts.push(element('details', {}, element('summary', {}, 'all of the report'),
                        element('pre', {tabindex: 0}, JSON.stringify(facts, null, 1))));
   byId('facts').append(...parts);
   byId('facts').hidden = parts.length === 0;
-  // Numbers are those of the map that the film shows; what was proven stays that of the result.
+  // Numbers are those of the map that the film shows, how the run ended is said of its last one; what
+  // was proven stays that of the result.
   state.watch(['frame'], () => {
     const isResult = state.frame === null;
     byId('summary').textContent = summaryOf(map, state.frame, app.other);
     byId('facts').classList.toggle('past', !isResult);
+    ending.hidden = !isResult;
     measured.replaceChildren(
         element('h2', {}, isResult ? 'Measured'
             : `Measured, iteration ${readable(map.snapshots[state.frame].iteration)}`),

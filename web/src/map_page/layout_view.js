@@ -22,15 +22,15 @@ export class LayoutView extends View {
     camera.position.set(0, 0, 1);
     camera.up.set(-s, c, 0);
     super('layout', stage, element, camera, TOUCH.DOLLY_PAN, shared);
-    const {uvBounds, turnedBounds} = shared.map;
-    this.extent = 1.08 * turnedBounds.size / uvBounds.size;
+    const {uvBounds, shownBounds} = shared.map;
+    this.extent = 1.08 * shownBounds.size / uvBounds.size;
     this.cells = new CellFinder(shared.map);
     this.chords = new Chords(shared.map);
     Object.assign(this.controls, {
       enableRotate: false, zoomToCursor: true, minZoom: 0.2, maxZoom: 2000,
       mouseButtons: {LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN},
     });
-    const [x, y] = this.upright(turnedBounds.center);
+    const [x, y] = this.upright(shownBounds.center);
     this.setPose([(x - uvBounds.center[0]) / uvBounds.size,
                   (y - uvBounds.center[1]) / uvBounds.size, 1]);
     this.homePose = this.pose();

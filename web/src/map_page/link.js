@@ -25,6 +25,9 @@ const rising = (text) => {
 
 // The words of what is switched: of what in the state, and what their texts mean; undefined: nothing.
 function wordsOf({map, titles, toggles}) {
+  // The last map is the result, which has no word.
+  const frameOf = (text) =>
+      (map.snapshots[text] && Number(text) < map.snapshots.length - 1 ? Number(text) : undefined);
   const words = {
     show: {of: 'show', read: oneOf(Object.keys(titles))},
     texture: {of: 'texture', read: oneOf(['checker', 'grid', 'numbers'])},
@@ -32,7 +35,7 @@ function wordsOf({map, titles, toggles}) {
     range: {of: 'range', read: rising},
     brush: {of: 'brush', read: rising},
     straight: {of: 'wipe', read: within(0, 1)},
-    frame: {of: 'frame', read: (text) => (map.snapshots[text] ? Number(text) : undefined)},
+    frame: {of: 'frame', read: frameOf},
     picture: {of: 'pictureScale', read: (text) => ({2: 2, 4: 4})[text]},
     transparent: {of: 'isTransparent', read: flag},
   };

@@ -61,7 +61,7 @@ function makeApp() {
     scales.difference = differenceScale(map, other, energy, scales.area);
   const isDeformation = map.claims.init === 'planar';
   const state = new State({
-    show: scales[data.show] ? data.show : scales.difference ? 'difference' : 'texture',
+    show: scales[data.show] ? data.show : scales.difference ? 'density' : 'texture',
     texture: 'checker', squares: 0, rest: isDeformation, wipe: 0, range: null, brush: null,
     edges: true, seams: true, cones: true, points: true, scaffold: true, faults: true,
     overlaps: map.cones.length === 0, square: map.isInSquare,

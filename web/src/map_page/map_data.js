@@ -63,6 +63,15 @@ function addGeometry(map) {
   }
 }
 
+function boundsBetween(low, high) {
+  const center = low.map((x, d) => 0.5 * x + 0.5 * high[d]);
+  const size = Math.max(...low.map((x, d) => high[d] - x));
+  return {low, high, center, size: size > 0 ? size : 1};
+}
+
+const unionOf = (a, b) => boundsBetween(a.low.map((x, d) => Math.min(x, b.low[d])),
+                                        a.high.map((x, d) => Math.max(x, b.high[d])));
+
 export function boundsOf(values, dimension) {
   const low = Array(dimension).fill(Infinity);
   const high = Array(dimension).fill(-Infinity);
@@ -71,9 +80,7 @@ export function boundsOf(values, dimension) {
     if (values[k] < low[d]) low[d] = values[k];
     if (values[k] > high[d]) high[d] = values[k];
   }
-  const center = low.map((x, d) => 0.5 * x + 0.5 * high[d]);
-  const size = Math.max(...low.map((x, d) => high[d] - x));
-  return {low, high, center, size: size > 0 ? size : 1};
+  return boundsBetween(low, high);
 }
 
 // uv of points, one after the other, turned so that the direction is horizontal.
@@ -102,7 +109,8 @@ function contactsOf(map) {
   }));
 }
 
-// The map of the page. uv, positions: as in the file, in doubles; bounds of both.
+// The map of the page. uv, positions: as in the file, in doubles; bounds of both, and of all that
+// the film shows.
 export function readMap(data) {
   const map = {
     ...planeOf(data),
@@ -127,6 +135,8 @@ export function readMap(data) {
   map.snapshots = data.snapshots.map(({uv, ...rest}) => ({...rest, uv: arrayOf(Float32Array, uv)}));
   map.uvBounds = boundsOf(map.uv, 2);
   map.turnedBounds = boundsOf(turnedAlong(map.direction, map.uv), 2);
+  map.shownBounds = map.snapshots.reduce(
+      (all, {uv}) => unionOf(all, boundsOf(turnedAlong(map.direction, uv), 2)), map.turnedBounds);
   map.bounds = boundsOf(map.positions, 3);
   // Made for the unit square, or of whoever knows none but that.
   map.isInSquare = Boolean(map.claims.normalized) || map.scaleIsAssumed;

@@ -18,7 +18,10 @@ export function measure(app, {face, xi}) {
   const [S, s] = singularValues(map.degree, q, rest, map.scale);
   const values = Object.fromEntries(Object.keys(app.scales).filter((name) => name !== 'difference')
       .map((name) => [name, valuesOf[name](S, s, energy)]));
-  return {face, xi, u, v, ...values, 'sigma-max': S, 'sigma-min': s};
+  const corners = cornersOf(map, face);
+  const [x, y, z] = [0, 1, 2].map((d) => corners.reduce(
+      (sum, corner, c) => sum + xi[c] * map.positions[3 * corner + d], 0));
+  return {face, xi, u, v, x, y, z, ...values, 'sigma-max': S, 'sigma-min': s};
 }
 
 function linesOf(app, place) {
@@ -34,6 +37,7 @@ function linesOf(app, place) {
   if (map.chart) lines.push(['chart', readable(map.chart[face])]);
   if (others) lines.push(['', 'A | B']);
   lines.push(['u', valueOf('u')], ['v', valueOf('v')]);
+  lines.push(['x y z', ['x', 'y', 'z'].map((name) => readable(values[name], 6)).join('  ')]);
   for (const name of ['sigma-max', 'sigma-min', 'area', 'angle', 'density'])
     if (name in values) lines.push([app.symbols[name], valueOf(name)]);
   if (others && 'density' in values)

@@ -125,10 +125,18 @@ export class View {
     if (this.hatch) this.hatch.visible &&= state.overlaps;
   }
 
-  // An orthographic camera whose height at zoom 1 is `extent`, or its width where that is less.
+  // The part of the height that no caption covers, above or as much below.
+  get openShare() {
+    const caption = this.element.querySelector('.caption');
+    if (!caption) return 1;
+    const covered = caption.offsetTop + caption.offsetHeight;
+    return Math.max(0.5, 1 - 2 * covered / this.element.offsetHeight);
+  }
+
+  // An orthographic camera whose open height at zoom 1 is `extent`, or its width where that is less.
   fit(width, height) {
     const {camera} = this;
-    const half = 0.5 * this.extent * Math.max(1, height / width);
+    const half = 0.5 * this.extent * Math.max(1 / this.openShare, height / width);
     camera.top = half;
     camera.bottom = -half;
     camera.right = half * width / height;

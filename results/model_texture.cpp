@@ -1,4 +1,4 @@
-#include "majorant/results/obj_texture.h"
+#include "majorant/results/model_texture.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/io/gltf_texture.h"
 #include "majorant/io/input_file.h"
 #include "majorant/pictures/image_file.h"
 
@@ -62,7 +63,7 @@ std::string image_name(std::string_view rest, const std::string& file) {
 
 class MaterialReader {
  public:
-  explicit MaterialReader(ObjTexture& texture) : texture_(texture) {}
+  explicit MaterialReader(ModelTexture& texture) : texture_(texture) {}
 
   void read(const std::string& path, const StopCheck& stop) {
     std::string text = read_whole_file(path, stop);
@@ -87,7 +88,7 @@ class MaterialReader {
   std::map<std::string, Material, std::less<>> materials;
 
  private:
-  ObjTexture& texture_;
+  ModelTexture& texture_;
 };
 
 // Of another kind than map_Kd, which lies in the old layout.
@@ -104,7 +105,7 @@ Raster of_color(const std::array<float, 3>& color) {
   return pixel;
 }
 
-std::string materials_text(const ObjTexture& texture, const std::string& image) {
+std::string materials_text(const ModelTexture& texture, const std::string& image) {
   std::string text;
   for (const std::string& line : texture.lines) {
     const std::string_view word = split(line).first;
@@ -115,10 +116,8 @@ std::string materials_text(const ObjTexture& texture, const std::string& image) 
   return text;
 }
 
-}  // namespace
-
-ObjTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop) {
-  ObjTexture texture;
+ModelTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop) {
+  ModelTexture texture;
   MaterialReader reader(texture);
   const std::filesystem::path folder = std::filesystem::path(polygons.file).parent_path();
   for (const auto& [polygon, line] : polygons.directives) {
@@ -130,7 +129,7 @@ ObjTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop) 
                   [](const auto& material) { return !material.second.map.empty(); });
   if (!has_map || polygons.polygon_texcoords.empty())
     throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: has no texture to move: texture coordinates, and an mtllib with a "
+                fmt::format("{}: has no texture to bake: texture coordinates, and an mtllib with a "
                             "map_Kd",
                             polygons.file));
   std::map<std::string, int, std::less<>> number_of_map;
@@ -161,6 +160,61 @@ ObjTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop) 
   return texture;
 }
 
+// A white pixel for materials without a texture.
+ModelTexture read_gltf_texture(const PolygonMesh& polygons, const StopCheck& stop) {
+  BaseColors colors = base_colors(polygons, stop);
+  if (colors.images.empty() || polygons.polygon_texcoords.empty())
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: has no texture to bake: texture coordinates, and a material with "
+                            "a base colour texture",
+                            polygons.file));
+  ModelTexture texture;
+  texture.image_of_polygon = std::move(colors.image_of_polygon);
+  for (const BaseColors::Image& image : colors.images)
+    texture.images.push_back(decode_image(image.name, image.bytes));
+  const auto white = static_cast<int>(texture.images.size());
+  std::vector<int>& numbers = texture.image_of_polygon;
+  if (std::find(numbers.begin(), numbers.end(), -1) == numbers.end()) return texture;
+  std::replace(numbers.begin(), numbers.end(), -1, white);
+  texture.images.push_back(of_color({1, 1, 1}));
+  return texture;
+}
+
+// What `old` carries, in the layout of the model that was written.
+BakeJob baked(ModelTexture& texture, const PolygonMesh& old, const std::string& model,
+              const StopCheck& stop) {
+  BakeJob job;
+  job.target = read_bake_surface(model, Texcoords::Needed, stop);
+  job.carrier = bake_surface(old, Texcoords::Needed, stop);
+  int side = 1;
+  bool is_wide = false;
+  for (const Raster& image : texture.images) {
+    side = std::max({side, image.width(), image.height()});
+    is_wide = is_wide || image.depth() != PixelDepth::Eight;
+  }
+  job.options.width = job.options.height = side;
+  job.options.depth = is_wide ? PixelDepth::Sixteen : PixelDepth::Eight;
+  job.options.transfer = Transfer::Srgb;
+  job.images = std::move(texture.images);
+  job.image_of_polygon = std::move(texture.image_of_polygon);
+  job.run(stop);
+  if (!job.is_proven())
+    throw Error(ErrorKind::Invalid,
+                fmt::format("{}: its layout overlaps, so that its texture cannot be baked", model));
+  return job;
+}
+
+}  // namespace
+
+ModelTexture read_texture(const PolygonMesh& polygons, const StopCheck& stop) {
+  return polygons.gltf ? read_gltf_texture(polygons, stop) : read_obj_texture(polygons, stop);
+}
+
+bool may_have_texture(const std::string& model) {
+  const std::string format = format_of(model);
+  return format == ".obj" || format == ".glb" || format == ".gltf";
+}
+
 std::string texture_file(const std::string& obj) { return beside(obj, ".png"); }
 std::string material_file(const std::string& obj) { return beside(obj, ".mtl"); }
 
@@ -182,29 +236,17 @@ PolygonMesh with_material_file(PolygonMesh polygons, const std::string& obj) {
   return polygons;
 }
 
-void bake_texture(ObjTexture texture, const PolygonMesh& old, const std::string& obj,
-                  const StopCheck& stop) {
-  BakeJob job;
-  job.target = read_bake_surface(obj, Texcoords::Needed, stop);
-  job.carrier = bake_surface(old, Texcoords::Needed, stop);
-  int side = 1;
-  bool is_wide = false;
-  for (const Raster& image : texture.images) {
-    side = std::max({side, image.width(), image.height()});
-    is_wide = is_wide || image.depth() != PixelDepth::Eight;
+void bake_texture(ModelTexture texture, const PolygonMesh& old, const std::string& model,
+                  const FileVerification& verify, const StopCheck& stop) {
+  const BakeJob job = baked(texture, old, model, stop);
+  if (format_of(model) != ".obj") {
+    const std::string png = encode_image(texture_file(model), job.baked->image,
+                                         {.transfer = Transfer::Srgb, .channels = {}});
+    return write_base_color(model, job.target.polygons, png, verify);
   }
-  job.options.width = job.options.height = side;
-  job.options.depth = is_wide ? PixelDepth::Sixteen : PixelDepth::Eight;
-  job.options.transfer = Transfer::Srgb;
-  job.images = std::move(texture.images);
-  job.image_of_polygon = std::move(texture.image_of_polygon);
-  job.run(stop);
-  if (!job.is_proven())
-    throw Error(ErrorKind::Invalid,
-                fmt::format("{}: its layout overlaps, so that its texture cannot be baked", obj));
-  const std::string image = texture_file(obj);
+  const std::string image = texture_file(model);
   write_baked(image, job);
-  write_file_atomically(material_file(obj),
+  write_file_atomically(material_file(model),
                         materials_text(texture, std::filesystem::path(image).filename().string()));
 }
 

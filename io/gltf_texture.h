@@ -1,0 +1,46 @@
+// The base colour textures of a glTF file: what its triangles show by TEXCOORD_0, and one image in
+// their place.
+//
+//   const PolygonMesh cup = read_mesh("cup.glb");
+//   const BaseColors colors = base_colors(cup);
+//   colors.images[to_size(colors.image_of_polygon[12])].bytes;      // a PNG or JPEG
+//   // baked into the layout of new.glb, which write_gltf() has made of cup:
+//   write_base_color("new.glb", read_mesh("new.glb"), png_of_the_new_layout, verify);
+//
+// Other textures (normals, roughness, ...) stay as they are, shown by the set of coordinates that
+// write_gltf() has moved the old ones to.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/io/atomic_file.h"
+#include "majorant/mesh/polygon_mesh.h"
+
+namespace majorant {
+
+struct BaseColors {
+  struct Image {
+    std::string bytes;
+    std::string name;  // for messages
+  };
+  std::vector<Image> images;
+  std::vector<int> image_of_polygon;  // -1: its material shows none
+};
+
+// mesh: read from glTF. Throws Error(Unsupported) for textures that are scaled or moved
+// (KHR_texture_transform), shown by another set of coordinates, or of a kind that glTF itself does
+// not have; Error(Unreadable) for images that are not there; Stopped.
+BaseColors base_colors(const PolygonMesh& mesh, const StopCheck& stop = {});
+
+// Writes the file that `mesh` was read from to `path`, where all materials of triangles that have
+// shown a base colour texture show this PNG instead, by TEXCOORD_0. Coordinates and images that
+// nothing shows any more are left out. Throws as write_gltf().
+void write_base_color(const std::string& path, const PolygonMesh& mesh, const std::string& png,
+                      const FileVerification& verify = {});
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

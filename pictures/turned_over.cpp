@@ -1,0 +1,36 @@
+#include "majorant/pictures/turned_over.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "majorant/framework/parallel.h"
+#include "majorant/parametrization/maps/extreme_samples.h"
+#include "majorant/pictures/internal/bezier_image.h"
+
+namespace majorant {
+
+std::vector<Index> turned_over_cells(const MapFile& map) {
+  constexpr Index kPiece = 64;
+  const BezierImage image(map, 1);
+  const std::vector<Barycentric> points = extreme_samples(map.degree);
+  std::vector<char> is_over(to_size(static_cast<Index>(map.cells.rows())));
+  parallel_for(static_cast<Index>(is_over.size()), kPiece, [&](Index cell) {
+    is_over[to_size(cell)] = std::any_of(points.begin(), points.end(), [&](const Barycentric& xi) {
+      return !(image.at(cell, xi).distortion.sigma_2 > 0);
+    });
+  });
+  std::vector<Index> cells;
+  for (std::size_t cell = 0; cell < is_over.size(); ++cell)
+    if (is_over[cell]) cells.push_back(static_cast<Index>(cell));
+  return cells;
+}
+
+std::string turned_over_words(std::size_t count) {
+  return fmt::format("{} triangle{} turned over", count, count == 1 ? "" : "s");
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

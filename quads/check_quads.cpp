@@ -1,0 +1,393 @@
+#include "majorant/quads/check_quads.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/error.h"
+#include "majorant/mesh/union_find.h"
+#include "majorant/parametrization/baking/nearest_point.h"
+#include "majorant/quads/exact_normals.h"
+
+namespace majorant {
+namespace {
+
+constexpr std::size_t kNamed = 8;  // places that a sentence names
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+// "3 quads are folded (1, 7, 9)"; of many the first.
+std::string listed(std::string_view one, std::string_view several,
+                   const std::vector<Index>& from_0) {
+  std::vector<Index> shown;
+  for (const Index i : from_0) {
+    if (shown.size() == kNamed) break;
+    shown.push_back(i + 1);
+  }
+  return fmt::format("{} {} ({}{})", from_0.size(), from_0.size() == 1 ? one : several,
+                     fmt::join(shown, ", "), from_0.size() > kNamed ? ", ..." : "");
+}
+
+// Half-edge 4 q + k runs along quad q from its corner k to its corner k + 1 (mod 4).
+Index quad_of(Index half_edge) { return half_edge / 4; }
+Index after(Index half_edge) { return half_edge % 4 == 3 ? half_edge - 3 : half_edge + 1; }
+Index before(Index half_edge) { return half_edge % 4 == 0 ? half_edge + 3 : half_edge - 1; }
+
+class QuadJudge {
+ public:
+  QuadJudge(const PolygonMesh& quads, const SurfaceMesh* surface, const StopCheck& stop)
+      : quads_(quads), surface_(surface), stop_(stop) {
+    const auto vertices = static_cast<Index>(quads.positions.size());
+    for (const Vector3& p : quads.positions)
+      if (!p.allFinite()) throw InvalidArgument("check_quads: a position is not finite");
+    for (const auto& polygon : quads.polygons)
+      for (const Index v : polygon) require_index("check_quads: vertex", v, vertices);
+  }
+
+  QuadCheck judge() {
+    check_.count = static_cast<Index>(quads_.polygons.size());
+    if (!are_all_quads() || !join_edges() || !has_single_fans()) return check_;
+    count_topology();
+    measure_corners();
+    if (surface_) compare();
+    return check_;
+  }
+
+ private:
+  void blame(std::string defect) { check_.defects.push_back(std::move(defect)); }
+  Index half_edge_count() const { return 4 * check_.count; }
+  Index from(Index half_edge) const { return quads_.polygons[quad_of(half_edge)][half_edge % 4]; }
+  Index to(Index half_edge) const { return from(after(half_edge)); }
+  const Vector3& point(Index vertex) const { return quads_.positions[vertex]; }
+
+  bool are_all_quads() {
+    std::vector<Index> others;
+    for (Index q = 0; q < check_.count; ++q) {
+      std::vector<Index> corners = quads_.polygons[q];
+      std::sort(corners.begin(), corners.end());
+      const bool repeats = std::adjacent_find(corners.begin(), corners.end()) != corners.end();
+      if (corners.size() != 4 || repeats) others.push_back(q);
+    }
+    if (check_.count == 0) blame("there are no faces");
+    if (!others.empty())
+      blame(listed("face is no quad of four vertices", "faces are no quads of four vertices",
+                   others));
+    return check_.defects.empty();
+  }
+
+  // Opposites. An edge has at most two quads, which run against each other along it.
+  bool join_edges() {
+    std::vector<Index> order(to_size(half_edge_count()));
+    std::iota(order.begin(), order.end(), 0);
+    const auto ends = [&](Index h) { return std::minmax({from(h), to(h)}); };
+    std::sort(order.begin(), order.end(),
+              [&](Index a, Index b) { return std::tuple(ends(a), a) < std::tuple(ends(b), b); });
+    opposite_.assign(order.size(), -1);
+    std::vector<std::string> crowded, opposed;
+    for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
+      while (j < order.size() && ends(order[j]) == ends(order[i])) ++j;
+      const auto [a, b] = ends(order[i]);
+      if (j - i > 2) crowded.push_back(fmt::format("({}, {})", a + 1, b + 1));
+      if (j - i != 2) continue;
+      if (from(order[i]) == from(order[i + 1]))
+        opposed.push_back(fmt::format("({}, {})", a + 1, b + 1));
+      opposite_[order[i]] = order[i + 1];
+      opposite_[order[i + 1]] = order[i];
+    }
+    const auto blame_edges = [&](std::string_view what, const std::vector<std::string>& edges) {
+      if (edges.empty()) return;
+      const auto shown =
+          edges.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, edges.size()));
+      blame(fmt::format("{} {} (vertices {}{})", edges.size(), what,
+                        fmt::join(edges.begin(), shown, ", "),
+                        edges.size() > kNamed ? ", ..." : ""));
+    };
+    blame_edges("edges with more than two quads", crowded);
+    blame_edges("edges along which both quads run the same way", opposed);
+    return check_.defects.empty();
+  }
+
+  // The quads of every vertex hang together around it.
+  bool has_single_fans() {
+    corners_.assign(quads_.positions.size(), 0);
+    is_border_.assign(quads_.positions.size(), 0);
+    std::vector<Index> leaving(quads_.positions.size(), -1);
+    for (Index h = 0; h < half_edge_count(); ++h) {
+      ++corners_[from(h)];
+      if (leaving[from(h)] < 0 || opposite_[h] < 0) leaving[from(h)] = h;  // the fan's first
+      if (opposite_[h] < 0) is_border_[from(h)] = is_border_[to(h)] = 1;
+    }
+    std::vector<Index> touching;
+    for (Index v = 0; v < static_cast<Index>(corners_.size()); ++v) {
+      if (leaving[v] < 0) continue;
+      Index fan = 0, h = leaving[v];
+      do {
+        ++fan;
+        h = opposite_[before(h)];
+      } while (h >= 0 && h != leaving[v] && fan <= corners_[v]);
+      if (fan != corners_[v]) touching.push_back(v);
+    }
+    if (!touching.empty())
+      blame(listed("vertex in which quads merely touch", "vertices in which quads merely touch",
+                   touching));
+    return touching.empty();
+  }
+
+  void count_topology() {
+    Topology& t = check_.topology;
+    UnionFind components(check_.count);
+    Index borders = 0;
+    for (Index h = 0; h < half_edge_count(); ++h) {
+      if (opposite_[h] < 0)
+        ++borders;
+      else
+        components.join(quad_of(h), quad_of(opposite_[h]));
+    }
+    for (const Index corners : corners_) t.vertices += corners > 0;
+    for (Index v = 0; v < static_cast<Index>(corners_.size()); ++v)
+      check_.irregular += corners_[v] > 0 && !is_border_[v] && corners_[v] != 4;
+    t.edges = (half_edge_count() + borders) / 2;
+    t.faces = check_.count;
+    for (Index q = 0; q < check_.count; ++q) t.components += components.find(q) == q;
+    find_loops();
+    t.boundary_loops = static_cast<Index>(loops_.size());
+  }
+
+  // Border loops as half-edges, the quads on their left.
+  void find_loops() {
+    std::vector<char> seen(to_size(half_edge_count()), 0);
+    for (Index first = 0; first < half_edge_count(); ++first) {
+      if (opposite_[first] >= 0 || seen[first]) continue;
+      std::vector<Index>& loop = loops_.emplace_back();
+      for (Index h = first; !seen[h];) {
+        seen[h] = 1;
+        loop.push_back(h);
+        for (h = after(h); opposite_[h] >= 0;) h = after(opposite_[h]);
+      }
+    }
+  }
+
+  void measure_corners() {
+    double deviation = 0, least = std::numeric_limits<double>::infinity(), sum = 0;
+    for (Index q = 0; q < check_.count; ++q) {
+      stop_.poll_at(to_size(q));
+      const std::array<Vector3, 4> p = corners_of(q);
+      bool is_folded = false;
+      double least_sine = std::numeric_limits<double>::infinity();
+      const Vector3 n = (p[2] - p[0]).cross(p[3] - p[1]).stableNormalized();
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Vector3 &a = p[k], &b = p[(k + 1) % 4], &d = p[(k + 3) % 4];
+        is_folded |= sign_of_normals({a, b}, {a, d}, {p[0], p[2]}, {p[1], p[3]}) <= 0;
+        const Vector3 along = (b - a).stableNormalized(), back = (d - a).stableNormalized();
+        least_sine = std::min(least_sine, along.cross(back).dot(n));
+        deviation += std::abs(degrees(std::atan2(along.cross(back).norm(), along.dot(back))) - 90);
+      }
+      if (is_folded) check_.folded.push_back(q);
+      least = std::min(least, least_sine);
+      sum += least_sine;
+    }
+    check_.min_scaled_jacobian = least;
+    check_.mean_scaled_jacobian = sum / check_.count;
+    check_.angle_deviation = deviation / (4.0 * check_.count);
+    if (!check_.folded.empty()) blame(listed("quad is folded", "quads are folded", check_.folded));
+  }
+
+  std::array<Vector3, 4> corners_of(Index q) const {
+    const std::vector<Index>& v = quads_.polygons[q];
+    return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
+  }
+
+  void compare() {
+    const Topology &t = check_.topology, &s = surface_->topology();
+    const auto compare_counts = [&](std::string_view what, Index ours, Index theirs) {
+      if (ours != theirs)
+        blame(fmt::format("{} of the quads: {}, of the surface: {}", what, ours, theirs));
+    };
+    compare_counts("Euler characteristic", t.euler_characteristic(), s.euler_characteristic());
+    compare_counts("components", t.components, s.components);
+    compare_counts("border loops", t.boundary_loops, s.boundary_loops);
+    compare_positions();
+    if (t.boundary_loops == s.boundary_loops && t.boundary_loops > 0) compare_borders();
+  }
+
+  // Positions of the surface as the file has them.
+  Points3 surface_points() const {
+    return surface_->positions().rowwise() + surface_->origin().transpose();
+  }
+
+  void compare_positions() {
+    const Points3 positions = surface_points();
+    const SurfaceTree tree(positions, surface_->faces());
+    Points3 samples(check_.count + half_edge_count() + static_cast<Index>(quads_.positions.size()),
+                    3);
+    Index rows = 0;
+    for (Index q = 0; q < check_.count; ++q) {
+      const std::array<Vector3, 4> p = corners_of(q);
+      samples.row(rows++) = (p[0] + p[1] + p[2] + p[3]) / 4;
+    }
+    for (Index h = 0; h < half_edge_count(); ++h)
+      if (opposite_[h] < h) samples.row(rows++) = (point(from(h)) + point(to(h))) / 2;
+    for (std::size_t v = 0; v < corners_.size(); ++v)
+      if (corners_[v] > 0) samples.row(rows++) = quads_.positions[v];
+    samples.conservativeResize(rows, 3);
+    const std::vector<NearestPoint> nearest = tree.locate(samples, stop_);
+    for (const NearestPoint& p : nearest)
+      check_.hausdorff.to_surface = std::max(check_.hausdorff.to_surface, p.distance);
+    for (Index q = 0; q < check_.count; ++q) {
+      const std::array<Vector3, 4> p = corners_of(q);
+      const auto corner = [&](int k) {
+        return Vector3(positions.row(surface_->faces()(nearest[q].face, k)));
+      };
+      if (sign_of_normals({p[0], p[2]}, {p[1], p[3]}, {corner(0), corner(1)},
+                          {corner(0), corner(2)}) < 0)
+        check_.turned.push_back(q);
+    }
+    if (!check_.turned.empty())
+      blame(listed("quad is turned over", "quads are turned over", check_.turned));
+    measure_from_surface(positions);
+  }
+
+  void measure_from_surface(const Points3& positions) {
+    Cells halves(2 * check_.count, 3);
+    for (Index q = 0; q < check_.count; ++q) {
+      const std::vector<Index>& v = quads_.polygons[q];
+      halves.row(2 * q) << v[0], v[1], v[2];
+      halves.row(2 * q + 1) << v[0], v[2], v[3];
+    }
+    Points3 points(static_cast<Index>(quads_.positions.size()), 3);
+    for (Index v = 0; v < static_cast<Index>(points.rows()); ++v)
+      points.row(v) = quads_.positions[v];
+    const SurfaceTree tree(points, halves);
+    const Index faces = surface_->face_count(), vertices = surface_->vertex_count();
+    Points3 samples(faces + vertices, 3);
+    samples.topRows(vertices) = positions;
+    for (Index f = 0; f < faces; ++f) {
+      Vector3 sum = Vector3::Zero();
+      for (int k = 0; k < 3; ++k) sum += positions.row(surface_->faces()(f, k));
+      samples.row(vertices + f) = sum / 3;
+    }
+    for (const NearestPoint& p : tree.locate(samples, stop_))
+      check_.hausdorff.from_surface = std::max(check_.hausdorff.from_surface, p.distance);
+  }
+
+  // Borders. A place on the surface's border: the loop, and the vertex of it that comes before,
+  // plus the part of its edge.
+  struct Place {
+    Index loop;
+    double along, distance;
+  };
+
+  // All border edges of the surface as triangles without an area, which are the segments.
+  void open_borders() {
+    const auto& loops = surface_->boundary_loops();
+    Index edges = 0;
+    for (const auto& loop : loops) edges += static_cast<Index>(loop.size());
+    Cells segments(edges, 3);
+    Index row = 0;
+    for (std::size_t l = 0; l < loops.size(); ++l)
+      for (std::size_t i = 0; i < loops[l].size(); ++i) {
+        const Index a = loops[l][i], b = loops[l][(i + 1) % loops[l].size()];
+        segments.row(row++) << a, b, b;
+        edge_places_.push_back({static_cast<Index>(l), static_cast<double>(i), 0});
+      }
+    border_tree_.emplace(surface_points(), segments);
+  }
+
+  Place place_of(Index vertex) const {
+    const NearestPoint nearest = border_tree_->nearest(point(vertex));
+    Place place = edge_places_[nearest.face];
+    place.along += std::clamp(1 - nearest.barycentric[0], 0.0, 1.0);
+    place.distance = nearest.distance;
+    return place;
+  }
+
+  void compare_borders() {
+    open_borders();
+    const Points3 positions = surface_points();
+    const double close =
+        kBorderClose * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+    const auto& loops = surface_->boundary_loops();
+    std::vector<char> is_followed(loops.size(), 0);
+    std::vector<Index> off, wrong;
+    for (const std::vector<Index>& loop : loops_) {
+      std::vector<Place> places;
+      for (const Index h : loop) {
+        places.push_back(place_of(from(h)));
+        if (!(places.back().distance <= close)) off.push_back(from(h));
+      }
+      const Index on = places.front().loop;
+      const auto length = static_cast<double>(loops[on].size());
+      double around = 0;
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const Place &here = places[i], &there = places[(i + 1) % places.size()];
+        double step = std::fmod(there.along - here.along, length);
+        if (step <= 0) step += length;  // also where two vertices are at one place
+        around += step;
+        if (there.loop != on) around = std::numeric_limits<double>::infinity();
+      }
+      constexpr double kHalf = 0.5;  // of a turn: sums are whole turns but for rounding
+      if (!(around < (1 + kHalf) * length) || is_followed[on]) wrong.push_back(from(loop[0]));
+      is_followed[on] = 1;
+      missing_corners(loops[on], loop, close);
+    }
+    if (!off.empty())
+      blame(listed("border vertex is off the surface's border",
+                   "border vertices are off the surface's border", off));
+    if (!wrong.empty())
+      blame(listed("border loop does not follow one of the surface once, in order (vertex",
+                   "border loops do not follow one of the surface once, in order (vertices",
+                   wrong) +
+            ")");
+    if (!missing_.empty())
+      blame(listed("corner of the surface's border has no vertex (of the surface)",
+                   "corners of the surface's border have no vertex (of the surface)", missing_));
+  }
+
+  // Vertices of the surface where its border turns, but no vertex of the quads' is.
+  void missing_corners(const std::vector<Index>& border, const std::vector<Index>& loop,
+                       double close) {
+    const Points3 positions = surface_points();
+    const std::size_t count = border.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector3 p = positions.row(border[i]);
+      const Vector3 in = p - Vector3(positions.row(border[(i + count - 1) % count]));
+      const Vector3 out = Vector3(positions.row(border[(i + 1) % count])) - p;
+      if (degrees(std::atan2(in.cross(out).norm(), in.dot(out))) < kCornerTurn) continue;
+      const bool is_met = std::any_of(
+          loop.begin(), loop.end(), [&](Index h) { return (point(from(h)) - p).norm() <= close; });
+      if (!is_met) missing_.push_back(border[i]);
+    }
+  }
+
+  const PolygonMesh& quads_;
+  const SurfaceMesh* const surface_;
+  const StopCheck& stop_;
+  QuadCheck check_;
+  std::vector<Index> opposite_, corners_;  // by half-edge; quads of every vertex
+  std::vector<char> is_border_;            // by vertex
+  std::vector<std::vector<Index>> loops_;
+  std::optional<SurfaceTree> border_tree_;
+  std::vector<Place> edge_places_;  // where the segments of border_tree_ begin
+  std::vector<Index> missing_;
+};
+
+}  // namespace
+
+QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface, const StopCheck& stop) {
+  return QuadJudge(quads, surface, stop).judge();
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

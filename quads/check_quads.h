@@ -1,0 +1,68 @@
+// Is a mesh of quads one of that surface, and is none of its faces folded or turned over? The judge
+// behind `check` of quad meshes, and behind every quad mesh that is written.
+//
+//   const PolygonMesh quads = read_mesh("spot_quads.obj");
+//   const SurfaceMesh surface = SurfaceMesh::from_polygons(read_mesh("spot.obj"));
+//   const QuadCheck check = check_quads(quads, &surface);
+//   std::cout << check.irregular << " irregular vertices\n";
+//   for (const std::string& defect : check.defects) std::cerr << defect << "\n";
+//
+// With n = (c - a) x (d - b) for the quad a, b, c, d: folded are corners with
+// (b - a) x (d - a) . n <= 0 and the like at b, c, d; turned is a quad with n . N < 0, N the normal
+// of the face of the surface nearest to its centroid. Both signs are those of the doubles, however
+// small: decided in integers where rounding leaves them open.
+//
+// Not for meshes with other polygons than quads: they are a defect.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/mesh/surface_mesh.h"
+
+namespace majorant {
+
+// A border vertex of a quad mesh lies on the surface's border up to this part of its diagonal.
+inline constexpr double kBorderClose = kTenDigits;
+// A turn of the border, in degrees, from which on its vertex is a corner: a quad has a vertex
+// there. Chosen, as the sharpest turn that two quads of a regular row of ten may cut off unseen.
+inline constexpr double kCornerTurn = 35;
+
+// Distances between a quad mesh and a surface, the largest of samples, in model units.
+struct QuadDistance {
+  double to_surface = 0;    // of vertices, middles of edges and centroids of quads
+  double from_surface = 0;  // of vertices and centroids of the surface's faces, to the quads, which
+                            // are cut along their first diagonals
+};
+
+struct QuadCheck {
+  // What is wrong, a sentence each, faces and vertices from 1: empty where nothing is.
+  std::vector<std::string> defects;
+  Topology topology;                // of the quads; zeros where they make no surface
+  Index count = 0;                  // faces
+  Index irregular = 0;              // inner vertices of other than 4 quads
+  std::vector<Index> folded;        // quads with a folded corner, ascending
+  std::vector<Index> turned;        // where there is a surface
+  double min_scaled_jacobian = 0;   // the least sine of a corner, against n
+  double mean_scaled_jacobian = 0;  // the mean over quads of the least one of each
+  double angle_deviation = 0;       // mean over corners of |angle - 90|, degrees
+  QuadDistance hausdorff;           // where there is a surface
+
+  bool is_valid() const { return defects.empty(); }
+};
+
+// surface: may be null, then nothing is compared. It may have several components. Where the quads
+// are no oriented manifold, or have other polygons among them, nothing but that is found out.
+// Compared are the numbers of components and border loops and the Euler characteristics; every
+// border loop of the surface is followed by one of the quads, whose vertices lie on it, in order,
+// once around, one at each of its corners. Throws InvalidArgument for vertices that do not exist or
+// are not finite; Stopped.
+QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface,
+                      const StopCheck& stop = {});
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

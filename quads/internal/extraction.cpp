@@ -1,0 +1,254 @@
+#include "majorant/quads/internal/extraction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "majorant/framework/error.h"
+#include "majorant/quads/internal/quantization.h"
+
+namespace majorant {
+namespace {
+
+bool contains(const SeamlessLattice& lattice, Index face, LatticePoint p) {
+  for (Index h = 3 * face; h < 3 * face + 3; ++h)
+    if (side(lattice.corner(h), lattice.corner(next(h)), p) < 0) return false;
+  return true;
+}
+
+// A rectangle's side, cut into edges: distances from its first corner, of every whole number.
+std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>& half_arcs,
+                                     const std::vector<Index>& edges) {
+  std::vector<std::int64_t> points{0};
+  std::int64_t begin = 0;
+  for (const Index h : half_arcs) {
+    const Index count = edges[arc_of(h)];
+    const std::int64_t length = mesh.arcs[arc_of(h)].length();
+    for (Index k = 1; k <= count; ++k) {
+      // As the arc counts from its own start, so that both of its patches have the same points.
+      const std::int64_t from_start = length * (h % 2 == 0 ? k : count - k) / count;
+      points.push_back(begin + (h % 2 == 0 ? from_start : length - from_start));
+    }
+    begin += length;
+  }
+  return points;
+}
+
+}  // namespace
+
+ExtractedQuads::ExtractedQuads(const SeamlessLattice& lattice, const TMesh& mesh,
+                               const std::vector<Index>& edges)
+    : lattice_(lattice), mesh_(mesh), edges_(edges), same_(0) {
+  vertex_count_ = static_cast<Index>(mesh.nodes.size());
+  for (const Index count : edges) {
+    first_on_arc_.push_back(vertex_count_);
+    vertex_count_ += std::max(count - 1, 0);
+  }
+  for (const TPatch& patch : mesh.patches) {
+    first_in_patch_.push_back(vertex_count_);
+    vertex_count_ += std::max(sum_of(patch.sides[0], edges) - 1, 0) *
+                     std::max(sum_of(patch.sides[1], edges) - 1, 0);
+  }
+  same_ = UnionFind(vertex_count_);
+  join();
+}
+
+// The vertex after so many edges of the half-arc.
+Index ExtractedQuads::vertex_on(Index half_arc, Index step) const {
+  const Index arc = arc_of(half_arc), count = edges_[arc];
+  const Index from_start = half_arc % 2 == 0 ? step : count - step;
+  if (from_start == 0) return mesh_.arcs[arc].node[0];
+  if (from_start == count) return mesh_.arcs[arc].node[1];
+  return first_on_arc_[arc] + from_start - 1;
+}
+
+std::vector<Index> ExtractedQuads::vertices_of_side(const std::vector<Index>& half_arcs) const {
+  std::vector<Index> vertices{mesh_.from_node(half_arcs.front())};
+  for (const Index h : half_arcs)
+    for (Index k = 1; k <= edges_[arc_of(h)]; ++k) vertices.push_back(vertex_on(h, k));
+  return vertices;
+}
+
+void ExtractedQuads::join() {
+  for (std::size_t a = 0; a < edges_.size(); ++a)
+    if (edges_[a] == 0) same_.join(mesh_.arcs[a].node[0], mesh_.arcs[a].node[1]);
+  for (const TPatch& patch : mesh_.patches)
+    for (std::size_t s = 0; s < 2; ++s) {
+      if (sum_of(patch.sides[s], edges_) > 0) continue;
+      const std::vector<Index> there = vertices_of_side(patch.sides[s + 1]);
+      const std::vector<Index> back = vertices_of_side(patch.sides[(s + 3) % 4]);
+      for (std::size_t i = 0; i < there.size(); ++i)
+        same_.join(there[i], back[back.size() - 1 - i]);
+    }
+}
+
+std::vector<Index> ExtractedQuads::joining_arcs() {
+  std::map<Index, Index> cones;  // at a vertex
+  for (std::size_t n = 0; n < mesh_.nodes.size(); ++n)
+    if (mesh_.nodes[n].vertex >= 0) ++cones[same_.find(static_cast<Index>(n))];
+  std::map<Index, Index> longest;  // arc, by vertex
+  for (std::size_t a = 0; a < edges_.size(); ++a) {
+    const Index vertex = same_.find(mesh_.arcs[a].node[0]);
+    if (edges_[a] > 0 || cones[vertex] < 2) continue;
+    const auto [found, is_new] = longest.try_emplace(vertex, static_cast<Index>(a));
+    if (!is_new && mesh_.arcs[a].length() > mesh_.arcs[found->second].length())
+      found->second = static_cast<Index>(a);
+  }
+  std::vector<Index> arcs;
+  for (const auto& [vertex, arc] : longest) arcs.push_back(arc);
+  return arcs;
+}
+
+// Of the points of an arc, those that a line passes first lie in its first faces.
+void ExtractedQuads::place_arcs() {
+  places_.resize(mesh_.arcs.size());
+  for (const TraceLine& line : mesh_.lines) {
+    std::size_t leg = 0;
+    for (const Index a : line.arcs) {
+      const TArc& arc = mesh_.arcs[a];
+      const Index count = edges_[a], intervals = std::max(count, 1);
+      for (Index k = 0; k <= intervals; ++k) {
+        const std::int64_t distance = arc.begin + arc.length() * k / intervals;
+        while (leg + 1 < line.legs.size() &&
+               !contains(lattice_, line.legs[leg].face, line.legs[leg].at(distance)))
+          ++leg;
+        const Place place{line.legs[leg].face, line.legs[leg].at(distance),
+                          line.legs[leg].direction};
+        if (!contains(lattice_, place.face, place.at))
+          throw Error(ErrorKind::Infeasible, "a point of a patch's side is in none of its faces");
+        places_[a].push_back(place);
+        positions_[k == intervals ? arc.node[1] : vertex_on(2 * a, k)] = position(place);
+      }
+    }
+  }
+  for (std::size_t n = 0; n < mesh_.nodes.size(); ++n)
+    if (const Index v = mesh_.nodes[n].vertex; v >= 0)
+      positions_[n] = lattice_.surface().input_position(v);
+}
+
+Vector3 ExtractedQuads::position(const Place& place) const {
+  const Index h = 3 * place.face;
+  const LatticePoint a = lattice_.corner(h), b = lattice_.corner(h + 1), c = lattice_.corner(h + 2);
+  const auto area = static_cast<double>(cross(b - a, c - a));
+  const double first = static_cast<double>(cross(b - place.at, c - place.at)) / area;
+  const double second = static_cast<double>(cross(c - place.at, a - place.at)) / area;
+  const SurfaceMesh& surface = lattice_.surface();
+  const auto corner = [&](Index k) { return surface.input_position(surface.from_vertex(h + k)); };
+  return first * corner(0) + second * corner(1) + (1 - first - second) * corner(2);
+}
+
+void ExtractedQuads::walk(Place& place, LatticePoint by) const {
+  LatticePoint goal = place.at + turned(by, place.direction);
+  const SurfaceMesh& surface = lattice_.surface();
+  // Straight lines pass a face once or a few times, where they wind around.
+  for (Index step = 0; step < 10 * surface.face_count(); ++step) {
+    Index out = -1;
+    for (Index h = 3 * place.face; h < 3 * place.face + 3 && out < 0; ++h) {
+      const LatticePoint a = lattice_.corner(h), b = lattice_.corner(next(h));
+      // What lies on the line counts as left of it.
+      if (side(a, b, goal) < 0 && side(place.at, goal, a) < 0 && side(place.at, goal, b) >= 0)
+        out = h;
+    }
+    if (out < 0) {
+      if (!contains(lattice_, place.face, goal)) break;
+      place.at = goal;
+      return;
+    }
+    place.at = lattice_.beyond(out, place.at);
+    goal = lattice_.beyond(out, goal);
+    place.direction = lattice_.direction_beyond(out, place.direction);
+    place.face = face_of(surface.opposite(out));
+  }
+  throw Error(ErrorKind::Infeasible, "a point inside of a patch was not found on the surface");
+}
+
+void ExtractedQuads::place_inside(const TPatch& patch, Index first) {
+  const std::vector<std::int64_t> lower = cut_points(mesh_, patch.sides[0], edges_),
+                                  right = cut_points(mesh_, patch.sides[1], edges_),
+                                  upper = cut_points(mesh_, patch.sides[2], edges_),
+                                  left = cut_points(mesh_, patch.sides[3], edges_);
+  const std::size_t p = lower.size() - 1, q = right.size() - 1;
+  const auto width = static_cast<double>(patch.width), height = static_cast<double>(patch.height);
+  std::size_t column = 0;
+  for (const Index h : patch.sides[0]) {
+    const Index count = edges_[arc_of(h)];
+    for (Index k = 1; k <= count; ++k) {
+      if (++column == p) return;
+      Place place = places_[arc_of(h)][h % 2 == 0 ? k : count - k];
+      if (h % 2 == 1) place.direction = quarter(place.direction + 2);
+      const auto x0 = static_cast<double>(lower[column]);
+      const double dx = static_cast<double>(patch.width - upper[p - column]) - x0;
+      LatticePoint here{lower[column], 0};
+      for (std::size_t j = 1; j < q; ++j) {
+        // x = x0 + dx y / height, y = y0 + dy x / width.
+        const auto y0 = static_cast<double>(patch.height - left[q - j]);
+        const double dy = static_cast<double>(right[j]) - y0;
+        const double y = (y0 + dy * x0 / width) / (1 - dx * dy / (width * height));
+        const double x = x0 + dx * y / height;
+        const LatticePoint there{std::llround(x), std::llround(y)};
+        walk(place, there - here);
+        here = there;
+        positions_[first + static_cast<Index>((j - 1) * (p - 1) + column - 1)] = position(place);
+      }
+    }
+  }
+}
+
+PolygonMesh ExtractedQuads::polygons() {
+  positions_.assign(to_size(vertex_count_), Vector3::Zero());
+  place_arcs();
+  PolygonMesh mesh;
+  std::vector<std::array<Index, 4>> quads;
+  for (std::size_t i = 0; i < mesh_.patches.size(); ++i) {
+    const TPatch& patch = mesh_.patches[i];
+    const std::vector<Index> lower = vertices_of_side(patch.sides[0]),
+                             right = vertices_of_side(patch.sides[1]),
+                             upper = vertices_of_side(patch.sides[2]),
+                             left = vertices_of_side(patch.sides[3]);
+    const std::size_t p = lower.size() - 1, q = right.size() - 1;
+    if (p == 0 || q == 0) continue;
+    place_inside(patch, first_in_patch_[i]);
+    const auto vertex = [&](std::size_t a, std::size_t b) {
+      if (b == 0) return lower[a];
+      if (b == q) return upper[p - a];
+      if (a == 0) return left[q - b];
+      if (a == p) return right[b];
+      return first_in_patch_[i] + static_cast<Index>((b - 1) * (p - 1) + a - 1);
+    };
+    for (std::size_t b = 0; b < q; ++b)
+      for (std::size_t a = 0; a < p; ++a)
+        quads.push_back({vertex(a, b), vertex(a + 1, b), vertex(a + 1, b + 1), vertex(a, b + 1)});
+  }
+  // Joined vertices lie at their cone, else in the middle of where they were.
+  std::vector<Vector3> sum(to_size(vertex_count_), Vector3::Zero());
+  std::vector<Index> count(to_size(vertex_count_), 0), number(to_size(vertex_count_), -1);
+  for (Index v = 0; v < vertex_count_; ++v) {
+    const Index name = same_.find(v);
+    sum[name] += positions_[v];
+    ++count[name];
+  }
+  for (Index v = 0; v < static_cast<Index>(mesh_.nodes.size()); ++v)
+    if (mesh_.nodes[v].vertex >= 0) {
+      sum[same_.find(v)] = positions_[v];
+      count[same_.find(v)] = 1;
+    }
+  for (const auto& quad : quads) {
+    std::vector<Index> corners;
+    for (const Index v : quad) {
+      const Index name = same_.find(v);
+      if (number[name] < 0) {
+        number[name] = static_cast<Index>(mesh.positions.size());
+        mesh.positions.push_back(sum[name] / count[name]);
+      }
+      corners.push_back(number[name]);
+    }
+    mesh.polygons.push_back(std::move(corners));
+  }
+  return mesh;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,98 @@
+// A seamless map of degree 1 on a lattice of integers, on which seams hold without any error: what
+// lines can be traced on exactly.
+//
+//   SeamlessLattice lattice(surface, *result.map);
+//   const LatticePoint p = lattice.corner(h);          // where half-edge h starts, in its face's chart
+//   const LatticePoint q = lattice.beyond(h, p);       // the same point in the chart on the other side
+//
+// Every face has a chart of its own, in which its corners are integers: the free unknowns of the
+// seam constraint are rounded to the lattice, and all others are integer combinations of them
+// (constraints.h). The charts of two faces agree along their edge up to a rotation by a multiple of
+// 90 degrees and a translation by integers, c = i^k c' + t. Proven on these integers: every face is
+// positive, both ends of every edge agree, and around every inner vertex as many of the four axis
+// directions leave into its faces as the map has quarter turns there.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/maps/bezier_map.h"
+
+namespace majorant {
+
+__extension__ typedef __int128 WideInteger;
+
+struct LatticePoint {
+  std::int64_t u = 0, v = 0;
+  auto operator<=>(const LatticePoint&) const = default;
+};
+inline LatticePoint operator+(LatticePoint a, LatticePoint b) { return {a.u + b.u, a.v + b.v}; }
+inline LatticePoint operator-(LatticePoint a, LatticePoint b) { return {a.u - b.u, a.v - b.v}; }
+inline LatticePoint operator*(std::int64_t s, LatticePoint a) { return {s * a.u, s * a.v}; }
+inline WideInteger dot(LatticePoint a, LatticePoint b) {
+  return WideInteger{a.u} * b.u + WideInteger{a.v} * b.v;
+}
+inline WideInteger cross(LatticePoint a, LatticePoint b) {
+  return WideInteger{a.u} * b.v - WideInteger{a.v} * b.u;
+}
+inline int sign(WideInteger x) { return (x > 0) - (x < 0); }
+// 1 where c is to the left of the line from a to b, -1 to the right.
+inline int side(LatticePoint a, LatticePoint b, LatticePoint c) {
+  return sign(cross(b - a, c - a));
+}
+
+// The remainder of any integer number of quarter turns, 0 to 3.
+inline int quarter(int turns) { return ((turns % 4) + 4) % 4; }
+// i^turns p.
+LatticePoint turned(LatticePoint p, int turns);
+// The unit vector i^direction.
+inline LatticePoint unit_vector(int direction) { return turned({1, 0}, direction); }
+
+class SeamlessLattice {
+ public:
+  // surface: not cut; map: of degree 1, of the surface cut open along its seams, faces as there.
+  // The surface outlives this. Throws Error(Infeasible) where the rounded map is not proven.
+  SeamlessLattice(const SurfaceMesh& surface, const BezierMap& map);
+
+  const SurfaceMesh& surface() const { return surface_; }
+  // Steps of the lattice to model units.
+  double unit() const { return unit_; }
+  // 90 degrees times this is the sum of angles at a vertex; 0 on the boundary.
+  int quarter_turns(Index vertex) const { return quarter_turns_[vertex]; }
+  bool is_cone(Index vertex) const { return quarter_turns_[vertex] != 4; }
+  LatticePoint corner(Index half_edge) const { return corners_[half_edge]; }
+  // Of the chart of the face of a half-edge towards that of the opposite one: p' = i^-turns (p -
+  // t).
+  int turns(Index half_edge) const { return turns_[half_edge]; }
+  LatticePoint beyond(Index half_edge, LatticePoint p) const;
+  int direction_beyond(Index half_edge, int direction) const {
+    return quarter(direction - turns_[half_edge]);
+  }
+  // Twice the area of the map, in lattice units.
+  WideInteger twice_area() const;
+
+  // Moves an inner vertex that is no cone by so much in the chart of its first face, in all charts.
+  // Throws Error(Infeasible) where a face would not stay positive.
+  void move(Index vertex, LatticePoint by);
+
+ private:
+  void prove() const;
+
+  const SurfaceMesh& surface_;
+  double unit_ = 1;
+  std::vector<LatticePoint> corners_, shift_;  // by half-edge
+  std::vector<int> turns_, quarter_turns_;     // by half-edge; by vertex
+  std::vector<Index> leaving_;                 // by vertex: a half-edge that starts there
+};
+
+// The axis directions that leave the corner at the start of a half-edge into its face or along it,
+// counterclockwise: of the half-open angle from that half-edge to the one before it.
+std::vector<int> leaving_directions(const SeamlessLattice& lattice, Index half_edge);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

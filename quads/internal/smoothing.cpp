@@ -1,0 +1,206 @@
+#include "majorant/quads/internal/smoothing.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "majorant/parametrization/baking/nearest_point.h"
+
+namespace majorant {
+namespace {
+
+class Smoother {
+ public:
+  Smoother(PolygonMesh& mesh, const Points3& positions, const Cells& faces, const StopCheck& stop)
+      : mesh_(mesh),
+        surface_positions_(positions),
+        surface_faces_(faces),
+        surface_(positions, faces),
+        stop_(stop),
+        quads_(mesh.positions.size()),
+        likely_(mesh.positions.size(), -1),
+        below_(mesh.polygons.size(), -1),
+        is_turned_(mesh.polygons.size(), 0) {
+    for (Index q = 0; q < static_cast<Index>(mesh.polygons.size()); ++q) {
+      for (const Index v : mesh.polygons[q]) quads_[v].push_back(q);
+      is_turned_[q] = is_turned(q);
+    }
+  }
+
+  void smooth() {
+    // Sweeps; the last ones change little. Chosen, not tuned.
+    constexpr int kSweeps = 5, kRepairs = 30;
+    // The part that where the map has a vertex has in its goal: tips of the surface are not left.
+    constexpr double kStay = 0.5;
+    const std::vector<Vector3> start = mesh_.positions;
+    for (int sweep = 0; sweep < kSweeps; ++sweep) {
+      for (std::size_t v = 0; v < quads_.size(); ++v) {
+        stop_.poll_at(v);
+        move_towards(v, (1 - kStay) * middle(v) + kStay * start[v]);
+      }
+    }
+    for (int sweep = 0; sweep < kRepairs; ++sweep)
+      if (!repair()) break;
+  }
+
+ private:
+  // A corner is good above this sine: 30 degrees.
+  static constexpr double kGood = 0.5;
+
+  std::array<Vector3, 4> corners_of(Index q) const {
+    const std::vector<Index>& c = mesh_.polygons[q];
+    return {mesh_.positions[c[0]], mesh_.positions[c[1]], mesh_.positions[c[2]],
+            mesh_.positions[c[3]]};
+  }
+
+  static Vector3 normal_of(const std::array<Vector3, 4>& p) {
+    return (p[2] - p[0]).cross(p[3] - p[1]);
+  }
+
+  // As check_quads() has it, up to rounding.
+  bool is_turned(Index q) {
+    const std::array<Vector3, 4> p = corners_of(q);
+    below_[q] = surface_.nearest((p[0] + p[1] + p[2] + p[3]) / 4, below_[q]).face;
+    const auto corner = [&](int k) {
+      return Vector3(surface_positions_.row(surface_faces_(below_[q], k)));
+    };
+    const Vector3 there = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+    return normal_of(p).dot(there) < 0;
+  }
+
+  int turned_around(std::size_t v) {
+    int count = 0;
+    for (const Index q : quads_[v]) count += is_turned(q);
+    return count;
+  }
+
+  int known_turned_around(std::size_t v) const {
+    int count = 0;
+    for (const Index q : quads_[v]) count += is_turned_[q];
+    return count;
+  }
+
+  void note_turned(std::size_t v) {
+    for (const Index q : quads_[v]) is_turned_[q] = is_turned(q);
+  }
+
+  // The least sine of a corner of the quads around a vertex, against their normals.
+  double worst(std::size_t v) const {
+    double least = 1;
+    for (const Index q : quads_[v]) {
+      const std::array<Vector3, 4> p = corners_of(q);
+      const Vector3 n = normal_of(p).stableNormalized();
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Vector3 along = (p[(k + 1) % 4] - p[k]).stableNormalized();
+        const Vector3 back = (p[(k + 3) % 4] - p[k]).stableNormalized();
+        least = std::min(least, along.cross(back).dot(n));
+      }
+    }
+    return least;
+  }
+
+  Vector3 middle(std::size_t v) const {
+    Vector3 sum = Vector3::Zero();
+    for (const Index q : quads_[v]) {
+      const std::vector<Index>& c = mesh_.polygons[q];
+      for (std::size_t k = 0; k < 4; ++k)
+        if (c[k] == static_cast<Index>(v))  // every neighbour is the next one in one quad
+          sum += mesh_.positions[c[(k + 1) % 4]];
+    }
+    return sum / static_cast<double>(quads_[v].size());
+  }
+
+  Vector3 on_surface(std::size_t v, const Vector3& p) {
+    const NearestPoint nearest = surface_.nearest(p, likely_[v]);
+    likely_[v] = nearest.face;
+    Vector3 point = Vector3::Zero();
+    for (int k = 0; k < 3; ++k)
+      point +=
+          nearest.barycentric[k] * Vector3(surface_positions_.row(surface_faces_(nearest.face, k)));
+    return point;
+  }
+
+  // Returns whether it moved.
+  bool move_towards(std::size_t v, const Vector3& goal) {
+    const Vector3 before = mesh_.positions[v];
+    const double quality = std::min(worst(v), kGood);
+    for (const double part : {1.0, 0.5, 0.25}) {
+      mesh_.positions[v] = on_surface(v, before + part * (goal - before));
+      if (worst(v) < quality || turned_around(v) > known_turned_around(v)) continue;
+      note_turned(v);
+      return true;
+    }
+    mesh_.positions[v] = before;
+    return false;
+  }
+
+  // One sweep over the vertices of bad quads: steps around them after which fewer are turned, or
+  // the worst corner is better. Returns whether there is anything left to do, and it helps.
+  bool repair() {
+    constexpr double kBad = 0.1;
+    constexpr int kDirections = 8;
+    bool has_helped = false;
+    for (std::size_t v = 0; v < quads_.size(); ++v) {
+      stop_.poll_at(v);
+      double best = worst(v);
+      int fewest = known_turned_around(v);
+      if (best >= kBad && fewest == 0) continue;
+      Vector3 place = mesh_.positions[v];
+      const Vector3 center = place, target = middle(v);
+      Vector3 normal = Vector3::Zero();
+      double size = 0;
+      for (const Index q : quads_[v]) {
+        const std::array<Vector3, 4> p = corners_of(q);
+        normal += normal_of(p);
+        size = std::max(size, (p[2] - p[0]).norm());
+      }
+      const Vector3 first = normal.stableNormalized().unitOrthogonal();
+      const Vector3 second = normal.stableNormalized().cross(first);
+      const auto attempt = [&](const Vector3& p) {
+        mesh_.positions[v] = on_surface(v, p);
+        const double now = worst(v);
+        const int turned = now > std::min(best, kBad) ? turned_around(v) : fewest + 1;
+        if (turned < fewest || (turned == fewest && now > best)) {
+          best = now;
+          fewest = turned;
+          place = mesh_.positions[v];
+          has_helped = true;
+        }
+      };
+      attempt(target);
+      for (const double radius : {0.3, 0.1, 0.03})
+        for (int k = 0; k < kDirections; ++k) {
+          const double angle = 2 * std::numbers::pi * k / kDirections;
+          attempt(center + radius * size * (std::cos(angle) * first + std::sin(angle) * second));
+        }
+      mesh_.positions[v] = place;
+      note_turned(v);
+    }
+    return has_helped;
+  }
+
+  PolygonMesh& mesh_;
+  const Points3& surface_positions_;
+  const Cells& surface_faces_;
+  const SurfaceTree surface_;
+  const StopCheck& stop_;
+  std::vector<std::vector<Index>> quads_;  // by vertex
+  std::vector<Index> likely_, below_;      // faces of the surface, by vertex and by quad
+  std::vector<char> is_turned_;            // by quad
+};
+
+}  // namespace
+
+void smooth_quads(PolygonMesh& mesh, const Points3& positions, const Cells& faces,
+                  const StopCheck& stop) {
+  Smoother(mesh, positions, faces, stop).smooth();
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

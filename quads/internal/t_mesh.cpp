@@ -1,0 +1,437 @@
+#include "majorant/quads/internal/t_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+#include <queue>
+#include <random>
+#include <utility>
+
+#include "majorant/framework/error.h"
+
+namespace majorant {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Error(ErrorKind::Infeasible, "the lines of the map along its axes: " + what);
+}
+
+// A vertex is where a line cannot tell what is left and right of it.
+struct InTheWay {
+  Index vertex;
+};
+
+// A line while it grows.
+struct Trace {
+  Index cone;                 // the vertex that it starts from
+  int order;                  // among the lines that leave it, counterclockwise
+  std::vector<LineLeg> legs;  // the last one is under way
+  bool has_ended = false;
+  std::int64_t length = 0;  // once it has ended
+  Index on = -1;            // the line that it ended on, at `on_distance` of it
+  std::int64_t on_distance = 0;
+  int on_quarter = 0;  // its way back, in quarter turns from the direction of that line
+  Index met = -1;      // the line that came towards it: both are one, from cone to cone
+};
+
+// A leg of a trace, where its face lists it.
+struct Passage {
+  Index trace, leg;
+};
+
+// Distance along the direction of a leg.
+std::int64_t distance_along(const LineLeg& leg, LatticePoint p) {
+  return static_cast<std::int64_t>(dot(p - leg.start, unit_vector(leg.direction)));
+}
+// The coordinate that is constant along a leg.
+std::int64_t constant_of(const LineLeg& leg) {
+  return leg.direction % 2 == 0 ? leg.start.v : leg.start.u;
+}
+
+class Tracer {
+ public:
+  Tracer(const SeamlessLattice& lattice, const StopCheck& stop)
+      : lattice_(lattice),
+        surface_(lattice.surface()),
+        stop_(stop),
+        passages_(to_size(surface_.face_count())) {}
+
+  // Throws InTheWay.
+  std::vector<Trace> trace() {
+    start();
+    // All leave their cones, then the line that has come least far goes on.
+    using Turn = std::pair<double, Index>;
+    std::priority_queue<Turn, std::vector<Turn>, std::greater<>> turns;
+    for (Index t = 0; t < static_cast<Index>(traces_.size()); ++t) {
+      advance(t);
+      turns.emplace(reached(t), t);
+    }
+    // No line of a useful map crosses every face as often.
+    constexpr std::size_t kLongest = 100;
+    const std::size_t limit = kLongest * to_size(surface_.face_count());
+    std::size_t steps = 0;
+    while (!turns.empty()) {
+      const Index t = turns.top().second;
+      turns.pop();
+      if (traces_[t].has_ended) continue;
+      stop_.poll_at(steps);
+      if (++steps > limit) refuse("one of them does not end");
+      advance(t);
+      if (!traces_[t].has_ended) turns.emplace(reached(t), t);
+    }
+    return std::move(traces_);
+  }
+
+ private:
+  bool is_start(Index vertex) const { return vertex == seed_ || lattice_.is_cone(vertex); }
+
+  void start() {
+    std::vector<Index> leaving(to_size(surface_.vertex_count()), -1);
+    bool has_cones = false;
+    for (Index h = 0; h < surface_.half_edge_count(); ++h) {
+      leaving[surface_.from_vertex(h)] = h;
+      has_cones |= lattice_.is_cone(surface_.from_vertex(h));
+    }
+    if (!has_cones) seed_ = 0;
+    for (Index v = 0; v < surface_.vertex_count(); ++v)
+      if (is_start(v)) leave(v, leaving[v]);
+  }
+
+  void leave(Index vertex, Index first) {
+    int order = 0;
+    Index h = first;
+    do {
+      for (const int direction : leaving_directions(lattice_, h)) {
+        require_off(direction, h, next(h));
+        traces_.push_back({.cone = vertex,
+                           .order = order++,
+                           .legs = {{face_of(h), direction, lattice_.corner(h)}}});
+      }
+      h = surface_.opposite(previous(h));
+    } while (h != first);
+  }
+
+  // The vertex at `other` is not on the line that leaves the corner of `half_edge`.
+  void require_off(int direction, Index half_edge, Index other) const {
+    const LatticePoint along = lattice_.corner(other) - lattice_.corner(half_edge);
+    if (cross(unit_vector(direction), along) == 0) clear(surface_.from_vertex(other));
+  }
+
+  [[noreturn]] void clear(Index vertex) const {
+    if (is_start(vertex))
+      refuse(fmt::format("one leads from a cone along an edge into another, vertex {}",
+                         surface_.input_vertex(vertex)));
+    throw InTheWay{vertex};
+  }
+
+  // How far a line has come, about: to the middle of its last face.
+  double reached(Index t) const {
+    const LineLeg& leg = traces_[t].legs.back();
+    double sum = 0;
+    for (Index k = 0; k < 3; ++k)
+      sum += static_cast<double>(distance_along(leg, lattice_.corner(3 * leg.face + k)));
+    return sum / 3;
+  }
+
+  struct Hit {
+    std::int64_t distance;  // of the line that goes on
+    Passage on;
+    std::int64_t on_distance;
+  };
+
+  // Through the face of its last leg, which others see from then on, as far as it goes there.
+  void advance(Index t) {
+    Trace& trace = traces_[t];
+    if (trace.has_ended) return;
+    const LineLeg leg = trace.legs.back();
+    std::optional<Hit> nearest;
+    for (const Passage& passage : passages_[leg.face]) {
+      const Trace& other = traces_[passage.trace];
+      const LineLeg& across = other.legs[passage.leg];
+      const bool is_end =
+          other.has_ended && passage.leg == static_cast<Index>(other.legs.size()) - 1;
+      if ((across.direction - leg.direction) % 2 == 0) {
+        if (constant_of(across) != constant_of(leg)) continue;
+        if (across.direction == leg.direction) refuse("two of them run along each other");
+        if (is_end) continue;  // what it has ended on is in the way of both
+        meet(t, passage.trace, distance_along(leg, across.start));
+        return;
+      }
+      const LatticePoint p = leg.direction % 2 == 0 ? LatticePoint{across.start.u, leg.start.v}
+                                                    : LatticePoint{leg.start.u, across.start.v};
+      const Hit hit{distance_along(leg, p), passage, distance_along(across, p)};
+      if (hit.distance <= 0 || hit.on_distance <= 0) continue;
+      if (is_end && hit.on_distance >= other.length) continue;
+      if (is_inside(leg.face, p) && (!nearest || hit.distance < nearest->distance)) nearest = hit;
+    }
+    passages_[leg.face].push_back({t, static_cast<Index>(trace.legs.size()) - 1});
+    if (nearest)
+      end(t, *nearest);
+    else
+      cross_face(t, leg);
+  }
+
+  // Throws InTheWay for a point on the face's border.
+  bool is_inside(Index face, LatticePoint p) const {
+    int least = 1;
+    Index h = -1;
+    for (Index k = 3 * face; k < 3 * face + 3; ++k) {
+      const int s = side(lattice_.corner(k), lattice_.corner(next(k)), p);
+      if (s < least) {
+        least = s;
+        h = k;
+      }
+    }
+    if (least == 0)
+      clear(is_start(surface_.from_vertex(h)) ? surface_.to_vertex(h) : surface_.from_vertex(h));
+    return least > 0;
+  }
+
+  void end(Index t, const Hit& hit) {
+    Trace& trace = traces_[t];
+    trace.has_ended = true;
+    trace.length = hit.distance;
+    trace.on = hit.on.trace;
+    trace.on_distance = hit.on_distance;
+    trace.on_quarter =
+        quarter(trace.legs.back().direction + 2 - traces_[hit.on.trace].legs[hit.on.leg].direction);
+  }
+
+  void meet(Index t, Index other, std::int64_t length) {
+    if (traces_[other].has_ended) refuse("one meets another that has ended");
+    for (const auto& [a, b] : {std::pair(t, other), std::pair(other, t)}) {
+      traces_[a].has_ended = true;
+      traces_[a].length = length;
+      traces_[a].met = b;
+    }
+  }
+
+  void cross_face(Index t, const LineLeg& leg) {
+    // The edge that leads out has its start on the right of the line and its end on the left.
+    const auto side_of = [&](Index h) {
+      const LatticePoint c = lattice_.corner(h);
+      return sign(cross(unit_vector(leg.direction), c - leg.start));
+    };
+    for (Index h = 3 * leg.face; h < 3 * leg.face + 3; ++h) {
+      const int right = side_of(h), left = side_of(next(h));
+      if (right == 0 && lattice_.corner(h) != leg.start) clear(surface_.from_vertex(h));
+      if (right >= 0 || left <= 0) continue;
+      const LineLeg entered{face_of(surface_.opposite(h)),
+                            lattice_.direction_beyond(h, leg.direction),
+                            lattice_.beyond(h, leg.start)};
+      traces_[t].legs.push_back(entered);
+      return;
+    }
+    refuse("one leaves its face through no edge");
+  }
+
+  const SeamlessLattice& lattice_;
+  const SurfaceMesh& surface_;
+  const StopCheck& stop_;
+  Index seed_ = -1;
+  std::vector<Trace> traces_;
+  std::vector<std::vector<Passage>> passages_;  // by face
+};
+
+// From traces to lines, arcs and patches.
+class TMeshBuilder {
+ public:
+  TMeshBuilder(const SeamlessLattice& lattice, std::vector<Trace> traces)
+      : lattice_(lattice), traces_(std::move(traces)) {}
+
+  TMesh build() {
+    join_traces();
+    cut_lines();
+    find_patches();
+    prove();
+    return std::move(mesh_);
+  }
+
+ private:
+  // A place on a trace as one on its line.
+  struct LinePlace {
+    Index line;
+    std::int64_t distance;
+    int turned;  // of the trace against the line: 0 or 2 quarters
+  };
+  LinePlace place(Index trace, std::int64_t distance) const {
+    const auto [line, is_second] = line_of_[trace];
+    if (!is_second) return {line, distance, 0};
+    return {line, mesh_.lines[line].length - distance, 2};
+  }
+
+  void join_traces() {
+    line_of_.resize(traces_.size());
+    for (Index t = 0; t < static_cast<Index>(traces_.size()); ++t) {
+      const Trace& trace = traces_[t];
+      if (trace.met >= 0 && trace.met < t) continue;
+      const auto line = static_cast<Index>(mesh_.lines.size());
+      line_of_[t] = {line, false};
+      first_trace_.push_back(t);
+      TraceLine joined{.legs = trace.legs, .length = trace.length};
+      if (trace.met >= 0) {
+        line_of_[trace.met] = {line, true};
+        const std::vector<LineLeg>& back = traces_[trace.met].legs;
+        for (auto leg = back.rbegin(); leg != back.rend(); ++leg)
+          joined.legs.push_back({leg->face, quarter(leg->direction + 2), leg->at(trace.length)});
+      }
+      mesh_.lines.push_back(std::move(joined));
+    }
+  }
+
+  // Half-arcs that leave a node, by quarter turns from its first direction.
+  using Leaving = std::map<int, Index>;
+
+  void cut_lines() {
+    std::map<Index, Index> cones;  // node by vertex
+    std::vector<std::map<std::int64_t, Index>> stops(mesh_.lines.size());
+    const auto new_node = [&](TNode node) {
+      mesh_.nodes.push_back(node);
+      leaving_.emplace_back();
+      return static_cast<Index>(mesh_.nodes.size()) - 1;
+    };
+    const auto cone_node = [&](Index vertex) {
+      const auto [found, is_new] = cones.try_emplace(vertex, -1);
+      if (is_new) found->second = new_node({vertex, lattice_.quarter_turns(vertex)});
+      return found->second;
+    };
+    for (const Trace& trace : traces_) {
+      cone_node(trace.cone);
+      if (trace.on < 0) continue;
+      const LinePlace at = place(trace.on, trace.on_distance);
+      const auto [found, is_new] = stops[at.line].try_emplace(at.distance, -1);
+      if (is_new) found->second = new_node({});
+    }
+    const std::vector<std::map<std::int64_t, Index>> inner = stops;
+    for (std::size_t l = 0; l < mesh_.lines.size(); ++l) {
+      const Trace& first = traces_[first_trace_[l]];
+      stops[l][0] = cone_node(first.cone);
+      Index end = -1;
+      if (first.met >= 0) {
+        end = cone_node(traces_[first.met].cone);
+      } else {
+        const LinePlace at = place(first.on, first.on_distance);
+        end = inner[at.line].at(at.distance);
+      }
+      stops[l][first.length] = end;
+      add_arcs(static_cast<Index>(l), stops[l]);
+    }
+  }
+
+  void add_arcs(Index line, const std::map<std::int64_t, Index>& stops) {
+    const Trace& first = traces_[first_trace_[line]];
+    for (auto stop = stops.begin(); std::next(stop) != stops.end(); ++stop) {
+      const auto end = std::next(stop);
+      const auto arc = static_cast<Index>(mesh_.arcs.size());
+      mesh_.arcs.push_back({line, stop->first, end->first, {stop->second, end->second}});
+      mesh_.lines[line].arcs.push_back(arc);
+      attach(stop->second, stop->first == 0 ? first.order : 0, 2 * arc);
+      int back = 2;
+      if (end->first == first.length) {
+        if (first.met >= 0)
+          back = traces_[first.met].order;
+        else
+          back = quarter(first.on_quarter + place(first.on, first.on_distance).turned);
+      }
+      attach(end->second, back, 2 * arc + 1);
+    }
+  }
+
+  void attach(Index node, int quarter_turn, Index half_arc) {
+    if (!leaving_[node].emplace(quarter_turn, half_arc).second)
+      refuse("two of them leave a point in one direction");
+    quarter_.resize(std::max(quarter_.size(), to_size(half_arc | 1) + 1));
+    quarter_[half_arc] = quarter_turn;
+  }
+
+  // With the same patch on the left: the next one clockwise from the way back. `turns`: the angle
+  // that the patch has there.
+  Index following(Index half_arc, int& turns) const {
+    const Index node = mesh_.to_node(half_arc), back = reversed(half_arc);
+    const Leaving& around = leaving_[node];
+    auto found = around.find(quarter_[back]);
+    found = found == around.begin() ? std::prev(around.end()) : std::prev(found);
+    const int all = mesh_.nodes[node].turns;
+    turns = ((quarter_[back] - found->first - 1) % all + all) % all + 1;
+    return found->second;
+  }
+
+  void find_patches() {
+    std::vector<char> seen(2 * mesh_.arcs.size(), 0);
+    for (Index first = 0; first < static_cast<Index>(seen.size()); ++first) {
+      if (seen[first]) continue;
+      std::vector<Index> cycle;
+      std::vector<std::size_t> corners;  // of the cycle, where a side begins
+      for (Index h = first; !seen[h];) {
+        seen[h] = 1;
+        cycle.push_back(h);
+        int turns = 0;
+        h = following(h, turns);
+        if (turns > 2) refuse("a patch is not convex");
+        if (turns == 1) corners.push_back(cycle.size());
+      }
+      add_patch(cycle, std::move(corners));
+    }
+  }
+
+  void add_patch(const std::vector<Index>& cycle, std::vector<std::size_t> corners) {
+    if (corners.size() != 4) refuse(fmt::format("a patch has {} corners", corners.size()));
+    TPatch patch;
+    std::array<std::int64_t, 4> length{};
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t i = corners[k] % cycle.size(); i != corners[(k + 1) % 4] % cycle.size();
+           i = (i + 1) % cycle.size()) {
+        patch.sides[k].push_back(cycle[i]);
+        length[k] += mesh_.arcs[arc_of(cycle[i])].length();
+      }
+    if (length[0] != length[2] || length[1] != length[3]) refuse("a patch is no rectangle");
+    patch.width = length[0];
+    patch.height = length[1];
+    mesh_.patches.push_back(std::move(patch));
+  }
+
+  void prove() const {
+    const auto euler = static_cast<Index>(mesh_.nodes.size()) -
+                       static_cast<Index>(mesh_.arcs.size()) +
+                       static_cast<Index>(mesh_.patches.size());
+    const Index wanted = lattice_.surface().topology().euler_characteristic();
+    if (euler != wanted)
+      refuse(
+          fmt::format("their Euler characteristic is {}, that of the surface {}", euler, wanted));
+    WideInteger area = 0;
+    for (const TPatch& patch : mesh_.patches) area += 2 * WideInteger{patch.width} * patch.height;
+    if (area != lattice_.twice_area()) refuse("the areas of patches do not add up");
+  }
+
+  const SeamlessLattice& lattice_;
+  std::vector<Trace> traces_;
+  std::vector<std::pair<Index, bool>> line_of_;  // by trace; true: the second one of two that met
+  std::vector<Index> first_trace_;               // by line
+  std::vector<Leaving> leaving_;                 // by node
+  std::vector<int> quarter_;                     // by half-arc, at its start
+  TMesh mesh_;
+};
+
+}  // namespace
+
+TMesh trace_t_mesh(SeamlessLattice& lattice, const StopCheck& stop) {
+  // A step of the lattice is some 1e-12 of the layout; a vertex that is moved twice is moved
+  // farther.
+  constexpr int kAttempts = 10000, kSteps = 64;
+  std::mt19937 random(1);
+  std::uniform_int_distribution<std::int64_t> step(1, kSteps);
+  for (int attempt = 0; attempt < kAttempts; ++attempt) try {
+      return TMeshBuilder(lattice, Tracer(lattice, stop).trace()).build();
+    } catch (const InTheWay& in_the_way) {
+      lattice.move(in_the_way.vertex, {step(random), step(random)});
+    }
+  refuse("they pass through vertices however these are moved");
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,82 @@
+// The motorcycle graph of a seamless map: lines along the axes from all cones, each as far as to
+// the first line in its way [EGKT08]. It cuts the surface into patches that are rectangles in the
+// map, with lines that end on their sides: a T-mesh.
+//
+//   SeamlessLattice lattice(surface, *result.map);
+//   const TMesh mesh = trace_t_mesh(lattice, stop);
+//   mesh.patches[0].sides[0];     // half-arcs from its first corner to the second
+//
+// Traced on the integers of the lattice, so every decision is exact: lines have one integer
+// coordinate, and where two of them meet both are known. A line that would pass through a vertex,
+// or meet another one on an edge, makes the lattice move a vertex by a few steps, and all is traced
+// anew. Proven: every patch has four corners, opposite sides are of equal lengths, areas add up to
+// that of the map, and vertices - edges + patches is the Euler characteristic of the surface.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/quads/internal/seamless_lattice.h"
+
+namespace majorant {
+
+// A line passes a face in this direction; start: where its first point is in the face's chart.
+struct LineLeg {
+  Index face;
+  int direction;
+  LatticePoint start;
+
+  LatticePoint at(std::int64_t distance) const { return start + distance * unit_vector(direction); }
+};
+
+// From a cone to where it ends, on another line or in another cone.
+struct TraceLine {
+  std::vector<LineLeg> legs;  // in order; every point of the line lies in the face of a leg
+  std::int64_t length = 0;
+  std::vector<Index> arcs = {};  // from its start
+};
+
+struct TNode {
+  Index vertex = -1;  // of the surface, of a cone; -1: where a line ends on another
+  int turns = 4;      // its angles add up to this many quarter turns
+};
+
+// Half-arc 2 a runs along arc a as its line does, 2 a + 1 against it.
+struct TArc {
+  Index line;
+  std::int64_t begin, end;    // distances along the line
+  std::array<Index, 2> node;  // there
+
+  std::int64_t length() const { return end - begin; }
+};
+constexpr Index arc_of(Index half_arc) { return half_arc / 2; }
+constexpr Index reversed(Index half_arc) { return half_arc ^ 1; }
+
+// sides[k]: the half-arcs from its corner k to corner k + 1, counterclockwise, the patch on their
+// left. width: of sides 0 and 2; height: of 1 and 3.
+struct TPatch {
+  std::array<std::vector<Index>, 4> sides;
+  std::int64_t width = 0, height = 0;
+};
+
+struct TMesh {
+  std::vector<TNode> nodes;
+  std::vector<TArc> arcs;
+  std::vector<TraceLine> lines;
+  std::vector<TPatch> patches;
+
+  Index from_node(Index half_arc) const { return arcs[arc_of(half_arc)].node[half_arc % 2]; }
+  Index to_node(Index half_arc) const { return from_node(reversed(half_arc)); }
+};
+
+// The surface is closed. Vertices of the lattice may be moved by a few steps. A surface without
+// cones has its first vertex for one. Throws Error(Infeasible) where lines could not be traced, or
+// anything above does not hold; Stopped.
+TMesh trace_t_mesh(SeamlessLattice& lattice, const StopCheck& stop = {});
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,58 @@
+// A pure quad mesh of a closed surface, with as many quads as asked, aligned to a smooth cross
+// field.
+//
+//   RunRecord record;
+//   const QuadMesh result = quad_mesh(mesh, {.count = 4000}, record);
+//   std::cout << result.check.count << " quads, " << result.check.irregular << " irregular\n";
+//
+// A seamless map (start.h), optimized at degree 1, on integers; its motorcycle graph, which cuts
+// the surface into rectangles; whole numbers of edges for their sides; quads from these alone, so
+// that they are a closed manifold of the same genus before any is placed; places on the surface by
+// the map; smoothing. docs/quads.md. What is returned has been judged by check_quads() and is
+// valid.
+//
+// Not for surfaces with a border, yet, and not for sharp features: quads cut across them.
+#pragma once
+
+#include <optional>
+
+#include "majorant/framework/run_record.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/initialization/start.h"
+#include "majorant/quads/check_quads.h"
+
+namespace majorant {
+
+struct QuadMeshOptions {
+  // Of the two at most one: the number of quads, or the length of their edges, in model units.
+  // Neither: half as many quads as the surface has faces.
+  std::optional<long> count = {};
+  std::optional<double> edge_length = {};
+  SeamlessOptions map = {};  // cones and how the map is found
+  int threads = 0;           // as SolveOptions has it
+};
+
+struct QuadMesh {
+  PolygonMesh quads;
+  QuadCheck check;  // of these, with the surface: valid
+  long asked = 0;
+  // The number of quads with as few edges on every arc as the cones allow; where more than asked
+  // were made.
+  std::optional<long> least_count;
+  Index cones = 0, patches = 0;
+  bool has_joined_arcs = false;       // arcs without edges; false: all have one at least
+  Status status = Status::Converged;  // of the map's optimization, which a limit may have ended
+};
+
+// Count within 5 % of the one asked where that is possible.
+inline constexpr double kCountClose = 0.05;
+
+// mesh: connected. Throws Error(Unsupported) for a border; InvalidArgument for options out of range
+// or that exclude each other; Error(Infeasible) where no whole numbers or no valid quads were
+// found; as make_seamless(); Stopped when the record's start_stop() says so.
+QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

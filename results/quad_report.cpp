@@ -1,0 +1,48 @@
+#include "majorant/results/quad_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace majorant {
+
+Json quads_section(const QuadCheck& check, QuadsComparedWith surface) {
+  const bool compared = surface == QuadsComparedWith::Surface;
+  const auto if_compared = [&](auto value) { return compared ? Json(value) : Json(); };
+  return {{"count", check.count},
+          {"irregular", check.irregular},
+          {"euler_characteristic", check.topology.euler_characteristic()},
+          {"components", check.topology.components},
+          {"boundary_loops", check.topology.boundary_loops},
+          {"scaled_jacobian",
+           {{"min", check.min_scaled_jacobian}, {"mean", check.mean_scaled_jacobian}}},
+          {"angle_deviation", check.angle_deviation},
+          {"folded", check.folded.size()},
+          {"turned", if_compared(check.turned.size())},
+          {"hausdorff",
+           {{"to_surface", if_compared(check.hausdorff.to_surface)},
+            {"from_surface", if_compared(check.hausdorff.from_surface)}}}};
+}
+
+std::string describe(const QuadCheck& check, QuadsComparedWith surface) {
+  if (!check.is_valid()) return fmt::format("{}", fmt::join(check.defects, "; "));
+  const Topology& t = check.topology;
+  const std::string measured = fmt::format(
+      "{} irregular, scaled Jacobian at least {:.4f}, {:.4f} in the mean, angles off by "
+      "{:.2f} degrees in the mean",
+      check.irregular, check.min_scaled_jacobian, check.mean_scaled_jacobian,
+      check.angle_deviation);
+  const std::string counts =
+      fmt::format("{} quads, Euler characteristic {}, {} border loop{}", check.count,
+                  t.euler_characteristic(), t.boundary_loops, t.boundary_loops == 1 ? "" : "s");
+  if (surface == QuadsComparedWith::Nothing)
+    return fmt::format("{}, none folded; {}; not asked: surface (--surface)", counts, measured);
+  return fmt::format(
+      "{} as the surface, none folded or turned; {}; {:.3g} to the surface, {:.3g} "
+      "from it",
+      counts, measured, check.hausdorff.to_surface, check.hausdorff.from_surface);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

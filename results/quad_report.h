@@ -1,0 +1,26 @@
+// What reports and lines say of a quad mesh that was judged.
+//
+//   const QuadCheck check = check_quads(quads, &surface);
+//   report["quads"] = quads_section(check, QuadsComparedWith::Surface);
+//   std::cout << describe(check, QuadsComparedWith::Surface) << "\n";
+#pragma once
+
+#include <string>
+
+#include "majorant/quads/check_quads.h"
+#include "majorant/results/report.h"
+
+namespace majorant {
+
+// Nothing: turned quads and distances are unknown, null in reports.
+enum class QuadsComparedWith { Nothing, Surface };
+
+Json quads_section(const QuadCheck& check, QuadsComparedWith surface);
+
+// Where it is valid what is proven and measured, else what is wrong: one line.
+std::string describe(const QuadCheck& check, QuadsComparedWith surface);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,147 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""`majorant quads`, and `check` of what it and others write: files, reports, refusals. What is written is judged by
+tests/checker/quad_judge.py, too."""
+import json
+import math
+import os
+import sys
+import unittest
+
+import command_helpers as helpers
+from command_helpers import INVALID, UNREADABLE, UNSUPPORTED, USAGE, CommandTest, majorant
+
+sys.path.insert(0, os.path.join(helpers.SOURCE, 'tests', 'checker'))
+from quad_judge import judge, read_obj  # noqa: E402
+
+CLOSED = os.path.join(helpers.SHARED, 'data', 'public', 'closed')
+
+
+def torus(m, n):
+    points = [((3 + math.cos(b)) * math.cos(a), (3 + math.cos(b)) * math.sin(a), math.sin(b))
+              for a in (2 * math.pi * i / m for i in range(m)) for b in (2 * math.pi * j / n for j in range(n))]
+    faces = []
+    for i in range(m):
+        for j in range(n):
+            a, b = i * n + j, (i + 1) % m * n + j
+            c, d = (i + 1) % m * n + (j + 1) % n, i * n + (j + 1) % n
+            faces += [(a, b, c), (a, c, d)]
+    return points, faces
+
+
+class Quads(CommandTest):
+    def made(self, source, *args):
+        """The report of a run that is valid, and judged again."""
+        quads = self.path('quads.obj')
+        self.run_ok('quads', source, '-o', quads, '--report', self.path('r.json'), '--force', *args)
+        self.run_ok('check', quads, '--surface', source)
+        self.assertEqual(judge(read_obj(quads), read_obj(source)), set())
+        return json.loads(self.read('r.json'))
+
+    def test_generated_surface(self):
+        report = self.made(helpers.generated('buckle'), '--count', 1000)
+        quads = report['quads']
+        self.assertEqual(report['status'], 'converged')
+        self.assertEqual((quads['folded'], quads['turned']), (0, 0))
+        self.assertEqual(quads['asked'], 1000)
+        self.assertLessEqual(abs(quads['count'] - 1000), 50)
+        self.assertEqual(quads['euler_characteristic'], report['input']['euler_characteristic'])
+        text = self.read('quads.obj').decode().split('\n')
+        self.assertEqual({line[:2] for line in text if line}, {'v ', 'f '})
+        self.assertEqual(sum(line.startswith('f ') for line in text), quads['count'])
+
+    def test_edge_length_and_default_count(self):
+        buckle = helpers.generated('buckle')
+        area = self.made(buckle)['input']['area']
+        report = json.loads(self.read('r.json'))
+        self.assertEqual(report['quads']['asked'], report['input']['faces'] // 2)
+        length = (area / 1500) ** 0.5
+        quads = self.made(buckle, '--edge-length', repr(length))['quads']
+        self.assertAlmostEqual(quads['asked'], 1500, delta=1)
+        self.assertLess(abs(quads['count'] - 1500), 150)
+
+    def test_same_bytes_on_any_number_of_threads(self):
+        for threads in (1, 2):
+            self.run_ok('quads', helpers.generated('buckle'), self.path('%d.obj' % threads), '--count', 500,
+                        '--threads', threads)
+        self.assertEqual(self.read('1.obj'), self.read('2.obj'))
+
+    def test_ply_is_the_same_mesh(self):
+        self.run_ok('quads', helpers.generated('buckle'), '-o', self.path('a.obj'), '-o', self.path('a.ply'))
+        one = self.run_ok('check', self.path('a.obj')).out.split(': ', 1)[1]
+        self.assertEqual(self.run_ok('check', self.path('a.ply')).out.split(': ', 1)[1], one)
+        self.assertIn('valid', one)
+
+    def test_components_and_orientation(self):
+        """Two tori, one of them inside out: quads of both, as their faces are."""
+        points, faces = torus(24, 14)
+        both = points + [(x + 20, y, z) for x, y, z in points]
+        faces = faces + [tuple(v + len(points) for v in face[::-1]) for face in faces]
+        report = self.made(self.write('two.obj', helpers.obj_text(both, faces)), '--count', 800)
+        self.assertEqual(report['quads']['components'], 2)
+        self.assertEqual(report['quads']['irregular'], 0)
+
+    def test_refusals(self):
+        buckle, out = helpers.generated('buckle'), self.path('o.obj')
+        self.refused(USAGE, 'quads', buckle, '-o', out, '--count', 100, '--edge-length', 1, says='--edge-length')
+        self.refused(USAGE, 'quads', buckle, '-o', self.path('o.svg'), says='.svg')
+        self.refused(USAGE, 'quads', buckle, says='-o')
+        self.refused(UNREADABLE, 'quads', self.path('none.obj'), '-o', out, says='none.obj')
+        self.refused(UNSUPPORTED, 'quads', helpers.generated('wavy_disk'), '-o', out, says='border')
+        points, faces = torus(12, 8)
+        twice = self.write('twice.obj', helpers.obj_text(points, faces + faces[:1]))
+        self.refused(UNSUPPORTED, 'quads', twice, '-o', out, '--strict', says='--strict')
+        self.assertEqual(self.files(), ['twice.obj'])
+
+    def test_time_limit(self):
+        outcome = majorant('quads', helpers.generated('buckle'), '-o', self.path('o.obj'), '--time-limit', 0)
+        self.assertIn(outcome.code, (helpers.LIMIT, INVALID), outcome.err)
+        self.assertEqual(os.path.exists(self.path('o.obj')), outcome.code == helpers.LIMIT)
+
+    @helpers.where(CLOSED)
+    def test_public_closed_meshes(self):
+        for name in ('spot_1654', 'torus_g1_4608'):
+            with self.subTest(name):
+                quads = self.made(os.path.join(CLOSED, name + '.obj'), '--count', 1000)['quads']
+                self.assertLessEqual(abs(quads['count'] - 1000), 50)
+
+
+class Check(CommandTest):
+    CUBE = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    SIDES = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+
+    def test_files_of_quads_are_known(self):
+        path = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
+        said = self.run_ok('check', path, '--report', self.path('r.json')).out
+        self.assertIn('valid: 6 quads, Euler characteristic 2', said)
+        self.assertIn('not asked: surface', said)
+        report = json.loads(self.read('r.json'))
+        self.assertEqual(report['quads']['irregular'], 8)
+        self.assertIsNone(report['quads']['turned'])
+
+    def test_what_is_wrong_is_named(self):
+        bent = self.CUBE[:7] + [(0.1, 0.1, 1)]
+        path = self.write('bent.obj', helpers.obj_text(bent, self.SIDES))
+        said = self.run_ok('check', path, code=INVALID).out
+        self.assertIn('folded', said)
+        open_cube = self.write('open.obj', helpers.obj_text(self.CUBE, self.SIDES[:5]))
+        cube = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
+        said = self.run_ok('check', open_cube, '--surface', cube, code=INVALID).out
+        self.assertIn('Euler characteristic of the quads: 1, of the surface: 2', said)
+        self.assertIn('border loops', said)
+
+    def test_triangles_are_a_map_unless_quads_are_asked_for(self):
+        points, faces = torus(8, 6)
+        path = self.write('torus.obj', helpers.obj_text(points, faces))
+        self.refused(UNREADABLE, 'check', path)
+        self.assertIn('no quads', self.run_ok('check', path, '--quads', code=INVALID).out)
+
+    def test_flags_of_maps(self):
+        path = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
+        for flag in (['--certify'], ['--seamless'], ['--cuts', 'none'], ['--distortion', self.path('d.csv')]):
+            self.refused(USAGE, 'check', path, *flag, says=flag[0])
+
+
+if __name__ == '__main__':
+    helpers.main()

@@ -1,0 +1,235 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Is every point of a layout found once on the surface, and none beside it? `majorant.InverseMap` on maps of public
+meshes, a million random points a row; needs the Python package (PYTHONPATH).
+
+Inside: points of random faces, evaluated. Misses have no preimage, doubles several; "other" is found in another face,
+though it lies 1e-9 inside of its own. Beside: random points of the layout's box, against the winding number of the
+boundary, cut into short chords, but for points closer to it than its sagitta. Samples are judged in rational numbers
+(fractions, no library): of straight faces that exactly one of all faces has the point, and the coordinates found; of
+curved ones by Kantorovich's theorem that there is a preimage within 2 eta of what was found, and no other one in its
+neighbourhood; that there is no other one anywhere is what the run has proven of the layout.
+
+Prints a Markdown table; exit code 0 exactly if no number of misses, doubles, others and wrong ones is above 0.
+
+Sample runs:
+  PYTHONPATH=build/release/python tests/campaigns/preimages.py --shared ../shared
+  PYTHONPATH=build/release/python tests/campaigns/preimages.py --points 20000 --models hand,spot
+"""
+import argparse
+import sys
+import time
+from fractions import Fraction
+from math import factorial
+from pathlib import Path
+
+import numpy as np
+
+import majorant
+
+MODELS = ['blub', 'demosthenes', 'goathead', 'hand', 'helix', 'koala', 'mountain', 'nefertiti', 'penguin', 'plane',
+          'scorpion', 'skull', 'spot']
+CLOSED = ['spot_1654', 'blub_1886', 'torus_g1_4608']
+CHORDS = 64                                       # of an edge
+BESIDE = 20000                                    # points of the box, of each map
+INNER = 1e-9                                      # in barycentric coordinates
+RESIDUAL = 1e-12                                  # of the layout's diagonal
+
+
+def exact(values):
+    return [Fraction(float(x)) for x in values]
+
+
+def random_points(r, count, random):
+    face = random.integers(0, len(r.faces), count)
+    bary = random.dirichlet((1, 1, 1), count)
+    return face, bary, r.evaluate(face, bary)
+
+
+def border(r):
+    """The boundary in short chords, (#, 2, 2), and how far a curve is from its chord."""
+    cells, n = r.cells, r.degree
+    corners = [cells[:, k] for k in range(3)]
+    sides = [np.column_stack([corners[k], corners[(k + 1) % 3]]) for k in range(3)]
+    # Both sides of a shared edge have the same nodes: an edge of the boundary is there once.
+    all_sides = np.concatenate(sides)
+    where = np.concatenate([np.column_stack([np.arange(len(cells)), np.full(len(cells), k)]) for k in range(3)])
+    _, place, times = np.unique(np.sort(all_sides, 1), axis=0, return_index=True, return_counts=True)
+    face, k = where[place[times == 1]].T
+    t = np.linspace(0, 1, CHORDS + 1)
+    bary = np.zeros((len(face), CHORDS + 1, 3))
+    bary[np.arange(len(face))[:, None], np.arange(CHORDS + 1), k[:, None]] = 1 - t
+    bary[np.arange(len(face))[:, None], np.arange(CHORDS + 1), (k[:, None] + 1) % 3] = t
+    line = r.evaluate(np.repeat(face[:, None], CHORDS + 1, 1), bary)
+    bend = np.abs(np.diff(line, 2, axis=1)).max() if n > 1 else 0.0
+    return np.stack([line[:, :-1], line[:, 1:]], 2).reshape(-1, 2, 2), bend
+
+
+def windings(chords, points):
+    """How often the border goes around each point, and its distance to the border, at most."""
+    turns, distance = np.zeros(len(points), int), np.full(len(points), np.inf)
+    for a, b in chords:
+        side = (b[0] - a[0]) * (points[:, 1] - a[1]) - (b[1] - a[1]) * (points[:, 0] - a[0])
+        turns += (a[1] <= points[:, 1]) & (points[:, 1] < b[1]) & (side > 0)
+        turns -= (b[1] <= points[:, 1]) & (points[:, 1] < a[1]) & (side < 0)
+        d = b - a
+        t = np.clip((points - a) @ d / max(d @ d, 1e-300), 0, 1)
+        distance = np.minimum(distance, np.linalg.norm(points - a - t[:, None] * d, axis=1))
+    return turns, distance
+
+
+def beside(r, inverse, random):
+    """Random points of the box: how many were judged, how many of them wrongly."""
+    chords, bend = border(r)
+    low, high = r.control_points.min(0), r.control_points.max(0)
+    points = random.uniform(low, high, (BESIDE, 2))
+    turns, distance = windings(chords, points)
+    clear = distance > max(bend, 1e-12 * np.linalg.norm(high - low))
+    found = np.bincount(inverse.preimages(points).point, minlength=BESIDE)
+    return int(clear.sum()), int((found != turns)[clear].sum())
+
+
+def cross(a, b):
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def wrong_straight(r, uv, face, bary):
+    """Whether exactly this face has the point, at these coordinates."""
+    corner = r.corner_uv
+    near = np.flatnonzero((corner.min(1) <= uv).all(1) & (uv <= corner.max(1)).all(1))
+    p, owners = exact(uv), []
+    for f in near:
+        c = [exact(x) for x in corner[f]]
+        weights = [cross([c[(k + 1) % 3][i] - p[i] for i in (0, 1)], [c[(k + 2) % 3][i] - p[i] for i in (0, 1)])
+                   for k in range(3)]
+        if min(weights) >= 0:
+            owners.append((f, [w / sum(weights) for w in weights]))
+    if [f for f, _ in owners] != [face]:
+        return True
+    return any(abs(a - b) > Fraction(RESIDUAL) for a, b in zip(owners[0][1], exact(bary)))
+
+
+def bezier(points, n, b):
+    """Exactly, by Bernstein polynomials; points: {(i, j, k): [u, v]}."""
+    value = [Fraction(0), Fraction(0)]
+    for (i, j, k), p in points.items():
+        w = Fraction(factorial(n), factorial(i) * factorial(j) * factorial(k)) * b[0] ** i * b[1] ** j * b[2] ** k
+        value = [value[0] + w * p[0], value[1] + w * p[1]]
+    return value
+
+
+def differences(points, first, second):
+    """Of neighbours along two corners: n times these are the control points of a derivative."""
+    out = {}
+    for key, p in points.items():
+        if key[second] == 0:
+            continue
+        lower = list(key)
+        lower[second] -= 1
+        other = list(lower)
+        other[first] += 1
+        q = points[tuple(other)]
+        out[tuple(lower)] = [q[0] - p[0], q[1] - p[1]]
+    return out
+
+
+def wrong_curved(r, uv, face, bary, size, indices):
+    """Whether Kantorovich's theorem does not give a preimage at these coordinates."""
+    n = r.degree
+    points = {tuple(map(int, a)): exact(r.control_points[node]) for a, node in zip(indices, r.cells[face])}
+    b = exact(bary)
+    b[2] = 1 - b[0] - b[1]
+    at, target = bezier(points, n, b), exact(uv)
+    residual = [at[0] - target[0], at[1] - target[1]]
+    if residual[0] ** 2 + residual[1] ** 2 > (Fraction(RESIDUAL) * Fraction(size)) ** 2:
+        return True
+    by = [differences(points, k, 2) for k in (0, 1)]
+    J = [[n * x for x in bezier(d, n - 1, b)] for d in by]  # columns
+    det = cross(J[0], J[1])
+    if det <= 0:
+        return True
+    inverse = [[J[1][1] / det, -J[1][0] / det], [-J[0][1] / det, J[0][0] / det]]
+    eta = sum(abs(row[0] * residual[0] + row[1] * residual[1]) for row in inverse)
+    beta = sum(abs(x) for row in inverse for x in row)
+    gamma = sum(n * (n - 1) * max(abs(x) for p in differences(d, k, 2).values() for x in p) for d in by for k in (0, 1))
+    return 2 * beta * gamma * eta * 2 > 1 or min(b) <= 4 * eta
+
+
+class Row:
+    """What is counted of all maps of a row."""
+
+    def __init__(self):
+        self.maps = self.points = self.misses = self.doubles = self.other = self.undecided = 0
+        self.beside = self.wrong_beside = self.samples = self.wrong = 0
+        self.residual = self.seconds = 0.0
+
+    def add(self, r, count, samples, random):
+        inverse = majorant.InverseMap(r)
+        face, bary, uv = random_points(r, count, random)
+        start = time.process_time()
+        found = inverse.locate(uv, threads=1)
+        self.seconds += time.process_time() - start
+        times = np.bincount(inverse.preimages(uv).point, minlength=count)
+        size = float(np.linalg.norm(np.ptp(r.control_points, axis=0)))
+        is_found = found.face >= 0
+        inner = is_found & (bary.min(1) > INNER)
+        self.maps += 1
+        self.points += count
+        self.misses += int((times == 0).sum() + (~is_found).sum())
+        self.doubles += int((times > 1).sum())
+        self.other += int((found.face != face)[inner].sum())
+        self.undecided += int(found.undecided.sum())
+        at = r.evaluate(found.face[is_found], found.bary[is_found])
+        self.residual = max(self.residual, float(np.abs(at - uv[is_found]).max()) / size)
+        judged, wrong = beside(r, inverse, random)
+        self.beside += judged
+        self.wrong_beside += wrong
+        indices = majorant._core.multi_indices(r.degree)
+        for k in np.flatnonzero(inner)[:samples]:
+            self.samples += 1
+            if r.degree == 1:
+                self.wrong += wrong_straight(r, uv[k], found.face[k], found.bary[k])
+            else:
+                self.wrong += wrong_curved(r, uv[k], found.face[k], found.bary[k], size, indices)
+
+    def is_right(self):
+        return not (self.misses or self.doubles or self.other or self.wrong_beside or self.wrong)
+
+    def cells(self):
+        return [self.maps, self.points, self.misses, self.doubles, self.other, self.undecided, '%.1e' % self.residual,
+                self.beside, self.wrong_beside, self.samples, self.wrong, '%.2f' % (self.points / self.seconds / 1e6)]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('--shared', type=Path, default=Path(__file__).resolve().parents[2].parent / 'shared')
+    parser.add_argument('--models', default=','.join(MODELS), help='public disks of 500 faces')
+    parser.add_argument('--degrees', default='1,2,3,4')
+    parser.add_argument('--points', type=int, default=1000000, help='of a row')
+    parser.add_argument('--samples', type=int, default=50, help='in rational numbers, of a map')
+    options = parser.parse_args()
+    public = options.shared / 'data/public'
+    models = options.models.split(',')
+    print('| maps | | points | misses | doubles | other | undecided | residual, of the layout | beside | wrong | '
+          'rational | wrong | M points/s |')
+    print('|---' + '|--:' * 12 + '|')
+    is_right = True
+
+    def print_row(name, meshes, solve):
+        nonlocal is_right
+        row, random = Row(), np.random.default_rng(34)
+        for path in meshes:
+            row.add(solve(*majorant.read_mesh(path)), options.points // len(meshes) + 1, options.samples, random)
+        print('| ' + ' | '.join(map(str, [name, *row.cells()])) + ' |', flush=True)
+        is_right = is_right and row.is_right()
+
+    for degree in map(int, options.degrees.split(',')):
+        print_row('disks, degree %d' % degree, [public / 'disks' / ('%s_500.obj' % m) for m in models],
+                  lambda V, F: majorant.parametrize(V, F, degree=degree, bijective=True))
+    print_row('atlases', [public / 'closed' / (name + '.obj') for name in CLOSED], majorant.unwrap)
+    return 0 if is_right else 1
+
+
+if __name__ == '__main__':
+    sys.exit(main())

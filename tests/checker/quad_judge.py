@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Judges a mesh of quads against the surface it should be one of, on the digits of two OBJ files.
+
+    quad_judge.py QUADS.obj [SURFACE.obj]
+
+Prints a line for every kind of defect and `ok` or `bad`; exit code 0 or 1. Shares no code with the
+library: signs are those of integers, always; what is nearest is found by trying all of them.
+"""
+import math
+import sys
+from collections import defaultdict
+from math import lcm
+
+CLOSE = 1e-9    # of the surface's diagonal: how far a border vertex may lie off the border
+CORNER = 35.0   # degrees: a turn of the border from which on a vertex has to be there
+
+
+def read_obj(path):
+    positions, faces = [], []
+    with open(path) as file:
+        for line in file:
+            words = line.split()
+            if words[:1] == ['v']:
+                positions.append(tuple(float(x) for x in words[1:4]))
+            elif words[:1] == ['f']:
+                numbers = [int(word.split('/')[0]) for word in words[1:]]
+                faces.append([n - 1 if n > 0 else len(positions) + n for n in numbers])
+    return positions, faces
+
+
+def integers(points):
+    """Points of doubles times one positive number, as integers."""
+    ratios = [[x.as_integer_ratio() for x in p] for p in points]
+    scale = lcm(*(d for p in ratios for _, d in p))
+    return [tuple(n * (scale // d) for n, d in p) for p in ratios]
+
+
+def minus(a, b):
+    return tuple(x - y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def is_folded(corners):
+    p = integers(corners)
+    n = cross(minus(p[2], p[0]), minus(p[3], p[1]))
+    return any(dot(cross(minus(p[(k + 1) % 4], p[k]), minus(p[(k + 3) % 4], p[k])), n) <= 0
+               for k in range(4))
+
+
+def against(corners, triangle):
+    """Does the quad face away from the triangle?"""
+    p = integers(list(corners) + list(triangle))
+    n = cross(minus(p[2], p[0]), minus(p[3], p[1]))
+    return dot(n, cross(minus(p[5], p[4]), minus(p[6], p[4]))) < 0
+
+
+def nearest_on_segment(p, a, b):
+    ab, ap = minus(b, a), minus(p, a)
+    length = dot(ab, ab)
+    t = min(1.0, max(0.0, dot(ap, ab) / length)) if length > 0 else 0.0
+    return t, math.dist(p, tuple(x + t * d for x, d in zip(a, ab)))
+
+
+def distance_to_triangle(p, a, b, c):
+    n = cross(minus(b, a), minus(c, a))
+    size = math.sqrt(dot(n, n))
+    least = min(nearest_on_segment(p, *edge)[1] for edge in ((a, b), (b, c), (c, a)))
+    if size > 0 and all(dot(cross(minus(y, x), minus(p, x)), n) >= 0 for x, y in ((a, b), (b, c), (c, a))):
+        least = min(least, abs(dot(minus(p, a), n)) / size)
+    return least
+
+
+class Nearest:
+    """The face nearest to a point, of all of them: those whose balls are nearer first, until a ball is farther."""
+
+    def __init__(self, mesh):
+        self.mesh, self.balls = mesh, []
+        for f in range(len(mesh.faces)):
+            corners = mesh.corner_points(f)
+            centre = tuple(sum(x) / len(corners) for x in zip(*corners))
+            self.balls.append((centre, max(math.dist(centre, p) for p in corners)))
+
+    def __call__(self, p):
+        bounds = [math.dist(centre, p) - radius for centre, radius in self.balls]
+        least, nearest = math.inf, None
+        for f in sorted(range(len(bounds)), key=bounds.__getitem__):
+            if bounds[f] > least:
+                return nearest
+            distance = distance_to_triangle(p, *self.mesh.corner_points(f))
+            if distance < least:
+                least, nearest = distance, f
+        return nearest
+
+
+class Mesh:
+    def __init__(self, positions, faces):
+        self.positions, self.faces = positions, faces
+        self.sides = defaultdict(list)  # directed edge -> faces
+        for f, face in enumerate(faces):
+            for edge in zip(face, face[1:] + face[:1]):
+                self.sides[edge].append(f)
+
+    def corner_points(self, f):
+        return [self.positions[v] for v in self.faces[f]]
+
+    def edge_defects(self):
+        found = set()
+        for (a, b), faces in self.sides.items():
+            total = len(faces) + len(self.sides.get((b, a), ()))
+            if total > 2:
+                found.add('crowded edge')
+            elif len(faces) > 1:
+                found.add('opposed edge')
+        return found
+
+    def has_touching_vertex(self):
+        """Faces of a vertex that are not joined around it by edges that end there."""
+        around = defaultdict(list)
+        for f, face in enumerate(self.faces):
+            for v in face:
+                around[v].append(f)
+        for v, faces in around.items():
+            seen, todo = {faces[0]}, [faces[0]]
+            while todo:
+                face = self.faces[todo.pop()]
+                k = face.index(v)
+                for other in (face[(k + 1) % len(face)], face[k - 1]):
+                    for g in self.sides.get((v, other), []) + self.sides.get((other, v), []):
+                        if g not in seen:
+                            seen.add(g)
+                            todo.append(g)
+            if len(seen) != len(faces):
+                return True
+        return False
+
+    def components(self):
+        name = list(range(len(self.faces)))
+
+        def find(f):
+            while name[f] != f:
+                name[f] = name[name[f]]
+                f = name[f]
+            return f
+        for (a, b), faces in self.sides.items():
+            for f in faces + self.sides.get((b, a), []):
+                name[find(f)] = find(faces[0])
+        return len({find(f) for f in range(len(self.faces))})
+
+    def loops(self):
+        """Border loops as vertices, the faces on their left."""
+        then = {a: b for (a, b) in self.sides if (b, a) not in self.sides}
+        found = []
+        while then:
+            first, v, loop = min(then), min(then), []
+            while v in then:
+                loop.append(v)
+                v = then.pop(v)
+            assert v == first
+            found.append(loop)
+        return found
+
+    def euler(self):
+        vertices = {v for face in self.faces for v in face}
+        edges = {tuple(sorted(edge)) for edge in self.sides}
+        return len(vertices) - len(edges) + len(self.faces)
+
+
+def border_defects(quads, surface):
+    found, used = set(), set()
+    corners = [surface.positions[v] for face in surface.faces for v in face]
+    close = CLOSE * math.dist(*[tuple(pick(x) for x in zip(*corners)) for pick in (min, max)])
+    theirs = surface.loops()
+    edges = [(n, i, surface.positions[a], surface.positions[b]) for n, loop in enumerate(theirs)
+             for i, (a, b) in enumerate(zip(loop, loop[1:] + loop[:1]))]
+    for loop in quads.loops():
+        places = []
+        for v in loop:
+            p = quads.positions[v]
+            distance, n, along = min((nearest_on_segment(p, a, b)[1], n, i + nearest_on_segment(p, a, b)[0])
+                                     for n, i, a, b in edges)
+            if distance > close:
+                found.add('off the border')
+            places.append((n, along))
+        n = places[0][0]
+        length, around = len(theirs[n]), 0.0
+        for (m, here), (_, there) in zip(places, places[1:] + places[:1]):
+            step = (there - here) % length
+            around += step if step > 0 else length
+            if m != n:
+                around = math.inf
+        if around > 1.5 * length or n in used:
+            found.add('border not followed')
+        used.add(n)
+        for a, b, c in zip(theirs[n][-1:] + theirs[n][:-1], theirs[n], theirs[n][1:] + theirs[n][:1]):
+            into, out = (minus(surface.positions[b], surface.positions[a]),
+                         minus(surface.positions[c], surface.positions[b]))
+            turn = math.degrees(math.atan2(math.sqrt(dot(cross(into, out), cross(into, out))), dot(into, out)))
+            if turn >= CORNER and all(math.dist(quads.positions[v], surface.positions[b]) > close for v in loop):
+                found.add('corner missed')
+    return found
+
+
+def judge(quads, surface=None):
+    """The kinds of defects of a mesh (positions, faces), with a surface likewise or without."""
+    quads = Mesh(*quads)
+    if not quads.faces or any(len(face) != 4 or len(set(face)) != 4 for face in quads.faces):
+        return {'no quads'}
+    found = quads.edge_defects()
+    if found:
+        return found
+    if quads.has_touching_vertex():
+        return {'touching vertex'}
+    if any(is_folded(quads.corner_points(f)) for f in range(len(quads.faces))):
+        found.add('folded')
+    if surface is None:
+        return found
+    surface = Mesh(*surface)
+    loops = len(quads.loops()), len(surface.loops())
+    if quads.euler() != surface.euler():
+        found.add('Euler characteristic')
+    if quads.components() != surface.components():
+        found.add('components')
+    if loops[0] != loops[1]:
+        found.add('border loops')
+    elif loops[0]:
+        found |= border_defects(quads, surface)
+    nearest = Nearest(surface)
+    for f in range(len(quads.faces)):
+        corners = quads.corner_points(f)
+        centre = tuple(sum(x) / 4 for x in zip(*corners))
+        if against(corners, surface.corner_points(nearest(centre))):
+            found.add('turned')
+            break
+    return found
+
+
+def main():
+    defects = judge(read_obj(sys.argv[1]), read_obj(sys.argv[2]) if len(sys.argv) > 2 else None)
+    for defect in sorted(defects):
+        print(defect)
+    print('bad' if defects else 'ok')
+    sys.exit(bool(defects))
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,124 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""`majorant check` of quad meshes against a judge that shares no code with it (quad_judge.py): sound meshes, closed
+and bordered, and the same with one random defect each. Both find the same kinds of defects.
+
+A campaign, of so many damaged meshes:
+    MAJORANT_QUAD_MESHES=2000 python3 tests/checker/quad_judge_test.py
+"""
+import math
+import os
+import random
+import re
+import subprocess
+import tempfile
+import unittest
+
+from quad_judge import judge
+
+BINARY = os.environ.get('MAJORANT_BINARY', '')
+COUNT = int(os.environ.get('MAJORANT_QUAD_MESHES', '60'))
+# What `check` says, by the judge's names.
+SAID = {'no quads': 'no quads? of four vertices|are no faces', 'crowded edge': 'more than two quads',
+        'opposed edge': 'run the same way', 'touching vertex': 'merely touch', 'folded': 'folded', 'turned': 'turned',
+        'Euler characteristic': 'Euler characteristic of the quads', 'components': 'components of the quads',
+        'border loops': 'border loops of the quads', 'off the border': "off the surface's border",
+        'border not followed': 'not follow one', 'corner missed': "corners? of the surface's border"}
+
+
+def torus(m, n):
+    points = [((3 + math.cos(b)) * math.cos(a), (3 + math.cos(b)) * math.sin(a), math.sin(b))
+              for a in (2 * math.pi * i / m for i in range(m)) for b in (2 * math.pi * j / n for j in range(n))]
+    return points, [[i * n + j, (i + 1) % m * n + j, (i + 1) % m * n + (j + 1) % n, i * n + (j + 1) % n]
+                    for i in range(m) for j in range(n)]
+
+
+def plate(m, n, hole):
+    """A curved rectangle, with a rectangular hole or without."""
+    points = [(i / m, j / n, 0.1 * math.sin(3 * i / m)) for i in range(m + 1) for j in range(n + 1)]
+    faces = [[i * (n + 1) + j, (i + 1) * (n + 1) + j, (i + 1) * (n + 1) + j + 1, i * (n + 1) + j + 1]
+             for i in range(m) for j in range(n) if not hole or not (m // 3 <= i < 2 * m // 3 and n // 3 <= j < 2 * n // 3)]
+    used = sorted({v for face in faces for v in face})
+    number = {v: k for k, v in enumerate(used)}
+    return [points[v] for v in used], [[number[v] for v in face] for face in faces]
+
+
+def halves(mesh):
+    points, faces = mesh
+    return points, [half for a, b, c, d in faces for half in ([a, b, c], [a, c, d])]
+
+
+def damaged(mesh):
+    points, faces = [list(p) for p in mesh[0]], [list(f) for f in mesh[1]]
+    kind = random.choice(['move', 'slide', 'flat', 'turn', 'leave out', 'twice', 'join', 'triangle', 'turn all', 'none'])
+    v, f = random.randrange(len(points)), random.randrange(len(faces))
+    if kind == 'move':
+        points[v] = [x + random.gauss(0, random.choice([1e-12, 0.01, 0.3])) for x in points[v]]
+    elif kind == 'slide':  # onto the middle of an edge, where a corner is flat to the last bit, or nearly so
+        a, b = random.choice([(faces[f][0], faces[f][2]), (faces[f][1], faces[f][3])])
+        points[faces[f][random.randrange(4)]] = [(x + y) / 2 for x, y in zip(points[a], points[b])]
+    elif kind == 'flat':
+        face = faces[f]
+        points[face[1]] = [x + random.choice([0, 1e-17, -1e-17]) for x in points[face[0]]]
+    elif kind == 'turn':
+        faces[f].reverse()
+    elif kind == 'leave out':
+        del faces[f]
+    elif kind == 'twice':
+        faces.append(list(faces[f]))
+    elif kind == 'join':
+        w = random.randrange(len(points))
+        faces = [[w if x == v else x for x in face] for face in faces]
+    elif kind == 'triangle':
+        faces[f] = faces[f][:3]
+    elif kind == 'turn all':
+        faces = [face[::-1] for face in faces]
+    return [tuple(p) for p in points], faces
+
+
+class Agreement(unittest.TestCase):
+    def setUp(self):
+        random.seed(int(os.environ.get('MAJORANT_SEED', '1')))
+        folder = tempfile.TemporaryDirectory(prefix='majorant_quads_')
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def write(self, name, mesh):
+        path = os.path.join(self.folder, name)
+        with open(path, 'w') as file:
+            file.writelines('v %r %r %r\n' % tuple(p) for p in mesh[0])
+            file.writelines('f %s\n' % ' '.join(str(v + 1) for v in face) for face in mesh[1])
+        return path
+
+    def said(self, quads, surface):
+        """The kinds of defects that the command names."""
+        args = [BINARY, 'check', self.write('quads.obj', quads), '--quads']
+        if surface:
+            args += ['--surface', self.write('surface.obj', surface)]
+        run = subprocess.run(args, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        found = {kind for kind, words in SAID.items() if re.search(words, run.stdout.split(': ', 2)[2])
+                 } if run.returncode == 5 else set()
+        self.assertIn(run.returncode, (0, 5), run.stderr + run.stdout)
+        self.assertEqual(run.returncode == 5, bool(found), run.stdout)
+        return found
+
+    def test_sound_and_damaged(self):
+        bases = [torus(9, 6), plate(6, 6, False), plate(9, 6, True)]
+        kinds = set()
+        for mesh in bases:
+            self.assertEqual(judge(mesh, halves(mesh)), set())
+            self.assertEqual(self.said(mesh, halves(mesh)), set())
+        for trial in range(COUNT):
+            base = random.choice(bases)
+            mesh = damaged(base)
+            surface = random.choice([None, halves(base)])
+            with self.subTest(trial=trial):
+                expected = judge(mesh, surface)
+                self.assertEqual(self.said(mesh, surface), expected)
+            kinds |= expected
+        self.assertGreaterEqual(len(kinds), 8, kinds)  # the trials are of many kinds
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,108 @@
+#include "majorant/quads/check_quads.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "majorant/framework/error.h"
+#include "majorant/quads/exact_normals.h"
+#include "parametrization/fields/closed_surfaces.h"
+
+namespace majorant {
+namespace {
+
+// The quads that the triangles of cube() and sphere() are halves of.
+PolygonMesh quads_of(const PolygonMesh& halves) {
+  PolygonMesh quads = halves;
+  quads.polygons.clear();
+  quads.polygon_lines.clear();
+  for (std::size_t f = 0; f < halves.polygons.size(); f += 2) {
+    const auto &a = halves.polygons[f], &b = halves.polygons[f + 1];
+    quads.polygons.push_back({a[0], a[1], a[2], b[2]});
+  }
+  return quads;
+}
+
+TEST(ExactNormals, SignsOfTheLastBit) {
+  const Vector3 a(0, 0, 0), c(1, 1, 0), b(1, 0, 0);
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  for (const double y : {tiny, 1e-300, 1.0}) {
+    // The corner at a, between b and a point that is y to the left of the line through a and b.
+    const Vector3 left(-3, y, 0), right(-3, -y, 0), on(-3, 0, 0);
+    EXPECT_EQ(sign_of_normals({a, b}, {a, left}, {a, c}, {b, Vector3(0, 1, 0)}), 1) << y;
+    EXPECT_EQ(sign_of_normals({a, b}, {a, right}, {a, c}, {b, Vector3(0, 1, 0)}), -1) << y;
+    EXPECT_EQ(sign_of_normals({a, b}, {a, on}, {a, c}, {b, Vector3(0, 1, 0)}), 0) << y;
+  }
+  // 0.1, 0.2 and 0.3 are not on one line, as doubles; their multiples by 3 are where the sum
+  // rounds.
+  const Vector3 p(0.1, 0.1, 0), q(0.2, 0.2, 0), r(0.3, 0.3, 0);
+  EXPECT_EQ(sign_of_normals({p, q}, {p, r}, {a, b}, {a, Vector3(0, 1, 0)}), 0);
+  const Vector3 above(0.3, std::nextafter(0.3, 1), 0);
+  EXPECT_EQ(sign_of_normals({p, q}, {p, above}, {a, b}, {a, Vector3(0, 1, 0)}), 1);
+}
+
+TEST(CheckQuads, CubeIsValidAndMeasured) {
+  const PolygonMesh halves = cube(4);
+  const SurfaceMesh surface = SurfaceMesh::from_polygons(halves);
+  const QuadCheck check = check_quads(quads_of(halves), &surface);
+  EXPECT_TRUE(check.is_valid());
+  EXPECT_EQ(check.count, 6 * 16);
+  EXPECT_EQ(check.irregular, 8);
+  EXPECT_EQ(check.topology.euler_characteristic(), 2);
+  EXPECT_DOUBLE_EQ(check.min_scaled_jacobian, 1);
+  EXPECT_DOUBLE_EQ(check.mean_scaled_jacobian, 1);
+  EXPECT_NEAR(check.angle_deviation, 0, 1e-12);
+  EXPECT_LT(check.hausdorff.to_surface, 1e-14);
+  EXPECT_LT(check.hausdorff.from_surface, 1e-14);
+}
+
+TEST(CheckQuads, FoldedToTheLastBit) {
+  const SurfaceMesh surface = SurfaceMesh::from_polygons(cube(4));
+  PolygonMesh quads = quads_of(cube(4));
+  // A corner of the first quad onto the line of its neighbours, then a last bit back.
+  const std::vector<Index> first = quads.polygons[0];
+  const Vector3 middle = (quads.positions[first[1]] + quads.positions[first[3]]) / 2;
+  const Vector3 inward = quads.positions[first[0]] - middle;
+  quads.positions[first[0]] = middle;
+  EXPECT_EQ(check_quads(quads, &surface).folded, std::vector<Index>{0});
+  for (int c = 0; c < 3; ++c)
+    if (inward[c] != 0) {
+      double& x = quads.positions[first[0]][c];
+      x = std::nextafter(x, x + inward[c]);
+    }
+  EXPECT_TRUE(check_quads(quads, nullptr).folded.empty());
+}
+
+TEST(CheckQuads, TurnedInsideOut) {
+  const SurfaceMesh surface = SurfaceMesh::from_polygons(sphere(5));
+  PolygonMesh quads = quads_of(sphere(5));
+  EXPECT_TRUE(check_quads(quads, &surface).is_valid());
+  for (auto& polygon : quads.polygons) std::swap(polygon[1], polygon[3]);
+  const QuadCheck check = check_quads(quads, &surface);
+  EXPECT_EQ(static_cast<Index>(check.turned.size()), check.count);
+  EXPECT_TRUE(check.folded.empty());
+  EXPECT_TRUE(check_quads(quads, nullptr).is_valid());
+}
+
+TEST(CheckQuads, OtherSurface) {
+  const SurfaceMesh torus_surface = SurfaceMesh::from_polygons(torus(12, 8, 0));
+  const QuadCheck check = check_quads(quads_of(sphere(3)), &torus_surface);
+  ASSERT_FALSE(check.is_valid());
+  EXPECT_NE(check.defects.front().find("Euler characteristic of the quads: 2, of the surface: 0"),
+            std::string::npos);
+}
+
+TEST(CheckQuads, RefusesWhatIsNoMesh) {
+  PolygonMesh quads = quads_of(cube(1));
+  quads.polygons[0][0] = 99;
+  EXPECT_THROW(check_quads(quads, nullptr), InvalidArgument);
+  quads.polygons[0] = {0, 1, 2};
+  EXPECT_FALSE(check_quads(quads, nullptr).is_valid());
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

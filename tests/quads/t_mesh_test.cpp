@@ -1,0 +1,149 @@
+#include "majorant/quads/internal/t_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/initialization/start.h"
+#include "majorant/quads/internal/extraction.h"
+#include "majorant/quads/internal/quantization.h"
+#include "majorant/quads/quad_mesh.h"
+#include "parametrization/fields/closed_surfaces.h"
+#include "public_data.h"
+
+namespace majorant {
+namespace {
+
+std::map<std::string, SurfaceMesh> surfaces() {
+  std::map<std::string, SurfaceMesh> all;
+  all.emplace("sphere", SurfaceMesh::from_polygons(sphere(8)));
+  all.emplace("cube", SurfaceMesh::from_polygons(cube(6)));
+  all.emplace("torus", SurfaceMesh::from_polygons(torus(24, 16, 0)));
+  if (const auto folder = public_data("closed"); !folder.empty())
+    for (const char* name : {"spot_1654.obj", "skull_g2_10312.obj", "torus_g1_4608.obj"})
+      all.emplace(name, SurfaceMesh::from_polygons(read_mesh((folder / name).string())));
+  return all;
+}
+
+BezierMap start_of(const SurfaceMesh& mesh) {
+  RunRecord record;
+  return make_seamless(mesh, {}, record).map;
+}
+
+TEST(SeamlessLattice, TransitionsHoldWithoutError) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(sphere(8));
+  const BezierMap map = start_of(mesh);
+  const SeamlessLattice lattice(mesh, map);
+  double area = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto corner = [&](int k) {
+      return Vector2(map.control_uv().row(map.mesh().faces()(f, k)).transpose());
+    };
+    area += cross(corner(1) - corner(0), corner(2) - corner(0));
+  }
+  const double exact = static_cast<double>(lattice.twice_area()) * lattice.unit() * lattice.unit();
+  EXPECT_NEAR(exact, area, 1e-9 * area);
+  int seams = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index o = mesh.opposite(h);
+    seams += lattice.turns(h) != 0;
+    const LatticePoint p{12345, -678};
+    EXPECT_EQ(lattice.beyond(o, lattice.beyond(h, p)), p);
+    EXPECT_EQ(lattice.beyond(h, lattice.corner(h)), lattice.corner(next(o)));
+  }
+  EXPECT_GT(seams, 0);
+}
+
+TEST(TMesh, PatchesAreRectanglesThatTileTheSurface) {
+  for (const auto& [name, mesh] : surfaces()) {
+    SCOPED_TRACE(name);
+    SeamlessLattice lattice(mesh, start_of(mesh));
+    const TMesh t_mesh = trace_t_mesh(lattice);
+    std::vector<int> uses(2 * t_mesh.arcs.size(), 0);
+    WideInteger area = 0;
+    for (const TPatch& patch : t_mesh.patches) {
+      for (const auto& side : patch.sides)
+        for (const Index h : side) ++uses[h];
+      area += 2 * WideInteger{patch.width} * patch.height;
+    }
+    for (const int count : uses) EXPECT_EQ(count, 1);
+    EXPECT_TRUE(area == lattice.twice_area());
+    for (const TArc& arc : t_mesh.arcs) EXPECT_GT(arc.length(), 0);
+    Index cones = 0;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) cones += lattice.is_cone(v);
+    Index nodes = 0;
+    for (const TNode& node : t_mesh.nodes) nodes += node.vertex >= 0;
+    EXPECT_EQ(nodes, std::max(cones, 1));
+  }
+}
+
+TEST(Quantization, OppositeSidesAgreeAndQuadsAreAMesh) {
+  for (const auto& [name, mesh] : surfaces()) {
+    SCOPED_TRACE(name);
+    SeamlessLattice lattice(mesh, start_of(mesh));
+    const TMesh t_mesh = trace_t_mesh(lattice);
+    for (const long count : {500, 4000}) {
+      const double length =
+          std::sqrt(static_cast<double>(lattice.twice_area()) / 2 / static_cast<double>(count));
+      std::vector<double> wanted;
+      for (const TArc& arc : t_mesh.arcs)
+        wanted.push_back(static_cast<double>(arc.length()) / length);
+      const std::vector<Index> edges =
+          quantize(t_mesh, wanted, std::vector<Index>(t_mesh.arcs.size(), 1));
+      for (const TPatch& patch : t_mesh.patches)
+        for (std::size_t s = 0; s < 2; ++s)
+          EXPECT_EQ(sum_of(patch.sides[s], edges), sum_of(patch.sides[s + 2], edges));
+      for (const Index n : edges) EXPECT_GE(n, 1);
+      ExtractedQuads extracted(lattice, t_mesh, edges);
+      EXPECT_TRUE(extracted.joining_arcs().empty());
+      const PolygonMesh quads = extracted.polygons();
+      EXPECT_EQ(static_cast<long>(quads.polygons.size()), quad_count(t_mesh, edges));
+      const QuadCheck check = check_quads(quads, &mesh);
+      EXPECT_EQ(check.topology.euler_characteristic(), mesh.topology().euler_characteristic());
+      Index irregular = 0;
+      for (const TNode& node : t_mesh.nodes) irregular += node.vertex >= 0 && node.turns != 4;
+      EXPECT_EQ(check.irregular, irregular);
+    }
+  }
+}
+
+TEST(QuadMesh, CountAndValidity) {
+  for (const auto& [name, mesh] : surfaces()) {
+    SCOPED_TRACE(name);
+    RunRecord record;
+    QuadMeshOptions options;
+    options.count = 2000;
+    const QuadMesh made = quad_mesh(mesh, options, record);
+    EXPECT_TRUE(made.check.is_valid());
+    EXPECT_NEAR(static_cast<double>(made.check.count), 2000, kCountClose * 2000);
+    EXPECT_LE(made.check.irregular, made.cones);
+  }
+}
+
+TEST(QuadMesh, RefusesWhatItCannot) {
+  RunRecord record;
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(sphere(3));
+  QuadMeshOptions both;
+  both.count = 10;
+  both.edge_length = 1;
+  EXPECT_THROW(quad_mesh(mesh, both, record), InvalidArgument);
+  PolygonMesh open = sphere(3);
+  open.polygons.pop_back();
+  open.polygon_lines.clear();
+  try {
+    quad_mesh(SurfaceMesh::from_polygons(open), {}, record);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Unsupported);
+  }
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
