@@ -339,7 +339,6 @@ void require_room(const UnwrapRequest& unwrap) {
 
 void require_usable(UnwrapVerb& request, const StopCheck& stop) {
   require_gpl_parts("unwrap");
-  require_room(request.unwrap);
   if (request.unwrap.bake) request.outputs.normalize = true;  // what an image shows
   request.outputs.require_usable(request.map);
   if (request.outputs.turns_map())
@@ -356,6 +355,7 @@ void require_usable(UnwrapVerb& request, const StopCheck& stop) {
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   request.unwrap.use_preset();
+  require_room(request.unwrap);
   request.unwrap.require_divisible();
   request.outputs.formats.read_image(stop);
   require_writable(request.common,
