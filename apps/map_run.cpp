@@ -60,6 +60,7 @@ MapRun::MapRun(MapTask task, MapVerb& request, const std::vector<std::string>& o
 void MapRun::read(const StartMaker& make_start) {
   record_.begin(Activity::Reading);
   read_input(request_.map, job_, make_start);
+  request_.outputs.require_materials(*job_.polygons);
   ParametrizationOptions& options = job_.options;
   request_.solve.apply(options);
   solvers_->apply(options.solve);

@@ -48,6 +48,8 @@ const char* command_words(Hint hint) {
       return "put it in a file of its own";
     case Hint::WriteSurface:
       return "write it with --msh surface, or leave --surface out";
+    case Hint::MapIslands:
+      return "leave out --keep-shape";
   }
   return "";
 }

@@ -10,6 +10,7 @@
 #include "apps/seam_request.h"
 #include "apps/streams.h"
 #include "majorant/certify/map_proof.h"
+#include "majorant/io/files_below.h"
 #include "majorant/io/io.h"
 #include "majorant/results/global_verdict.h"
 
@@ -134,6 +135,12 @@ void OutputRequest::require_usable(const MapRequest& map) {
 bool OutputRequest::turns(const BezierMap& result, const MapRequest& map) const {
   const bool is_free = map.boundary != "fixed" && result.seams().trivial();
   return turns_map() || (normalize && formats.svg.alignment == Alignment::Automatic && is_free);
+}
+
+void OutputRequest::require_materials(const PolygonMesh& input) const {
+  if (std::any_of(files.begin(), files.end(),
+                  [](const std::string& path) { return extension(path) == ".obj"; }))
+    require_materials_below(input);
 }
 
 bool OutputRequest::has_report(const CommonOptions& common) const {

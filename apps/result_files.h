@@ -42,6 +42,9 @@ struct OutputRequest {
   bool turns(const BezierMap& result, const MapRequest& map) const;
   // Returns whether a report is asked for, by a flag or as an output.
   bool has_report(const CommonOptions& common) const;
+  // Throws Error(Unsupported) where an OBJ would name material files of the input that are not in
+  // its folder or below.
+  void require_materials(const PolygonMesh& input) const;
 };
 
 // A run that has ended. Only refers: all must outlive it.

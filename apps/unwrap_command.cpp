@@ -18,6 +18,7 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
 #include "apps/energy_option.h"
+#include "apps/layout_request.h"
 #include "apps/linear_solvers.h"
 #include "apps/map_request.h"
 #include "apps/or_interrupted.h"
@@ -38,6 +39,7 @@
 #include "majorant/results/atlas_job.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/model_texture.h"
+#include "majorant/results/obj_layout.h"
 
 namespace majorant::app {
 namespace {
@@ -131,6 +133,7 @@ struct UnwrapRequest {
   bool no_pack = false;
   std::string scale;  // empty: as `map` allows
   bool bake = false;  // the texture of the model, too
+  LayoutRequest layout;
 
   void add_to(CLI::App& verb);
   // Takes from the preset what was not said.
@@ -198,6 +201,7 @@ void UnwrapRequest::add_to(CLI::App& verb) {
       ->check(one_of(preset_names()));
   verb.add_flag("--keep-seams", keep_seams,
                 "cut along the seams of the file's texture coordinates, too");
+  layout.add_to(verb);
 }
 
 void UnwrapRequest::use_preset() {
@@ -205,7 +209,9 @@ void UnwrapRequest::use_preset() {
     if (p.name != preset) continue;
     if (!seams.max_stretch && seams.divides()) seams.max_stretch = p.max_stretch;
     if (!is_said("--charts") && seams.divides()) charts = p.charts;
-    if (!is_said("--fill") && seams.divides() && charts != kOneChart && !no_pack) fill = p.fill;
+    if (!is_said("--fill") && seams.divides() && charts != kOneChart && !no_pack &&
+        !layout.has_own_sizes())
+      fill = p.fill;
     if (!is_said("--padding")) padding = p.padding;
     if (!is_said("--resolution")) resolution = p.resolution;
   }
@@ -271,6 +277,7 @@ Json UnwrapRequest::to_json() const {
                   {"fill", fill > 0 ? Json(fill) : Json(nullptr)},
                   {"hide_from", hide_from.empty() ? Json(nullptr) : Json(hide_from)},
                   {"preset", preset.empty() ? Json(nullptr) : Json(preset)}});
+  options.update(layout.to_json());
   return options;
 }
 
@@ -326,6 +333,74 @@ void choose_scale(UnwrapVerb& request) {
     throw Error(ErrorKind::Usage,
                 "--normalize is --scale unit, not --scale model; leave one of the two out");
   if (scale.empty()) scale = has_targets ? "model" : "unit";
+  const std::string tiled = request.unwrap.layout.needs_unit_square();
+  if (scale == "model" && !tiled.empty())
+    throw Error(ErrorKind::Usage,
+                fmt::format("{} says how large the layout is, as --scale model, --pins and "
+                            "--handles do; leave one of the two out",
+                            tiled));
+}
+
+// What --keep-shape leaves without effect.
+void require_islands(const UnwrapVerb& request) {
+  if (!request.unwrap.layout.keep_shape) return;
+  if (request.unwrap.seams.seams != "uv")
+    throw Error(ErrorKind::Usage,
+                "--keep-shape is of the islands of texture coordinates; add --seams uv");
+  if (!request.map.pins.empty() || !request.map.handles.empty() || request.map.degree > 1)
+    throw Error(ErrorKind::Usage,
+                "--keep-shape maps nothing anew; leave out --pins, --handles and --degree");
+  if (!request.unwrap.layout.density_file().empty())
+    throw Error(
+        ErrorKind::Usage,
+        "--keep-shape leaves islands at one scale, --texel-density FILE does not; give it a "
+        "number, or leave one of the two out");
+}
+
+// Straight pieces of curves, and formats that hold the image alone, do not keep what lies on each
+// other.
+void require_stackable(const UnwrapVerb& request) {
+  if (request.unwrap.layout.stack == "no") return;
+  if (!request.map.pins.empty() || !request.map.handles.empty())
+    throw Error(ErrorKind::Usage,
+                "--stack moves charts that --pins and --handles hold; leave one of "
+                "the two out");
+  if (request.map.degree > 1 || request.outputs.formats.tessellation.refine > 1)
+    throw Error(ErrorKind::Usage,
+                "--stack is of straight triangles as they are; leave out --degree "
+                "and --refine");
+  if (request.unwrap.bake)
+    throw Error(ErrorKind::Usage,
+                "--bake needs a place for every point, --stack shares places; leave one of the two "
+                "out");
+  if (request.unwrap.layout.keep_shape)
+    throw Error(
+        ErrorKind::Usage,
+        "--keep-shape leaves islands as they are, --stack makes them equal; leave one of the "
+        "two out");
+  for (const std::string& path : request.outputs.files)
+    if (extension(path) == ".msh")
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: gmsh's files hold one layer; leave it, or --stack, out", path));
+}
+
+void require_layout(const UnwrapVerb& request) {
+  const LayoutRequest& layout = request.unwrap.layout;
+  require_islands(request);
+  if (request.unwrap.bake && layout.udim > 0)
+    throw Error(ErrorKind::Usage,
+                "--bake makes one image, --udim one for every tile; leave one of "
+                "the two out");
+  require_stackable(request);
+  if (request.unwrap.fill > 0 && layout.has_own_sizes())
+    throw Error(ErrorKind::Usage,
+                "--fill divides charts of one scale on one square: not with --udim, "
+                "--texel-density and --stack; leave one of the two out");
+  const std::vector<std::string>& files = request.outputs.files;
+  if (layout.groups && std::none_of(files.begin(), files.end(), [](const std::string& path) {
+        return extension(path) == ".obj";
+      }))
+    throw Error(ErrorKind::Usage, "--groups: groups are of .obj; add -o OUT.obj");
 }
 
 // A border of that many pixels on either side leaves room for charts.
@@ -352,6 +427,7 @@ void require_usable(UnwrapVerb& request, const StopCheck& stop) {
                             "program's own solver; leave it out",
                             request.solve.linear_solver));
   choose_scale(request);
+  require_layout(request);
   if (request.map.degree == 0) request.map.degree = 1;
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   request.unwrap.use_preset();
@@ -363,7 +439,8 @@ void require_usable(UnwrapVerb& request, const StopCheck& stop) {
                     {request.outputs.files, request.outputs.extensions},
                     {{request.outputs.distortion}, {".csv"}}},
                    {request.map.input, request.map.pins, request.map.handles, request.map.weights,
-                    request.unwrap.seams.file(), request.outputs.formats.image});
+                    request.unwrap.seams.file(), request.unwrap.layout.density_file(),
+                    request.outputs.formats.image});
 }
 
 // A run of unwrap that has ended. Only refers: all must outlive it.
@@ -376,7 +453,32 @@ struct FinishedUnwrap {
   Progress& progress;
   const std::optional<ModelTexture>& texture;  // to be baked
   const std::string* baked;                    // the output that it moves to, or null
+  const LayoutRequest& layout;
 };
+
+// The mesh that an OBJ of this name is written with.
+PolygonMesh marked_polygons(const FinishedUnwrap& run, const std::string& path,
+                            const MapFile& file) {
+  PolygonMesh mesh = *run.job.polygons;
+  if (run.baked != nullptr && path == *run.baked) mesh = with_material_file(std::move(mesh), path);
+  std::vector<int> chart = chart_of_polygons(file, mesh);
+  if (run.layout.udim > 0) {
+    std::vector<int> tile = chart;
+    for (int& number : tile)
+      if (number >= 0) number = run.job.atlas.packing->tiles[to_size(number)];
+    mesh = with_tile_materials(std::move(mesh), tile);
+  }
+  return run.layout.groups ? with_chart_groups(std::move(mesh), chart) : mesh;
+}
+
+// What an OBJ does not hold of the input since tiles have materials of their own.
+std::vector<std::string> replaced(const FinishedUnwrap& run) {
+  const std::vector<std::string> materials = material_of_polygons(*run.job.polygons);
+  const bool has_some = std::any_of(materials.begin(), materials.end(),
+                                    [](const std::string& name) { return !name.empty(); });
+  if (run.layout.udim == 0 || !has_some) return {};
+  return {"materials, since every tile has one"};
+}
 
 // Points with targets keep their charts where they put them.
 MapPage page_of(const FinishedUnwrap& run) {
@@ -409,15 +511,19 @@ void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
   for (const std::string& path : run.outputs.files)
     if (extension(path) != ".json")
       written.write(path, [&] {
-        PolygonMesh moved;  // where its materials are in another file
+        const bool is_obj = extension(path) == ".obj";
         const bool is_baked = run.baked != nullptr && path == *run.baked;
-        const bool has_materials = is_baked && extension(path) == ".obj";
-        if (has_materials) moved = with_material_file(*run.job.polygons, path);
+        const bool is_marked = is_obj && (is_baked || run.layout.udim > 0 || run.layout.groups);
+        PolygonMesh marked;
+        if (is_marked) marked = marked_polygons(run, path, file);
         const FileVerification verify = proof_of_file(path, promise(run.job, path), file, formats);
-        write_map(path, file, has_materials ? &moved : run.job.polygons.get(), formats, verify);
-        if (is_baked && !has_materials) bake(run, path, verify);
-        if (!run.common.quiet)
-          say_left_out(path, left_out(path, file, formats, run.job.polygons.get()));
+        write_map(path, file, is_marked ? &marked : run.job.polygons.get(), formats, verify);
+        if (is_baked && !is_obj) bake(run, path, verify);
+        if (run.common.quiet) return;
+        std::vector<std::string> left = left_out(path, file, formats, run.job.polygons.get());
+        if (is_obj)
+          for (std::string& what : replaced(run)) left.push_back(std::move(what));
+        say_left_out(path, left);
       });
   if (run.baked != nullptr && extension(*run.baked) == ".obj" && written.has(*run.baked))
     written.write(texture_file(*run.baked), [&] { bake(run, *run.baked, {}); });
@@ -523,6 +629,7 @@ int unwrap_file(UnwrapVerb request) {
       return read_mesh(request.map.input, record.start_stop(), strictness);
     });
     say_warnings(polygons.warnings);
+    request.outputs.require_materials(polygons);
     if (request.unwrap.bake) {
       texture = within_memory(request.map.input,
                               [&] { return read_texture(polygons, record.start_stop()); });
@@ -531,6 +638,7 @@ int unwrap_file(UnwrapVerb request) {
     request.unwrap.open(job, std::move(polygons), strictness);
     job.options.chart = read_options(request.map, *job.polygons, *job.surface.mesh,
                                      record.start_stop(), job.surface.welded);
+    request.unwrap.layout.apply(job, record.start_stop());
   });
   request.solve.apply(job.options.chart);
   job.options.cutting_seconds = kCuttingShare * request.solve.time_limit;
@@ -542,14 +650,17 @@ int unwrap_file(UnwrapVerb request) {
   if (request.unwrap.scale == "unit" && !job.place())
     throw Error(ErrorKind::Invalid,
                 request.map.input +
-                    ": in the unit square its smallest triangles are too small for doubles; add "
-                    "--scale model");
+                    ": in the unit square its smallest triangles are too small for doubles; " +
+                    (request.unwrap.layout.needs_unit_square().empty()
+                         ? "add --scale model"
+                         : "leave out " + request.unwrap.layout.needs_unit_square() +
+                               " and add --scale model"));
   job.asked = options_of(request);
   job.linear_solver = solvers.section();
   job.memory = solvers.memory();
   job.prove();
   return write_atlas({request.common, request.outputs, request.map, job, start, progress, texture,
-                      texture ? baked_output(request) : nullptr});
+                      texture ? baked_output(request) : nullptr, request.unwrap.layout});
 }
 
 }  // namespace

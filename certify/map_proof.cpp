@@ -9,12 +9,14 @@
 #include <map>
 #include <numbers>
 
+#include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
 #include "majorant/certify/exact_positivity.h"
 #include "majorant/certify/internal/glued_map.h"
 #include "majorant/certify/internal/match_tolerance.h"
 #include "majorant/certify/internal/repaired_match.h"
 #include "majorant/certify/internal/surface_match.h"
+#include "majorant/certify/stacked_charts.h"
 #include "majorant/constraints/sector_angle.h"
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/element_space.h"
@@ -158,8 +160,14 @@ std::string describe(const GlobalInjectivity& proof, const CornerNames& input_ve
 // Asks one question after the other; later ones build on earlier answers.
 class MapProof::Judge {
  public:
-  Judge(MapProof& proof, const MapFile& file, const std::string& name, const ProofRequest& request)
-      : proof_(proof), file_(file), name_(name), request_(request) {}
+  // is_upper: flags of cells, of charts that lie on others; empty: none does.
+  Judge(MapProof& proof, const MapFile& file, const std::string& name, const ProofRequest& request,
+        std::vector<char> is_upper)
+      : proof_(proof),
+        file_(file),
+        name_(name),
+        request_(request),
+        is_upper_(std::move(is_upper)) {}
 
   void run() {
     try {
@@ -412,6 +420,22 @@ class MapProof::Judge {
       proof_.angles.detail += ", " + count_text(static_cast<Index>(proof_.cones.size()), "cone");
   }
 
+  // Of charts that lie on each other one alone.
+  BoundaryLoops lowest_of(const BoundaryLoops& all) const {
+    BoundaryLoops lowest;
+    std::map<Index, Index> number;
+    for (const BoundaryLoop& loop : all.loops) {
+      if (is_upper_[face_of(all.half_edge[loop.first])]) continue;
+      const Index chart =
+          number.try_emplace(loop.chart, static_cast<Index>(number.size())).first->second;
+      const auto first = static_cast<std::ptrdiff_t>(loop.first), last = std::ptrdiff_t{loop.last};
+      lowest.charts = static_cast<Index>(number.size());
+      lowest.add_loop(chart, {all.curves.begin() + first, all.curves.begin() + last},
+                      {all.half_edge.begin() + first, all.half_edge.begin() + last});
+    }
+    return lowest;
+  }
+
   void judge_overlaps(const BezierMap& plain) {
     if (request_.overlap == ProofRequest::Overlap::NotAsked) return;
     if (is_stopped()) {
@@ -420,11 +444,14 @@ class MapProof::Judge {
       return;
     }
     const auto check = [&](const BezierMap& map) {
-      proof_.global = check_boundary(map, {.stopped = [this] { return is_stopped(); }});
+      const InjectivityOptions options{.stopped = [this] { return is_stopped(); }};
+      proof_.global = is_upper_.empty() ? check_boundary(map, options)
+                                        : check_layout(lowest_of(boundary_loops(map)), options);
     };
     check(plain);
     if (proof_.global->result != ProofStatus::Proven)
-      if (const std::optional<BezierMap> one = glued(plain)) check(*one);
+      if (const std::optional<BezierMap> one = is_upper_.empty() ? glued(plain) : std::nullopt)
+        check(*one);
     if (request_.overlap == ProofRequest::Overlap::Reported) return;
     const SurfaceMesh& mesh = plain.mesh();  // faces are those of the glued one
     const std::string reason = describe(*proof_.global, [&](Index face, Index corner) {
@@ -454,6 +481,7 @@ class MapProof::Judge {
   const MapFile& file_;
   const std::string& name_;
   const ProofRequest& request_;
+  const std::vector<char> is_upper_;
   std::optional<CutMap> cut_;
   std::vector<char> is_free_;  // half-edges of the surface that are cut and no seam
 };
@@ -463,13 +491,28 @@ MapProof::MapProof(const MapFile& file, const std::string& name, const ProofRequ
     throw Error(ErrorKind::Unsupported,
                 fmt::format("{}: cells of degree {}; only 1 to {} can be judged", name, file.degree,
                             BezierTriangleSpace::kMaxDegree));
-  if (!request.surface || knows_vertices(file)) {
-    Judge(*this, file, name, request).run();
-    return;
+  if (request.surface && !knows_vertices(file)) {
+    MapFile numbered = file;
+    numbered.input_vertex = number_by_place(file.points, *request.surface);
+    judge(numbered, name, request);
+  } else {
+    judge(file, name, request);
   }
-  MapFile numbered = file;
-  numbered.input_vertex = number_by_place(file.points, *request.surface);
-  Judge(*this, numbered, name, request).run();
+}
+
+void MapProof::judge(const MapFile& file, const std::string& name, const ProofRequest& request) {
+  StackedCharts stacks;
+  try {
+    if (request.stacks == ProofRequest::Stacks::Allowed) stacks = find_stacks(file, name);
+  } catch (const Error&) {  // cells that cannot be put together: a finding
+  }
+  stacked.stacks = stacks.stacks;
+  stacked.mirrored = stacks.mirrored;
+  for (const Index stack : stacks.stack) stacked.charts += stack >= 0;
+  if (stacks.stacks == 0) return Judge(*this, file, name, request, {}).run();
+  std::vector<char> is_upper;
+  for (const Index chart : stacks.chart) is_upper.push_back(!stacks.is_first[to_size(chart)]);
+  Judge(*this, turned_back(file, stacks), name, request, std::move(is_upper)).run();
 }
 
 ProofStatus MapProof::verdict() const {

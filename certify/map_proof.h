@@ -55,6 +55,9 @@ struct ProofRequest {
   std::optional<std::vector<std::array<Index, 2>>> cut_edges = {};
   // Reported: `global` is filled in, the verdict does not depend on it.
   enum class Overlap { NotAsked, Reported, Forbidden } overlap = Overlap::NotAsked;
+  // Allowed: charts may lie exactly on others, mirrored ones, too: that is no
+  // overlap, and what is proven is the map with mirrored charts turned back.
+  enum class Stacks { Forbidden, Allowed } stacks = Stacks::Forbidden;
   // Compared: vertices and input_face of the file must be those of the surface. A .vtu has a cell
   // for every face and names it; an .obj may have pieces of faces, with vertices of their own, and
   // its labels are ignored.
@@ -67,6 +70,11 @@ struct CutCount {
   Index seams = 0, others = 0;
   double length = 0;  // of both on the surface, model units
   Index charts = 1;
+};
+
+// Charts that lie on others.
+struct StackCount {
+  Index stacks = 0, charts = 0, mirrored = 0;  // charts: in stacks
 };
 
 // Number, in the input, of the vertex at corner 0, 1, 2 of a face of the map.
@@ -96,6 +104,7 @@ class MapProof {
   Finding injective;   // nothing overlaps or touches
 
   CutCount cuts;
+  StackCount stacked;                       // where stacks are allowed
   std::vector<Index> not_positive;          // cells, inverted or undecided
   std::vector<Cone> cones;                  // vertices of the input; of CutRule::Seams
   std::optional<GlobalInjectivity> global;  // when overlaps were asked for
@@ -107,6 +116,7 @@ class MapProof {
 
  private:
   class Judge;
+  void judge(const MapFile& file, const std::string& name, const ProofRequest& request);
   std::optional<BezierMap> map_;
 };
 

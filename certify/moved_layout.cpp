@@ -29,6 +29,11 @@ Vec lower_bounds(const BezierMap& map) {
       .lower_bounds(map.control_points());
 }
 
+bool is_within(const BezierMap& map, const Eigen::AlignedBox2d& box) {
+  const auto nodes = map.control_points().reshaped(2, map.space().node_count());
+  return box.contains(Eigen::AlignedBox2d(nodes.rowwise().minCoeff(), nodes.rowwise().maxCoeff()));
+}
+
 // Measures know of bounds alone, which are at most 0 where exact arithmetic was needed. stop ends
 // measuring alone: a run that was stopped has its map proven, too.
 std::optional<PlacedMap> placed(const BezierMap& map, const std::vector<LayoutMotion>& attempts,
@@ -98,7 +103,9 @@ std::optional<MovedLayout> moved_layout(const std::vector<BezierMap>& maps,
     MovedLayout moved{{}, motion};
     for (const BezierMap& map : maps) {
       moved.maps.push_back(motion(map));
-      if (!is_kept(moved.maps.back())) break;
+      const std::size_t k = moved.maps.size() - 1;
+      if (!promise.boxes.empty() && !is_within(moved.maps[k], promise.boxes[k])) break;
+      if (!is_kept(moved.maps[k])) break;
       if (moved.maps.size() < maps.size()) continue;
       const double distance = kRounded * promise.distance / motion.size;
       const bool is_far = proven_distance(moved.maps, distance, promise.fixed, stop) >= distance;

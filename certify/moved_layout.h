@@ -9,6 +9,7 @@
 // Not for pictures, which promise nothing: they apply a LayoutMotion and leave it at that.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct LayoutPromise {
   bool simple_boundaries = false;  // each map is injective as a whole (global_injectivity.h)
   double distance = 0;             // of any two maps before; but for a part of 1e-12
   std::vector<char> fixed = {};    // flags of maps; pairs of two of these need not keep it
+  // Of every map, once moved: it contains all control points. Empty: anywhere.
+  std::vector<Eigen::AlignedBox2d> boxes = {};
 };
 
 struct MovedLayout {

@@ -98,6 +98,13 @@ std::array<Index, 2> as_edge(const Place& p) {
   return {as_integer(element(p, 0), 0), as_integer(element(p, 1), 0)};
 }
 
+Index as_number_from_zero(const Place& p) { return as_integer(p, 0); }
+
+ClaimedStack as_stack(const Place& p) {
+  return {as_list(member(p, "charts"), as_number_from_zero),
+          as_list(member(p, "mirrored"), as_number_from_zero)};
+}
+
 double as_positive(const Place& p) {
   const double number = as_number(p);
   if (!(number > 0)) p.fail("is not positive");
@@ -196,6 +203,8 @@ Claims parse_claims(const std::string& text, const std::string& file) {
       "cones", [](const Place& p) { return as_list(p, as_cone); }, claims.cones);
   entries.read(
       "cuts", [](const Place& p) { return as_list(p, as_edge); }, claims.cuts);
+  entries.read(
+      "stacks", [](const Place& p) { return as_list(p, as_stack); }, claims.stacks);
   entries.read("options", as_options, claims.options);
   return claims;
 }

@@ -30,6 +30,11 @@ struct ClaimedNormalization {
   double size = 1;  // positive
 };
 
+// Charts of the array `chart` that lie on each other; those of them that have their other side up.
+struct ClaimedStack {
+  std::vector<Index> charts, mirrored;
+};
+
 struct ClaimedOptions {
   std::optional<bool> seamless;        // the run kept the seams of its input's texture coordinates
   std::optional<std::string> handles;  // the file of what pulled at it, or empty
@@ -54,6 +59,7 @@ struct Claims {
   // Edges of the input, by their vertices (>= 0), whose two sides may have other uv: each as often
   // as the cells make an edge there. Not in files that were written before there was --cuts auto.
   std::optional<std::vector<std::array<Index, 2>>> cuts;
+  std::optional<std::vector<ClaimedStack>> stacks;
   std::optional<ClaimedOptions> options;
 };
 

@@ -155,7 +155,8 @@ void write_msh(const std::string& path, const MapFile& map, MshContent content,
 void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const TessellationOptions& options = {}, const FileVerification& verify = {});
 
-// The text of an OBJ file: v with colours, vt, vn, then directives and faces in order.
+// The text of an OBJ file: v with colours, vt, vn, then directives and faces in order; where the
+// directives say so, v of every block of the input in front of its faces.
 std::string obj_text(const PolygonMesh& mesh);
 
 // A finished map as a PLY file with texture coordinates s, t of vertices, for MeshLab, Blender and

@@ -46,7 +46,7 @@ struct PolygonMesh {
   std::vector<Vector3> normals;
   std::vector<std::vector<Index>> polygon_normals;  // like polygon_texcoords
   std::vector<std::pair<Index, std::string>>
-      directives;  // (polygon it precedes, line): names, groups, materials, points and lines
+      directives;  // (polygon it precedes, line); "v 8": here the file has 8 vertices
   std::shared_ptr<const GltfScene> gltf;  // of a glTF file all that there is, for its writer
 
   // Parts of the file that a reader left out, a sentence each that begins with file and line, for

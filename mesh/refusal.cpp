@@ -23,7 +23,8 @@ std::string_view words_of(Hint hint) {
       "BoundaryCondition::Fixed",
       "the limits of the RunRecord",
       "map it by itself",
-      "write it as MshContent::Surface, or compare it with nothing"};
+      "write it as MshContent::Surface, or compare it with nothing",
+      "take Islands::Mapped"};
   return kWords[static_cast<std::size_t>(hint)];
 }
 

@@ -39,6 +39,7 @@ enum class Hint {
   RaiseLimits,         // the limits of the RunRecord
   MapAlone,            // map it by itself
   WriteSurface,        // write it as MshContent::Surface, or compare it with nothing
+  MapIslands,          // Islands::Mapped
 };
 // The words behind each hint above.
 std::string_view words_of(Hint hint);

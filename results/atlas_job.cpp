@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "majorant/certify/boundary_loops.h"
@@ -9,6 +10,7 @@
 #include "majorant/io/io.h"
 #include "majorant/mesh/marked_creases.h"
 #include "majorant/mesh/weld.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/seams/cut_paths.h"
 #include "majorant/parametrization/seams/visibility.h"
 #include "majorant/results/corner_vertices.h"
@@ -44,6 +46,36 @@ Json pins_section(const AtlasJob& job) {
   return pins;
 }
 
+bool is_mirrored(const Chart& chart) {
+  return chart.place && chart.place->sense == ChartSense::Mirrored;
+}
+
+// By chart: the number of its stack, in the order of the lowest charts; -1: on no other.
+std::vector<int> stacks_of(const Atlas& atlas) {
+  std::vector<int> stack(atlas.charts.size(), -1);
+  for (const Chart& chart : atlas.charts)
+    if (chart.place) stack[chart.place->chart] = 0;
+  int count = 0;
+  for (int& number : stack)
+    if (number == 0) number = count++;
+  for (std::size_t k = 0; k < stack.size(); ++k)
+    if (atlas.charts[k].place) stack[k] = stack[atlas.charts[k].place->chart];
+  return stack;
+}
+
+Json stacks_section(const Atlas& atlas) {
+  const std::vector<int> stack = stacks_of(atlas);
+  Json stacks = Json::array();
+  for (std::size_t k = 0; k < stack.size(); ++k) {
+    if (stack[k] < 0) continue;
+    if (to_size(stack[k]) == stacks.size())
+      stacks.push_back({{"charts", Json::array()}, {"mirrored", Json::array()}});
+    stacks[to_size(stack[k])]["charts"].push_back(k);
+    if (is_mirrored(atlas.charts[k])) stacks[to_size(stack[k])]["mirrored"].push_back(k);
+  }
+  return stacks;
+}
+
 // With points as a file has them that names vertices.
 MapFile as_input(const MapFile& file, const PolygonMesh& polygons) {
   return with_corner_vertices(file, polygons).value_or(file);
@@ -63,6 +95,7 @@ std::string claims(const AtlasJob& job, const MapFile& file) {
               {"other_triangles", false},
               {"cuts", unshared_edges(as_input(file, *job.polygons), job.polygons->file)},
               {"options", job.asked}};
+  if (job.options.stacking != Stacking::None) claims["stacks"] = stacks_section(job.atlas);
   if (!is_measured_anew(job)) claims.erase("value");
   if (job.energy.empty()) {  // nobody else could tell
     claims.erase("energy");
@@ -73,7 +106,9 @@ std::string claims(const AtlasJob& job, const MapFile& file) {
 
 Json charts_section(const Atlas& atlas) {
   Json list = Json::array();
-  for (const Chart& chart : atlas.charts)
+  const std::vector<int> stack = stacks_of(atlas);
+  for (std::size_t k = 0; k < atlas.charts.size(); ++k) {
+    const Chart& chart = atlas.charts[k];
     list.push_back({{"faces", chart.faces.size()},
                     {"area", chart.stretch.surface_area},
                     {"boundary_loops", chart.map->mesh().topology().boundary_loops},
@@ -84,7 +119,12 @@ Json charts_section(const Atlas& atlas) {
                     {"value", chart.measures.value},
                     {"stretch_l2", chart.stretch.l2},
                     {"stretch_max", chart.stretch.max},
-                    {"pinned", !chart.pins.empty()}});
+                    {"pinned", !chart.pins.empty()},
+                    {"tile", nullptr},
+                    {"stack", stack[k] < 0 ? Json() : Json(stack[k])},
+                    {"mirrored", is_mirrored(chart)}});
+    if (atlas.packing) list.back()["tile"] = udim(atlas.packing->tiles[k]);
+  }
   return list;
 }
 
@@ -145,6 +185,8 @@ Json result_section(const AtlasJob& job) {
         visibility_of_cuts(*job.surface.mesh, job.visibility, atlas.cuts.is_cut);
   if (!atlas.packing) return result;
   result["fill"] = atlas.packing->fill;
+  result["tiles"] = std::set<int>(atlas.packing->tiles.begin(), atlas.packing->tiles.end()).size();
+  result["texel_density"] = *texel_density(job);
   result["side"] = atlas.packing->side;
   result["distance"] = atlas.packing->distance;
   result["packing"] = name_of(atlas.packing->method);
@@ -177,9 +219,29 @@ void AtlasJob::solve() {
     const StopCheck& stop = record.start_stop();
     visibility = hide_from ? visibility_from(*surface.mesh, *hide_from, stop)
                            : ambient_visibility(*surface.mesh, stop);
-    if (!getenv("NOHIDE")) options.cuts.wanted.weight = hiding_weights(*surface.mesh, visibility);
+    options.cuts.wanted.weight = hiding_weights(*surface.mesh, visibility);
   }
+  if (!texel_density.empty()) ask_for_density();
   atlas = unwrap(surface.mesh, options, record);
+}
+
+// Charts are larger than isometries in proportion, and as a whole as large as the surface.
+void AtlasJob::ask_for_density() {
+  const SurfaceMesh& mesh = *surface.mesh;
+  Vec density(mesh.face_count());
+  for (Index f = 0; f < mesh.face_count(); ++f) density[f] = texel_density[mesh.input_face(f)];
+  const Vec area = rest_shapes(mesh).measure;
+  const double mean = std::sqrt(area.dot(density.cwiseAbs2()) / area.sum());
+  options.packing->side = options.packing->resolution / mean;
+  options.face_scale = Vec();
+  if (density.minCoeff() == density.maxCoeff()) return;
+  options.face_scale = density / mean;
+  options.cuts.given.resize(to_size(mesh.half_edge_count()), 0);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index other = mesh.opposite(h);
+    if (other >= 0 && density[face_of(h)] != density[face_of(other)])
+      options.cuts.given[h] = options.cuts.given[other] = 1;
+  }
 }
 
 bool AtlasJob::place() {
@@ -212,12 +274,19 @@ void AtlasJob::prove() {
 
 double scale_of(const AtlasJob& job) { return job.square ? job.square->size : 1; }
 
+std::optional<double> texel_density(const AtlasJob& job) {
+  if (!job.atlas.packing) return std::nullopt;
+  const double side = job.square ? job.square->size : job.atlas.packing->side;
+  return job.options.packing->resolution / side;
+}
+
 double seam_length(const AtlasJob& job) { return job.atlas.cuts.length + job.surface.cut_length; }
 
 MapFile atlas_file(const AtlasJob& job, FaceDistortion* table) {
   std::vector<MapFile> charts;
   for (const Chart& chart : job.atlas.charts) {
     MapFile& file = charts.emplace_back(to_map_file(*chart.map));
+    if (is_mirrored(chart)) file.uv.col(0) *= -1;
     if (is_measured_anew(job) && !job.energy.empty())  // without a name nobody else could tell
       file.distortion = chart.measures.face_value;
     if (is_measured_anew(job)) file.min_det = chart.measures.min_det;
@@ -239,6 +308,7 @@ ProofRequest promise(const AtlasJob& job, const std::string& path) {
   promise.labels = labels_in(path);
   promise.cuts = CutRule::Free;
   if (job.atlas.packing) promise.overlap = ProofRequest::Overlap::Forbidden;
+  if (job.options.stacking != Stacking::None) promise.stacks = ProofRequest::Stacks::Allowed;
   return promise;
 }
 

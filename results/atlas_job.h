@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "majorant/certify/map_proof.h"
 #include "majorant/mesh/repair.h"
@@ -53,6 +54,9 @@ struct AtlasJob {
   OldSeams old_seams = OldSeams::Ignored;
   // The direction of who looks from far away: seams keep out of sight of it; none: of all sides.
   std::optional<Vector3> hide_from;
+  // By polygon, or empty: pixels of options.packing->resolution along a unit of the surface. Where
+  // it changes, the surface is cut.
+  std::vector<double> texel_density = {};
 
   Atlas atlas;
   std::optional<LayoutMotion> square;  // what the maps were moved into
@@ -62,11 +66,15 @@ struct AtlasJob {
   double read_seconds = 0;
 
  private:
+  void ask_for_density();
   bool is_joined_for_map_ = false;
 };
 
 // Units of the surface per unit of uv in the file.
 double scale_of(const AtlasJob& job);
+// Pixels along a unit of the surface in the layout, in the mean of squares; none where charts are
+// not packed.
+std::optional<double> texel_density(const AtlasJob& job);
 // The length of all cuts, those of repair() included.
 double seam_length(const AtlasJob& job);
 

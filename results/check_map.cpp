@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <vector>
 
+#include "majorant/certify/stacked_charts.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/io.h"
@@ -145,6 +149,7 @@ ProofRequest questions(const MapFile& file, const CheckRequest& request, const C
       is_forbidden ? ProofRequest::Overlap::Forbidden : ProofRequest::Overlap::Reported;
   if (const std::string e = extension(request.name); e == ".vtu" || e == ".pvtu")
     wanted.labels = ProofRequest::FaceLabels::Compared;
+  if (request.stacked || claims.stacks) wanted.stacks = ProofRequest::Stacks::Allowed;
   wanted.stop = stop;
   return wanted;
 }
@@ -192,12 +197,53 @@ void add_proofs(MapCheck& check) {
     check.report["proofs"][question] = {{"answer", name_of(finding->answer)},
                                         {"detail", finding->detail}};
   }
+  const StackCount& stacked = check.proof.stacked;
+  check.report["stacks"] = {
+      {"stacks", stacked.stacks}, {"charts", stacked.charts}, {"mirrored", stacked.mirrored}};
   const CutCount& cuts = check.proof.cuts;
   check.report["cuts"] = {{"seam_edges", cuts.seams},
                           {"other_edges", cuts.others},
                           {"length", cuts.length},
                           {"charts", cuts.charts},
                           {"told_from_tears", !check.has_untold_cuts}};
+}
+
+// Claimed charts lie on each other, as they are or mirrored as it is claimed, and no others do.
+void check_stacks(const MapFile& file, const std::string& name, const Claims& claims,
+                  Findings& findings) {
+  const StackedCharts found = find_stacks(file, name);
+  std::map<Index, std::size_t> piece;  // by chart of the file
+  for (Index c = 0; c < file.chart.size(); ++c) {
+    const std::size_t of_cell = to_size(found.chart[to_size(c)]);
+    if (piece.try_emplace(file.chart[c], of_cell).first->second != of_cell)
+      return findings.add_violation(fmt::format("chart {} is in several pieces", file.chart[c]));
+  }
+  std::vector<char> is_claimed(found.stack.size(), 0);
+  for (const ClaimedStack& stack : *claims.stacks) {
+    std::optional<Index> place;
+    for (const Index chart : stack.charts) {
+      const auto known = piece.find(chart);
+      if (known == piece.end())
+        return findings.add_violation(fmt::format("there is no chart {}, of a stack", chart));
+      const std::size_t k = known->second;
+      if (found.stack[k] < 0 || found.stack[k] != place.value_or(found.stack[k]))
+        return findings.add_violation(
+            fmt::format("chart {} is claimed to lie on chart {}, and is not congruent to it, "
+                        "corner by corner",
+                        chart, stack.charts.front()));
+      place = found.stack[k];
+      is_claimed[k] = 1;
+      const bool is_mirrored =
+          std::find(stack.mirrored.begin(), stack.mirrored.end(), chart) != stack.mirrored.end();
+      if (is_mirrored != (found.is_mirrored[k] != 0))
+        return findings.add_violation(fmt::format(
+            "chart {} is {}", chart,
+            is_mirrored ? "claimed to be mirrored, and is not" : "mirrored, which is not claimed"));
+    }
+  }
+  for (std::size_t k = 0; k < is_claimed.size(); ++k)
+    if (found.stack[k] >= 0 && !is_claimed[k])
+      return findings.add_violation("charts lie on each other that are not claimed to");
 }
 
 // Adds measures of the map that there is, and of its claims.
@@ -229,7 +275,12 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
       proof.cuts.others > 0 && request.cuts == CheckRequest::Cuts::Auto && is_untold(file, claims);
   add_proofs(*this);
   record.begin(Activity::Measuring);
-  add_measures(*this, file, request, record.stop());
+  if (proof.stacked.mirrored == 0) {
+    add_measures(*this, file, request, record.stop());
+  } else {
+    add_measures(*this, turned_back(file, find_stacks(file, request.name)), request, record.stop());
+  }
+  if (claims.stacks && proof.map()) check_stacks(file, request.name, claims, findings);
   const std::vector<std::string>& list = findings.list();
   report["status"] = status();
   report["message"] = list.empty() ? "" : list.front();

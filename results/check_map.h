@@ -54,6 +54,7 @@ struct CheckRequest {
   enum class Cuts { Auto, None, Free } cuts = Cuts::Auto;
   bool certify = false;   // overlaps are violations, also where the file claims nothing
   bool seamless = false;  // likewise, seams are none
+  bool stacked = false;   // likewise, charts may lie exactly on others
   bool reported = false;  // all that reports say is found out, also what decides nothing
 };
 

@@ -12,6 +12,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/io/files_below.h"
 #include "majorant/io/gltf_texture.h"
 #include "majorant/io/input_file.h"
 #include "majorant/pictures/image_file.h"
@@ -61,6 +62,15 @@ std::string image_name(std::string_view rest, const std::string& file) {
   return name;
 }
 
+std::string image_file(const std::string& path, const std::string& name) {
+  if (!is_below(path, name))
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: map_Kd names the file '{}', and files are read from its own "
+                            "folder and those below alone; copy it there",
+                            path, name));
+  return (std::filesystem::path(path).parent_path() / name).string();
+}
+
 class MaterialReader {
  public:
   explicit MaterialReader(ModelTexture& texture) : texture_(texture) {}
@@ -79,9 +89,7 @@ class MaterialReader {
         std::istringstream numbers{std::string(rest)};
         for (float& c : current->color) numbers >> c;
       }
-      if (word == "map_Kd")
-        current->map =
-            (std::filesystem::path(path).parent_path() / image_name(rest, path)).string();
+      if (word == "map_Kd") current->map = image_file(path, image_name(rest, path));
     }
   }
 
@@ -116,7 +124,10 @@ std::string materials_text(const ModelTexture& texture, const std::string& image
   return text;
 }
 
+}  // namespace
+
 ModelTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop) {
+  require_materials_below(polygons);
   ModelTexture texture;
   MaterialReader reader(texture);
   const std::filesystem::path folder = std::filesystem::path(polygons.file).parent_path();

@@ -41,9 +41,12 @@ ProofRequest::FaceLabels labels_in(const std::string& path) {
 
 ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name) {
   const Claims claims = parse_claims(map.claims, name);
-  const MapProof proof(map, name, {.cuts = CutRule::SeamsOrFree, .cut_edges = claims.cuts});
-  const bool is_torn = proof.continuous.answer == ProofStatus::Violated;
   ProofRequest promise;
+  if (claims.stacks) promise.stacks = ProofRequest::Stacks::Allowed;
+  const MapProof proof(
+      map, name,
+      {.cuts = CutRule::SeamsOrFree, .cut_edges = claims.cuts, .stacks = promise.stacks});
+  const bool is_torn = proof.continuous.answer == ProofStatus::Violated;
   promise.surface = &surface;
   promise.orientation = Orientation::AsGiven;
   if (proof.cuts.seams > 0) promise.cuts = CutRule::Seams;

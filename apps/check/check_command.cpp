@@ -41,7 +41,7 @@ struct Request {
   std::string cuts = "auto";
   std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
-  bool certify = false, seamless = false, quads = false;
+  bool certify = false, seamless = false, quads = false, stacked = false;
 };
 
 CheckRequest::Cuts cuts_of(const std::string& said) {
@@ -64,6 +64,10 @@ std::string in_words(const MapCheck& check) {
     proven += fmt::format(", {}, length {:.4g}, {}{}", count_text(cuts.others, "cut edge"),
                           cuts.length, count_text(cuts.charts, "chart"),
                           check.has_untold_cuts ? ": not told from tears" : "");
+  const StackCount& stacked = proof.stacked;
+  if (stacked.stacks > 0)
+    proven += fmt::format(", {} of {}, {} mirrored", count_text(stacked.stacks, "stack"),
+                          count_text(stacked.charts, "chart"), stacked.mirrored);
   // Found out whether that was asked or not.
   return fmt::format("{}, {}{}", proven, check.report["result"]["overlaps"].get<std::string>(),
                      open);
@@ -197,6 +201,7 @@ int check(const Request& request) {
                         .cuts = cuts_of(request.cuts),
                         .certify = request.certify,
                         .seamless = request.seamless,
+                        .stacked = request.stacked,
                         .reported = !request.common.report.empty() || !request.outputs.empty()},
                        record);
   progress.finish();
@@ -226,6 +231,9 @@ void add_check(CLI::App& app, Action* run) {
       ->check(one_of({"auto", "none", "free"}));
   verb.add_flag("--seamless", request->seamless,
                 "the map is seamless, its seams are no cuts (implied where the file claims it)");
+  verb.add_flag("--stacked", request->stacked,
+                "charts may lie exactly on others, mirrored ones, too: counted, no overlaps "
+                "(implied where the file claims it)");
   verb.add_option("--time-limit", request->time_limit,
                   "seconds; what is not decided by then is said to be undecided")
       ->check(non_negative_number(std::numeric_limits<double>::infinity()));

@@ -12,14 +12,13 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/base64.h"
 #include "majorant/io/byte_cursor.h"
+#include "majorant/io/files_below.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/json_depth.h"
 #include "majorant/io/reading_limit.h"
 
 namespace majorant {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;
@@ -123,24 +122,11 @@ double GltfElements::value(std::size_t element, std::size_t k) const {
 
 std::string file_of_uri(const std::string& path, const std::string& uri) {
   const std::string name = without_escapes(uri);
-  const auto outside = [&] {
+  if (name.find('\\') != std::string::npos || !is_below(path, name))
     refuse(path, fmt::format("it names the file {}, and files are read from its own folder and "
                              "those below alone; copy it there, or embed it",
                              in_quotes(name)));
-  };
-  if (name.empty() || name.find_first_of(std::string_view("\0\\", 2)) != std::string::npos)
-    outside();
-  if (name.substr(0, name.find('/')).find(':') != std::string::npos) outside();
-  const fs::path relative(name);
-  if (relative.is_absolute() ||
-      std::any_of(relative.begin(), relative.end(), [](const fs::path& p) { return p == ".."; }))
-    outside();
-  std::error_code failed;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(path, failed).parent_path(), failed);
-  const fs::path file = fs::weakly_canonical(folder / relative, failed);
-  const fs::path way = file.lexically_relative(folder);
-  if (way.empty() || *way.begin() == "..") outside();  // by a link
-  return (fs::path(path).parent_path() / relative).string();
+  return (std::filesystem::path(path).parent_path() / name).string();
 }
 
 GltfDocument::GltfDocument(const std::string& path, const std::string& content,

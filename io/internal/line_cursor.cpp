@@ -144,6 +144,7 @@ bool LineCursor::next_line() {
     line_begin_ = cursor_ = begin;
     line_end_ = end_of_line(begin);
     if (!at_end_of_line()) return true;
+    if (comments_ != nullptr && cursor_ != line_end_) comments_->push_back(whole_line());
     begin = line_end_ == text_end_ ? text_end_ : line_end_ + 1;
   }
   line_begin_ = line_end_ = cursor_ = text_end_;

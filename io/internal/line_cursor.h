@@ -12,6 +12,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "majorant/framework/stop_check.h"
 
@@ -32,6 +33,8 @@ class LineCursor {
              StopCheck stop = {});
 
   bool next_line();  // to the next line that holds a token; false at the end of the text
+  // From now on next_line() appends the comments that have a line of their own, from `#` on.
+  void collect_comments(std::vector<std::string_view>& comments) { comments_ = &comments; }
   long line() const { return line_; }                 // number of the current line, 1-based
   long lines_read() const { return next_line_ - 1; }  // continuations and skipped ones included
   std::string_view whole_line() const;                // the current line without surrounding space
@@ -76,6 +79,7 @@ class LineCursor {
   long next_line_ = 1;  // number of the line that begins after line_end_
   Continuation continuation_;
   StopCheck stop_;
+  std::vector<std::string_view>* comments_ = nullptr;
   std::string_view number_;  // the token of the last number
   NumberStatus status_ = NumberStatus::Good;
   double value_ = 0;

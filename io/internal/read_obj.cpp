@@ -1,8 +1,8 @@
 // Wavefront OBJ. The grammar accepted here is the polygonal subset of the "Object Files (.obj)"
-// appendix of Wavefront's Advanced Visualizer manual. Points, lines and attributes are kept as they
-// are; what else a line may begin with, curves and surfaces of the manual or words that programs
-// have added, is skipped, and said in one warning. What is broken and no part of the shape is left
-// out (dropped_parts.h).
+// appendix of Wavefront's Advanced Visualizer manual. Points, lines, attributes and comments on
+// lines of their own are kept as they are; what else a line may begin with, curves and surfaces of
+// the manual or words that programs have added, is skipped, and said in one warning. What is broken
+// and no part of the shape is left out (dropped_parts.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,10 +52,15 @@ class ObjReader {
             Strictness strictness)
       : cursor_(path, text, Continuation::Backslash, stop), dropped_(strictness) {
     mesh_.file = path;
+    cursor_.collect_comments(comments_);
   }
 
   void read_lines() {
-    while (cursor_.next_line()) read_line();
+    while (cursor_.next_line()) {
+      keep_comments();
+      read_line();
+    }
+    keep_comments();
   }
 
   // Room for what these lines seem to hold, so that lists do not move while they grow.
@@ -87,6 +92,8 @@ class ObjReader {
   void append(ObjReader&& next) {
     const long lines = lines_before_ + cursor_.lines_read();
     const auto polygons = static_cast<Index>(mesh_.polygons.size());
+    for (const Index vertices : next.vertices_before_)
+      vertices_before_.push_back(vertices + static_cast<Index>(mesh_.positions.size()));
     if (!mesh_.colors.empty() || !next.mesh_.colors.empty()) {
       mesh_.colors.resize(mesh_.positions.size(), no_color());
       next.mesh_.colors.resize(next.mesh_.positions.size(), no_color());
@@ -130,6 +137,7 @@ class ObjReader {
     require_complete(mesh_);
     drop_unusable_attributes();
     drop_elements_out_of_range();
+    mark_blocks();
     if (!mesh_.colors.empty()) mesh_.colors.resize(mesh_.positions.size(), no_color());
     if (skipped_lines_ > 0) warn_of_skipped();
     dropped_.conclude(mesh_);
@@ -157,6 +165,36 @@ class ObjReader {
     } else {
       skip_line(keyword);
     }
+  }
+
+  void add_directive(std::string text) {
+    mesh_.directives.emplace_back(static_cast<Index>(mesh_.polygons.size()), std::move(text));
+    vertices_before_.push_back(static_cast<Index>(mesh_.positions.size()));
+  }
+
+  // Those of the writer about cones belong to the coordinates that were.
+  void keep_comments() {
+    for (const std::string_view comment : comments_)
+      if (!comment.starts_with("# cone")) add_directive(std::string(comment));
+    comments_.clear();
+  }
+
+  // Where vertices stand between directives, says so (PolygonMesh::directives).
+  void mark_blocks() {
+    const auto all = static_cast<Index>(mesh_.positions.size());
+    if (vertices_before_.empty() || vertices_before_.front() == all) return;
+    std::vector<std::pair<Index, std::string>> marked;
+    Index vertices = 0;
+    const auto mark = [&](Index polygon, Index before) {
+      if (before > vertices) marked.emplace_back(polygon, fmt::format("v {}", before));
+      vertices = std::max(vertices, before);
+    };
+    for (std::size_t k = 0; k < mesh_.directives.size(); ++k) {
+      mark(mesh_.directives[k].first, vertices_before_[k]);
+      marked.push_back(std::move(mesh_.directives[k]));
+    }
+    mark(static_cast<Index>(mesh_.polygons.size()), all);
+    mesh_.directives = std::move(marked);
   }
 
   // Words are skipped; what begins in another way is a broken line, or no OBJ.
@@ -261,7 +299,7 @@ class ObjReader {
       text += fmt::format(" {}", found.index + 1);
     }
     elements_.push_back(element);
-    mesh_.directives.emplace_back(static_cast<Index>(mesh_.polygons.size()), std::move(text));
+    add_directive(std::move(text));
   }
 
   void drop_elements_out_of_range() {
@@ -276,6 +314,8 @@ class ObjReader {
       }
     auto next = is_dropped.begin();
     std::erase_if(mesh_.directives, [&](const auto&) { return *next++ != 0; });
+    next = is_dropped.begin();
+    std::erase_if(vertices_before_, [&](Index) { return *next++ != 0; });
   }
 
   void drop_unusable_attributes() {
@@ -314,7 +354,7 @@ class ObjReader {
       text.push_back(' ');
       rest.remove_prefix(end + 1);
     }
-    mesh_.directives.emplace_back(static_cast<Index>(mesh_.polygons.size()), std::move(text));
+    add_directive(std::move(text));
   }
 
   void read_face() {
@@ -447,6 +487,8 @@ class ObjReader {
   std::array<IndexSpace, 3> spaces_ = {IndexSpace{"v"}, IndexSpace{"vt"}, IndexSpace{"vn"}};
   DroppedParts dropped_;
   std::vector<Element> elements_;
+  std::vector<std::string_view> comments_;  // in front of the current line
+  std::vector<Index> vertices_before_;      // every directive
   std::vector<double> numbers_, rounded_;
   std::array<std::vector<Index>, 3> lists_;  // of the face at hand
   bool counts_backwards_ = false;

@@ -26,6 +26,8 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
+#include "majorant/parametrization/atlas/internal/congruent_charts.h"
+#include "majorant/parametrization/atlas/internal/kept_islands.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/maps/smallest_rectangle.h"
 #include "majorant/parametrization/solve/normalized_start.h"
@@ -152,12 +154,17 @@ class Unwrapping {
     atlas_.charts.resize(tasks_.size());
     std::vector<std::size_t> all(tasks_.size());
     std::iota(all.begin(), all.end(), 0);
-    solve_charts(all);
-    keep_limit();
-    divide();
+    if (options_.islands == Islands::Kept) {
+      keep_islands();
+    } else {
+      solve_charts(all);
+      keep_limit();
+      divide();
+    }
+    scale_charts();
     atlas_.optimize_seconds = record_.seconds() - started - atlas_.initialize_seconds;
     if (options_.packing && atlas_.status() != Status::Failed) place_charts();
-    if (atlas_.packing && options_.least_fill > 0) fill_square();
+    if (atlas_.packing && options_.least_fill > 0 && is_of_one_scale()) fill_square();
     atlas_.packing_seconds =
         record_.seconds() - started - atlas_.initialize_seconds - atlas_.optimize_seconds;
     return std::move(atlas_);
@@ -492,6 +499,43 @@ class Unwrapping {
     atlas_.charts = std::move(charts);
   }
 
+  void keep_islands() {
+    std::vector<std::shared_ptr<const SurfaceMesh>> islands;
+    for (const Task& task : tasks_) islands.push_back(task.mesh);
+    const std::vector<BezierMap> maps = kept_islands(islands);
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+      Chart& chart = atlas_.charts[k];
+      chart.faces = tasks_[k].faces;
+      chart.start = ChartStart::Texture;
+      chart.status = Status::Converged;
+      chart.message = "kept as it is";
+      take(maps[k], k);
+      chart.measures.locally_injective = true;  // exactly, by kept_islands()
+    }
+  }
+
+  // As UnwrapOptions::face_scale says.
+  void scale_charts() {
+    for (std::size_t k = 0; options_.face_scale.size() > 0 && k < tasks_.size(); ++k) {
+      Chart& chart = atlas_.charts[k];
+      const double scale = options_.face_scale[chart.faces.front()];
+      for (const Index f : chart.faces)
+        if (options_.face_scale[f] != scale)
+          throw InvalidArgument("unwrap: face_scale differs within a chart");
+      if (scale == 1 || !chart.map) continue;
+      const bool was_injective = chart.measures.locally_injective;
+      take(chart.map->with(chart.map->shared_space(), Vec(scale * chart.map->control_points())), k);
+      chart.measures.locally_injective = was_injective;  // pack() proves it anew
+    }
+  }
+
+  void take(BezierMap map, std::size_t k) {
+    Chart& chart = atlas_.charts[k];
+    chart.measures = measure_map(map, tasks_[k].options.map.energy, record_.stop());
+    chart.stretch = measure_stretch(map);
+    chart.map = std::move(map);
+  }
+
   // Those with these numbers.
   void solve_charts(std::vector<std::size_t> order) {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -561,6 +605,12 @@ class Unwrapping {
       }
   }
 
+  // Charts have a place each, at their own scale, on one square.
+  bool is_of_one_scale() const {
+    return options_.stacking == Stacking::None && options_.face_scale.size() == 0 &&
+           options_.packing->tiles <= 1;
+  }
+
   // Divides charts, those first that save most area for what that costs, until they fill as much of
   // the square as is asked for, or nothing is saved any more. The best of all layouts stays.
   void fill_square() {
@@ -605,23 +655,72 @@ class Unwrapping {
     return next;
   }
 
+  // Charts that lie on none.
+  std::vector<std::size_t> choose_places() {
+    std::vector<std::shared_ptr<const SurfaceMesh>> surfaces;
+    std::vector<double> scale;
+    for (const Task& task : tasks_) {
+      surfaces.push_back(task.mesh);
+      if (options_.face_scale.size() > 0) scale.push_back(options_.face_scale[task.faces.front()]);
+    }
+    std::vector<std::optional<StackPlace>> places =
+        stack_places(surfaces, options_.stacking, scale);
+    std::vector<std::size_t> lowest;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (!places[k]) lowest.push_back(k);
+      atlas_.charts[k].place = std::move(places[k]);
+    }
+    return lowest;
+  }
+
   void place_charts() {
     record_.begin(Activity::Packing);
-    std::vector<BezierMap> maps = maps_of(atlas_);
     PackOptions packing = *options_.packing;
     packing.fixed.clear();
-    for (const Chart& chart : atlas_.charts) packing.fixed.push_back(!chart.pins.empty());
-    require_pinned_apart(maps);
-    atlas_.packing = pack(maps, packing, record_.start_stop());
-    for (std::size_t k = 0; k < maps.size(); ++k) {
-      Chart& chart = atlas_.charts[k];
-      chart.map = atlas_.packing->charts[k];
+    require_pinned_apart(maps_of(atlas_));
+    const std::vector<std::size_t> lowest = choose_places();
+    std::vector<BezierMap> maps;
+    for (const std::size_t k : lowest) {
+      maps.push_back(*atlas_.charts[k].map);
+      packing.fixed.push_back(!atlas_.charts[k].pins.empty());
+    }
+    Packing packed = pack(maps, packing, record_.start_stop());
+    for (std::size_t i = 0; i < lowest.size(); ++i) {
+      Chart& chart = atlas_.charts[lowest[i]];
+      chart.map = packed.charts[i];
       const bool was_injective = chart.measures.locally_injective;
-      chart.measures =
-          measures_once_moved(std::move(chart.measures), *chart.map, tasks_[k].options.map.energy);
+      chart.measures = measures_once_moved(std::move(chart.measures), *chart.map,
+                                           tasks_[lowest[i]].options.map.energy);
       chart.measures.locally_injective =
           was_injective;  // pack() has proven it, by more than bounds
     }
+    atlas_.packing = std::move(packed);
+    lay_on(lowest);
+  }
+
+  // The other charts on those; the packing is that of all.
+  void lay_on(const std::vector<std::size_t>& lowest) {
+    if (lowest.size() == atlas_.charts.size()) return;
+    Packing& packing = *atlas_.packing;
+    std::vector<std::size_t> number(atlas_.charts.size());
+    for (std::size_t i = 0; i < lowest.size(); ++i) number[lowest[i]] = i;
+    Packing all = packing;
+    all.charts.clear();
+    all.placements.clear();
+    all.tiles.clear();
+    for (std::size_t k = 0; k < atlas_.charts.size(); ++k) {
+      Chart& chart = atlas_.charts[k];
+      const std::size_t under = number[chart.place ? chart.place->chart : k];
+      if (chart.place) {
+        const bool is_injective = atlas_.charts[chart.place->chart].measures.locally_injective;
+        take(map_on(packing.charts[under], *chart.map, *chart.place), k);
+        chart.measures.locally_injective = is_injective;  // its digits are those of the other
+      }
+      all.charts.push_back(*chart.map);
+      all.placements.push_back(packing.placements[under]);
+      all.tiles.push_back(packing.tiles[under]);
+    }
+    packing = std::move(all);
   }
 
   const SurfaceMesh& surface_;
@@ -645,6 +744,7 @@ void to_model_units(double unit, Packing& packing) {
   for (LayoutMotion& placement : packing.placements) placement.origin *= unit;
   packing.origin *= unit;
   packing.side *= unit;
+  packing.border *= unit;
   packing.distance *= unit;
 }
 
@@ -781,13 +881,20 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
   UnwrapOptions scaled = options;
   scale_points(1 / unit, scaled.chart.map.pins);
   scale_points(1 / unit, scaled.chart.map.handles);
+  if (scaled.packing && scaled.packing->side) *scaled.packing->side /= unit;
   Atlas atlas = Unwrapping(in_units(*surface, unit), scaled, record).solve();
   to_model_units(*surface, unit, atlas);
   return atlas;
 }
 
 std::optional<LayoutMotion> into_unit_square(Atlas& atlas) {
-  const std::vector<BezierMap> maps = maps_of(atlas);
+  std::vector<BezierMap> maps;
+  std::vector<std::size_t> lowest;
+  for (std::size_t k = 0; k < atlas.charts.size(); ++k) {
+    if (atlas.charts[k].place) continue;
+    maps.push_back(*atlas.charts[k].map);
+    lowest.push_back(k);
+  }
   Vector2 low = Vector2::Constant(INFINITY), high = -low;
   for (const BezierMap& map : maps) {
     const auto points = map.control_points().reshaped(2, map.space().node_count());
@@ -800,12 +907,24 @@ std::optional<LayoutMotion> into_unit_square(Atlas& atlas) {
     low = atlas.packing->origin;
     side = atlas.packing->side;
     promise.distance = atlas.packing->distance;
-    for (const Chart& chart : atlas.charts) promise.fixed.push_back(!chart.pins.empty());
+    for (const std::size_t k : lowest) promise.fixed.push_back(!atlas.charts[k].pins.empty());
   }
-  std::optional<MovedLayout> moved =
-      moved_layout(maps, unit_square_motions({1, 0}, low, side), promise);
+  std::vector<LayoutMotion> attempts = unit_square_motions({1, 0}, low, side);
+  if (atlas.packing && atlas.packing->has_tiles) {
+    attempts.resize(1);  // of others the tiles are no unit squares
+    const double border = atlas.packing->border / side;
+    for (const std::size_t k : lowest) {
+      const Vector2 corner = tile_corner(atlas.packing->tiles[k]);
+      promise.boxes.emplace_back(corner.array() + border, corner.array() + (1 - border));
+    }
+  }
+  std::optional<MovedLayout> moved = moved_layout(maps, attempts, promise);
   if (!moved) return std::nullopt;
-  for (std::size_t k = 0; k < maps.size(); ++k) atlas.charts[k].map = std::move(moved->maps[k]);
+  for (std::size_t i = 0; i < lowest.size(); ++i)
+    atlas.charts[lowest[i]].map = std::move(moved->maps[i]);
+  for (Chart& chart : atlas.charts)
+    if (chart.place)
+      chart.map = map_on(*atlas.charts[chart.place->chart].map, *chart.map, *chart.place);
   return moved->motion;
 }
 

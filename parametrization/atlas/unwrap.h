@@ -19,6 +19,7 @@
 // Not for the best map of one disk: parametrize().
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -69,6 +70,20 @@ enum class ChartStart { Tutte, Multiresolution, Parent, Unfolded, Texture, Untan
 // "tutte", "multiresolution", "parent", "unfolded", "texture", "untangled", "anew"
 std::string_view start_name(ChartStart start);
 
+// Which charts may share a place of the layout: none; those whose surfaces are
+// copies of each other; and those that are copies of mirror images.
+enum class Stacking { None, Equal, Mirrored };
+enum class ChartSense { Same, Mirrored };
+
+// The chart that another one lies on, corner by corner: corner k of face f on corner corner[f][k]
+// of face[f].
+struct StackPlace {
+  std::size_t chart = 0;
+  ChartSense sense = ChartSense::Same;
+  std::vector<Index> face = {};
+  std::vector<std::array<int, 3>> corner = {};
+};
+
 struct Chart {
   std::vector<Index> faces;      // of the surface, by face of the map
   std::optional<BezierMap> map;  // always there; model units, injective
@@ -79,6 +94,9 @@ struct Chart {
   Stretch stretch;
   std::vector<Pin> pins;  // vertices of the map's mesh; with pins it stays where they put it
   std::vector<TraceEntry> trace;
+  // Where it lies on an earlier chart. The map of one that is mirrored is positive, as all are: it
+  // is that which turned over at u = 0 lies there.
+  std::optional<StackPlace> place;
 };
 
 // What CutOptions::max_stretch is for maps of CutMethod::Automatic and Sharp. Kept: charts are
@@ -89,6 +107,11 @@ enum class StretchLimit { Kept, Reported };
 // The part of a time limit that cuts get at most, before those that suffice are taken as they are;
 // the rest is for maps.
 inline constexpr double kCuttingShare = 0.4;
+
+// What becomes of the islands of CutMethod::Texture. Kept: they are the charts, in the shapes that
+// they have in the file, all at one scale; at degree 1, without pins and handles,
+// and nothing else of UnwrapOptions::chart is looked at but its energy.
+enum class Islands { Mapped, Kept };
 
 struct UnwrapOptions {
   // The options of every chart: degree, energy and so on. Vertices of pins and handles are those of
@@ -102,11 +125,18 @@ struct UnwrapOptions {
   StretchLimit limit = StretchLimit::Kept;
   // Where the limit is kept of Automatic or Sharp cuts, charts are divided until there are so many
   // of them, and until they fill so much of the packing's square; with 0 where the layout costs
-  // less then (docs/atlas.md, "One chart or many"). Fewer, and less, where that is not possible.
+  // less then (docs/atlas.md, "One chart or many"). Fewer, and less, where that is not possible;
+  // least_fill is not looked at with Stacking, face_scale and several tiles.
   Index least_charts = 0;
   double least_fill = 0;
   // Seconds from the start of the run after which cuts that suffice are not made shorter.
   double cutting_seconds = std::numeric_limits<double>::infinity();
+  Islands islands = Islands::Mapped;
+  // Of packed charts without pins and handles.
+  Stacking stacking = Stacking::None;
+  // #F or empty: charts are so many times as large as they are mapped, one number > 0 for all faces
+  // of a chart. Measures are those of the larger ones.
+  Vec face_scale = {};
   std::optional<PackOptions> packing =
       PackOptions();  // none: charts stay where the solver has them
 };
@@ -141,8 +171,8 @@ std::vector<BezierMap> maps_of(const Atlas& atlas);
 // Moves the maps of all charts at one scale: the packing's square becomes the unit square, without
 // a packing the common box of the charts, its larger side 1. Where rounding turns a triangle over,
 // lets charts touch or come closer than the packing promises, the next power of two is the size
-// instead. None, and the atlas as it was, where that does not help. Measures stay those in model
-// units.
+// instead, but not where the packing has tiles, whose borders are proven, too. None, and the atlas
+// as it was, where that does not help. Measures stay those in model units.
 std::optional<LayoutMotion> into_unit_square(Atlas& atlas);
 
 }  // namespace majorant

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "majorant/certify/proven_distance.h"
@@ -51,6 +52,10 @@ constexpr std::size_t kMany = 500;
 constexpr double kNudge = 1e-9;
 constexpr int kNudges = 8;
 
+// Tiles side by side in one row of UDIM.
+constexpr int kTilesInRow = 10;
+constexpr int kFirstTile = 1001;
+
 // uv before it is moved by the origin.
 Vector2 turned(const LayoutMotion& m, const Vector2& uv) {
   return {m.direction.x() * uv.x() + m.direction.y() * uv.y(),
@@ -72,11 +77,17 @@ struct Candidate {
   Placements placements;
 };
 
+// Returns whether squares have a place and a size of their own, whatever lies in them.
+bool has_tiles(const PackOptions& options) { return options.tiles > 1 || options.side; }
+
 class Packer {
  public:
-  Packer(const std::vector<BezierMap>& charts, const PackOptions& options, const StopCheck& stop)
+  // options: of the square within the border. border: in such squares.
+  Packer(const std::vector<BezierMap>& charts, const PackOptions& options, double border,
+         const StopCheck& stop)
       : charts_(charts),
         options_(options),
+        border_(border),
         stop_(stop),
         least_distance_(charts.size() < 2
                             ? kLeastGap  // one chart has no neighbour
@@ -91,9 +102,10 @@ class Packer {
     if (!(least_distance_ < 1)) refuse_padding();
     for (;;) {
       const std::vector<AllowedRotations> freedom = freedom_;
-      const PackingJob job =
-          packing_job(charts_, freedom_, least_distance_ * (1 + kGapMargin), stop_);
-      std::vector<Candidate> candidates = arrange(job);
+      const PackingJob job = packing_job(charts_, freedom_, least_distance_ * (1 + kGapMargin),
+                                         {options_.tiles, options_.up}, stop_);
+      std::vector<Candidate> candidates = options_.side ? fitted(job) : arrange(job);
+      if (candidates.empty() && options_.side) refuse_side(job);
       if (candidates.empty()) refuse_padding();
       std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return a.placements.side < b.placements.side;
@@ -102,7 +114,10 @@ class Packer {
         if (std::optional<Packing> packing = realized(job, candidate)) return std::move(*packing);
         if (freedom_ != freedom) break;
       }
-      if (freedom_ == freedom)
+      // Tiles have no place for charts that stay where they are.
+      const bool is_lost = has_tiles(options_) &&
+                           std::count(freedom_.begin(), freedom_.end(), AllowedRotations::None) > 0;
+      if (freedom_ == freedom || is_lost)
         throw Error(ErrorKind::Unsupported,
                     "packing: charts cannot be moved apart, because rounding would turn their "
                     "smallest faces over, or those held in place leave no room");
@@ -117,15 +132,42 @@ class Packer {
                             charts_.size(), least_distance_));
   }
 
+  [[noreturn]] void refuse_side(const PackingJob& job) const {
+    const std::vector<Candidate> larger = arrange(job);
+    if (larger.empty()) refuse_padding();
+    double side = larger.front().placements.side;
+    for (const Candidate& candidate : larger) side = std::min(side, candidate.placements.side);
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("packing: the charts need {:.6g} times the side that is given; a lower "
+                            "texel density, more tiles or a higher resolution would do",
+                            side * job.unit * (1 + kGapMargin) / *options_.side));
+  }
+
+  // Those that fit into squares of the given side.
+  std::vector<Candidate> fitted(const PackingJob& job) const {
+    const double width = *options_.side / job.unit / (1 + kGapMargin / 4);
+    const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;
+    std::vector<Candidate> candidates;
+    const auto add = [&](PackMethod method, std::optional<Strip> strip) {
+      if (strip && strip->height <= width)
+        candidates.push_back({method, {std::move(strip->poses), width}});
+    };
+    add(PackMethod::Skyline, skyline_strip(job, width));
+    if (candidates.empty()) add(PackMethod::Raster, raster_strip(job, cells, width));
+    if (candidates.empty() && charts_.size() <= kMostNested && charts_.size() > 1)
+      add(PackMethod::Nesting, nested_strip(job, width));
+    return candidates;
+  }
+
   std::vector<Candidate> arrange(const PackingJob& job) const {
     std::vector<Candidate> candidates;
     const auto add = [&](PackMethod method, std::optional<Placements> found) {
       if (found) candidates.push_back({method, std::move(*found)});
     };
     const auto skyline = [&](double width) { return skyline_strip(job, width); };
-    add(PackMethod::Skyline,
-        smallest_square(job, skyline,
-                        {kFirstWidth * std::sqrt(job.area), kSkylineFactor, kSkylineTries}));
+    add(PackMethod::Skyline, smallest_square(job, skyline,
+                                             {kFirstWidth * std::sqrt(job.area / job.tiles),
+                                              kSkylineFactor, kSkylineTries}));
     if (candidates.empty()) return candidates;
     const double of_boxes = candidates[0].placements.side;
     const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;
@@ -133,7 +175,7 @@ class Packer {
     const auto raster = [&](double width) { return raster_strip(job, cells, width); };
     add(PackMethod::Raster,
         smallest_square(job, raster, {kRasterWidth * of_boxes, kFactor, tries}));
-    if (charts_.size() > kMostNested || charts_.size() < 2) return candidates;
+    if (charts_.size() > kMostNested || charts_.size() < 2 || job.tiles > 1) return candidates;
     const double best = std::min(of_boxes, candidates.back().placements.side);
     const auto nesting = [&](double width) { return nested_strip(job, width); };
     add(PackMethod::Nesting,
@@ -145,12 +187,13 @@ class Packer {
   std::optional<Packing> realized(const PackingJob& job, const Candidate& candidate) {
     Packing packing;
     packing.method = candidate.method;
+    const double side = job.unit * candidate.placements.side * (1 + kGapMargin / 4);
     for (std::size_t k = 0; k < charts_.size(); ++k) {
       const std::optional<MovedLayout> moved =
           freedom_[k] == AllowedRotations::None
               ? MovedLayout{{charts_[k]}, {}}
-              : moved_layout({charts_[k]}, attempts(job, k, candidate.placements.poses[k]), {},
-                             stop_);
+              : moved_layout({charts_[k]}, attempts(job, k, candidate.placements.poses[k], side),
+                             promise_of(candidate.placements.poses[k], side), stop_);
       if (!moved) {
         freedom_[k] = freedom_[k] == AllowedRotations::Any ? AllowedRotations::QuarterTurns
                                                            : AllowedRotations::None;
@@ -158,20 +201,29 @@ class Packer {
       }
       packing.charts.push_back(moved->maps.front());
       packing.placements.push_back(moved->motion);
+      packing.tiles.push_back(candidate.placements.poses[k].tile);
     }
     if (packing.charts.size() < charts_.size()) return {};
-    frame(packing);
+    if (has_tiles(options_)) {
+      packing.side = options_.side.value_or(side);
+      packing.border = packing.side * border_;
+      packing.origin.setConstant(-packing.border);
+    } else {
+      frame(packing);
+    }
     const double relative = job.unit / packing.side;
-    packing.fill = job.area * relative * relative;
+    const std::set<int> used(packing.tiles.begin(), packing.tiles.end());
+    packing.fill = job.area * relative * relative / static_cast<double>(used.size());
     const double needed = least_distance_ * packing.side * (1 + kGapMargin / 2);
     packing.distance = proven_distance(packing.charts, needed, options_.fixed, stop_);
     if (packing.distance < needed) return {};
     return packing;
   }
 
-  // The motion to its pose, and turned a little further about the middle of the chart.
-  std::vector<LayoutMotion> attempts(const PackingJob& job, std::size_t chart,
-                                     const Pose& pose) const {
+  // The motion to its pose, and turned a little further about the middle of the chart. In tiles,
+  // away from their borders by half of what their side has over that of the strips.
+  std::vector<LayoutMotion> attempts(const PackingJob& job, std::size_t chart, const Pose& pose,
+                                     double side) const {
     const ChartOutline& outline = job.charts[chart];
     const double c = outline.cosine, s = outline.sine;
     const Vector2 directions[4] = {{c, -s}, {-s, -c}, {-c, s}, {s, c}};
@@ -179,12 +231,22 @@ class Packer {
     // The place of the origin of the turned chart.
     there.origin = -job.unit * (quarter_turned(-outline.low, pose.quarters, outline.size) +
                                 pose.low + job.corner);
+    if (has_tiles(options_))
+      there.origin -=
+          side * (tile_corner(pose.tile) * (1 + 2 * border_) + Vector2::Constant(kGapMargin / 8));
     const auto nodes =
         charts_[chart].control_points().reshaped(2, charts_[chart].space().node_count());
     const Vector2 middle = (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff()) / 2;
     std::vector<LayoutMotion> out{there};
     for (int k = 1; k <= kNudges; ++k) out.push_back(turned_further(there, k * kNudge, middle));
     return out;
+  }
+
+  // Within the border of its tile.
+  LayoutPromise promise_of(const Pose& pose, double side) const {
+    if (!has_tiles(options_)) return {};
+    const Vector2 low = side * (1 + 2 * border_) * tile_corner(pose.tile);
+    return {.boxes = {Eigen::AlignedBox2d(low, low + Vector2::Constant(side))}};
   }
 
   static void frame(Packing& packing) {
@@ -200,12 +262,17 @@ class Packer {
 
   const std::vector<BezierMap>& charts_;
   const PackOptions& options_;
+  const double border_;
   const StopCheck& stop_;
   const double least_distance_;  // as a part of the side
   std::vector<AllowedRotations> freedom_;
 };
 
 }  // namespace
+
+Vector2 tile_corner(int tile) { return {tile % kTilesInRow, tile / kTilesInRow}; }
+
+int udim(int tile) { return kFirstTile + tile; }
 
 std::string_view name_of(PackMethod method) {
   constexpr std::string_view kNames[] = {"skyline", "raster", "nesting"};
@@ -223,18 +290,38 @@ Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options,
   if (!options.fixed.empty() && options.fixed.size() != charts.size())
     throw InvalidArgument(
         fmt::format("pack: {} flags for {} charts", options.fixed.size(), charts.size()));
+  if (options.tiles < 1 || options.tiles > kMostTiles)
+    throw InvalidArgument(
+        fmt::format("pack: {} tiles, 1 to {} are possible", options.tiles, kMostTiles));
+  if (options.side && (!(*options.side > 0) || !std::isfinite(*options.side)))
+    throw InvalidArgument(
+        fmt::format("pack: a side of {:g}, more than 0 is needed", *options.side));
+  if (has_tiles(options) &&
+      std::find(options.fixed.begin(), options.fixed.end(), 1) != options.fixed.end())
+    throw InvalidArgument(
+        "pack: charts that stay where they are in tiles or a square of given side");
   if (charts.empty()) return {};
   PackOptions within = options;  // the square that the border surrounds
-  within.resolution -= 2 * options.padding_pixels;
+  // Charts of tiles side by side do not touch.
+  const double border = options.tiles > 1
+                            ? std::max(options.padding_pixels, kLeastGap * options.resolution)
+                            : options.padding_pixels;
+  within.resolution -= 2 * border;
   if (!(within.resolution > 0))
     throw Error(ErrorKind::Unsupported,
                 fmt::format("packing: no square of {:.6g} pixels holds {} charts in a border of "
                             "{:.6g}; less padding or a higher resolution would do",
                             options.resolution, charts.size(), options.padding_pixels));
-  Packing packing = Packer(charts, within, stop).pack();
   const double part = within.resolution / options.resolution;  // of the side
-  packing.origin.array() -= packing.side * (1 / part - 1) / 2;
-  packing.side /= part;
+  if (within.side) *within.side *= part;
+  Packing packing = Packer(charts, within, border / within.resolution, stop).pack();
+  if (has_tiles(options)) {
+    packing.side = options.side.value_or(packing.side / part);
+  } else {
+    packing.origin.array() -= packing.side * (1 / part - 1) / 2;
+    packing.side /= part;
+  }
+  packing.has_tiles = has_tiles(options);
   packing.fill *= part * part;
   return packing;
 }

@@ -1,4 +1,5 @@
-// Charts side by side in one square, as small as it gets: none is scaled, none overlaps another.
+// Charts side by side in one square, as small as it gets, or in several of one size: none is
+// scaled, none overlaps another.
 //
 //   std::vector<BezierMap> charts{map, map, map};     // as they came out of the solver
 //   const Packing packing = pack(charts, {.padding_pixels = 4, .resolution = 1024});
@@ -17,6 +18,7 @@
 // which nothing is said here (global_injectivity.h).
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -37,7 +39,24 @@ struct PackOptions {
   // corner is that of their common box, but for the border. Nothing is promised of the distance of
   // two of them.
   std::vector<char> fixed = {};
+  // The direction on the surface, as its positions have it, that points upwards in every chart. A
+  // chart that it has no direction in, since it lies across, is turned as it fits; one whose
+  // smallest faces bear no turn keeps the turn that it has.
+  std::optional<Vector3> up = {};
+  // Squares that charts may be spread over, all of one size, side by side as UDIM has them:
+  // tile_corner(). From 1 to kMostTiles; more than 1 without fixed charts.
+  int tiles = 1;
+  // Of the square, its border included, in units of the charts; none: as small as it gets. Without
+  // fixed charts.
+  std::optional<double> side = {};
 };
+
+inline constexpr int kMostTiles = 100;
+
+// Lower left corner of a tile, in sides: ten in a row, tile 0 at the origin.
+Vector2 tile_corner(int tile);
+// Its number in names of files: 1001 and on.
+int udim(int tile);
 
 enum class PackMethod { Skyline, Raster, Nesting };
 
@@ -49,16 +68,21 @@ struct Packing {
   std::vector<LayoutMotion> placements;  // of each
   Vector2 origin = Vector2::Zero();      // lower left corner of the square, model units
   double side = 0;                       // of the square that contains all control points, border
-                                         // included
-  double fill = 0;                       // area of the charts / side^2
-  double distance = 0;                   // proven: of any two charts, not both fixed, at least this
+                                         // included; of each tile
+  std::vector<int> tiles;                // of each chart, which is in origin + side *
+                                         // (tile_corner(tile) + [0, 1]^2)
+  // The square has a size of its own, whatever lies in it: there are tiles, or it was given.
+  bool has_tiles = false;
+  double border = 0;    // with tiles; proven: no control point is nearer to the border of its tile
+  double fill = 0;      // area of the charts / area of the tiles that have some
+  double distance = 0;  // proven: of any two charts, not both fixed, at least this
   PackMethod method = PackMethod::Skyline;
 };
 
 // The same bits for any number of threads; no clock is asked. charts: each one component with a
 // boundary, det J > 0. Throws Error(Unsupported) where the padding leaves no room for that many
-// charts, or fixed ones none for what cannot be moved; InvalidArgument for options out of
-// range; Stopped.
+// charts, a given side none for the charts, or fixed ones none for what cannot be moved;
+// InvalidArgument for options out of range; Stopped.
 Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options = {},
              const StopCheck& stop = {});
 

@@ -66,6 +66,8 @@ const char* python_words(Hint hint) {
       return "map it by itself";
     case Hint::WriteSurface:
       return "write it with msh='surface', or leave surface out";
+    case Hint::MapIslands:
+      return "map them anew";
   }
   return "";
 }

@@ -48,8 +48,8 @@ TEST_F(ReadMesh, ObjKeepsEverythingThatAWriterNeeds) {
   EXPECT_EQ(mesh.texcoords[2], Vector2(0.5, 0));
   EXPECT_EQ(mesh.polygon_lines, (std::vector<long>{17, 20, 21}));
   const std::vector<std::pair<Index, std::string>> directives = {
-      {0, "mtllib a b.mtl"}, {0, "o thing"}, {0, "l 1 2"},      {0, "g left right"},
-      {0, "usemtl red"},     {1, "s off"},   {3, "usemtl last"}};
+      {0, "# comment \\"}, {0, "mtllib a b.mtl"}, {0, "o thing"}, {0, "v 4"},        {0, "l 1 2"},
+      {0, "g left right"}, {0, "usemtl red"},     {1, "s off"},   {3, "usemtl last"}};
   EXPECT_EQ(mesh.directives, directives);
   ASSERT_EQ(mesh.colors.size(), 4u);
   EXPECT_EQ(mesh.colors[0], Vector3(1, 0, 0));

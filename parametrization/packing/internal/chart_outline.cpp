@@ -65,27 +65,16 @@ BoundaryLoops boundary_in_units(const BezierMap& chart, double unit) {
   return boundary;
 }
 
-}  // namespace
+// The largest length of the mean of the image of a direction, relative to that of an isometry, that
+// is no direction: half a degree.
+constexpr double kAcross = 1e-2;
 
-double chart_area(const BezierMap& chart, double unit) {
-  return enclosed_area(boundary_in_units(chart, unit));
-}
-
-ChartOutline chart_outline(const BezierMap& chart, double unit, double reach, Turn turn) {
+ChartOutline turned_outline(const BezierMap& chart, const BoundaryLoops& boundary, double unit,
+                            double reach, const Vector2& turn) {
   const auto nodes = chart.control_points().reshaped(2, chart.space().node_count());
-  const BoundaryLoops boundary = boundary_in_units(chart, unit);
-  std::vector<Vector2> rim;
-  for (const PlanarCurve& curve : boundary.curves)
-    rim.insert(rim.end(), curve.control_points.begin(),
-               curve.control_points.begin() + curve.degree + 1);
-
   ChartOutline out;
-  if (turn == Turn::Tightest) {
-    const SmallestRectangle box = smallest_rectangle(rim);
-    const bool is_upright = box.along < box.across;
-    out.cosine = is_upright ? -box.side.y() : box.side.x();
-    out.sine = is_upright ? -box.side.x() : -box.side.y();
-  }
+  out.cosine = turn.x();
+  out.sine = turn.y();
   Eigen::Matrix2d R;
   R << out.cosine, -out.sine, out.sine, out.cosine;
   const Eigen::Matrix2Xd turned = R * nodes / unit;
@@ -103,6 +92,61 @@ ChartOutline chart_outline(const BezierMap& chart, double unit, double reach, Tu
       outline.reach = std::max(outline.reach, append_points(moved, reach, 0, points));
     }
   }
+  return out;
+}
+
+}  // namespace
+
+double chart_area(const BezierMap& chart, double unit) {
+  return enclosed_area(boundary_in_units(chart, unit));
+}
+
+// The derivative of a linear map along a direction d, times the area of its triangle, is half the
+// sum over corners of uv times (n x opposite edge) . d, where n is the unit normal.
+std::optional<Vector2> upright_turn(const BezierMap& chart, const Vector3& up) {
+  const SurfaceMesh& mesh = chart.mesh();
+  const Vector3 d = up.stableNormalized();
+  Vector2 mean = Vector2::Zero();
+  double surface = 0, image = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto position = [&](int k) { return Vector3(mesh.positions().row(mesh.faces()(f, k))); };
+    const auto uv = [&](int k) {
+      return Vector2(chart.control_points().segment<2>(2 * chart.space().cells()(f, k)));
+    };
+    const Vector3 across = (position(1) - position(0)).cross(position(2) - position(0));
+    const double twice = across.norm();
+    if (!(twice > 0)) continue;
+    surface += twice / 2;
+    image += cross(Vector2(uv(1) - uv(0)), Vector2(uv(2) - uv(0))) / 2;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3 opposite = position((k + 2) % 3) - position((k + 1) % 3);
+      mean += uv(k) * (across.cross(opposite).dot(d) / twice / 2);
+    }
+  }
+  const double length = mean.norm();
+  if (!(length > kAcross * std::sqrt(surface * std::abs(image)))) return std::nullopt;
+  return Vector2(mean.y(), mean.x()) / length;
+}
+
+ChartOutline chart_outline(const BezierMap& chart, double unit, double reach, Turn turn) {
+  const BoundaryLoops boundary = boundary_in_units(chart, unit);
+  Vector2 rotation(1, 0);
+  if (turn == Turn::Tightest) {
+    std::vector<Vector2> rim;
+    for (const PlanarCurve& curve : boundary.curves)
+      rim.insert(rim.end(), curve.control_points.begin(),
+                 curve.control_points.begin() + curve.degree + 1);
+    const SmallestRectangle box = smallest_rectangle(rim);
+    rotation = box.along < box.across ? Vector2(-box.side.y(), -box.side.x())
+                                      : Vector2(box.side.x(), -box.side.y());
+  }
+  return turned_outline(chart, boundary, unit, reach, rotation);
+}
+
+ChartOutline upright_outline(const BezierMap& chart, double unit, double reach,
+                             const Vector2& turn) {
+  ChartOutline out = turned_outline(chart, boundary_in_units(chart, unit), unit, reach, turn);
+  out.quarter_turns = 1;
   return out;
 }
 

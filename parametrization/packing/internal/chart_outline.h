@@ -9,6 +9,7 @@
 // unit, and `chart.low` is subtracted.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "majorant/parametrization/maps/bezier_map.h"
@@ -27,13 +28,21 @@ struct ChartOutline {
   Vector2 size;                 // of the box, which contains the outline and all control points
   Outline outline;              // relative to `low`
   double area = 0;              // of the image
+  int quarter_turns = 4;        // how many of the turns by 0, 1, ... quarters may be tried
 };
 
 enum class Turn { Tightest, None };
 
+// Cosine and sine of the turn after which `up`, a direction on the surface, points upwards in the
+// chart, in the mean over its area; none where it has no direction there.
+std::optional<Vector2> upright_turn(const BezierMap& chart, const Vector3& up);
+
 // unit: layout_unit(). reach: curves are cut until that is enough, in units.
 ChartOutline chart_outline(const BezierMap& chart, double unit, double reach,
                            Turn turn = Turn::Tightest);
+// After this turn, and as it is then: no quarter turns.
+ChartOutline upright_outline(const BezierMap& chart, double unit, double reach,
+                             const Vector2& turn);
 
 // The area of the image, in units squared.
 double chart_area(const BezierMap& chart, double unit);

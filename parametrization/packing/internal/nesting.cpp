@@ -66,6 +66,7 @@ std::optional<Strip> nested_strip(const PackingJob& job, double width) {
   const double scale = kIntegers / width;
   double reach = 0;
   std::vector<libnest2d::Item> items;
+  if (job.tiles > 1) return {};
   for (std::size_t k = 0; k < job.charts.size(); ++k) {
     if (job.fixed[k]) return {};
     reach = std::max(reach, job.charts[k].outline.reach);
@@ -76,6 +77,9 @@ std::optional<Strip> nested_strip(const PackingJob& job, double width) {
   const auto side = static_cast<libnest2d::Coord>(kIntegers) + gap;
   libnest2d::NfpPlacer::Config config;
   config.parallel = false;
+  if (std::any_of(job.charts.begin(), job.charts.end(),
+                  [](const ChartOutline& chart) { return chart.quarter_turns == 1; }))
+    config.rotations = {libnest2d::Radians(0)};
   const libnest2d::NestConfig<> nesting(config);
   std::size_t questions = 0;
   const libnest2d::NestControl control([&] {

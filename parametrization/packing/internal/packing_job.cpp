@@ -16,8 +16,9 @@ constexpr double kReach = 2e-4;
 
 PackingJob packing_job(const std::vector<BezierMap>& charts,
                        const std::vector<AllowedRotations>& freedom, double gap,
-                       const StopCheck& stop) {
+                       const PackingGoal& goal, const StopCheck& stop) {
   PackingJob job;
+  job.tiles = goal.tiles;
   job.stop = stop;
   job.gap = gap;
   job.unit = layout_unit(charts);
@@ -26,9 +27,13 @@ PackingJob packing_job(const std::vector<BezierMap>& charts,
   Vector2 corner = Vector2::Constant(std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k < charts.size(); ++k) {
     stop.poll();
+    const bool is_free = freedom[k] == AllowedRotations::Any;
+    const std::optional<Vector2> upright =
+        is_free && goal.up ? upright_turn(charts[k], *goal.up) : std::nullopt;
     job.charts.push_back(
-        chart_outline(charts[k], job.unit, reach,
-                      freedom[k] == AllowedRotations::Any ? Turn::Tightest : Turn::None));
+        upright ? upright_outline(charts[k], job.unit, reach, *upright)
+                : chart_outline(charts[k], job.unit, reach, is_free ? Turn::Tightest : Turn::None));
+    if (!is_free && goal.up) job.charts.back().quarter_turns = 1;
     if (freedom[k] == AllowedRotations::None) corner = corner.cwiseMin(job.charts[k].low);
   }
   if (corner.allFinite()) job.corner = corner;

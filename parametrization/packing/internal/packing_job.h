@@ -16,10 +16,17 @@ namespace majorant {
 // None: stays where it is. QuarterTurns, because these round nothing.
 enum class AllowedRotations { Any, QuarterTurns, None };
 
+// PackOptions, of where charts go.
+struct PackingGoal {
+  int tiles = 1;
+  std::optional<Vector3> up = {};  // of charts with any rotation
+};
+
 struct PackingJob {
   std::vector<ChartOutline> charts;
   // Lower left corners of those that stay where they are, relative to that of the square.
   std::vector<std::optional<Vector2>> fixed;
+  int tiles = 1;    // that charts may be spread over
   double gap = 0;   // of any two, as a part of the square's side
   double unit = 1;  // layout_unit() of the charts: what everything here is divided by
   Vector2 corner = Vector2::Zero();  // of the square, where some stay
@@ -29,7 +36,7 @@ struct PackingJob {
 
 PackingJob packing_job(const std::vector<BezierMap>& charts,
                        const std::vector<AllowedRotations>& freedom, double gap,
-                       const StopCheck& stop = {});
+                       const PackingGoal& goal = {}, const StopCheck& stop = {});
 
 }  // namespace majorant
 

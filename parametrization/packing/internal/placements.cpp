@@ -11,7 +11,7 @@ constexpr double kSlack = 1e-12;
 
 // A square that does not do whatever the packer: of less area, or smaller than a chart.
 double too_small(const PackingJob& job) {
-  double side = std::sqrt(job.area);
+  double side = std::sqrt(job.area / job.tiles);
   for (std::size_t k = 0; k < job.charts.size(); ++k) {
     const Vector2& size = job.charts[k].size;
     side = std::max(side, job.fixed[k] ? (*job.fixed[k] + size).maxCoeff() : size.maxCoeff());

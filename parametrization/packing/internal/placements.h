@@ -20,6 +20,7 @@ namespace majorant {
 struct Pose {
   int quarters = 0;
   Vector2 low = Vector2::Zero();
+  int tile = 0;
 };
 
 // p, in a chart of that size, after its quarter turns.
@@ -41,7 +42,8 @@ inline Vector2 size_after(const ChartOutline& chart, int quarters) {
 }
 
 // All charts between x = 0 and `width` and above y = 0, `height` being the top of the highest, at
-// least gap * width apart.
+// least gap * width apart. In each of several tiles; `height` is that of the highest, and all but
+// the last are no higher than wide.
 struct Strip {
   std::vector<Pose> poses;
   double height = 0;

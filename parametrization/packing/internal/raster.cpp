@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -191,7 +192,7 @@ class RasterPacker {
         cell_(width / cells),
         gap_(job.gap * width),
         margin_(static_cast<int>(std::ceil((gap_ + reach()) / cell_)) + 2),
-        grid_(cells, margin_, longest() + 2 * margin_),
+        longest_(longest() + 2 * margin_),
         strip_{std::vector<Pose>(job.charts.size()), 0} {}
 
   std::optional<Strip> pack() {
@@ -232,27 +233,39 @@ class RasterPacker {
     return order;
   }
 
+  // Made when the ones before it are full.
+  CellGrid& grid(int tile) {
+    while (grids_.size() <= to_size(tile)) grids_.emplace_back(cells_, margin_, longest_);
+    return grids_[to_size(tile)];
+  }
+
   void put(std::size_t k, const Pose& pose, const CellRuns& runs, int column, int row) {
     strip_.poses[k] = pose;
     strip_.height =
         std::max(strip_.height, pose.low.y() + size_after(job_.charts[k], pose.quarters).y());
-    grid_.take(runs, column, row);
+    grid(pose.tile).take(runs, column, row);
   }
 
-  // The first row in which charts of that size were found last.
-  int& first_row(const Vector2& size) {
+  // The first row of a tile in which charts of that size were found last.
+  int& first_row(int tile, const Vector2& size) {
     const auto number = [&](double length) {
       return static_cast<int>(
           std::floor(kClassesPerOctave * std::log2(std::max(length / cell_, 1.0))));
     };
-    return first_rows_[{number(size.x()), number(size.y())}];
+    return first_rows_[{tile, number(size.x()), number(size.y())}];
   }
 
   bool place(std::size_t k) {
+    for (int tile = 0; tile < job_.tiles; ++tile)
+      if (place(k, tile)) return true;
+    return false;
+  }
+
+  bool place(std::size_t k, int tile) {
     const ChartOutline& chart = job_.charts[k];
     std::optional<std::pair<int, int>> best;
     int best_quarters = 0, best_top = cells_ + 2;
-    for (int quarters = 0; quarters < 4; ++quarters) {
+    for (int quarters = 0; quarters < chart.quarter_turns; ++quarters) {
       const Vector2 size = size_after(chart, quarters);
       const int height = static_cast<int>(std::ceil(size.y() / cell_)),
                 last_column = static_cast<int>(std::floor((width_ - size.x()) / cell_)),
@@ -260,8 +273,9 @@ class RasterPacker {
                                     static_cast<int>(std::floor((width_ - size.y()) / cell_)));
       const CellRuns around =
           coarse_to_fine(cells_of(chart, quarters, Vector2::Zero(), cell_, gap_));
-      int& from = first_row(size);
-      const auto found = grid_.lowest_place(around, from, last_row, last_column);
+      int& from = first_row(tile, size);
+      const auto found = grid(tile).lowest_place(around, from, last_row, last_column);
+      if (!found && !best && job_.tiles > 1) from = last_row + 1;  // full for charts of that size
       if (!found) continue;
       from = found->second;
       best = found;
@@ -270,7 +284,7 @@ class RasterPacker {
     }
     if (!best) return false;
     const auto [column, row] = *best;
-    put(k, {best_quarters, cell_ * Vector2(column, row)},
+    put(k, {best_quarters, cell_ * Vector2(column, row), tile},
         cells_of(chart, best_quarters, Vector2::Zero(), cell_, 0), column, row);
     return true;
   }
@@ -278,9 +292,10 @@ class RasterPacker {
   const PackingJob& job_;
   int cells_;
   double width_, cell_, gap_;
-  int margin_;  // cells around charts
-  CellGrid grid_;
-  std::map<std::pair<int, int>, int> first_rows_;
+  int margin_;   // cells around charts
+  int longest_;  // of the runs that are tested
+  std::deque<CellGrid> grids_;
+  std::map<std::tuple<int, int, int>, int> first_rows_;
   Strip strip_;
 };
 

@@ -4,10 +4,11 @@
 //   const auto job = packing_job({map}, {AllowedRotations::Any}, 0.01);
 //   const std::optional<Strip> strip = raster_strip(job, 2048, 2.5);    // 2.5 units wide
 //
-// Large charts first. A cell belongs to a chart if the outline may meet it; the chart that is
-// placed is tested with all cells that its outline, grown by the gap, may meet: so the distance
-// holds for the outlines, not only for their cells. Cost: #charts * cells of their boxes, and once
-// #cells of the grid for each size of charts, 64 cells at a time.
+// Large charts first, each into the first tile where it fits. A cell belongs to a chart if the
+// outline may meet it; the chart that is placed is tested with all cells that its outline, grown by
+// the gap, may meet: so the distance holds for the outlines, not only for their cells. Cost:
+// #charts * cells of their boxes, and once #cells of the grid for each size of charts, 64 cells at
+// a time.
 //
 // The cells of a grid that an outline may meet, or come closer to than a given distance.
 //

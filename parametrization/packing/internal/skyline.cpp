@@ -1,6 +1,7 @@
 #include "majorant/parametrization/packing/internal/skyline.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace majorant {
@@ -11,8 +12,9 @@ class Skyline {
  public:
   explicit Skyline(double width) : width_(width), steps_{{0, 0}} {}
 
-  // The lowest place, the leftmost of them; none if the box is too wide.
-  std::optional<Vector2> place(const Vector2& size) {
+  // The lowest place, the leftmost of them; none if the box is too wide, or its top above `most`.
+  std::optional<Vector2> place(const Vector2& size,
+                               double most = std::numeric_limits<double>::infinity()) {
     std::optional<Vector2> best;
     std::size_t best_step = 0;
     for (std::size_t k = 0; k < steps_.size() && steps_[k].x + size.x() <= width_; ++k) {
@@ -23,7 +25,8 @@ class Skyline {
       best = Vector2(steps_[k].x, y);
       best_step = k;
     }
-    if (best) raise(best_step, best->x() + size.x(), best->y() + size.y());
+    if (!best || best->y() + size.y() > most) return {};
+    raise(best_step, best->x() + size.x(), best->y() + size.y());
     return best;
   }
 
@@ -50,21 +53,22 @@ enum class ChartPose { Lying, Upright };
 
 std::optional<Strip> shelves(const PackingJob& job, double width, ChartPose pose) {
   const double gap = job.gap * width;
-  Skyline skyline(width + gap);
+  std::vector<Skyline> skylines(to_size(job.tiles), Skyline(width + gap));
   Strip strip{std::vector<Pose>(job.charts.size()), 0};
   Vector2 fixed = Vector2::Zero();
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < job.charts.size(); ++k) {
     if (!job.fixed[k]) {
       order.push_back(k);
-      strip.poses[k].quarters = pose == ChartPose::Upright;  // charts lie
+      // Charts lie, but for those that are turned already.
+      strip.poses[k].quarters = pose == ChartPose::Upright && job.charts[k].quarter_turns > 1;
       continue;
     }
     strip.poses[k].low = *job.fixed[k];
     fixed = fixed.cwiseMax(*job.fixed[k] + job.charts[k].size);
   }
   if (order.size() < job.charts.size()) {
-    if (!skyline.place(fixed.array() + gap)) return {};
+    if (!skylines.front().place(fixed.array() + gap)) return {};
     strip.height = fixed.y();
   }
   const auto size = [&](std::size_t k) {
@@ -75,7 +79,11 @@ std::optional<Strip> shelves(const PackingJob& job, double width, ChartPose pose
     return p.y() > q.y() || (p.y() == q.y() && p.x() > q.x());
   });
   for (const std::size_t k : order) {
-    const std::optional<Vector2> place = skyline.place(size(k).array() + gap);
+    std::optional<Vector2> place;
+    int& tile = strip.poses[k].tile;
+    for (; tile + 1 < job.tiles && !place; tile += !place)
+      place = skylines[to_size(tile)].place(size(k).array() + gap, width + gap);
+    if (!place) place = skylines.back().place(size(k).array() + gap);
     if (!place) return {};
     strip.poses[k].low = *place;
     strip.height = std::max(strip.height, place->y() + size(k).y());

@@ -1,6 +1,6 @@
 // Boxes on shelves: every chart's box at the lowest place that the boxes before it leave open from
-// above ([Jyl10] Sec. 2.4). What any better packer must beat; O(#charts * #steps
-// of the line).
+// above ([Jyl10] Sec. 2.4), in the first tile where it fits. What any better packer must beat;
+// O(#charts * #steps of the line).
 #pragma once
 
 #include "majorant/parametrization/packing/internal/placements.h"

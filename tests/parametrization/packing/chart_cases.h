@@ -180,7 +180,8 @@ inline void expect_valid(const std::vector<BezierMap>& before, const Packing& pa
     const BezierMap& chart = packing.charts[k];
     const auto nodes = chart.control_points().reshaped(2, chart.space().node_count());
     for (Index n = 0; n < nodes.cols(); ++n) {
-      const Vector2 uv = (nodes.col(n) - packing.origin) / packing.side;
+      const Vector2 uv =
+          (nodes.col(n) - packing.origin) / packing.side - tile_corner(packing.tiles[k]);
       const double border = options.padding_pixels / options.resolution - 1e-12;
       EXPECT_TRUE(uv.minCoeff() >= border && uv.maxCoeff() <= 1 - border) << "chart " << k;
     }

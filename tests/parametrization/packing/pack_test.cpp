@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
 #include <vector>
 
 #include "expected_error.h"
@@ -100,6 +102,73 @@ TEST(Pack, any_unit_of_length_gives_the_same_layout) {
   EXPECT_EQ(small.fill, packing.fill);
   for (std::size_t k = 0; k < charts.size(); ++k)
     EXPECT_EQ(packing.charts[k].control_points(), pack(charts).charts[k].control_points());
+}
+
+TEST(Pack, tiles_have_borders_of_their_own) {
+  Random random(11);
+  std::vector<BezierMap> charts, curved;
+  for (int k = 0; k < 60; ++k) {
+    charts.push_back(test::polygon_chart(test::random_polygon(random, random.uniform(0.3, 1))));
+    if (k < 8) curved.push_back(test::wavy_chart(6, random.uniform(0.5, 1), 0.2, k));
+  }
+  const Packing one = pack(charts);
+  for (const int tiles : {2, 5, 13}) {
+    const PackOptions options{.padding_pixels = 5, .resolution = 512, .tiles = tiles};
+    const Packing packing = pack(charts, options);
+    test::expect_valid(charts, packing, options, 1, "tiles");
+    const std::set<int> used(packing.tiles.begin(), packing.tiles.end());
+    EXPECT_EQ(*used.begin(), 0);
+    EXPECT_EQ(*used.rbegin() + 1, static_cast<int>(used.size()));
+    EXPECT_GT(static_cast<int>(used.size()), tiles / 2);
+    EXPECT_LT(packing.side, 1.2 * one.side / std::sqrt(tiles));
+    EXPECT_GE(packing.border, 5.0 / 512 * packing.side * (1 - 1e-12));
+  }
+  expect_packed(curved, {.padding_pixels = 0, .tiles = 3}, 16, "curved, no padding");
+}
+
+TEST(Pack, a_square_of_given_side) {
+  Random random(12);
+  std::vector<BezierMap> charts;
+  for (int k = 0; k < 20; ++k)
+    charts.push_back(test::polygon_chart(test::random_polygon(random, 1)));
+  const double least = pack(charts).side;
+  for (const double side : {1.05 * least, 3 * least, 57 * least}) {
+    const PackOptions options{.side = side};
+    const Packing packing = pack(charts, options);
+    EXPECT_EQ(packing.side, side);
+    test::expect_valid(charts, packing, options, 1, "given side");
+  }
+  expect_contains(
+      error_message(ErrorKind::Unsupported, [&] { pack(charts, {.side = 0.8 * least}); }),
+      {"times the side"});
+  EXPECT_THROW(pack(charts, {.side = 0.0}), InvalidArgument);
+  EXPECT_THROW(pack(charts, {.tiles = 0}), InvalidArgument);
+  EXPECT_THROW(pack(charts, {.tiles = kMostTiles + 1}), InvalidArgument);
+  PackOptions held{.tiles = 2};
+  held.fixed.assign(charts.size(), 1);
+  EXPECT_THROW(pack(charts, held), InvalidArgument);
+}
+
+// The surface of these charts is the plane z = 0, where they lie themselves.
+TEST(Pack, a_direction_of_the_surface_points_upwards) {
+  Random random(13);
+  std::vector<BezierMap> charts;
+  for (int k = 0; k < 12; ++k)
+    charts.push_back(test::polygon_chart(test::random_polygon(random, 1)));
+  for (const double angle : {0.0, 0.4, 2.5, -1.0}) {
+    const Vector2 along(std::cos(angle), std::sin(angle));
+    const PackOptions options{.up = Vector3(3 * along.x(), 3 * along.y(), 0.7)};
+    const Packing packing = pack(charts, options);
+    test::expect_valid(charts, packing, options, 1, "upright");
+    for (const LayoutMotion& motion : packing.placements) {
+      const Points2 up = LayoutMotion{motion.direction}(Points2(along.transpose()));
+      EXPECT_NEAR(up(0, 0), 0, 1e-8);
+      EXPECT_NEAR(up(0, 1), 1, 1e-8);
+    }
+  }
+  // Across: turned into their boxes, as without.
+  const Packing across = pack(charts, {.up = Vector3(0, 0, 1)}), plain = pack(charts);
+  EXPECT_EQ(across.side, plain.side);
 }
 
 // More than are nested.

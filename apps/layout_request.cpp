@@ -1,0 +1,125 @@
+#include "apps/layout_request.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "apps/arguments/help_text.h"
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
+#include "majorant/framework/error.h"
+#include "majorant/io/read_densities.h"
+#include "majorant/results/obj_layout.h"
+
+namespace majorant::app {
+namespace {
+
+std::optional<double> number_of(const std::string& word) {
+  double number = 0;
+  if (!CLI::detail::lexical_cast(word, number)) return std::nullopt;
+  return number;
+}
+
+// The message about what is neither a density nor a file.
+std::string wrong_density(const std::string& word) {
+  const std::optional<double> number = number_of(word);
+  std::error_code ignored;
+  if (number ? *number > 0 && std::isfinite(*number) : std::filesystem::exists(word, ignored))
+    return {};
+  return fmt::format("'{}' is neither a number of pixels > 0 nor a file", word);
+}
+
+// By polygon.
+std::vector<double> densities(const std::string& path, const PolygonMesh& polygons,
+                              const StopCheck& stop) {
+  const MaterialDensities said = read_densities(path, stop);
+  const std::vector<std::string> materials = material_of_polygons(polygons);
+  const std::set<std::string> known(materials.begin(), materials.end());
+  for (const auto& [name, density] : said.materials)
+    if (!known.contains(name))
+      throw Error(ErrorKind::Usage, fmt::format("{}: {} has no material '{}'; correct the name",
+                                                path, polygons.file, name));
+  std::vector<double> list;
+  for (const std::string& material : materials) {
+    const auto found = said.materials.find(material);
+    if (found == said.materials.end() && !said.other)
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: says nothing of {}; add it, or \"other\"", path,
+                              material.empty() ? "faces without a material"
+                                               : fmt::format("material '{}'", material)));
+    list.push_back(found != said.materials.end() ? found->second : *said.other);
+  }
+  return list;
+}
+
+}  // namespace
+
+void LayoutRequest::add_to(CLI::App& verb) {
+  begin_group(verb, OptionGroup::Charts);
+  verb.add_option("--upright", upright,
+                  "the axis of the mesh that points upwards in every chart, which is not turned "
+                  "further then (no)")
+      ->check(one_of({"x", "y", "z", "no"}))
+      ->excludes("--no-pack");
+  verb.add_option("--udim", udim,
+                  "up to N tiles, 1001 and on, all of one density; an OBJ has a material for each")
+      ->check(whole_number(1, kMostTiles))
+      ->excludes("--no-pack");
+  verb.add_option("--texel-density", texel_density,
+                  "pixels along a unit of the mesh: a number, or a JSON FILE "
+                  "{\"materials\": {\"NAME\": X}, \"other\": X}")
+      ->type_name("X|FILE")
+      ->check(CLI::Validator(wrong_density, ""))
+      ->excludes("--no-pack");
+  verb.add_option(
+          "--stack", stack,
+          "charts that share a place: no; equal, those whose surfaces are copies; mirrored, "
+          "those of mirror images, too (no)")
+      ->check(one_of({"no", "equal", "mirrored"}))
+      ->excludes("--no-pack");
+  verb.add_flag("--keep-shape", keep_shape,
+                "pack only: the islands of --seams uv are moved and turned, all at one scale")
+      ->excludes("--no-pack");
+  verb.add_flag("--groups", groups, "OBJ: a group for every chart, chart_0 and on");
+}
+
+std::string LayoutRequest::density_file() const {
+  return number_of(texel_density) ? "" : texel_density;
+}
+
+std::string LayoutRequest::needs_unit_square() const {
+  if (udim > 0) return "--udim";
+  return texel_density.empty() ? "" : "--texel-density";
+}
+
+void LayoutRequest::apply(AtlasJob& job, const StopCheck& stop) const {
+  if (keep_shape) job.options.islands = Islands::Kept;
+  if (stack != "no") job.options.stacking = stack == "equal" ? Stacking::Equal : Stacking::Mirrored;
+  if (!job.options.packing) return;
+  if (upright != "no") job.options.packing->up = Vector3::Unit(upright[0] - 'x');
+  if (udim > 0) job.options.packing->tiles = udim;
+  if (texel_density.empty()) return;
+  const std::string file = density_file();
+  job.texel_density = file.empty() ? std::vector<double>(job.polygons->polygons.size(),
+                                                         number_of(texel_density).value_or(0))
+                                   : densities(file, *job.polygons, stop);
+}
+
+Json LayoutRequest::to_json() const {
+  const std::optional<double> density = number_of(texel_density);
+  return {{"upright", upright},
+          {"udim", udim == 0 ? Json() : Json(udim)},
+          {"texel_density", density ? Json(*density) : Json(texel_density)},
+          {"stack", stack},
+          {"keep_shape", keep_shape},
+          {"groups", groups}};
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,39 @@
+// How the charts of `unwrap` lie, beside --padding: turned upright, in tiles, as dense as asked, in
+// the shapes that they have.
+//
+//   LayoutRequest layout;
+//   layout.add_to(verb);
+//   layout.apply(job, stop);      // of a job that is open, with its packing chosen
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "majorant/results/atlas_job.h"
+
+namespace majorant::app {
+
+struct LayoutRequest {
+  std::string upright = "no";
+  int udim = 0;               // 0: nothing was said
+  std::string texel_density;  // empty: likewise
+  std::string stack = "no";
+  bool keep_shape = false;
+  bool groups = false;
+
+  void add_to(CLI::App& verb);
+  // The file that --texel-density names, or empty.
+  std::string density_file() const;
+  // Whether charts have several scales, or places: several tiles, one place for several charts.
+  bool has_own_sizes() const { return udim > 0 || !texel_density.empty() || stack != "no"; }
+  // Options that need the unit square, as words, or empty.
+  std::string needs_unit_square() const;
+  // Throws Error(Usage) for a file without materials, and as read_densities().
+  void apply(AtlasJob& job, const StopCheck& stop) const;
+  Json to_json() const;  // for reports and claims
+};
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,41 @@
+// Charts of a layout that lie exactly on others: congruent corner by corner, by the digits.
+//
+//   const MapFile file = read_map("bolts.obj");
+//   const StackedCharts stacks = find_stacks(file, "bolts.obj");
+//   const MapFile turned = turned_back(file, stacks);    // mirrored charts at u < 0, positive
+//
+// A chart may lie on another one as it is, or mirrored, with its other side up: what is shown there
+// is shown by both. Of charts that lie on each other one is looked at for overlaps, and all that
+// holds of a layout is proven of the one in which mirrored charts are turned back. Decided by the
+// digits alone, whatever a file claims.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/parametrization/maps/map_file.h"
+
+namespace majorant {
+
+// Charts are pieces that edges divide whose sides differ, share no point, or lie on each other like
+// those of a fold.
+struct StackedCharts {
+  std::vector<Index> chart;        // of every cell, in the order of their first cells
+  std::vector<Index> stack;        // of every chart, from 0; -1: on no other
+  std::vector<char> is_first;      // of every chart: of its stack, or alone
+  std::vector<char> is_mirrored;   // of every chart: has its other side up
+  Index stacks = 0, mirrored = 0;  // how many
+};
+
+// Two charts are in one stack where they have the same edges of polygons (input_face), control
+// points and all. Mirrored are those whose area is negative, where another one's of the stack is
+// positive. Throws Error(Unreadable) as CutMap.
+StackedCharts find_stacks(const MapFile& file, const std::string& name);
+
+// u is negative in mirrored charts, which changes no digit. Their points are shared by no others.
+MapFile turned_back(const MapFile& file, const StackedCharts& stacks);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,174 @@
+#include "majorant/parametrization/atlas/internal/congruent_charts.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "majorant/elements/bernstein.h"
+
+namespace majorant {
+namespace {
+
+// Half a texel of a chart that is 4096 of them wide.
+constexpr double kSamePlace = 1e-4;
+
+double extent(const SurfaceMesh& mesh) {
+  const auto& p = mesh.positions();
+  return (p.colwise().maxCoeff() - p.colwise().minCoeff()).norm();
+}
+
+Index previous(Index half_edge) { return next(next(half_edge)); }
+
+// The faces of two surfaces, matched from one pair of half-edges on.
+class Matching {
+ public:
+  // Mirrored: half-edges of one run backwards along those of the other.
+  Matching(const SurfaceMesh& on, const SurfaceMesh& under, ChartSense sense)
+      : on_(on), under_(under), sense_(sense), close_(kSamePlace * extent(under)) {}
+
+  // Returns whether all faces match where h lies on g.
+  bool match(Index h, Index g) {
+    partner_.assign(to_size(on_.half_edge_count()), -1);
+    std::vector<char> is_taken(to_size(under_.face_count()), 0);
+    std::vector<std::pair<Index, Index>> open{{h, g}};
+    while (!open.empty()) {
+      const auto [a, b] = open.back();
+      open.pop_back();
+      if (partner_[a] >= 0 || is_taken[face_of(b)]) {
+        if (partner_[a] != b) return false;
+        continue;
+      }
+      is_taken[face_of(b)] = 1;
+      Index along = b;
+      for (Index k = 0, of = a; k < 3; ++k, of = next(of), along = step(along)) {
+        partner_[of] = along;
+        if (std::abs(on_.edge_length(of) - under_.edge_length(along)) > close_) return false;
+        const Index over = on_.opposite(of), below = under_.opposite(along);
+        if ((over < 0) != (below < 0)) return false;
+        if (over >= 0) open.emplace_back(over, below);
+      }
+    }
+    return std::find(partner_.begin(), partner_.end(), -1) == partner_.end() && is_congruent();
+  }
+
+  StackPlace place(std::size_t chart) const {
+    StackPlace place{.chart = chart, .sense = sense_};
+    for (Index f = 0; f < on_.face_count(); ++f) {
+      place.face.push_back(face_of(partner_[3 * f]));
+      place.corner.emplace_back();
+      for (Index k = 0; k < 3; ++k) place.corner.back()[to_size(k)] = corner_under(3 * f + k);
+    }
+    return place;
+  }
+
+ private:
+  Index step(Index half_edge) const {
+    return sense_ == ChartSense::Same ? next(half_edge) : previous(half_edge);
+  }
+
+  // The corner that the one at the beginning of h lies on.
+  int corner_under(Index h) const {
+    const Index g = partner_[h];
+    return static_cast<int>(corner_of(sense_ == ChartSense::Same ? g : next(g)));
+  }
+
+  // Returns whether a motion, after a reflection where they are mirrored, takes one to the other
+  // [Kab76].
+  bool is_congruent() const {
+    const Index n = 3 * on_.face_count();
+    Eigen::Matrix3Xd from(3, n), to(3, n);
+    for (Index h = 0; h < n; ++h) {
+      from.col(h) = on_.positions().row(on_.from_vertex(h)).transpose();
+      const Index g = partner_[h];
+      const Index corner = sense_ == ChartSense::Same ? under_.from_vertex(g) : under_.to_vertex(g);
+      to.col(h) = under_.positions().row(corner).transpose();
+    }
+    if (sense_ == ChartSense::Mirrored) from.row(0) *= -1;
+    from.colwise() -= from.rowwise().mean().eval();
+    to.colwise() -= to.rowwise().mean().eval();
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(to * from.transpose()),
+                                                Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Vector3 sign = Vector3::Ones();
+    if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) sign[2] = -1;
+    const Eigen::Matrix3d motion = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
+    return (motion * from - to).colwise().norm().maxCoeff() <= close_;
+  }
+
+  const SurfaceMesh &on_, &under_;
+  ChartSense sense_;
+  double close_;
+  std::vector<Index> partner_;  // of every half-edge
+};
+
+// The first match of one boundary half-edge with any other.
+std::optional<StackPlace> matched(const SurfaceMesh& on, const SurfaceMesh& under,
+                                  std::size_t chart, ChartSense sense) {
+  Index start = 0;
+  while (on.opposite(start) >= 0) ++start;
+  Matching matching(on, under, sense);
+  for (Index g = 0; g < under.half_edge_count(); ++g)
+    if (under.opposite(g) < 0 && matching.match(start, g)) return matching.place(chart);
+  return std::nullopt;
+}
+
+// Equal for copies: numbers of faces and vertices, and of the half-edges of each boundary loop.
+std::vector<Index> numbers_of(const SurfaceMesh& mesh) {
+  std::vector<Index> numbers;
+  for (const auto& loop : mesh.boundary_loops()) numbers.push_back(static_cast<Index>(loop.size()));
+  std::sort(numbers.begin(), numbers.end());
+  numbers.insert(numbers.begin(), {mesh.face_count(), mesh.vertex_count()});
+  return numbers;
+}
+
+bool may_be_copies(const SurfaceMesh& a, const SurfaceMesh& b) {
+  return std::abs(a.area() - b.area()) <= 8 * kSamePlace * std::max(a.area(), b.area());
+}
+
+}  // namespace
+
+std::vector<std::optional<StackPlace>> stack_places(
+    const std::vector<std::shared_ptr<const SurfaceMesh>>& surfaces, Stacking stacking,
+    const std::vector<double>& scale) {
+  std::vector<std::optional<StackPlace>> places(surfaces.size());
+  std::map<std::vector<Index>, std::vector<std::size_t>> kinds;  // the first ones, by their numbers
+  for (std::size_t k = 0; k < surfaces.size() && stacking != Stacking::None; ++k) {
+    const SurfaceMesh& mesh = *surfaces[k];
+    if (mesh.boundary_loops().empty()) continue;
+    std::vector<std::size_t>& firsts = kinds[numbers_of(mesh)];
+    for (const ChartSense sense : {ChartSense::Same, ChartSense::Mirrored})
+      for (std::size_t i = 0; i < firsts.size() && !places[k]; ++i) {
+        const std::size_t first = firsts[i];
+        const bool is_asked = sense == ChartSense::Same || stacking == Stacking::Mirrored;
+        if (is_asked && (scale.empty() || scale[k] == scale[first]) &&
+            may_be_copies(mesh, *surfaces[first]))
+          places[k] = matched(mesh, *surfaces[first], first, sense);
+      }
+    if (!places[k]) firsts.push_back(k);
+  }
+  return places;
+}
+
+BezierMap map_on(const BezierMap& under, const BezierMap& map, const StackPlace& place) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(map.degree());
+  const double sign = place.sense == ChartSense::Mirrored ? -1 : 1;
+  Vec x(map.control_points().size());
+  for (Index f = 0; f < map.mesh().face_count(); ++f)
+    for (int l = 0; l < ix.count(); ++l) {
+      std::array<int, 3> multi{};
+      for (std::size_t k = 0; k < 3; ++k)
+        multi[to_size(place.corner[to_size(f)][k])] = ix.multi(l)[k];
+      const Index node =
+          under.space().cells()(place.face[to_size(f)], ix.local(multi[0], multi[1], multi[2]));
+      const Vector2 uv = under.control_points().segment<2>(2 * node);
+      x.segment<2>(2 * map.space().cells()(f, l)) = Vector2(sign * uv.x(), uv.y());
+    }
+  return map.with(map.shared_space(), std::move(x));
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

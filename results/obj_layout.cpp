@@ -1,0 +1,113 @@
+#include "majorant/results/obj_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "majorant/parametrization/packing/pack.h"
+
+namespace majorant {
+namespace {
+
+constexpr std::string_view kLineSpaces = " \t\r";
+
+// The first word of a line, and the rest.
+std::pair<std::string_view, std::string_view> keyword_and_rest(std::string_view line) {
+  const auto from = [](std::string_view text, std::size_t at) {
+    return at == std::string_view::npos ? std::string_view() : text.substr(at);
+  };
+  line = from(line, line.find_first_not_of(kLineSpaces));
+  const std::size_t end = std::min(line.find_first_of(kLineSpaces), line.size());
+  std::string_view rest = line.substr(end);
+  rest = from(rest, rest.find_first_not_of(kLineSpaces));
+  return {line.substr(0, end), rest.substr(0, rest.find_last_not_of(kLineSpaces) + 1)};
+}
+
+using Line = std::pair<Index, std::string>;
+
+// The directives with those before each polygon taken by `keep` (false: left out), and what
+// `before` gives of a polygon behind them, where it is not empty.
+void rewrite(PolygonMesh& mesh, const std::function<bool(const Line&)>& keep,
+             const std::function<std::string(std::size_t)>& before) {
+  std::vector<Line> result;
+  auto directive = mesh.directives.begin();
+  const auto keep_up_to = [&](std::size_t polygon) {
+    for (; directive != mesh.directives.end() && to_size(directive->first) <= polygon; ++directive)
+      if (keep(*directive)) result.push_back(std::move(*directive));
+  };
+  for (std::size_t p = 0; p < mesh.polygons.size(); ++p) {
+    keep_up_to(p);
+    if (std::string line = before(p); !line.empty())
+      result.emplace_back(static_cast<Index>(p), std::move(line));
+  }
+  keep_up_to(mesh.polygons.size());
+  mesh.directives = std::move(result);
+}
+
+}  // namespace
+
+std::vector<int> chart_of_polygons(const MapFile& file, const PolygonMesh& polygons) {
+  std::vector<int> chart(polygons.polygons.size(), -1);
+  for (Index c = 0; c < file.chart.size(); ++c) {
+    const Index face = file.input_face.size() > 0 ? file.input_face[c] : c;
+    if (chart[face] < 0) chart[face] = file.chart[c];
+  }
+  return chart;
+}
+
+PolygonMesh with_tile_materials(PolygonMesh polygons, const std::vector<int>& tile) {
+  const auto keep = [](const Line& directive) {
+    const std::string_view word = keyword_and_rest(directive.second).first;
+    return word != "usemtl" && word != "mtllib";
+  };
+  int current = -1;
+  rewrite(polygons, keep, [&](std::size_t p) -> std::string {
+    if (tile[p] < 0 || tile[p] == current) return {};
+    current = tile[p];
+    return fmt::format("usemtl {}", udim(current));
+  });
+  return polygons;
+}
+
+PolygonMesh with_chart_groups(PolygonMesh polygons, const std::vector<int>& chart) {
+  std::string names, written = " ";  // of groups of the input; the line before
+  const auto keep = [&](const Line& directive) {
+    const auto [word, rest] = keyword_and_rest(directive.second);
+    if (word != "g") return true;
+    names = rest;
+    return false;
+  };
+  int current = -1;
+  rewrite(polygons, keep, [&](std::size_t p) -> std::string {
+    if (chart[p] >= 0) current = chart[p];
+    if (current < 0) return {};
+    std::string line = names.empty() ? fmt::format("g chart_{}", current)
+                                     : fmt::format("g {} chart_{}", names, current);
+    if (line == written) return {};
+    written = line;
+    return line;
+  });
+  return polygons;
+}
+
+std::vector<std::string> material_of_polygons(const PolygonMesh& polygons) {
+  std::vector<std::string> materials;
+  std::string material;
+  auto directive = polygons.directives.begin();
+  for (std::size_t p = 0; p < polygons.polygons.size(); ++p) {
+    for (; directive != polygons.directives.end() && to_size(directive->first) <= p; ++directive)
+      if (const auto [word, rest] = keyword_and_rest(directive->second); word == "usemtl")
+        material = rest;
+    materials.push_back(material);
+  }
+  return materials;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,35 @@
+// What the lines of an OBJ say of a layout: a material for every tile, a group for every chart.
+//
+//   PolygonMesh marked = with_tile_materials(*job.polygons, tile_of_polygons);   // usemtl 1001 ...
+//   marked = with_chart_groups(std::move(marked), chart_of_polygons);            // g wheel chart_0
+//   write_map("out.obj", file, &marked, {});
+//
+// A polygon that a cut crosses has the tile and the chart of its first cell.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/mesh/polygon_mesh.h"
+#include "majorant/parametrization/maps/map_file.h"
+
+namespace majorant {
+
+// By polygon of the mesh that `file` was made from, of the array `chart`; -1 where it has no cell.
+std::vector<int> chart_of_polygons(const MapFile& file, const PolygonMesh& polygons);
+
+// `usemtl 1001` and so on before the first polygon of every run in one tile. Materials of the input
+// and files of them are left out: a tile has one. tile: by polygon, from 0; -1: as the one before.
+PolygonMesh with_tile_materials(PolygonMesh polygons, const std::vector<int>& tile);
+
+// `g ... chart_0` and so on before the first polygon of every run in one chart, behind the names of
+// the groups that the input has there. chart: by polygon; -1: as the one before.
+PolygonMesh with_chart_groups(PolygonMesh polygons, const std::vector<int>& chart);
+
+// The material of every polygon, as `usemtl` names it; empty where there is none.
+std::vector<std::string> material_of_polygons(const PolygonMesh& polygons);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
