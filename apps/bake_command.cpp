@@ -21,6 +21,7 @@
 #include "apps/progress.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
+#include "majorant/certify/map_proof.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/pictures/image_file.h"
@@ -187,9 +188,10 @@ std::string refusal(const BakeRequest& request, const BakeJob& job) {
         request.surface, counts.doubly_covered, counts.undecided);
   if (request.common.strict && counts.misses > 0)
     return fmt::format(
-        "{}: {} texels are farther than {:.4g} from {}; raise --distance, or leave out --strict to "
-        "have them filled",
-        request.surface, counts.misses, job.farthest, request.from);
+        "{}: {} farther than {:.4g} from {}; raise --distance, or leave out --strict to have them "
+        "filled",
+        request.surface, count_text(static_cast<Index>(counts.misses), "texel"), job.farthest,
+        request.from);
   return {};
 }
 
@@ -198,10 +200,11 @@ void summarize(const BakeRequest& request, const BakeJob& job, const WrittenFile
   if (request.common.quiet) return;
   const BakeCounts& counts = job.baked->counts;
   written.say_sizes();
-  say("{}: {} x {}, {} of {} texels covered, each once, {} partly, {} misses, {} of {} charts "
+  say("{}: {} x {}, {} of {} texels covered, each once, {} partly, {} miss{}, {} of {} "
       "without texels, {:.4g} texels per unit, method {}, {:.2f} s\n",
       request.surface, job.options.width, job.options.height, counts.covered, counts.texels,
-      counts.partly, counts.misses, counts.charts_without_texels, counts.charts, job.density.mean,
+      counts.partly, counts.misses, counts.misses == 1 ? "" : "es", counts.charts_without_texels,
+      count_text(static_cast<Index>(counts.charts), "chart"), job.density.mean,
       method_name(job.method), seconds);
 }
 

@@ -66,7 +66,7 @@ class MeantWords(CommandTest):
             self.assertIn('--padding %d: on both sides of the layout it takes all of the %d pixels of --resolution'
                           % (padding, resolution),
                           self.said(*run, '--padding', padding, '--resolution', resolution))
-        self.run_ok(*run, '--padding', 500, '--resolution', 1024, '--quiet')
+        self.run_ok(*run, '--padding', 100, '--resolution', 1024, '--quiet')
 
     def test_choices(self):
         run = ['parametrize', generated('cap'), '-o', self.path('out.vtu')]
