@@ -138,7 +138,8 @@ int check_as_quads(const Request& request, const PolygonMesh& quads, const Polyg
   const std::string_view status = check.is_valid() ? "valid" : "invalid";
   const std::string message = describe(check, with);
   if (!check.is_valid() || !request.common.quiet) {
-    const std::string line = one_line(fmt::format("{}: {}: {}", request.result, status, message)) + "\n";
+    const std::string line =
+        one_line(fmt::format("{}: {}: {}", request.result, status, message)) + "\n";
     request.common.report == kStandardOutput ? say_text(line) : print_text(line);
   }
   WrittenFiles written;
