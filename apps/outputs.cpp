@@ -345,8 +345,7 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
             svg.size = size;
           },
           "PNG: pixels along both sides, or width and height (1000,800); SVG: in px, letters stay "
-          "as large (700,525 "
-          "for a column of a paper; default 1000, as high as it takes)")
+          "as large (700,525 for a column of a paper; default 1000, as high as it takes)")
       ->type_name("N|W,H");
   verb.add_option_function<std::string>(
           "--edges",
@@ -386,7 +385,8 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
       ->check(whole_number(1, kMostSquares))
       ->needs("--view")
       ->excludes("--image")
-      ->excludes("--color-by");
+      ->excludes("--color-by")
+      ->excludes("--grid");
 }
 
 void say_left_out(const std::string& path, const std::vector<std::string>& what) {
