@@ -4,6 +4,11 @@
 //     F_eps(J) = (|J|^2 + lambda (D^2 + 1)) / chi(eps, D),   D = det J,
 //     chi = (D + sqrt(eps^2 + D^2)) / 2,  for D < 0 written eps^2 / (2 (sqrt(eps^2 + D^2) - D)).
 //
+// Of volumes (SolidUntanglingDensity), with chi^(2/3) so that scales of J do not count in the
+// first:
+//
+//     F_eps(J) = |J|^2 / chi(eps, D)^(2/3) + lambda (D^2 + 1) / chi(eps, D).
+//
 //   auto term = make_energy(space, rest, UntanglingDensity(1.0), {rule});
 //   TermState state;
 //   state.parameters = Vec::Constant(1, 0.5);        // eps shrinks between steps
@@ -12,7 +17,12 @@
 // measuring distortion: it trades shape for area. Its Hessian is indefinite: use Projected.
 #pragma once
 
+#include <cmath>
+#include <limits>
+#include <string_view>
+
 #include "majorant/energies/spectral.h"
+#include "majorant/framework/curvature.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
@@ -63,6 +73,98 @@ class UntanglingDensity final : public IsotropicDensity<UntanglingDensity, NoMaj
     root = sqrt(d * d + T(eps_ * eps_));
     const T q = T(0.5) * (root + abs(d));
     inverse_chi = select(d > T(0.0), T(1.0) / q, (q / T(0.25 * eps_)) / T(eps_));
+  }
+
+  double eps_, lambda_;
+};
+
+class SolidUntanglingDensity final {
+ public:
+  static constexpr int rows = 3, dims = 3, size = 9;
+  const Traits traits{Domain::Everywhere, Convexity::Unknown, Reweighting::Refused};
+
+  // As of UntanglingDensity.
+  explicit SolidUntanglingDensity(double eps, double lambda = 1.0) : eps_(eps), lambda_(lambda) {}
+  SolidUntanglingDensity with_parameters(const Vec& parameters) const {
+    return SolidUntanglingDensity(parameters[0], lambda_);
+  }
+  std::string_view name() const { return "untangling"; }
+  bool supports(Curvature c) const { return c == Curvature::Projected || c == Curvature::Exact; }
+
+  double value(const double (&z)[size]) const {
+    double cofactors[size];
+    const double d = determinant(z, cofactors);
+    const Parts parts = parts_at(d);
+    const double f = squared_norm(z) * parts.shape[0] + lambda_ * (d * d + 1) * parts.size[0];
+    return f == f ? f : std::numeric_limits<double>::infinity();
+  }
+  void slope(const double (&z)[size], PointModel<double, size>& m) const {
+    differentiate<false>(z, m);
+  }
+  void model(const double (&z)[size], PointModel<double, size>& m) const {
+    differentiate<true>(z, m);
+  }
+
+ private:
+  // chi^(-2/3), chi^(-1) and their first and second derivatives by D, from chi' = chi / r.
+  struct Parts {
+    double shape[3], size[3];
+  };
+  Parts parts_at(double d) const {
+    const double r = std::hypot(d, eps_);
+    const double chi = d > 0 ? (d + r) / 2 : eps_ / (r - d) * (eps_ / 2);
+    const auto power = [&](double p, double(&out)[3]) {
+      out[0] = std::pow(chi, -p);
+      out[1] = -p * out[0] / r;
+      out[2] = p * out[0] / r * (p + d / r) / r;
+    };
+    Parts parts;
+    power(2.0 / 3, parts.shape);
+    power(1, parts.size);
+    return parts;
+  }
+
+  static double squared_norm(const double (&z)[size]) {
+    double sum = 0;
+    for (const double entry : z) sum += entry * entry;
+    return sum;
+  }
+  // Of the entry r, row by row: the other two rows and columns in the order that makes it positive.
+  static double minor(const double (&z)[size], int r) {
+    const int i = (r / 3 + 1) % 3, k = (r / 3 + 2) % 3, j = (r % 3 + 1) % 3, l = (r % 3 + 2) % 3;
+    return z[3 * i + j] * z[3 * k + l] - z[3 * i + l] * z[3 * k + j];
+  }
+  static double determinant(const double (&z)[size], double (&cofactors)[size]) {
+    for (int r = 0; r < size; ++r) cofactors[r] = minor(z, r);
+    return z[0] * cofactors[0] + z[1] * cofactors[1] + z[2] * cofactors[2];
+  }
+
+  // f = n s(D) + q(D): df = s dn + (n s' + q') dD, and so on; dn = 2 J.
+  template <bool with_curvature>
+  void differentiate(const double (&z)[size], PointModel<double, size>& m) const {
+    double c[size];
+    const double d = determinant(z, c), n = squared_norm(z);
+    const auto [s, g] = parts_at(d);
+    const double by_d = n * s[1] + lambda_ * (2 * d * g[0] + (d * d + 1) * g[1]);
+    m.f = n * s[0] + lambda_ * (d * d + 1) * g[0];
+    if (m.f != m.f) m.f = std::numeric_limits<double>::infinity();
+    for (int r = 0; r < size; ++r) m.g[r] = 2 * s[0] * z[r] + by_d * c[r];
+    if constexpr (with_curvature) {
+      const double by_dd = n * s[2] + lambda_ * (2 * g[0] + 4 * d * g[1] + (d * d + 1) * g[2]);
+      for (int r = 0, p = 0; r < size; ++r)
+        for (int q = 0; q <= r; ++q, ++p)
+          m.k[p] = (r == q ? 2 * s[0] : 0) + 2 * s[1] * (z[r] * c[q] + c[r] * z[q]) +
+                   by_dd * c[r] * c[q] + by_d * second(z, r, q);
+    }
+  }
+  // The second derivative of D by two entries: in other rows and columns, that of the third,
+  // positive where the rows follow each other as the columns do.
+  static double second(const double (&z)[size], int r, int q) {
+    const int i = r / 3, j = r % 3, k = q / 3, l = q % 3;
+    if (i == k || j == l) return 0;
+    const bool same = ((k - i + 3) % 3 == 1) == ((l - j + 3) % 3 == 1);
+    const double third = z[3 * (3 - i - k) + 3 - j - l];
+    return same ? third : -third;
   }
 
   double eps_, lambda_;

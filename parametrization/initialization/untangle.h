@@ -4,20 +4,15 @@
 //   UntangleResult r = untangle(spec, space, start, record);
 //   if (r.inverted.empty()) ...   // r.x is a start for parametrize()
 //
-// Minimizes the untangling energy (energies/untangling.h) by projected Newton while its
-// eps shrinks, after [GKKPRS21]. What it reaches is valid, not good: optimize it afterwards. It may
-// fail: the constraints may leave no injective map of the given triangulation.
+// By descend_untangling(). What it reaches is valid, not good: optimize it afterwards. It may fail:
+// the constraints may leave no injective map of the given triangulation.
 #pragma once
 
+#include "majorant/constraints/untangling_descent.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
-
-// The eps to begin with: where nothing holds the size of a map, a larger one than 0.1 makes
-// collapse (2 / eps for a map shrunk to a point) as good as an isometry (4). A fixed boundary or
-// two pins hold it.
-inline constexpr double kFirstEps = 0.1, kFirstEpsHeld = 1;
 
 struct UntangleResult {
   Vec x;                        // 2 numbers per node; satisfies the constraints

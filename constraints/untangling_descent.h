@@ -1,0 +1,43 @@
+// Leads a point to where every element is proven to be positively oriented: minimizes untangling
+// energies (energies/untangling.h) by projected Newton while their eps shrinks, after [GKKPRS21].
+//
+//   const auto judge = [&](VecIn x) { return injectivity.check(x); };
+//   UntangledPoint point = descend_untangling(problem, {energy}, judge, problem.reduce(start),
+//                                             kFirstEpsHeld, stop);
+//   if (point.verdict.feasible) ...   // point.x is a start for minimizers with this checker
+//
+// What it reaches is valid, not good: optimize it afterwards. It may fail: there may be no such
+// point.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "majorant/framework/feasibility.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/stop_check.h"
+
+namespace majorant {
+
+// The eps to begin with: where nothing holds the size of a map, a larger one than 0.1 makes
+// collapse (2 / eps for a map shrunk to a point) as good as an isometry (4). A fixed boundary or
+// two pins hold it.
+inline constexpr double kFirstEps = 0.1, kFirstEpsHeld = 1;
+
+struct UntangledPoint {
+  Vec x;               // full unknowns
+  Verdict verdict;     // of x; its margin: the least bound of det J, by the size of the elements
+  int iterations = 0;  // Newton steps
+};
+
+// energies: terms of the problem whose one parameter is eps. judge: the checks of all elements, on
+// the full unknowns; the problem has no checker of its own that y does not meet. Ends early when
+// `stop` says so.
+UntangledPoint descend_untangling(const Problem& problem, const std::vector<TermId>& energies,
+                                  const std::function<Verdict(VecIn x)>& judge, Vec y,
+                                  double first_eps, const StopCheck& stop);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
