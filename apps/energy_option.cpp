@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -33,27 +34,29 @@ const char* in_words(Barrier barrier) {
 
 }  // namespace
 
-EnergySum parse_energy(const std::string& expression) {
+EnergySum parse_energy(const std::string& expression, std::span<const NamedEnergy> energies) {
   EnergySum sum;
   for (const EnergyWord& word : split_energy_text(expression)) {
     const double weight = usable_weight(word, expression);
-    const NamedEnergy* energy = find_energy(word.name);
-    if (!energy) {
+    const auto energy = std::find_if(energies.begin(), energies.end(),
+                                     [&](const NamedEnergy& e) { return e.name == word.name; });
+    if (energy == energies.end()) {
       std::vector<std::string> names;
-      for (const NamedEnergy& e : named_energies()) names.push_back(e.name);
-      refuse(expression,
-             fmt::format("no energy is called '{}'{}; use {}, or a sum like "
-                         "'symmetric-dirichlet + 0.1*asap'",
-                         word.name, did_you_mean(word.name, names), fmt::join(names, ", ")));
+      for (const NamedEnergy& e : energies) names.push_back(e.name);
+      refuse(expression, fmt::format("no energy is called '{}'{}; use {}, or a sum like "
+                                     "'symmetric-dirichlet + 0.1*{}'",
+                                     word.name, did_you_mean(word.name, names),
+                                     fmt::join(names, ", "), names[1]));
     }
     sum.push_back({energy->make, weight});
   }
   return sum;
 }
 
-std::string energy_help() {
-  std::string text = "Energies (sums such as 'symmetric-dirichlet + 0.1*asap' too):\n";
-  for (const NamedEnergy& e : named_energies())
+std::string energy_help(std::span<const NamedEnergy> energies) {
+  std::string text = fmt::format("Energies (sums such as 'symmetric-dirichlet + 0.1*{}' too):\n",
+                                 energies[1].name);
+  for (const NamedEnergy& e : energies)
     text += fmt::format("  {:<20} {}; {}\n", e.name, e.summary, in_words(e.make.traits().barrier));
   return text;
 }

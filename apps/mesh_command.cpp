@@ -1,16 +1,14 @@
 // majorant mesh check IN: which elements of a curved mesh are valid, proven; which sides of
-// elements do not agree. docs/volumes.md.
+// elements do not agree. docs/volumes.md. `mesh optimize` is in a file of its own.
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
-#include <cmath>
-#include <map>
 #include <memory>
-#include <set>
 
 #include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/command.h"
+#include "apps/mesh_verbs.h"
 #include "apps/or_interrupted.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
@@ -19,7 +17,7 @@
 #include "apps/within_memory.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/io/waiting_output.h"
-#include "majorant/results/report.h"
+#include "majorant/results/volume_report.h"
 #include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/volumes/volume_files.h"
 
@@ -34,67 +32,6 @@ struct MeshCheckRequest {
   double time_limit = std::numeric_limits<double>::infinity();
 };
 
-// "384 tetrahedra of degree 2, 8 wedges of degree 1": of the cells that are checked.
-std::string elements_in_words(const VolumeMesh& mesh) {
-  std::string text;
-  for (const CellBlock& block : mesh.blocks)
-    if (dimension(block.type.shape) == mesh.dimension())
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", block.size(), describe(block.type));
-  return text;
-}
-
-std::string name_of(const VolumeMesh& mesh, CellName name) {
-  const CellBlock& block = mesh.blocks[to_size(name.block)];
-  return fmt::format("{}", block.numbers[to_size(name.cell)]);
-}
-
-const char* status_of(const VolumeCheck& check) {
-  if (check.invalid() > 0 || !check.disagreements.empty() || !check.crowded.empty())
-    return "invalid";
-  return check.undecided() > 0 ? "undecided" : "valid";
-}
-
-// What is wrong, in words; empty where nothing is.
-std::string faults_in_words(const VolumeMesh& mesh, const VolumeCheck& check) {
-  std::vector<std::string> faults;
-  const auto count = static_cast<Index>(check.cells.size());
-  if (check.inverted() == count)
-    faults.push_back(
-        fmt::format("all {} elements are turned around, det J < 0 all over them", count));
-  else if (check.invalid() > 0)
-    faults.push_back(fmt::format(
-        "{} of {} elements have det J <= 0 somewhere{}", check.invalid(), count,
-        check.inverted() > 0 ? fmt::format(", {} of them everywhere", check.inverted()) : ""));
-  if (check.undecided() > 0)
-    faults.push_back(fmt::format("{} of {} elements are not decided", check.undecided(), count));
-  if (!check.disagreements.empty()) {
-    const Disagreement& first = check.disagreements.front();
-    faults.push_back(
-        fmt::format("{} shared side{} not the same in both elements, first of {} and {}",
-                    check.disagreements.size(), check.disagreements.size() == 1 ? " is" : "s are",
-                    name_of(mesh, first.first), name_of(mesh, first.second)));
-  }
-  if (!check.crowded.empty())
-    faults.push_back(fmt::format(
-        "{} side{} more than two elements, first of {}", check.crowded.size(),
-        check.crowded.size() == 1 ? " has" : "s have", name_of(mesh, check.crowded.front())));
-  return fmt::format("{}", fmt::join(faults, "; "));
-}
-
-struct Extremes {
-  double low = std::numeric_limits<double>::infinity(), high = low, largest = -low;
-};
-
-Extremes extremes_of(const VolumeCheck& check) {
-  Extremes all;
-  for (const CheckedCell& cell : check.cells) {
-    all.low = std::min(all.low, cell.range.low);
-    all.high = std::min(all.high, cell.range.high);
-    all.largest = std::max(all.largest, cell.range.largest);
-  }
-  return all;
-}
-
 // "part.msh: valid: ...", then a line for each of the worst elements where some are not.
 std::string verdict_of(const MeshCheckRequest& request, const VolumeMesh& mesh,
                        const VolumeCheck& check) {
@@ -106,56 +43,10 @@ std::string verdict_of(const MeshCheckRequest& request, const VolumeMesh& mesh,
       request.input, status_of(check), faults, faults.empty() ? "det J > 0 all over" : "",
       elements_in_words(mesh) + (check.is_surface ? ", against their straight normals" : ""),
       all.low, all.high, check.least_scaled_jacobian(), check.mean_scaled_jacobian()));
-  if (check.is_valid()) return text;
-  for (const CheckedCell* cell : check.worst(to_size(request.listed))) {
-    if (cell->range.positive == ProofStatus::Proven) break;
-    const CellBlock& block = mesh.blocks[to_size(cell->name.block)];
-    const Vector3 place = place_of(mesh, *cell);
-    text += fmt::format(
-        "  element {} ({}, region {}): min det J in [{:.6g}, {:.6g}] at ({:.6g}, {:.6g}, {:.6g}), "
-        "scaled Jacobian {:.4g}{}\n",
-        name_of(mesh, cell->name), plural_of(block.type.shape),
-        block.regions[to_size(cell->name.cell)], cell->range.low, cell->range.high, place.x(),
-        place.y(), place.z(), cell->scaled_jacobian,
-        cell->range.positive == ProofStatus::Undecided ? ", undecided" : "");
-  }
-  return text;
-}
-
-Json element_section(const VolumeMesh& mesh, const CheckedCell& cell) {
-  const CellBlock& block = mesh.blocks[to_size(cell.name.block)];
-  const Vector3 place = place_of(mesh, cell);
-  const char* const answer = cell.range.positive == ProofStatus::Proven     ? "valid"
-                             : cell.range.positive == ProofStatus::Violated ? "invalid"
-                                                                            : "undecided";
-  return {{"element", block.numbers[to_size(cell.name.cell)]},
-          {"type", std::string(plural_of(block.type.shape))},
-          {"region", block.regions[to_size(cell.name.cell)]},
-          {"verdict", answer},
-          {"min_det", {cell.range.low, cell.range.high}},
-          {"max_det", {cell.range.largest_low, cell.range.largest}},
-          {"scaled_jacobian", cell.scaled_jacobian},
-          {"at", {place.x(), place.y(), place.z()}}};
+  return check.is_valid() ? text : text + bad_elements_in_words(mesh, check, request.listed);
 }
 
 Json report_of(const MeshCheckRequest& request, const VolumeMesh& mesh, const VolumeCheck& check) {
-  std::map<std::string, Index> elements;
-  std::set<int> orders;
-  for (const CellBlock& block : mesh.blocks) {
-    elements[std::string(plural_of(block.type.shape))] += block.size();
-    if (dimension(block.type.shape) == mesh.dimension()) orders.insert(block.type.degree);
-  }
-  Json worst = Json::array(), disagreements = Json::array();
-  for (const CheckedCell* cell : check.worst(to_size(request.listed)))
-    worst.push_back(element_section(mesh, *cell));
-  const auto number = [&](CellName name) {
-    return mesh.blocks[to_size(name.block)].numbers[to_size(name.cell)];
-  };
-  for (const Disagreement& d : check.disagreements) {
-    if (disagreements.size() == to_size(request.listed)) break;
-    disagreements.push_back({number(d.first), number(d.second)});
-  }
-  const Extremes all = extremes_of(check);
   const std::string faults = faults_in_words(mesh, check);
   Json report{{"schema_version", 1},
               {"version", MAJORANT_VERSION},
@@ -163,23 +54,7 @@ Json report_of(const MeshCheckRequest& request, const VolumeMesh& mesh, const Vo
               {"status", status_of(check)},
               {"message", faults.empty() ? "det J > 0 all over" : faults},
               {"input", {{"file", request.input}, {"points", mesh.points.rows()}}},
-              {"mesh",
-               {{"elements", elements},
-                {"orders", orders},
-                {"checked", check.cells.size()},
-                {"valid", check.count(ProofStatus::Proven)},
-                {"invalid", check.invalid()},
-                {"undecided", check.undecided()},
-                {"inverted", check.inverted()},
-                {"disagreeing_sides", check.disagreements.size()},
-                {"crowded_sides", check.crowded.size()},
-                {"boundary_sides", check.boundary_sides},
-                {"min_det", {all.low, all.high}},
-                {"max_det", all.largest},
-                {"min_scaled_jacobian", check.least_scaled_jacobian()},
-                {"mean_scaled_jacobian", check.mean_scaled_jacobian()},
-                {"worst", worst},
-                {"disagreements", disagreements}}}};
+              {"mesh", mesh_section(mesh, check, request.listed)}};
   report["peak_memory_bytes"] = peak_memory_bytes();
   report["threads"] = ThreadCount::current();
   return report;
@@ -217,6 +92,8 @@ int mesh_check(const MeshCheckRequest& request) {
   return written.conclude(is_valid ? kSuccess : kInvalid);
 }
 
+}  // namespace
+
 void add_mesh_check(CLI::App& mesh, Action* run) {
   auto request = std::make_shared<MeshCheckRequest>();
   CLI::App& verb = *mesh.add_subcommand("check", "prove which elements of a mesh are valid");
@@ -238,15 +115,15 @@ void add_mesh_check(CLI::App& mesh, Action* run) {
   verb.callback([request, run] { *run = [request] { return mesh_check(*request); }; });
 }
 
-}  // namespace
-
 void add_mesh(CLI::App& app, Action* run) {
-  CLI::App& verb = *app.add_subcommand("mesh", "check meshes of volumes, straight or curved");
+  CLI::App& verb =
+      *app.add_subcommand("mesh", "check and optimize meshes of volumes, straight or curved");
   begin_group(verb, OptionGroup::General);
   verb.get_help_ptr()->group(verb.option_defaults()->get_group());
   verb.require_subcommand(1);
   add_mesh_check(verb, run);
-  verb.footer("Example: majorant mesh check part.msh -o bad.vtu");
+  add_mesh_optimize(verb, run);
+  verb.footer("Example: majorant mesh optimize part.msh -o better.msh");
 }
 
 }  // namespace majorant::app

@@ -4,14 +4,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/volumes/internal/reference_cell.h"
+#include "majorant/volumes/internal/mesh_sides.h"
 
 namespace majorant {
 namespace {
@@ -88,81 +88,33 @@ class CellCheck {
   bool is_planar_;
 };
 
-// A side of a cell under the sorted numbers of its corners; unused ones are the largest number.
-struct SideOfCell {
-  std::array<Index, 4> key;
-  CellName name;
-  int side;
-};
-
 class SideCheck {
  public:
   SideCheck(const VolumeMesh& mesh, VolumeCheck& check) : mesh_(mesh), check_(check) {}
 
   void run(const StopCheck& stop) {
-    std::vector<SideOfCell> sides;
-    for (const CheckedCell& cell : check_.cells) add_sides(cell.name, sides);
+    const std::vector<CellSide> sides = sides_of(mesh_);
     stop.poll();
-    std::sort(sides.begin(), sides.end(),
-              [](const SideOfCell& a, const SideOfCell& b) { return a.key < b.key; });
-    for (auto first = sides.begin(); first != sides.end();) {
-      auto last = first;
-      while (last != sides.end() && last->key == first->key) ++last;
-      judge(*first, first + 1, last);
-      first = last;
-    }
+    for_each_side(sides, [&](std::span<const CellSide> cells) { judge(cells); });
   }
 
  private:
   const CellBlock& block_of(CellName name) const { return mesh_.blocks[to_size(name.block)]; }
 
-  void add_sides(CellName name, std::vector<SideOfCell>& out) const {
-    const CellBlock& block = block_of(name);
-    const auto& all = ReferenceCell::of(block.type).sides();
-    for (std::size_t s = 0; s < all.size(); ++s) {
-      SideOfCell side{{}, name, static_cast<int>(s)};
-      side.key.fill(std::numeric_limits<Index>::max());
-      for (std::size_t k = 0; k < all[s].corners.size(); ++k)
-        side.key[k] = block.vertex(name.cell, all[s].corners[k]);
-      std::sort(side.key.begin(), side.key.end());
-      out.push_back(side);
-    }
+  void judge(std::span<const CellSide> cells) {
+    const CellSide& first = cells.front();
+    if (cells.size() == 1) ++check_.boundary_sides;
+    if (cells.size() > 2) check_.crowded.push_back(first.name);
+    if (cells.size() == 2 && !agree(first, cells[1]))
+      check_.disagreements.push_back({first.name, cells[1].name});
   }
 
-  template <class Iterator>
-  void judge(const SideOfCell& first, Iterator second, Iterator last) {
-    const auto others = last - second;
-    if (others == 0) ++check_.boundary_sides;
-    if (others > 1) check_.crowded.push_back(first.name);
-    if (others == 1 && !agree(first, *second))
-      check_.disagreements.push_back({first.name, second->name});
-  }
-
-  // The nodes on a side in an order that both of its cells see alike: by their weights on the
-  // sorted corners.
-  std::vector<std::pair<std::array<int, 4>, Index>> nodes_of(const SideOfCell& of) const {
-    const CellBlock& block = block_of(of.name);
-    const ReferenceCell::Side& side = ReferenceCell::of(block.type).sides()[to_size(of.side)];
-    std::vector<std::pair<std::array<int, 4>, Index>> out;
-    for (std::size_t k = 0; k < side.nodes.size(); ++k) {
-      std::array<int, 4> weights{};
-      for (std::size_t c = 0; c < side.corners.size(); ++c) {
-        const Index vertex = block.vertex(of.name.cell, side.corners[c]);
-        const auto place = std::find(of.key.begin(), of.key.end(), vertex) - of.key.begin();
-        weights[static_cast<std::size_t>(place)] = side.weights[k][c];
-      }
-      out.emplace_back(weights, block.nodes(of.name.cell, side.nodes[k]));
-    }
-    std::sort(out.begin(), out.end());
-    return out;
-  }
-
-  bool agree(const SideOfCell& a, const SideOfCell& b) const {
+  bool agree(const CellSide& a, const CellSide& b) const {
     const CellType &s = block_of(a.name).type, &t = block_of(b.name).type;
     const bool share_vertices = block_of(a.name).vertices.rows() == 0;
     if (s.degree == 1 && t.degree == 1 && share_vertices) return true;
     if (s.degree != t.degree || s.kind != t.kind) return false;
-    const auto x = nodes_of(a), y = nodes_of(b);
+    const auto x = nodes_of(mesh_, a), y = nodes_of(mesh_, b);
     return std::equal(x.begin(), x.end(), y.begin(), y.end(), [&](const auto& p, const auto& q) {
       return p.first == q.first &&
              (p.second == q.second || mesh_.points.row(p.second) == mesh_.points.row(q.second));

@@ -9,6 +9,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/base64.h"
 #include "majorant/io/input_file.h"
+#include "majorant/volumes/internal/gmsh_document.h"
 #include "majorant/volumes/internal/mesh_readers.h"
 #include "majorant/volumes/internal/mesh_source.h"
 #include "majorant/volumes/internal/reference_cell.h"
@@ -123,13 +124,29 @@ VolumeMesh read_volume_mesh(const std::string& path, const StopCheck& stop) {
 }
 
 std::string volume_mesh_content(const VolumeMesh& mesh) {
-  if (!mesh.source) throw InvalidArgument("volume_mesh_content: a mesh that no file was read for");
+  if (!mesh.source) return gmsh_mesh_content(mesh, {GmshVersion::New, GmshEncoding::Text});
   return mesh.source->with_points(mesh.points);
 }
 
 void write_volume_mesh(const std::string& path, const VolumeMesh& mesh,
                        const FileVerification& verify) {
   write_file_atomically(path, volume_mesh_content(mesh), verify);
+}
+
+GmshFormat gmsh_format_of(const VolumeMesh& mesh) {
+  if (!mesh.source) return {GmshVersion::New, GmshEncoding::Text};
+  const std::string content = volume_mesh_content(mesh);
+  if (first_word(mesh.file, content, {}) != "$MeshFormat")
+    refuse_mesh(mesh.file, "no .msh; versions and encodings are gmsh's");
+  return read_gmsh_format(mesh.file, content);
+}
+
+std::string gmsh_mesh_content(const VolumeMesh& mesh, const GmshFormat& format,
+                              std::vector<std::string>* left_out) {
+  if (!mesh.source) return gmsh_content(gmsh_document_of(mesh), format, left_out);
+  if (gmsh_format_of(mesh) == format) return volume_mesh_content(mesh);
+  return gmsh_content(read_gmsh_document(mesh.file, volume_mesh_content(mesh), {}), format,
+                      left_out);
 }
 
 void write_cells_vtu(const std::string& path, const VolumeMesh& mesh,

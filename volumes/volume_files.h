@@ -7,7 +7,8 @@
 //
 // What is written is the file that was read with the moved coordinates in their places, so version,
 // encoding, numbers, order and tags are those of the input, and what nobody moved comes back bit by
-// bit. To write a mesh in another format is not for these functions.
+// bit. A .msh may be written in another version or encoding; to write a mesh in another format is
+// not for these functions.
 #pragma once
 
 #include <string>
@@ -25,12 +26,29 @@ namespace majorant {
 // not known, by name; Stopped.
 VolumeMesh read_volume_mesh(const std::string& path, const StopCheck& stop = {});
 
-// The text or bytes of the mesh's file with its points. Throws Error(Unsupported) where the file
-// has no place for a coordinate, or holds it compressed.
+// The text or bytes of the mesh's file with its points; of a mesh that no file was read for, that
+// of a .msh 4.1. Throws Error(Unsupported) where the file has no place for a coordinate, or holds
+// it compressed.
 std::string volume_mesh_content(const VolumeMesh& mesh);
 // The same, atomically; verify judges the file before it takes its name.
 void write_volume_mesh(const std::string& path, const VolumeMesh& mesh,
                        const FileVerification& verify = {});
+
+enum class GmshVersion { Old, New };  // 2.2, 4.1
+enum class GmshEncoding { Text, Binary };
+struct GmshFormat {
+  GmshVersion version;
+  GmshEncoding encoding;
+  bool operator==(const GmshFormat&) const = default;
+};
+// Of the mesh's file; 4.1, text where there is none. Throws Error(Unsupported) unless it is a .msh.
+GmshFormat gmsh_format_of(const VolumeMesh& mesh);
+// The mesh as a .msh of that version and encoding: nodes and elements in their order, with their
+// tags, entities and physical groups. Where it is the format of the file, as volume_mesh_content().
+// left_out: sections and groups that have no place there. Throws as gmsh_format_of(), and for
+// meshes without a file whose nodes are not those of a lattice.
+std::string gmsh_mesh_content(const VolumeMesh& mesh, const GmshFormat& format,
+                              std::vector<std::string>* left_out = nullptr);
 
 // These cells of a mesh as a .vtu: each with all of its points, which none shares, CellData number,
 // region, min_det_low, min_det_high, scaled_jacobian. Nodes on a lattice make Lagrange cells,

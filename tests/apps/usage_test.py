@@ -36,7 +36,7 @@ class Usage(CommandTest):
         mesh, out = generated('cap'), self.path('out.vtu')
         for args in [
             ['-q'], ['frobnicate', mesh], ['parametrize'], ['parametrize', mesh], ['check'], ['convert'],
-            ['convert', mesh], ['info'], ['mesh'], ['mesh', 'check'], ['mesh', 'chek', mesh],
+            ['convert', mesh], ['info'], ['mesh'], ['mesh', 'check'], ['mesh', 'optimize', mesh], ['mesh', 'chek', mesh],
             ['parametrize', mesh, '-o', out, '--frobnicate'],
             ['parametrize', mesh, '-o', out, '--degree', '0'],
             ['parametrize', mesh, '-o', out, '--degree', '9'],

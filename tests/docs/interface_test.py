@@ -31,7 +31,8 @@ def alone(*words):
                                           stdout=subprocess.PIPE, stderr=subprocess.PIPE))
 
 
-VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'bake', 'info', 'mesh check']
+VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'bake', 'info', 'mesh check',
+         'mesh optimize']
 
 
 def page():
@@ -206,6 +207,7 @@ class Reports(CommandTest):
         self.report('info', self.path('image.msh'))
         self.report('info', inverted)
         self.report('mesh check', self.write('two.mesh', TWO_TETRAHEDRA))
+        self.report('mesh optimize', self.path('two.mesh'), '-o', self.path('one.mesh'), '--boundary', 'free')
         self.has_petsc = os.path.exists(os.path.join(os.path.dirname(helpers.BINARY), 'libmajorant_petsc.so'))
         if self.has_petsc:
             self.report('parametrize', disk, self.path('b.vtu'), '--degree', 1, '--linear-solver', 'mumps')

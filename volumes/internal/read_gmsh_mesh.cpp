@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,7 @@
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/input_file.h"
 #include "majorant/volumes/internal/cell_collector.h"
+#include "majorant/volumes/internal/gmsh_document.h"
 #include "majorant/volumes/internal/mesh_readers.h"
 #include "majorant/volumes/internal/mesh_source.h"
 #include "majorant/volumes/internal/node_orders.h"
@@ -19,45 +21,50 @@
 namespace majorant {
 namespace {
 
-// gmsh's numbers of element types; none for those without a place here.
-std::optional<CellType> gmsh_type(std::int64_t number) {
+struct GmshType {
+  int number;
+  CellShape shape;
+  int degree;
+  NodeSet set = NodeSet::Full;
+  CellType type() const { return {shape, degree, NodeKind::Uniform, set}; }
+};
+
+// gmsh's numbers of element types.
+constexpr auto kGmshTypes = [] {
   using enum CellShape;
-  struct Entry {
-    int number;
-    CellShape shape;
-    int degree;
-    NodeSet set = NodeSet::Full;
-  };
-  constexpr Entry kTypes[] = {{15, Point, 1},
-                              {1, Segment, 1},
-                              {8, Segment, 2},
-                              {26, Segment, 3},
-                              {27, Segment, 4},
-                              {2, Triangle, 1},
-                              {9, Triangle, 2},
-                              {21, Triangle, 3},
-                              {23, Triangle, 4},
-                              {3, Quad, 1},
-                              {10, Quad, 2},
-                              {16, Quad, 2, NodeSet::Serendipity},
-                              {36, Quad, 3},
-                              {37, Quad, 4},
-                              {4, Tetrahedron, 1},
-                              {11, Tetrahedron, 2},
-                              {29, Tetrahedron, 3},
-                              {30, Tetrahedron, 4},
-                              {5, Hexahedron, 1},
-                              {12, Hexahedron, 2},
-                              {17, Hexahedron, 2, NodeSet::Serendipity},
-                              {92, Hexahedron, 3},
-                              {93, Hexahedron, 4},
-                              {6, Wedge, 1},
-                              {13, Wedge, 2},
-                              {18, Wedge, 2, NodeSet::Serendipity},
-                              {90, Wedge, 3},
-                              {91, Wedge, 4}};
-  for (const Entry& e : kTypes)
-    if (e.number == number) return CellType{e.shape, e.degree, NodeKind::Uniform, e.set};
+  return std::to_array<GmshType>({{15, Point, 1},
+                                  {1, Segment, 1},
+                                  {8, Segment, 2},
+                                  {26, Segment, 3},
+                                  {27, Segment, 4},
+                                  {2, Triangle, 1},
+                                  {9, Triangle, 2},
+                                  {21, Triangle, 3},
+                                  {23, Triangle, 4},
+                                  {3, Quad, 1},
+                                  {10, Quad, 2},
+                                  {16, Quad, 2, NodeSet::Serendipity},
+                                  {36, Quad, 3},
+                                  {37, Quad, 4},
+                                  {4, Tetrahedron, 1},
+                                  {11, Tetrahedron, 2},
+                                  {29, Tetrahedron, 3},
+                                  {30, Tetrahedron, 4},
+                                  {5, Hexahedron, 1},
+                                  {12, Hexahedron, 2},
+                                  {17, Hexahedron, 2, NodeSet::Serendipity},
+                                  {92, Hexahedron, 3},
+                                  {93, Hexahedron, 4},
+                                  {6, Wedge, 1},
+                                  {13, Wedge, 2},
+                                  {18, Wedge, 2, NodeSet::Serendipity},
+                                  {90, Wedge, 3},
+                                  {91, Wedge, 4}});
+}();
+
+std::optional<CellType> gmsh_type(std::int64_t number) {  // none: without a place here
+  for (const GmshType& t : kGmshTypes)
+    if (t.number == number) return t.type();
   return std::nullopt;
 }
 
@@ -139,6 +146,7 @@ class GmshNumbers {
 class GmshTags {
  public:
   void add(std::int64_t tag) { tags_.push_back(tag); }
+  std::int64_t tag(std::size_t row) const { return tags_[row]; }
   std::size_t size() const { return tags_.size(); }
   // False where a tag comes twice.
   bool finish() {
@@ -195,6 +203,21 @@ class GmshReader {
       : path_(path),
         content_(checked(path, std::move(content), stop)),
         in_(path_, content_, stop) {}
+
+  GmshFormat format() {
+    read_format();
+    return {is_old_ ? GmshVersion::Old : GmshVersion::New,
+            in_.is_binary() ? GmshEncoding::Binary : GmshEncoding::Text};
+  }
+
+  GmshDocument document() {
+    GmshDocument out;
+    document_ = &out;
+    out.format = format();
+    while (read_section()) {
+    }
+    return out;
+  }
 
   VolumeMesh read() {
     read_format();
@@ -258,12 +281,44 @@ class GmshReader {
                    "truncated");
       return true;
     }
+    if (document_ != nullptr && name == "$Entities" && !is_old_) {
+      in_.begin_section();
+      read_entities();
+      if (words.next() != end) words.fail(end + " is missing");
+      return true;
+    }
     if (name == "$ParametricNodes" || name == "$PartitionedEntities" || name == "$NOD")
       refuse_mesh(path_, fmt::format("a section {}; save the mesh without it", name));
     const std::size_t found = words.text().find("\n" + end, words.place());
     if (found == std::string_view::npos) words.fail(end + " is missing; the file is truncated");
+    if (document_ != nullptr) {
+      const std::size_t begin = words.begin();
+      if (name == "$PhysicalNames")
+        document_->physical_names =
+            std::string(words.text().substr(begin, found + 1 + end.size() - begin)) + "\n";
+      else
+        document_->others.push_back("section " + name);
+    }
     words.go_to(found + 1 + end.size());
     return true;
+  }
+
+  void read_entities() {
+    std::array<Index, 4> counts{};
+    for (Index& count : counts)
+      count = in_.count(in_.large("the number of entities"), 4, "entities");
+    const auto read_tags = [&](std::vector<int>& out) {
+      const Index count = in_.count(in_.large("the number of tags"), 2, "tags");
+      for (Index k = 0; k < count; ++k) out.push_back(static_cast<int>(in_.small("a tag")));
+    };
+    for (int dim = 0; dim < 4; ++dim)
+      for (Index k = 0; k < counts[to_size(dim)]; ++k) {
+        GmshDocument::Entity& entity =
+            document_->entities[{dim, static_cast<int>(in_.small("a tag"))}];
+        for (std::size_t c = 0; c < (dim == 0 ? 3u : 6u); ++c) entity.box[c] = in_.real("a bound");
+        read_tags(entity.physicals);
+        if (dim > 0) read_tags(entity.bounding);
+      }
   }
 
   void add_coordinates() {
@@ -271,6 +326,13 @@ class GmshReader {
       points_.push_back(in_.real(what));
       places_.push_back(in_.last_place());
     }
+  }
+
+  // The node whose coordinates were read last.
+  void add_node_of(GmshDocument::EntityName entity) {
+    const std::size_t k = document_->nodes.size();
+    document_->nodes.push_back(
+        {tags_.tag(k), {points_[3 * k], points_[3 * k + 1], points_[3 * k + 2]}, entity});
   }
 
   void finish_nodes() {
@@ -288,6 +350,7 @@ class GmshReader {
     for (Index k = 0; k < count; ++k) {
       tags_.add(in_.small("a node"));
       add_coordinates();
+      if (document_ != nullptr) add_node_of({-1, 0});
     }
     finish_nodes();
   }
@@ -299,13 +362,13 @@ class GmshReader {
     in_.large("the smallest tag");
     in_.large("the largest tag");
     for (Index b = 0; b < blocks; ++b) {
-      const std::int64_t dim = in_.small("a dimension");
-      in_.small("a tag");
+      const std::int64_t dim = in_.small("a dimension"), entity = in_.small("a tag");
       const std::int64_t is_parametric = in_.small("whether nodes are parametric");
       const Index count = in_.count(in_.large("the number of nodes"), 7, "nodes");
       for (Index k = 0; k < count; ++k) tags_.add(in_.large("a node"));
       for (Index k = 0; k < count; ++k) {
         add_coordinates();
+        if (document_ != nullptr) add_node_of({static_cast<int>(dim), static_cast<int>(entity)});
         for (std::int64_t c = 0; is_parametric != 0 && c < dim; ++c) in_.real("a parameter");
       }
     }
@@ -332,6 +395,14 @@ class GmshReader {
     cells_.add(type, order, nodes_, tag, static_cast<int>(region));
   }
 
+  // The element whose nodes were read last.
+  void add_element(std::int64_t tag, std::int64_t number, std::int64_t physical,
+                   std::int64_t entity) {
+    document_->elements.push_back({tag, static_cast<int>(number), static_cast<int>(physical),
+                                   static_cast<int>(entity), document_->element_nodes.size()});
+    for (const Index row : nodes_) document_->element_nodes.push_back(tags_.tag(to_size(row)));
+  }
+
   void add_node(std::int64_t tag) {
     const Index row = tags_.row(tag);
     if (row < 0) in_.fail(fmt::format("an element has node {}, which is not there", tag));
@@ -352,6 +423,7 @@ class GmshReader {
         const std::int64_t tag = in_.large("an element");
         nodes_.clear();
         for (int i = 0; i < type.node_count(); ++i) add_node(in_.large("a node"));
+        if (document_ != nullptr) add_element(tag, number, 0, region);
         add_cell(number, tag, region);
       }
     }
@@ -379,13 +451,15 @@ class GmshReader {
         tags = in_.small("the number of tags");
       }
       const CellType& type = type_of(number);
-      std::int64_t region = 0;
+      std::int64_t region = 0, entity = 0;
       for (std::int64_t t = 0; t < tags; ++t) {
         const std::int64_t tag = in_.small("a tag");
         if (t == 0) region = tag;
+        if (t == 1) entity = tag;
       }
       nodes_.clear();
       for (int i = 0; i < type.node_count(); ++i) add_node(in_.small("a node"));
+      if (document_ != nullptr) add_element(element, number, region, entity);
       add_cell(number, element, region);
     }
   }
@@ -400,9 +474,44 @@ class GmshReader {
   std::unordered_map<std::int64_t, std::pair<CellType, std::vector<int>>> types_;
   std::vector<Index> nodes_;
   CellCollector cells_;
+  GmshDocument* document_ = nullptr;  // where to note what is read, if anywhere
 };
 
 }  // namespace
+
+int gmsh_node_count(int type) { return gmsh_type(type)->node_count(); }
+int gmsh_dimension(int type) { return dimension(gmsh_type(type)->shape); }
+
+GmshDocument gmsh_document_of(const VolumeMesh& mesh) {
+  GmshDocument out;
+  out.format.version = GmshVersion::Old;  // of which physical groups are the elements'
+  for (Index k = 0; k < mesh.points.rows(); ++k)
+    out.nodes.push_back(
+        {k + 1, {mesh.points(k, 0), mesh.points(k, 1), mesh.points(k, 2)}, {-1, 0}});
+  for (const CellBlock& block : mesh.blocks) {
+    const auto known = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
+                                    [&](const GmshType& t) { return t.type() == block.type; });
+    if (known == kGmshTypes.end())
+      refuse_mesh(mesh.file, describe(block.type) + " whose nodes are not those of a lattice");
+    const std::vector<int> order = gmsh_order(block.type);
+    for (Index cell = 0; cell < block.size(); ++cell) {
+      const int region = block.regions[to_size(cell)];
+      out.elements.push_back({static_cast<std::int64_t>(out.elements.size()) + 1, known->number,
+                              region, region, out.element_nodes.size()});
+      for (const int k : order) out.element_nodes.push_back(block.nodes(cell, k) + 1);
+    }
+  }
+  return out;
+}
+
+GmshFormat read_gmsh_format(const std::string& path, std::string content) {
+  return GmshReader(path, std::move(content), {}).format();
+}
+
+GmshDocument read_gmsh_document(const std::string& path, std::string content,
+                                const StopCheck& stop) {
+  return GmshReader(path, std::move(content), stop).document();
+}
 
 VolumeMesh read_gmsh_mesh(const std::string& path, std::string content, const StopCheck& stop) {
   return GmshReader(path, std::move(content), stop).read();

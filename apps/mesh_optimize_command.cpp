@@ -1,0 +1,269 @@
+// majorant mesh optimize IN -o OUT: untangles the elements of a mesh and gives them better shapes.
+// What is written is proven, from its bytes, to have valid elements alone. docs/volumes.md.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include "apps/arguments/help_text.h"
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/suggestion.h"
+#include "apps/energy_option.h"
+#include "apps/mesh_verbs.h"
+#include "apps/or_interrupted.h"
+#include "apps/outputs.h"
+#include "apps/process.h"
+#include "apps/progress.h"
+#include "apps/streams.h"
+#include "apps/within_memory.h"
+#include "majorant/energies/solid_energies.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/io/atomic_file.h"
+#include "majorant/io/input_file.h"
+#include "majorant/io/waiting_output.h"
+#include "majorant/results/volume_report.h"
+#include "majorant/volumes/optimize_volume_mesh.h"
+#include "majorant/volumes/volume_files.h"
+
+namespace majorant::app {
+namespace {
+
+struct MeshOptimizeRequest {
+  CommonOptions common;
+  std::string input, output;
+  std::string energy = "symmetric-dirichlet", target = "ideal", boundary = "fixed";
+  int listed = 10;  // elements in messages and the report, at most
+  double tolerance = VolumeOptions().tolerance;
+  int max_iterations = StoppingRules().max_iterations;
+  double time_limit = std::numeric_limits<double>::infinity();
+  std::string msh_version;  // or empty: as the input
+  bool binary = false;
+};
+
+constexpr std::string_view kSizeFrom = "size=";
+
+// Numbers with space between them: edge lengths.
+std::vector<double> read_sizes(const std::string& path, const StopCheck& stop) {
+  std::string content = read_whole_file(path, stop);
+  require_text(path, content);
+  std::istringstream words(content);
+  std::vector<double> sizes;
+  for (std::string word; words >> word;) {
+    char* end = nullptr;
+    sizes.push_back(std::strtod(word.c_str(), &end));
+    if (*end != '\0' || !(sizes.back() > 0) || !std::isfinite(sizes.back()))
+      throw Error(ErrorKind::Unreadable, fmt::format("{}: {} is no edge length, a positive number",
+                                                     path, in_quotes(word)));
+  }
+  if (sizes.empty()) throw Error(ErrorKind::Unreadable, path + ": no edge lengths");
+  return sizes;
+}
+
+VolumeOptions options_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh,
+                         const StopCheck& stop) {
+  VolumeOptions options;
+  options.energy = parse_energy(request.energy, volume_energies(mesh.dimension()));
+  options.tolerance = request.tolerance;
+  if (request.boundary == "slide") options.boundary = VolumeBoundary::Slide;
+  if (request.boundary == "free") options.boundary = VolumeBoundary::Free;
+  if (request.target == "initial") options.target = VolumeTarget::Initial;
+  if (request.target.starts_with(kSizeFrom)) {
+    options.target = VolumeTarget::Size;
+    const std::string path = request.target.substr(kSizeFrom.size());
+    options.sizes = read_sizes(path, stop);
+    std::size_t cells = 0;
+    for (const CellBlock& block : mesh.blocks)
+      if (dimension(block.type.shape) == mesh.dimension()) cells += to_size(block.size());
+    if (options.sizes.size() != 1 && options.sizes.size() != cells)
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: {} edge lengths for {} elements; give one, or one for each",
+                              path, options.sizes.size(), cells));
+  }
+  return options;
+}
+
+void require_usable(const MeshOptimizeRequest& request) {
+  const std::string &target = request.target, format = format_of(request.input);
+  if (target != "ideal" && target != "initial" &&
+      (!target.starts_with(kSizeFrom) || target.size() == kSizeFrom.size()))
+    throw Error(ErrorKind::Usage,
+                fmt::format("--target {}: ideal, initial or size=FILE{}", in_quotes(target),
+                            did_you_mean(target, {"ideal", "initial"})));
+  parse_energy(request.energy, named_energies());
+  if ((!request.msh_version.empty() || request.binary) && format != ".msh")
+    throw Error(ErrorKind::Usage,
+                fmt::format("{}: --msh-version and --binary are of .msh", request.input));
+  std::vector<std::string> inputs{request.input};
+  if (target.starts_with(kSizeFrom)) inputs.push_back(target.substr(kSizeFrom.size()));
+  require_writable(request.common, {{{request.output}, {".msh", ".mesh", ".vtu"}}}, inputs);
+  if (format != format_of(request.output))
+    throw Error(ErrorKind::Usage, fmt::format("{}: the mesh is written in the format of {}, {}",
+                                              request.output, request.input, format));
+}
+
+// "part.msh: converged: 384 tetrahedra of degree 2; 25 elements were not valid, none is left; ..."
+std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh,
+                       const VolumeResult& result) {
+  const VolumeCheck &before = result.before, &after = result.after;
+  const auto count = static_cast<Index>(before.cells.size());
+  const Index bad = count - before.count(ProofStatus::Proven);
+  std::string text =
+      fmt::format("{}: {}: {}", request.input, status_name(result.status), elements_in_words(mesh));
+  if (result.status == Status::Infeasible || !after.is_valid())
+    return one_line(text + fmt::format("; {}; no mesh is written\n", result.message));
+  if (bad > 0)
+    text += fmt::format("; {} {} not valid, none is left", bad, bad == 1 ? "was" : "were");
+  text += fmt::format(
+      "; energy {:.6g} to {:.6g}; scaled Jacobian at least {:.4g}, {:.4g} in the mean, before "
+      "{:.4g} "
+      "and {:.4g}; {} nodes moved\n",
+      result.initial_value, result.value, after.least_scaled_jacobian(),
+      after.mean_scaled_jacobian(), before.least_scaled_jacobian(), before.mean_scaled_jacobian(),
+      result.moved_nodes);
+  return one_line(text);
+}
+
+std::string impossible_in_words(const VolumeMesh& mesh, const VolumeResult& result, int listed) {
+  std::string text;
+  for (const CellName& name : result.impossible) {
+    if (listed-- == 0) break;
+    const CellBlock& block = mesh.blocks[to_size(name.block)];
+    text += fmt::format(
+        "  element {} ({}, region {}): impossible, its held nodes make det J <= 0\n",
+        name_of(mesh, name), plural_of(block.type.shape), block.regions[to_size(name.cell)]);
+  }
+  return text;
+}
+
+Json report_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh,
+               const VolumeResult& result, const RunRecord& record) {
+  Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "mesh optimize"}};
+  report.update(optimized_mesh_report(mesh, result, record, request.listed));
+  report["options"] = {{"energy", request.energy},
+                       {"target", request.target},
+                       {"boundary", request.boundary},
+                       {"tolerance", request.tolerance},
+                       {"max_iterations", request.max_iterations}};
+  report["result"]["energy"] = request.energy;
+  report["peak_memory_bytes"] = peak_memory_bytes();
+  report["threads"] = ThreadCount::current();
+  return report;
+}
+
+// Throws Error(Invalid) unless the bytes of the file are a mesh of valid elements.
+FileVerification proven(const std::string& path, const VolumeMesh& mesh) {
+  return [&path, &mesh](const std::string& temporary) {
+    const VolumeMesh written = read_volume_mesh(temporary);
+    if (written.points != mesh.points || !check_volume_mesh(written).is_valid())
+      throw Error(ErrorKind::Invalid, path + ": what would be written is not proven to be valid");
+  };
+}
+
+// What is written, in the version and encoding of the input unless others are asked for.
+std::string content_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh) {
+  if (request.msh_version.empty() && !request.binary) return volume_mesh_content(mesh);
+  GmshFormat format = gmsh_format_of(mesh);
+  if (!request.msh_version.empty())
+    format.version = request.msh_version == "2.2" ? GmshVersion::Old : GmshVersion::New;
+  if (request.binary) format.encoding = GmshEncoding::Binary;
+  std::vector<std::string> left_out;
+  std::string content = gmsh_mesh_content(mesh, format, &left_out);
+  say_left_out(request.output, left_out);
+  return content;
+}
+
+int mesh_optimize(const MeshOptimizeRequest& request) {
+  require_usable(request);
+  const ThreadCount threads(usable_threads(request.common.threads));
+  Progress progress(request.common, {Activity::Reading, Activity::Proving, Activity::Starting,
+                                     Activity::Solving, Activity::Proving, Activity::Writing});
+  RunRecord record(request.time_limit, request.max_iterations, interruption_flag(), &progress);
+  set_output_stop(record.stop());
+  record.begin(Activity::Reading);
+  const auto guarded = [&](const std::string& doing, const auto& work) {
+    return or_interrupted(doing + " " + request.input,
+                          [&] { return within_memory(request.input, work); });
+  };
+  VolumeMesh mesh =
+      guarded("reading", [&] { return read_volume_mesh(request.input, record.start_stop()); });
+  const VolumeOptions options = options_of(request, mesh, record.start_stop());
+  const VolumeResult result =
+      guarded("optimizing", [&] { return optimize_volume_mesh(mesh, options, record); });
+  const bool is_valid = result.after.is_valid() && result.status != Status::Infeasible;
+  WrittenFiles written;
+  if (is_valid) {
+    record.begin(Activity::Writing);
+    mesh.points = result.points;
+    written.write(request.output, [&] {
+      write_file_atomically(request.output, content_of(request, mesh),
+                            proven(request.output, mesh));
+    });
+  }
+  progress.finish();
+  if (!is_valid || !request.common.quiet) {
+    std::string text = summary_of(request, mesh, result);
+    if (!is_valid)
+      text += result.impossible.empty() ? bad_elements_in_words(mesh, result.after, request.listed)
+                                        : impossible_in_words(mesh, result, request.listed);
+    say_text(text);
+  }
+  if (const std::string& path = request.common.report; !path.empty())
+    written.write(path, [&] { write_json(path, report_of(request, mesh, result, record)); });
+  const int code = !is_valid ? kInvalid : exit_code(result.status);
+  return written.conclude(code);
+}
+
+}  // namespace
+
+void add_mesh_optimize(CLI::App& mesh, Action* run) {
+  auto request = std::make_shared<MeshOptimizeRequest>();
+  CLI::App& verb =
+      *mesh.add_subcommand("optimize", "untangle the elements of a mesh and improve their shapes");
+  begin_group(verb, OptionGroup::Files);
+  verb.add_option("input", request->input,
+                  "mesh of volumes or of the plane: .msh (2.2, 4.1), .mesh (MFEM, Medit), .vtu")
+      ->required();
+  verb.add_option("-o,--output", request->output,
+                  "the mesh with moved nodes, in the format, order and numbers of the input")
+      ->type_name("FILE")
+      ->required();
+  verb.add_option("--msh-version", request->msh_version, "of a .msh that is written (the input's)")
+      ->check(one_of({"2.2", "4.1"}));
+  verb.add_flag("--binary", request->binary, "a .msh is written as bytes (as the input)");
+  begin_group(verb, OptionGroup::Map);
+  verb.add_option("--energy", request->energy, "what elements lose by their shape, listed below")
+      ->type_name("NAME");
+  verb.add_option("--target", request->target,
+                  "what they should look like: ideal, regular of the size of what is around them; "
+                  "initial, as straight as they are; size=FILE, edge lengths, one or one for each")
+      ->type_name("ideal|initial|size=FILE");
+  verb.add_option("--list", request->listed, "elements that are listed, the worst first (10)")
+      ->check(whole_number(0, 1000000));
+  begin_group(verb, OptionGroup::Constraints);
+  verb.add_option("--boundary", request->boundary,
+                  "fixed; slide: planes move in themselves, their edges along themselves; free")
+      ->check(one_of({"fixed", "slide", "free"}));
+  begin_group(verb, OptionGroup::Solver);
+  verb.add_option(
+          "--tolerance", request->tolerance,
+          fmt::format("part of the energy that may be left, estimated ({})", request->tolerance))
+      ->check(positive_number());
+  verb.add_option("--max-iterations", request->max_iterations,
+                  fmt::format("after untangling ({})", request->max_iterations))
+      ->check(whole_number(0));
+  verb.add_option("--time-limit", request->time_limit,
+                  "seconds; the best valid mesh is written, if there is one")
+      ->check(non_negative_number());
+  request->common.add_to(verb);
+  verb.footer(energy_help(solid_energies()) +
+              "Example: majorant mesh optimize part.msh -o better.msh --boundary slide");
+  verb.callback([request, run] { *run = [request] { return mesh_optimize(*request); }; });
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

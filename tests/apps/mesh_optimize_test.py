@@ -1,0 +1,262 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""`majorant mesh optimize`: what is written is valid, by `mesh check` and by gmsh, in the format of the input, and
+what is held comes back bit by bit; exit codes, limits, signals, a full disk."""
+import json
+import os
+import resource
+import signal
+import subprocess
+import time
+import unittest
+
+import command_helpers as helpers
+from command_helpers import INVALID, LIMIT, OK, UNREADABLE, UNSUPPORTED, USAGE, CommandTest, majorant
+
+try:
+    import gmsh
+except ImportError:
+    gmsh = None
+
+FOLDER = os.path.join(helpers.SHARED, 'data', 'public', 'volumes')
+
+
+def medit(count, moved):
+    """A cube of count^3 cubes of six tetrahedra; moved: where the vertex (i, j, k) stands."""
+    def vertex(at):
+        return 1 + at[0] + (count + 1) * (at[1] + (count + 1) * at[2])
+    steps = range(count + 1)
+    points = [moved(i, j, k) for k in steps for j in steps for i in steps]
+    cells = []
+    for k in range(count):
+        for j in range(count):
+            for i in range(count):
+                for t, order in enumerate(((0, 1, 2), (1, 2, 0), (2, 0, 1), (1, 0, 2), (2, 1, 0), (0, 2, 1))):
+                    at = [i, j, k]
+                    corners = [vertex(at)]
+                    for axis in order:
+                        at[axis] += 1
+                        corners.append(vertex(at))
+                    if t >= 3:
+                        corners[1], corners[2] = corners[2], corners[1]
+                    cells.append(corners)
+    return ('MeshVersionFormatted 2\nDimension 3\nVertices {}\n'.format(len(points)) +
+            ''.join('{!r} {!r} {!r} 7\n'.format(*p) for p in points) +
+            'Tetrahedra {}\n'.format(len(cells)) +
+            ''.join('{} {} {} {} 3\n'.format(*c) for c in cells) + 'End\n')
+
+
+def tangled(count=3):
+    def moved(i, j, k):
+        inside = 0 < min(i, j, k) and max(i, j, k) < count
+        return (i + 1.3 * (i % 2), j - 0.8, k + 0.1) if inside else (float(i), float(j), float(k))
+    return medit(count, moved)
+
+
+class Optimized(CommandTest):
+    def test_what_is_written(self):
+        path = self.write('a.mesh', tangled())
+        self.run_ok('mesh', 'check', path, code=INVALID)
+        done = self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--report', self.path('r.json'))
+        self.assertRegex(done.err, r'a\.mesh: converged: 162 tetrahedra of degree 1; \d+ were not valid, none is left; ')
+        self.assertEqual(done.out, '')
+        self.run_ok('mesh', 'check', self.path('b.mesh'))
+        before, after = self.read('a.mesh').splitlines(), self.read('b.mesh').splitlines()
+        self.assertEqual(len(before), len(after))
+        self.assertEqual(sum(a != b for a, b in zip(before, after)), 8)  # the inner vertices
+        with open(self.path('r.json')) as f:
+            report = json.load(f)
+        self.assertEqual((report['command'], report['status'], report['mesh']['invalid']),
+                         ('mesh optimize', 'converged', 0))
+        self.assertEqual((report['mesh']['moved_nodes'], report['mesh']['impossible']), (8, []))
+        self.assertLessEqual(report['result']['value'], report['result']['initial_value'])
+
+    def test_the_same_on_any_number_of_threads(self):
+        path = self.write('a.mesh', tangled())
+        texts = set()
+        for threads in (1, 2, 3):
+            self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--threads', threads)
+            texts.add(self.read('b.mesh'))
+        self.assertEqual(len(texts), 1)
+
+    def test_targets_and_energies(self):
+        path = self.write('a.mesh', tangled())
+        sizes = self.write('sizes.txt', '1\n' * 162)
+        for words in (('--target', 'initial'), ('--target', 'size=' + sizes), ('--energy', 'mips'),
+                      ('--energy', 'symmetric-dirichlet + 0.1*mips'), ('--boundary', 'slide'), ('--boundary', 'free')):
+            with self.subTest(words=words):
+                self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), *words)
+                self.run_ok('mesh', 'check', self.path('b.mesh'))
+
+    def test_impossible_elements(self):
+        """A corner of the boundary that is pulled through its cell: no file, the elements by name."""
+        path = self.write('a.mesh', medit(2, lambda i, j, k: (1.4, 0.8, 0.2) if (i, j, k) == (2, 0, 0) else
+                                          (float(i), float(j), float(k))))
+        done = majorant('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--report', self.path('r.json'))
+        self.assertEqual(done.code, INVALID, done.err)
+        self.assertIn('cannot be valid whatever moves', done.err)
+        self.assertRegex(done.err, r'\n  element \d+ \(tetrahedra, region 3\): impossible')
+        self.assertFalse(os.path.exists(self.path('b.mesh')))
+        with open(self.path('r.json')) as f:
+            report = json.load(f)
+        self.assertEqual(report['status'], 'infeasible')
+        self.assertTrue(report['mesh']['impossible'])
+        # Where the boundary may move, it is no longer so.
+        self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--boundary', 'free')
+
+    def test_refusals(self):
+        path = self.write('a.mesh', tangled())
+        out = ('-o', self.path('b.mesh'))
+        surface = self.write('s.mesh', 'MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n'
+                                       '1 1 1 0\nTriangles 2\n1 2 3 0\n2 4 3 0\nEnd\n')
+        mirrored = self.write('m.mesh', medit(1, lambda i, j, k: (-float(i), float(j), float(k))))
+        few = self.write('few.txt', '1 2 3')
+        wrong = self.write('wrong.txt', '1 -2')
+        for code, words, says in (
+                (USAGE, (path,), '--output'),
+                (USAGE, (path, '-o', self.path('b.msh')), 'in the format of'),
+                (USAGE, (path, '-o', path), '--force'),
+                (USAGE, (path, *out, '--energy', 'mipps'), "did you mean 'mips'"),
+                (USAGE, (path, *out, '--energy', 'asap'), 'asap'),
+                (USAGE, (path, *out, '--target', 'idal'), "did you mean 'ideal'"),
+                (USAGE, (path, *out, '--target', 'size='), 'size=FILE'),
+                (USAGE, (path, *out, '--boundary', 'slid'), "did you mean 'slide'"),
+                (USAGE, (path, *out, '--binary'), '.msh'),
+                (UNREADABLE, (path, *out, '--target', 'size=' + few), '3 edge lengths for 162'),
+                (UNREADABLE, (path, *out, '--target', 'size=' + wrong), 'positive'),
+                (UNREADABLE, (self.write('c.mesh', tangled()[:300]), *out), 'c.mesh'),
+                (UNSUPPORTED, (surface, *out), 'surface in space'),
+                (UNSUPPORTED, (mirrored, *out), 'turned around')):
+            with self.subTest(says=says):
+                done = majorant('mesh', 'optimize', *words)
+                self.assertEqual(done.code, code, done.err)
+                self.assertEqual(done.err.count('\n'), 1, done.err)
+                self.assertIn(says, done.err)
+                self.assertFalse(os.path.exists(self.path('b.mesh')))
+
+    def test_limits(self):
+        path = self.write('a.mesh', tangled(4))
+        self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--max-iterations', 1, code=LIMIT)
+        self.run_ok('mesh', 'check', self.path('b.mesh'))
+        os.remove(self.path('b.mesh'))
+        done = majorant('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--time-limit', 0)
+        self.assertEqual(done.code, INVALID, done.err)  # nothing valid yet
+        self.assertFalse(os.path.exists(self.path('b.mesh')))
+
+    def test_a_full_disk(self):
+        path = self.write('a.mesh', tangled(4))
+        done = subprocess.run([helpers.BINARY, 'mesh', 'optimize', path, '-o', self.path('b.mesh')], text=True,
+                              stderr=subprocess.PIPE, timeout=300,
+                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000)))
+        self.assertEqual(done.returncode, USAGE, done.stderr)
+        self.assertIn('b.mesh', done.stderr)
+        self.assertEqual(sorted(os.listdir(os.path.dirname(path))), ['a.mesh'])
+
+    def test_killed(self):
+        path = self.write('a.mesh', tangled(9))
+        for seconds in (0.05, 0.3, 1.0):
+            run = subprocess.Popen([helpers.BINARY, 'mesh', 'optimize', path, '-o', self.path('b.mesh')],
+                                   stderr=subprocess.PIPE, text=True)
+            time.sleep(seconds)
+            run.send_signal(signal.SIGINT)
+            err = run.communicate(timeout=120)[1]
+            self.assertIn(run.returncode, (OK, LIMIT, INVALID, 130, -signal.SIGINT), err)
+            if run.returncode in (OK, LIMIT):
+                self.run_ok('mesh', 'check', self.path('b.mesh'))
+                os.remove(self.path('b.mesh'))
+            self.assertEqual(sorted(os.listdir(os.path.dirname(path))), ['a.mesh'])
+
+
+@unittest.skipIf(gmsh is None, 'no python3-gmsh')
+class OfGmsh(CommandTest):
+    """Curved meshes of every kind, in every version and encoding: opened by gmsh with the same tags."""
+
+    def setUp(self):
+        super().setUp()
+        gmsh.initialize()
+        self.addCleanup(gmsh.finalize)
+        gmsh.option.setNumber('General.Terminal', 0)
+
+    def ball(self, degree):
+        gmsh.clear()
+        for name in ('Mesh.MeshSizeMin', 'Mesh.MeshSizeMax'):
+            gmsh.option.setNumber(name, 0.6)
+        gmsh.model.occ.addSphere(0, 0, 0, 1)
+        gmsh.model.occ.synchronize()
+        gmsh.model.addPhysicalGroup(3, [1], 77)
+        gmsh.model.setPhysicalName(3, 77, 'ball')
+        gmsh.model.addPhysicalGroup(2, [1], 5)
+        gmsh.model.mesh.generate(3)
+        gmsh.model.mesh.setOrder(degree)
+
+    def contents(self, path):
+        gmsh.clear()
+        gmsh.open(path)
+        nodes = gmsh.model.mesh.getNodes()[0]
+        elements = gmsh.model.mesh.getElements()
+        groups = sorted((tuple(g), gmsh.model.getPhysicalName(*g),
+                         tuple(gmsh.model.getEntitiesForPhysicalGroup(*g))) for g in gmsh.model.getPhysicalGroups())
+        by_tag = {t: tuple(elements[2][k][i * len(elements[2][k]) // len(tags):
+                                         (i + 1) * len(elements[2][k]) // len(tags)])
+                  for k, tags in enumerate(elements[1]) for i, t in enumerate(tags)}
+        return sorted(nodes), by_tag, groups
+
+    def test_versions_and_encodings(self):
+        self.ball(2)
+        for version in (2.2, 4.1):
+            for binary in (0, 1):
+                gmsh.option.setNumber('Mesh.MshFileVersion', version)
+                gmsh.option.setNumber('Mesh.Binary', binary)
+                gmsh.option.setNumber('Mesh.SaveAll', 1)
+                gmsh.write(self.path('in_{}_{}.msh'.format(version, binary)))
+        for version in (2.2, 4.1):
+            for binary in (0, 1):
+                path = self.path('in_{}_{}.msh'.format(version, binary))
+                before = self.contents(path)
+                for words in ((), ('--msh-version', '2.2'), ('--msh-version', '4.1'), ('--binary',),
+                              ('--msh-version', '2.2', '--binary'), ('--msh-version', '4.1', '--binary')):
+                    with self.subTest(version=version, binary=binary, words=words):
+                        out = self.path('out.msh')
+                        self.run_ok('mesh', 'optimize', path, '-o', out, '--max-iterations', 3, '-q', '--force', *words,
+                                    code=LIMIT)
+                        self.run_ok('mesh', 'check', out)
+                        after = self.contents(out)
+                        self.assertEqual(after, before)
+                        with open(out, 'rb') as f:
+                            head = f.read(40)
+                        asked = words[1] if '--msh-version' in words else str(version)
+                        bits = 1 if '--binary' in words or binary else 0
+                        self.assertIn('{} {} 8'.format(asked, bits).encode(), head)
+
+    def test_degrees(self):
+        for degree in (1, 2, 3, 4):
+            with self.subTest(degree=degree):
+                self.ball(degree)
+                gmsh.write(self.path('a.msh'))
+                self.run_ok('mesh', 'optimize', self.path('a.msh'), '-o', self.path('b.msh'), '--report',
+                            self.path('r.json'))
+                with open(self.path('r.json')) as f:
+                    report = json.load(f)
+                self.assertEqual((report['status'], report['mesh']['invalid']), ('converged', 0))
+                self.assertLessEqual(report['result']['value'], report['result']['initial_value'])
+                gmsh.clear()
+                gmsh.open(self.path('b.msh'))
+                gmsh.plugin.setNumber('AnalyseMeshQuality', 'JacobianDeterminant', 1)
+                gmsh.plugin.setNumber('AnalyseMeshQuality', 'CreateView', 1)
+                gmsh.plugin.run('AnalyseMeshQuality')
+
+
+class Public(CommandTest):
+    @helpers.where(FOLDER)
+    def test_tangled_ones(self):
+        for name in ('generated/tangled_o2_n4_25.msh', 'generated/tangled_o2_n6_120.msh'):
+            with self.subTest(name=name):
+                path = os.path.join(FOLDER, name)
+                out = self.path('b' + os.path.splitext(name)[1])
+                self.run_ok('mesh', 'optimize', path, '-o', out)
+                self.run_ok('mesh', 'check', out)
+
+
+if __name__ == '__main__':
+    helpers.main()

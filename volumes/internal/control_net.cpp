@@ -1,0 +1,117 @@
+#include "majorant/volumes/internal/control_net.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/union_find.h"
+#include "majorant/volumes/internal/reference_cell.h"
+
+namespace majorant {
+namespace {
+
+class NumberedSpace final : public BernsteinSpace {
+ public:
+  NumberedSpace(const BernsteinElement& element, NodeNumbering numbering)
+      : BernsteinSpace(element, std::move(numbering)) {}
+};
+
+void require_usable(const VolumeMesh& mesh, int dim) {
+  if (dim < 3 && !mesh.is_planar())
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: a surface in space; meshes of volumes and of the plane are "
+                            "optimized",
+                            mesh.file));
+  for (const CellBlock& block : mesh.blocks)
+    if (dimension(block.type.shape) == dim && block.type.set != NodeSet::Full)
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: {} are checked, not optimized; save the mesh with complete "
+                              "elements",
+                              mesh.file, describe(block.type)));
+}
+
+}  // namespace
+
+ControlNet::ControlNet(const VolumeMesh& mesh, const std::vector<CellSide>& sides)
+    : mesh_(mesh), dim_(mesh.dimension()) {
+  require_usable(mesh, dim_);
+  const auto rows = static_cast<Index>(mesh.points.rows());
+  UnionFind same(rows);
+  for_each_side(sides, [&](std::span<const CellSide> cells) {
+    const std::vector<SideNode> first = nodes_of(mesh, cells.front());
+    for (const CellSide& other : cells.subspan(1)) {
+      const std::vector<SideNode> second = nodes_of(mesh, other);
+      for (std::size_t k = 0; k < first.size(); ++k) same.join(first[k].second, second[k].second);
+    }
+  });
+  point_of_.assign(to_size(rows), -1);
+  std::vector<char> is_used(to_size(rows), 0);
+  for (const CellBlock& block : mesh.blocks)
+    if (dimension(block.type.shape) == dim_)
+      for (Index k = 0; k < block.nodes.size(); ++k) is_used[to_size(block.nodes.data()[k])] = 1;
+  for (Index row = 0; row < rows; ++row) {
+    if (is_used[to_size(row)] == 0) continue;
+    const Index name = same.find(row);
+    if (point_of_[name] < 0) point_of_[name] = count_++;
+    point_of_[row] = point_of_[name];
+  }
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const CellBlock& block = mesh.blocks[b];
+    if (dimension(block.type.shape) != dim_) continue;
+    NodeNumbering numbering;
+    numbering.cells = block.nodes.unaryExpr([&](Index row) { return point_of_[row]; });
+    numbering.node_count = count_;
+    parts_.push_back({static_cast<Index>(b),
+                      std::make_shared<const NumberedSpace>(ReferenceCell::of(block.type).element(),
+                                                            std::move(numbering))});
+  }
+}
+
+Vec ControlNet::control_points() const {
+  Vec x = Vec::Zero(dim_ * count_);
+  RowMatrix nodes;
+  for (const Part& part : parts_) {
+    const CellBlock& block = mesh_.blocks[to_size(part.block)];
+    const RowMatrix& matrix = ReferenceCell::of(block.type).control_points();
+    const Cells& cells = part.space->cells();
+    nodes.resize(cells.cols(), dim_);
+    for (Index e = 0; e < block.size(); ++e) {
+      for (Index k = 0; k < cells.cols(); ++k)
+        nodes.row(k) = mesh_.points.row(block.nodes(e, k)).head(dim_);
+      const RowMatrix control = matrix * nodes;
+      for (Index k = 0; k < cells.cols(); ++k)
+        x.segment(dim_ * cells(e, k), dim_) = control.row(k).transpose();
+    }
+  }
+  return x;
+}
+
+Points3 ControlNet::nodes(VecIn x, const std::vector<char>& held) const {
+  RowMatrix moved = RowMatrix::Zero(count_, dim_), control;
+  for (const Part& part : parts_) {
+    const CellType& type = mesh_.blocks[to_size(part.block)].type;
+    const Cells& cells = part.space->cells();
+    const RowMatrix values = ReferenceCell::of(type).control_points().inverse();
+    control.resize(cells.cols(), dim_);
+    for (Index e = 0; e < cells.rows(); ++e) {
+      for (Index k = 0; k < cells.cols(); ++k)
+        control.row(k) = x.segment(dim_ * cells(e, k), dim_).transpose();
+      const RowMatrix nodes = values * control;
+      for (Index k = 0; k < cells.cols(); ++k) moved.row(cells(e, k)) = nodes.row(k);
+    }
+  }
+  Points3 out = mesh_.points;
+  for (Index row = 0; row < out.rows(); ++row) {
+    const Index point = point_of_[row];
+    for (int d = 0; point >= 0 && d < dim_; ++d)
+      if (held[to_size(dim_ * point + d)] == 0) out(row, d) = moved(point, d);
+  }
+  return out;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,331 @@
+#include "majorant/volumes/internal/held_points.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "majorant/framework/rounding.h"
+#include "majorant/mesh/union_find.h"
+#include "majorant/volumes/internal/reference_cell.h"
+
+namespace majorant {
+namespace {
+
+// Distances from a plane, in parts of the side, that are rounding.
+constexpr double kFlat = 1e-12;
+// Sines of angles between planes: below the first they are one plane, above the second two, and
+// points between planes of angles in between are held.
+constexpr double kSamePlane = 1e-9, kOtherPlane = 1e-3;
+// Of det J, in parts of the product of its columns' sizes: far above the rounding of control
+// points.
+constexpr double kRounding = 1e-12;
+
+// det J <= 0 at a corner, where derivatives are integer combinations of control points (rows: a
+// direction each), for the nodes of the cell as the doubles they are.
+bool is_not_positive_at_corner(const ReferenceCell& reference, const RowMatrix& rows,
+                               const RowMatrix& nodes) {
+  using Fraction = boost::multiprecision::cpp_rational;
+  const auto dim = static_cast<int>(rows.rows());
+  const ReferenceCell::ExactMatrix& exact = reference.exact_control_points();
+  std::array<std::array<Fraction, 3>, 3> J;
+  for (Index k = 0; k < rows.cols(); ++k)
+    for (int d = 0; d < dim; ++d) {
+      Fraction control;
+      if (reference.nodes_are_control_points())
+        control = Fraction(nodes(k, d));
+      else
+        for (Index i = 0; i < static_cast<Index>(nodes.rows()); ++i)
+          control += Fraction(exact.numerators[to_size(k * static_cast<Index>(nodes.rows()) + i)],
+                              exact.denominator) *
+                     Fraction(nodes(i, d));
+      for (int a = 0; a < dim; ++a) J[to_size(a)][to_size(d)] += Fraction(rows(a, k)) * control;
+    }
+  if (dim == 2) return J[0][0] * J[1][1] <= J[0][1] * J[1][0];
+  Fraction det = 0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+    det += J[0][a] * (J[1][b] * J[2][c] - J[1][c] * J[2][b]);
+  }
+  return det <= 0;
+}
+
+int region_of(const VolumeMesh& mesh, CellName name) {
+  return mesh.blocks[to_size(name.block)].regions[to_size(name.cell)];
+}
+
+}  // namespace
+
+// The planes (lines, in the plane) that each point is in.
+class HeldPoints::Planes {
+ public:
+  Planes(const VolumeMesh& mesh, const ControlNet& net) : mesh_(mesh), net_(net) {
+    of_point_.resize(to_size(net.count()));
+    for (const CellBlock& block : mesh.blocks) {
+      if (dimension(block.type.shape) != net.dim() - 1) continue;
+      for (Index cell = 0; cell < block.size(); ++cell) {
+        std::vector<Index> corners;
+        for (int k = 0; k < corner_count(block.type.shape); ++k)
+          corners.push_back(block.vertex(cell, k));
+        region_.emplace(side_key(corners), block.regions[to_size(cell)]);
+      }
+    }
+  }
+
+  // False where the side is in no plane.
+  bool add(const CellSide& side) {
+    const std::vector<SideNode> nodes = nodes_of(mesh_, side);
+    const std::optional<Vector3> normal = normal_of(nodes);
+    const auto named = region_.find(side.key);
+    const int region = named == region_.end() ? 0 : named->second;
+    for (const SideNode& node : nodes) {
+      OfPoint& at = of_point_[to_size(net_.point_of(node.second))];
+      at.is_held = at.is_held || !normal || (at.is_on_side && at.region != region);
+      if (normal) add_normal(*normal, at);
+      at.is_on_side = true;
+      at.region = region;
+    }
+    return normal.has_value();
+  }
+
+  bool is_held(Index point) const { return of_point_[to_size(point)].is_held; }
+  const std::vector<Vector3>& normals(Index point) const {
+    return of_point_[to_size(point)].normals;
+  }
+
+ private:
+  struct OfPoint {
+    bool is_held = false, is_on_side = false;
+    int region = 0;
+    std::vector<Vector3> normals;
+  };
+
+  // An axis where all nodes have one coordinate.
+  std::optional<Vector3> normal_of(const std::vector<SideNode>& nodes) const {
+    const auto point = [&](std::size_t k) -> Vector3 {
+      return mesh_.points.row(nodes[k].second).transpose();
+    };
+    const Vector3 origin = point(0);
+    double size = 0;
+    Vector3 along = Vector3::Zero();
+    for (std::size_t k = 1; k < nodes.size(); ++k) {
+      const Vector3 edge = point(k) - origin;
+      if (edge.norm() > size) along = edge, size = edge.norm();
+    }
+    for (int d = 0; d < net_.dim(); ++d) {
+      bool is_flat = true;
+      for (std::size_t k = 1; k < nodes.size(); ++k) is_flat = is_flat && point(k)[d] == origin[d];
+      if (is_flat) return Vector3::Unit(d);
+    }
+    if (!(size > 0)) return std::nullopt;
+    along /= size;
+    Vector3 normal = Vector3::Zero();
+    if (net_.dim() == 2) {
+      normal = Vector3(along.y(), -along.x(), 0);
+    } else {
+      for (std::size_t k = 1; k < nodes.size(); ++k) {
+        const Vector3 candidate = along.cross(point(k) - origin);
+        if (candidate.norm() > normal.norm()) normal = candidate;
+      }
+      if (!(normal.norm() > kOtherPlane * size)) return std::nullopt;
+      normal.normalize();
+    }
+    for (std::size_t k = 1; k < nodes.size(); ++k)
+      if (!(std::abs(normal.dot(point(k) - origin)) <= kFlat * size)) return std::nullopt;
+    return normal;
+  }
+
+  void add_normal(const Vector3& normal, OfPoint& at) const {
+    Vector3 rest = normal;
+    for (const Vector3& other : at.normals) rest -= rest.dot(other) * other;
+    // Of skew planes once more, so that what is left is across all of them.
+    for (const Vector3& other : at.normals) rest -= rest.dot(other) * other;
+    const double sine = rest.norm();
+    if (sine <= kSamePlane) return;
+    if (sine < kOtherPlane) at.is_held = true;
+    // Where the first ones were axes, so is what is left of another axis.
+    at.normals.push_back(rest / sine);
+    if (static_cast<int>(at.normals.size()) >= net_.dim()) at.is_held = true;
+  }
+
+  const VolumeMesh& mesh_;
+  const ControlNet& net_;
+  std::map<CellSide::Key, int> region_;
+  std::vector<OfPoint> of_point_;
+};
+
+HeldPoints::HeldPoints(const VolumeMesh& mesh, const std::vector<CellSide>& sides,
+                       const ControlNet& net, VecIn x, VolumeBoundary boundary)
+    : net_(net), x_(x), held_(to_size(net.dim() * net.count()), 0) {
+  if (boundary != VolumeBoundary::Free) hold_boundary(mesh, sides, boundary);
+  hold_pieces();
+}
+
+void HeldPoints::hold_boundary(const VolumeMesh& mesh, const std::vector<CellSide>& sides,
+                               VolumeBoundary boundary) {
+  Planes planes(mesh, net_);
+  for_each_side(sides, [&](std::span<const CellSide> cells) {
+    const bool is_inner = cells.size() > 1 &&
+                          region_of(mesh, cells.front().name) == region_of(mesh, cells.back().name);
+    if (is_inner) return;
+    ++sides_;
+    if (boundary == VolumeBoundary::Fixed) {
+      for (const SideNode& node : nodes_of(mesh, cells.front())) hold(net_.point_of(node.second));
+    } else if (!planes.add(cells.front())) {
+      ++curved_sides_;
+    }
+  });
+  // Cells of fewer dimensions: of curves, points in two planes may move along.
+  for (const CellBlock& block : mesh.blocks) {
+    const int dim = dimension(block.type.shape);
+    if (dim >= net_.dim()) continue;
+    for (Index k = 0; k < block.nodes.size(); ++k) {
+      const Index point = net_.point_of(block.nodes.data()[k]);
+      if (point < 0) continue;
+      const auto needed = static_cast<std::size_t>(net_.dim() - dim);
+      if (boundary == VolumeBoundary::Fixed || planes.normals(point).size() < needed) hold(point);
+    }
+  }
+  for (Index point = 0; boundary == VolumeBoundary::Slide && point < net_.count(); ++point) {
+    if (planes.is_held(point)) {
+      hold(point);
+      continue;
+    }
+    for (const Vector3& normal : planes.normals(point)) {
+      int axis = -1;
+      for (int d = 0; d < net_.dim(); ++d)
+        if (std::abs(normal[d]) == 1) axis = d;
+      if (axis >= 0)
+        held_[to_size(net_.dim() * point + axis)] = 1;
+      else
+        rows_.push_back({point, normal});
+    }
+  }
+}
+
+void HeldPoints::hold(Index point) {
+  for (int d = 0; d < net_.dim(); ++d) held_[to_size(net_.dim() * point + d)] = 1;
+}
+
+// Of every connected piece the coordinates of one point that nothing else of the piece holds.
+void HeldPoints::hold_pieces() {
+  UnionFind pieces(net_.count());
+  for (const ControlNet::Part& part : net_.parts()) {
+    const Cells& cells = part.space->cells();
+    for (Index e = 0; e < cells.rows(); ++e)
+      for (Index k = 1; k < cells.cols(); ++k) pieces.join(cells(e, 0), cells(e, k));
+  }
+  const int dim = net_.dim();
+  std::vector<char> is_held(held_.size(), 0);
+  for (Index point = 0; point < net_.count(); ++point)
+    for (int d = 0; d < dim; ++d)
+      if (held_[to_size(dim * point + d)] != 0) is_held[to_size(dim * pieces.find(point) + d)] = 1;
+  for (const PlaneRow& row : rows_) {
+    Index axis = 0;
+    row.normal.cwiseAbs().maxCoeff(&axis);
+    is_held[to_size(dim * pieces.find(row.point) + static_cast<Index>(axis))] = 1;
+  }
+  for (Index point = 0; point < net_.count(); ++point)
+    for (int d = 0; d < dim; ++d)
+      if (pieces.find(point) == point && is_held[to_size(dim * point + d)] == 0)
+        held_[to_size(dim * point + d)] = 1;
+}
+
+void HeldPoints::append_rows(ConstraintRows& rows) const {
+  const int dim = net_.dim();
+  for (Index k = 0; k < static_cast<Index>(held_.size()); ++k) {
+    if (held_[to_size(k)] == 0) continue;
+    rows.begin_row(fmt::format("coordinate {} of control point {}", k % dim, k / dim));
+    rows.add(k, 1);
+    rows.end_row(x_[k]);
+  }
+  for (const PlaneRow& row : rows_) {
+    rows.begin_row(fmt::format("a plane of control point {}", row.point));
+    double sum = 0;
+    for (int d = 0; d < dim; ++d) {
+      const Index unknown = dim * row.point + d;
+      if (row.normal[d] == 0) continue;
+      rows.add(unknown, row.normal[d]);
+      sum += row.normal[d] * x_[unknown];
+    }
+    rows.end_row(sum);
+  }
+}
+
+Index HeldPoints::moving_points() const {
+  const int dim = net_.dim();
+  Index count = 0;
+  for (Index point = 0; point < net_.count(); ++point)
+    for (int d = 0; d < dim; ++d)
+      if (held_[to_size(dim * point + d)] == 0) {
+        ++count;
+        break;
+      }
+  return count;
+}
+
+std::vector<CellName> HeldPoints::impossible_cells(const VolumeMesh& mesh) const {
+  const int dim = net_.dim();
+  std::vector<char> may_move(to_size(net_.count()), 0);
+  for (std::size_t k = 0; k < held_.size(); ++k)
+    if (held_[k] == 0) may_move[k / static_cast<std::size_t>(dim)] = 1;
+  std::vector<CellName> out;
+  for (const ControlNet::Part& part : net_.parts()) {
+    const CellBlock& block = mesh.blocks[to_size(part.block)];
+    const ReferenceCell& reference = ReferenceCell::of(block.type);
+    const RowMatrix& gradients = reference.sampled_gradients();
+    const Cells& cells = part.space->cells();
+    RowMatrix control(cells.cols(), dim), nodes(cells.cols(), dim);
+    // det J <= 0 for certain at a sampled point: rounding of n terms with factors of that size.
+    const auto is_forced = [&](Index e) {
+      for (Index k = 0; k < cells.cols(); ++k)
+        control.row(k) = x_.segment(dim * cells(e, k), dim).transpose();
+      for (Index s = 0; s < gradients.rows() / dim; ++s) {
+        const auto rows = gradients.middleRows(dim * s, dim);
+        bool is_held = true;
+        for (Index k = 0; k < cells.cols(); ++k)
+          is_held = is_held && (may_move[to_size(cells(e, k))] == 0 || rows.col(k).isZero(0));
+        if (!is_held) continue;
+        const RowMatrix J = rows * control;
+        const double size = (rows.cwiseAbs() * (control.rowwise() - control.row(0)).cwiseAbs())
+                                .rowwise()
+                                .sum()
+                                .prod();
+        const double det = J.determinant();
+        if (det <= -kRounding * size) return true;
+        if (s >= corner_count(block.type.shape) || det > kRounding * size) continue;
+        for (Index k = 0; k < cells.cols(); ++k)
+          nodes.row(k) = mesh.points.row(block.nodes(e, k)).head(dim);
+        if (is_not_positive_at_corner(reference, rows, nodes)) return true;
+      }
+      return false;
+    };
+    for (Index e = 0; e < cells.rows(); ++e) {
+      bool all_held = true;
+      for (Index k = 0; k < cells.cols(); ++k)
+        all_held = all_held && may_move[to_size(cells(e, k))] == 0;
+      if (all_held) {
+        for (Index k = 0; k < cells.cols(); ++k)
+          nodes.row(k) = mesh.points.row(block.nodes(e, k)).head(dim);
+        if (determinant_range(block.type, nodes.data()).positive == ProofStatus::Violated)
+          out.push_back({part.block, e});
+      } else if (is_forced(e)) {
+        out.push_back({part.block, e});
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,20 @@
+// What elements are measured against: the affine shape of each, as rest shapes.
+#pragma once
+
+#include <vector>
+
+#include "majorant/elements/rest_shapes.h"
+#include "majorant/volumes/internal/control_net.h"
+#include "majorant/volumes/optimize_volume_mesh.h"
+
+namespace majorant {
+
+// Of each part of the net. Throws InvalidArgument for sizes that are not positive, or not as many
+// as there are cells, or 1.
+std::vector<RestShapes> target_shapes(const VolumeMesh& mesh, const ControlNet& net,
+                                      const VolumeOptions& options);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,76 @@
+// Makes the elements of a mesh valid and of good shape, by moving its nodes: an energy between each
+// element and what it should look like, minimized by Newton's method inside the set of meshes whose
+// elements are proven to be valid. Where some are not, they are untangled first.
+//
+//   RunRecord record;
+//   const VolumeResult result = optimize_volume_mesh(mesh, {}, record);
+//   if (result.after.is_valid()) mesh.points = result.points;      // proven, as doubles
+//
+// Tetrahedra, hexahedra, wedges, and triangles and quads of the plane, in one mesh; straight or
+// curved. Numbers, order and regions of cells stay.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "majorant/energies/energy_factory.h"
+#include "majorant/framework/run_record.h"
+#include "majorant/volumes/check_volume_mesh.h"
+#include "majorant/volumes/volume_mesh.h"
+
+namespace majorant {
+
+// What the elements should look like.
+enum class VolumeTarget {
+  Ideal,    // regular, of the size that the elements around their corners have in the mean
+  Initial,  // the affine elements of their corners, where these are not turned around
+  Size,     // regular, with edges of the lengths that are given
+};
+
+enum class VolumeBoundary {
+  Fixed,  // nothing of it moves
+  Slide,  // planes move in themselves, their edges along themselves; what is curved stays
+  Free,   // all of it moves
+};
+
+struct VolumeOptions {
+  // Of the dimension of the mesh: find_volume_energy(); empty: symmetric Dirichlet.
+  EnergySum energy;
+  VolumeTarget target = VolumeTarget::Ideal;
+  // Edge lengths of VolumeTarget::Size: one, or one for each checked cell, in their order.
+  std::vector<double> sizes;
+  VolumeBoundary boundary = VolumeBoundary::Fixed;
+  double tolerance = 1e-6;  // StoppingRules::relative_decrease
+};
+
+struct VolumeResult {
+  // Converged; MaxIterations, TimeLimit, Interrupted, Stalled: `after` says whether it is valid.
+  // Infeasible: some element cannot be valid, or was not made so.
+  Status status = Status::Failed;
+  std::string message;
+  Points3 points;                    // #P by 3, in the order of the mesh
+  VolumeCheck before, after;         // of the mesh as it was, and with these points
+  std::vector<CellName> impossible;  // whose fixed nodes make det J <= 0 somewhere
+  Index unknowns = 0, moved_nodes = 0;
+  Index held_sides = 0, curved_sides = 0;  // sides that do not move; of Slide: in no plane
+  double initial_value = 0, value = 0;     // means of the density; the first after untangling
+  int untangling_iterations = 0;
+};
+
+// The energies of meshes of so many dimensions, 2 or 3, and one of them by its name; null: none.
+std::span<const NamedEnergy> volume_energies(int dim);
+const NamedEnergy* find_volume_energy(std::string_view name, int dim);
+
+// The record has the limits, and gets the trace. Throws Error(Unsupported) for surfaces in space,
+// serendipity elements, meshes whose sides do not agree or that are turned around as a whole;
+// InvalidArgument for sizes that are not positive, or not as many as there are cells; Stopped
+// before there is anything to be optimized.
+VolumeResult optimize_volume_mesh(const VolumeMesh& mesh, const VolumeOptions& options,
+                                  RunRecord& record);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
