@@ -19,6 +19,7 @@
 #include "solve.h"
 #include "space.h"
 #include "terms.h"
+#include "volume.h"
 
 namespace majorant::python {
 namespace {
@@ -75,6 +76,7 @@ PYBIND11_MODULE(_core, module) {
   bind_spaces(module);
   bind_terms(module);
   bind_problems(module);
+  bind_volumes(module);
   module.def("energies", &energies);
   module.def("split_energy", &split_energy, py::arg("text"));
   module.def("vector_instructions", &majorant::vector_instructions);

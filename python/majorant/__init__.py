@@ -25,11 +25,12 @@ from ._functions import (Verdict, check, deform, energies, flatten, kernels, par
                          seamless, unwrap)
 from ._maps import Map
 from ._terms import Inequality, Term, element_term, least_squares, linear_term, parameter_blocks, penalty
+from ._volumes import VolumeMesh, optimize
 
 __version__ = _core.version
 __all__ = [
     'Density', 'Error', 'InfeasibleError', 'Inequality', 'InternalError', 'InvalidError', 'Map', 'Problem',
     'ReadError', 'Solution', 'Space', 'Step', 'StoppedError', 'Term', 'UnsupportedError', 'UsageError', 'Verdict',
-    'check', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',
-    'mesh_arrays', 'parameter_blocks', 'parametrize', 'penalty', 'read', 'read_mesh', 'seamless', 'unwrap',
+    'VolumeMesh', 'check', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',
+    'mesh_arrays', 'optimize', 'parameter_blocks', 'parametrize', 'penalty', 'read', 'read_mesh', 'seamless', 'unwrap',
 ]

@@ -1,0 +1,147 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes of volumes: checked, untangled, optimized."""
+from __future__ import annotations
+
+import json
+import math
+import os
+from typing import Any, Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _arrays, _core, _options
+from ._errors import InvalidError, UsageError
+from ._types import Callback, Doubles, Integers
+
+# Nodes of a cell of each kind by its degree.
+_NODES = {
+    'segments': lambda n: n + 1,
+    'triangles': lambda n: (n + 1) * (n + 2) // 2,
+    'quads': lambda n: (n + 1) ** 2,
+    'tetrahedra': lambda n: (n + 1) * (n + 2) * (n + 3) // 6,
+    'wedges': lambda n: (n + 1) ** 2 * (n + 2) // 2,
+    'hexahedra': lambda n: (n + 1) ** 3,
+}
+_MAX_DEGREE = 4
+
+
+class VolumeMesh:
+    """A mesh of tetrahedra, hexahedra, wedges, triangles and quads, straight or curved.
+
+        mesh = majorant.VolumeMesh.read('part.msh')
+        mesh = majorant.VolumeMesh(X, {'tetrahedra': T})          # T: (#T, 4), (#T, 10), (#T, 20), (#T, 35)
+        mesh.check()['invalid']
+
+    X: (#P, 3) points, or (#P, 2) of the plane. Cells are rows of points in VTK's order, which are places that their
+    maps take on the lattice of their degree, 1 .. 4: 'tetrahedra', 'wedges', 'hexahedra', 'triangles', 'quads',
+    'segments'. Those of most dimensions are the mesh, others its boundary.
+    """
+
+    def __init__(self, X: ArrayLike, cells: Mapping[str, ArrayLike]):
+        points = np.asarray(X)
+        if points.ndim == 2 and points.shape[1] == 2:
+            points = np.column_stack([points, np.zeros(len(points))])
+        points = _arrays.floats('X', points, (None, 3))
+        blocks = []
+        for kind, nodes in cells.items():
+            if kind not in _NODES:
+                raise UsageError(f'cells[{kind!r}]: kinds are {", ".join(repr(k) for k in _NODES)}')
+            rows = _arrays.integers(f'cells[{kind!r}]', nodes, (None, None), len(points), 'rows of X')
+            degrees = [n for n in range(1, _MAX_DEGREE + 1) if _NODES[kind](n) == rows.shape[1]]
+            if not degrees:
+                raise UsageError(f'cells[{kind!r}] has {rows.shape[1]} columns; '
+                                 f'{", ".join(str(_NODES[kind](n)) for n in range(1, _MAX_DEGREE + 1))} are possible')
+            blocks.append((kind, degrees[0], rows))
+        if not blocks:
+            raise UsageError('no cells')
+        self._volume = _core.make_volume(points, blocks)
+
+    @classmethod
+    def _of(cls, volume: _core.Volume) -> 'VolumeMesh':
+        mesh = cls.__new__(cls)
+        mesh._volume = volume
+        return mesh
+
+    @classmethod
+    def read(cls, path: str | os.PathLike) -> 'VolumeMesh':
+        """gmsh's .msh 2.2 and 4.1, MFEM's and Medit's .mesh, VTK's .vtu, also .gz."""
+        return cls._of(_core.read_volume(_arrays.path(path)))
+
+    @property
+    def points(self) -> Doubles:
+        """(#P, 3), shared and read-only."""
+        return self._volume.points
+
+    @property
+    def blocks(self) -> list[tuple[str, int, Integers, Any, Integers]]:
+        """Cells of one kind and degree, in the order of the file: (kind, degree, nodes, numbers, regions)."""
+        return self._volume.blocks
+
+    def with_points(self, X: ArrayLike) -> 'VolumeMesh':
+        """The same cells with other points, (#P, 3)."""
+        return self._of(_core.with_points(self._volume, _arrays.floats('X', X, (len(self.points), 3))))
+
+    def check(self, *, time_limit: float | None = None) -> dict[str, Any]:
+        """Which elements are valid, proven: the section `mesh` of `majorant mesh check --report`, and `status`:
+        'valid', 'invalid' or 'undecided'."""
+        status, section = _core.check_volume(self._volume, _limit(time_limit))
+        return {'status': status, **json.loads(section)}
+
+    def save(self, path: str | os.PathLike, *, msh_version: str = '', binary: bool = False) -> None:
+        """The file that was read, but for the points that have moved; a .msh also in another version ('2.2', '4.1')
+        or as bytes. Meshes of arrays are written as .msh."""
+        _core.write_volume(self._volume, _arrays.path(path),
+                           _options.choice('msh_version', msh_version, ('', '2.2', '4.1')),
+                           _options.truth('binary', binary))
+
+    def __repr__(self) -> str:
+        cells = ', '.join(f'{len(block[2])} {block[0]} of degree {block[1]}' for block in self.blocks)
+        return f'<majorant.VolumeMesh: {len(self.points)} points, {cells}>'
+
+
+def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: str = 'ideal',
+             sizes: ArrayLike | None = None, boundary: str = 'fixed', tolerance: float = _options.TOLERANCE,
+             max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
+             callback: Callback | None = None) -> tuple[VolumeMesh, dict[str, Any]]:
+    """The mesh with moved nodes, all of its elements valid, proven, and of good shape; and the report of the run.
+
+        better, report = majorant.optimize(mesh, 'mips', boundary='slide')
+        report['mesh']['min_scaled_jacobian']
+
+    energy: a name or a sum, as `--energy` of `majorant mesh optimize`. target: 'ideal', 'initial', or 'size' with
+    sizes, edge lengths, one or one for each element. boundary: 'fixed', 'slide', 'free'. Limits and callback as for
+    `parametrize`; report['status'] says what ended the run. docs/volumes.md has all of it.
+
+    Raises UnsupportedError for meshes of other kinds; InvalidError where some element cannot be made valid, by name.
+    """
+    if not isinstance(mesh, VolumeMesh):
+        raise UsageError(f'mesh is {type(mesh).__name__}, no VolumeMesh')
+    if not isinstance(energy, str):
+        raise UsageError('energy is no name; sums are text, such as "symmetric-dirichlet + 0.1*mips"')
+    said = _options.choice('target', target, ('ideal', 'initial', 'size'))
+    if (said == 'size') != (sizes is not None):
+        raise UsageError("target='size' and sizes go together")
+    lengths = [] if sizes is None else _arrays.floats('sizes', np.atleast_1d(sizes), (None,))
+    keywords = {
+        'energy': _options.energies(energy)[0],
+        'target': said,
+        'sizes': list(lengths),
+        'boundary': _options.choice('boundary', boundary, ('fixed', 'slide', 'free')),
+        'tolerance': _options.number('tolerance', tolerance, 0),
+        'max_iterations': _options.integer('max_iterations', max_iterations, 0, 2**31 - 1),
+        'time_limit': _limit(time_limit),
+        'threads': _options.integer('threads', threads, 0, 1024),
+    }
+    points, is_valid, text = _core.optimize_volume(mesh._volume, keywords, _options.callback(callback))
+    report = json.loads(text)
+    if not is_valid:
+        impossible = report['mesh']['impossible']
+        raise InvalidError(report['message'] + (f': elements {", ".join(map(str, impossible[:10]))}' if impossible
+                                                else ''))
+    return mesh.with_points(points), report
+
+
+def _limit(seconds: float | None) -> float:
+    return math.inf if seconds is None else _options.number('time_limit', seconds, 0, zero=True)
