@@ -176,7 +176,7 @@ class Phases {
         continue;
       }
       result_.energy = measure().energy;
-      return !left.bound;
+      return !left.bound && went_on();
     }
     const std::string where = fmt::format("'{}' by {:.3g} at {}{}", left.bound->name(), left.amount,
                                           left.place, held_back_by(*left.bound));
