@@ -26,7 +26,7 @@ namespace majorant {
 
 // A border vertex of a quad mesh lies on the surface's border up to this part of its diagonal.
 inline constexpr double kBorderClose = kTenDigits;
-// A turn of the border, in degrees, from which on its vertex is a corner, where quads have a vertex.
+// A turn of the border, in degrees, from which on its vertex is a corner, where quads have one.
 // Chosen: a sharp edge is one of this angle, too.
 inline constexpr double kCornerTurn = 35;
 
