@@ -26,8 +26,8 @@ namespace majorant {
 
 // A border vertex of a quad mesh lies on the surface's border up to this part of its diagonal.
 inline constexpr double kBorderClose = kTenDigits;
-// A turn of the border, in degrees, from which on its vertex is a corner: a quad has a vertex
-// there. Chosen, as the sharpest turn that two quads of a regular row of ten may cut off unseen.
+// A turn of the border, in degrees, from which on its vertex is a corner, where quads have one.
+// Chosen: a sharp edge is one of this angle, too.
 inline constexpr double kCornerTurn = 35;
 
 // Distances between a quad mesh and a surface, the largest of samples, in model units.
