@@ -162,7 +162,10 @@ class Phases {
     LargestViolation left;
     for (int k = 0; k < rules.most_rounds && !no_room; ++k) {
       const double margin = rules.first_margin / std::pow(1 / rules.fall, k);
-      stepper_.reset(with_violations(margin, {margin * margin / scale, mu}));
+      // The energy moves the minimum out by about half its weight times the multiplier of the
+      // bound, which is less than the margin from some round on.
+      const double weight = margin * margin / rules.first_margin / scale;
+      stepper_.reset(with_violations(margin, {weight, mu}));
       if (k == 0 && !check_start(stepper_.evaluator(), result_)) return false;
       descend({}, stepper_.evaluator().value(result_.y));
       left = largest_violation();
@@ -173,7 +176,7 @@ class Phases {
         continue;
       }
       result_.energy = measure().energy;
-      return !left.bound;
+      return !left.bound && went_on();
     }
     const std::string where = fmt::format("'{}' by {:.3g} at {}{}", left.bound->name(), left.amount,
                                           left.place, held_back_by(*left.bound));

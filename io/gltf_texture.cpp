@@ -122,8 +122,8 @@ class Replacement {
 
   // As the first texture that it takes the place of is shown.
   void add_texture(const std::string& png) {
-    Gltf& json = out_.json();
-    Gltf texture{{"source", json.contains("images") ? json["images"].size() : 0}};
+    Gltf& file = out_.json();
+    Gltf texture{{"source", file.contains("images") ? file["images"].size() : 0}};
     for (const Primitive& which : triangles_)
       if (const auto k = material_of(document_, primitive_at(document_, which)))
         if (const Gltf* const old = base_color_of(document_.list("materials")[*k])) {
@@ -132,10 +132,10 @@ class Replacement {
           if (before.contains("sampler")) texture["sampler"] = before["sampler"];
           break;
         }
-    json["images"].push_back({{"bufferView", out_.add_view(png, 0, GltfOutput::Target::None)},
+    file["images"].push_back({{"bufferView", out_.add_view(png, 0, GltfOutput::Target::None)},
                               {"mimeType", "image/png"}});
-    texture_ = json.contains("textures") ? json["textures"].size() : 0;
-    json["textures"].push_back(std::move(texture));
+    texture_ = file.contains("textures") ? file["textures"].size() : 0;
+    file["textures"].push_back(std::move(texture));
   }
 
   void show(const Primitive& which) {

@@ -105,7 +105,8 @@ struct SvgOptions {
 // chain, and dots on the cones, blue for index > 0 and green for index < 0; points and lines to
 // their targets; rings where boundary edges meet; a second legend. Throws Error(Invalid) if the map
 // is inconsistent or not finite, Error(Usage) if the file cannot be written, the grid cannot be
-// drawn, a side of the sheet is out of range or the range of colours leaves out the isometry.
+// drawn, a side of the sheet is out of range or less than its legends take, or the range of colours
+// leaves out the isometry.
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options = {});
 // The drawing as text, for who has a place for it already. Throws Error(Invalid) likewise.
 std::string svg_text(const MapFile& map, const SvgOptions& options = {});

@@ -391,7 +391,9 @@ std::optional<Legend> legend_of(const MapFile& map, const PngOptions& options,
 PixelImage surface_image(const MapFile& map, const PngOptions& options) {
   const std::optional<Quantity> heat = heat_of(map, options);
   const double scale = options.width / LayoutSheet::kWidth;
-  const LayoutMarks seen{.grid = options.grid, .turned_over = turned_over_cells(map)};
+  LayoutMarks seen;
+  seen.grid = options.grid;
+  seen.turned_over = turned_over_cells(map);
   const std::vector<Index>& over = seen.turned_over;
   const double colors = heat ? LayoutSheet::kColorsHeight : 0;
   const double marks = over.empty() ? 0 : LayoutSheet::kRowHeight;

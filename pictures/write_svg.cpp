@@ -202,6 +202,17 @@ void require_usable(const SheetSize& size) {
                               PngOptions::kSmallest, PngOptions::kLargest));
 }
 
+// Between the legends and the upper end of a sheet whose height was asked for.
+void require_room(const LayoutSheet& sheet) {
+  constexpr double kLeast = 4 * LayoutSheet::kMargin;
+  if (sheet.layout_height() >= kLeast) return;
+  throw Error(
+      ErrorKind::Usage,
+      fmt::format("a sheet {:g} px high: its legends are {:g} px high; take one of {:g} or more",
+                  sheet.height(), sheet.height() - sheet.layout_height(),
+                  sheet.height() - sheet.layout_height() + kLeast));
+}
+
 }  // namespace
 
 std::string svg_text(const MapFile& map, const SvgOptions& options) {
@@ -224,6 +235,7 @@ std::string svg_text(const MapFile& map, const SvgOptions& options) {
     format.notes = heat->legend.notes.size();
   }
   const LayoutSheet sheet(shown, marks, format);
+  if (options.size) require_room(sheet);
   LayoutDrawing parts =
       draw_layout(sheet, heat ? std::optional(heat->legend) : std::nullopt,
                   heat ? std::optional(heat->colors) : std::nullopt, CellFill::Colors);

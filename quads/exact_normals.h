@@ -1,8 +1,8 @@
 // The sign of the dot product of two normals, each of two vectors between points as the doubles
 // they are: rounding cannot change it.
 //
-//   // Is the corner a of the quad a, b, c, d folded?
-//   sign_of_normals({a, b}, {a, d}, {a, c}, {b, d}) <= 0
+//   const Vector3 a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0);
+//   const bool is_folded = sign_of_normals({a, b}, {a, d}, {a, c}, {b, d}) <= 0;   // at a, of abcd
 //
 // Filtered: tens of nanoseconds unless the normals are close to orthogonal. Finite numbers only.
 #pragma once

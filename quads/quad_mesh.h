@@ -1,8 +1,9 @@
 // A pure quad mesh of a closed surface, with as many quads as asked, aligned to a smooth cross
 // field.
 //
-//   RunRecord record;
-//   const QuadMesh result = quad_mesh(mesh, {.count = 4000}, record);
+//   QuadMeshOptions wishes;
+//   wishes.count = 4000;
+//   const QuadMesh result = quad_mesh(*mesh, wishes, record);
 //   std::cout << result.check.count << " quads, " << result.check.irregular << " irregular\n";
 //
 // A seamless map (start.h), optimized at degree 1, on integers; its motorcycle graph, which cuts

@@ -124,8 +124,6 @@ std::string materials_text(const ModelTexture& texture, const std::string& image
   return text;
 }
 
-}  // namespace
-
 ModelTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop) {
   require_materials_below(polygons);
   ModelTexture texture;

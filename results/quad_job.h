@@ -1,7 +1,6 @@
 // A job that makes quads of a surface, from the polygons of a mesh to files and reports: what
 // MapJob is for maps. Programs that only want the quads of a sound surface call quad_mesh().
 //
-//   RunRecord record;
 //   QuadJob job(record);
 //   job.open(read_mesh(path));
 //   job.options.count = 4000;

@@ -35,7 +35,7 @@ std::string describe(const QuadCheck& check, QuadsComparedWith surface) {
       fmt::format("{} quads, Euler characteristic {}, {} border loop{}", check.count,
                   t.euler_characteristic(), t.boundary_loops, t.boundary_loops == 1 ? "" : "s");
   if (surface == QuadsComparedWith::Nothing)
-    return fmt::format("{}, none folded; {}; not asked: surface (--surface)", counts, measured);
+    return fmt::format("{}, none folded; {}; not compared with a surface", counts, measured);
   return fmt::format(
       "{} as the surface, none folded or turned; {}; {:.3g} to the surface, {:.3g} "
       "from it",

@@ -1,7 +1,7 @@
 // What reports and lines say of a quad mesh that was judged.
 //
-//   const QuadCheck check = check_quads(quads, &surface);
-//   report["quads"] = quads_section(check, QuadsComparedWith::Surface);
+//   const QuadCheck check = check_quads(polygons, mesh.get());
+//   const Json section = quads_section(check, QuadsComparedWith::Surface);
 //   std::cout << describe(check, QuadsComparedWith::Surface) << "\n";
 #pragma once
 

@@ -98,7 +98,7 @@ Legend make_legend(const MapFile& map, Quantity quantity, const ColorScale& scal
   const std::optional<Extremes> e = extremes_of(map, quantity);
   if (e && std::isfinite(e->smallest) && std::isfinite(e->largest))  // else the uv overflow
     note += fmt::format("; smallest {:.4g}, largest {:.4g}{}", e->smallest, e->largest,
-                               how_sampled(map.degree));
+                        how_sampled(map.degree));
   for (const auto& [count, where, end] :
        {std::tuple{values.below, "below", scale.low()}, {values.above, "above", scale.high()}})
     if (count > 0)

@@ -1,8 +1,11 @@
 // From a T-mesh and whole numbers of its arcs to quads: connectivity from these alone, then places
 // on the surface.
 //
-//   ExtractedQuads quads(lattice, mesh, edges);
-//   if (quads.joined_cones().empty()) PolygonMesh polygons = quads.polygons();
+//   SeamlessLattice lattice(*mesh, map);
+//   const TMesh t_mesh = trace_t_mesh(lattice);
+//   const std::vector<Index> edges(t_mesh.arcs.size(), 0);   // by arc, as quantize() has them
+//   ExtractedQuads extracted(lattice, t_mesh, edges);
+//   if (extracted.joining_arcs().empty()) polygons = extracted.polygons();
 //
 // A patch of p and q edges becomes p q quads. Arcs of no edges join their nodes, patches of no
 // width their long sides. Where all arcs have edges nothing is joined, and the quads are a mesh of

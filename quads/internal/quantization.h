@@ -1,9 +1,10 @@
 // Whole numbers for the arcs of a T-mesh, so that opposite sides of every patch have the same sum:
 // how many edges of quads lie along each of them.
 //
-//   std::vector<double> wanted;    // lengths of arcs in edges of quads
-//   const std::vector<Index> least(mesh.arcs.size(), 1);
-//   const std::vector<Index> n = quantize(mesh, wanted, least);
+//   SeamlessLattice lattice(*mesh, map);
+//   const TMesh t_mesh = trace_t_mesh(lattice);
+//   const std::vector<double> wanted(t_mesh.arcs.size(), 2.4);   // edges on each arc
+//   const std::vector<Index> n = quantize(t_mesh, wanted, std::vector<Index>(wanted.size(), 1));
 //
 // Rounded, then brought to agree along shortest paths from patch to patch, then improved by closed
 // paths as long as one of them lowers sum (n - wanted)^2 / max(wanted, 1). Each arc lies between

@@ -17,7 +17,7 @@ constexpr int kLatticeBits = 40;
 // The largest coordinate: a layout far from the origin loses nothing up to there.
 constexpr double kLargestCoordinate = 0x1p56;
 
-[[noreturn]] void refuse_lattice(const std::string& what) {
+[[noreturn]] void refuse_map(const std::string& what) {
   throw Error(ErrorKind::Infeasible, "the seamless map, rounded to integers, " + what);
 }
 
@@ -30,13 +30,13 @@ std::vector<std::int64_t> rounded_unknowns(const BezierMap& map, double unit) {
   const Vec y = elimination.reduce(map.control_points(), nullptr);
   std::vector<std::int64_t> free, x;
   for (const double value : y) {
-    if (!(std::abs(value) < kLargestCoordinate * unit)) refuse_lattice("is too far from the origin");
+    if (!(std::abs(value) < kLargestCoordinate * unit)) refuse_map("is too far from the origin");
     free.push_back(std::llround(value / unit));
   }
   for (Index i = 0; i < unknowns; ++i) {
     std::int64_t sum = 0;
     for (const auto* e = elimination.begin(i); e != elimination.end(i); ++e) {
-      if (e->coefficient != std::round(e->coefficient)) refuse_lattice("has seams with fractions");
+      if (e->coefficient != std::round(e->coefficient)) refuse_map("has seams with fractions");
       sum += static_cast<std::int64_t>(e->coefficient) * free[e->reduced];
     }
     x.push_back(sum);
@@ -104,17 +104,17 @@ void SeamlessLattice::prove() const {
   std::vector<int> leave(to_size(surface_.vertex_count()), 0);
   for (Index h = 0; h < surface_.half_edge_count(); ++h) {
     if (h % 3 == 0 && side(corners_[h], corners_[h + 1], corners_[h + 2]) <= 0)
-      refuse_lattice(fmt::format("turns face {} over", surface_.input_face(face_of(h))));
+      refuse_map(fmt::format("turns face {} over", surface_.input_face(face_of(h))));
     const Index o = surface_.opposite(h);
     if (o >= 0 && (beyond(h, corners_[h]) != corners_[next(o)] ||
                    beyond(h, corners_[next(h)]) != corners_[o]))
-      refuse_lattice(fmt::format("is torn at half-edge {}", h));
+      refuse_map(fmt::format("is torn at half-edge {}", h));
     leave[surface_.from_vertex(h)] += static_cast<int>(leaving_directions(*this, h).size());
   }
   for (Index v = 0; v < surface_.vertex_count(); ++v)
     if (quarter_turns_[v] > 0 && leave[v] != quarter_turns_[v])
-      refuse_lattice(fmt::format("has {} quarter turns around vertex {}, not {}", leave[v],
-                         surface_.input_vertex(v), quarter_turns_[v]));
+      refuse_map(fmt::format("has {} quarter turns around vertex {}, not {}", leave[v],
+                             surface_.input_vertex(v), quarter_turns_[v]));
 }
 
 void SeamlessLattice::move(Index vertex, LatticePoint by) {
@@ -122,7 +122,7 @@ void SeamlessLattice::move(Index vertex, LatticePoint by) {
   do {
     corners_[h] = corners_[h] + by;
     if (side(corners_[h], corners_[next(h)], corners_[previous(h)]) <= 0)
-      refuse_lattice(fmt::format("leaves vertex {} no room", surface_.input_vertex(vertex)));
+      refuse_map(fmt::format("leaves vertex {} no room", surface_.input_vertex(vertex)));
     by = turned(by, -turns_[previous(h)]);
     h = surface_.opposite(previous(h));
   } while (h != leaving_[vertex]);

@@ -1,9 +1,9 @@
 // A seamless map of degree 1 on a lattice of integers, on which seams hold without any error: what
 // lines can be traced on exactly.
 //
-//   SeamlessLattice lattice(surface, *result.map);
-//   const LatticePoint p = lattice.corner(h);          // where half-edge h starts, in its face's chart
-//   const LatticePoint q = lattice.beyond(h, p);       // the same point in the chart on the other side
+//   SeamlessLattice lattice(*mesh, map);
+//   const LatticePoint p = lattice.corner(12);      // the start of half-edge 12, in its own chart
+//   const LatticePoint q = lattice.beyond(12, p);   // the same point in that of its opposite
 //
 // Every face has a chart of its own, in which its corners are integers: the free unknowns of the
 // seam constraint are rounded to the lattice, and all others are integer combinations of them

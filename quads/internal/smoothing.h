@@ -2,7 +2,7 @@
 // nor turns: no step makes the worst corner around it worse than before, unless it stays good, or
 // more of its quads face away from the surface.
 //
-//   smooth_quads(quads, positions, faces, stop);
+//   smooth_quads(polygons, mesh->positions(), mesh->faces(), stop);
 //
 // Not for meshes with a border: all vertices move.
 #pragma once

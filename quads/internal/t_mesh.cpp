@@ -15,7 +15,7 @@
 namespace majorant {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuse_lines(const std::string& what) {
   throw Error(ErrorKind::Infeasible, "the lines of the map along its axes: " + what);
 }
 
@@ -78,7 +78,7 @@ class Tracer {
       turns.pop();
       if (traces_[t].has_ended) continue;
       stop_.poll_at(steps);
-      if (++steps > limit) refuse("one of them does not end");
+      if (++steps > limit) refuse_lines("one of them does not end");
       advance(t);
       if (!traces_[t].has_ended) turns.emplace(reached(t), t);
     }
@@ -122,8 +122,8 @@ class Tracer {
 
   [[noreturn]] void clear(Index vertex) const {
     if (is_start(vertex))
-      refuse(fmt::format("one leads from a cone along an edge into another, vertex {}",
-                         surface_.input_vertex(vertex)));
+      refuse_lines(fmt::format("one leads from a cone along an edge into another, vertex {}",
+                               surface_.input_vertex(vertex)));
     throw InTheWay{vertex};
   }
 
@@ -155,7 +155,7 @@ class Tracer {
           other.has_ended && passage.leg == static_cast<Index>(other.legs.size()) - 1;
       if ((across.direction - leg.direction) % 2 == 0) {
         if (constant_of(across) != constant_of(leg)) continue;
-        if (across.direction == leg.direction) refuse("two of them run along each other");
+        if (across.direction == leg.direction) refuse_lines("two of them run along each other");
         if (is_end) continue;  // what it has ended on is in the way of both
         meet(t, passage.trace, distance_along(leg, across.start));
         return;
@@ -201,7 +201,7 @@ class Tracer {
   }
 
   void meet(Index t, Index other, std::int64_t length) {
-    if (traces_[other].has_ended) refuse("one meets another that has ended");
+    if (traces_[other].has_ended) refuse_lines("one meets another that has ended");
     for (const auto& [a, b] : {std::pair(t, other), std::pair(other, t)}) {
       traces_[a].has_ended = true;
       traces_[a].length = length;
@@ -225,7 +225,7 @@ class Tracer {
       traces_[t].legs.push_back(entered);
       return;
     }
-    refuse("one leaves its face through no edge");
+    refuse_lines("one leaves its face through no edge");
   }
 
   const SeamlessLattice& lattice_;
@@ -342,7 +342,7 @@ class TMeshBuilder {
 
   void attach(Index node, int quarter_turn, Index half_arc) {
     if (!leaving_[node].emplace(quarter_turn, half_arc).second)
-      refuse("two of them leave a point in one direction");
+      refuse_lines("two of them leave a point in one direction");
     quarter_.resize(std::max(quarter_.size(), to_size(half_arc | 1) + 1));
     quarter_[half_arc] = quarter_turn;
   }
@@ -370,7 +370,7 @@ class TMeshBuilder {
         cycle.push_back(h);
         int turns = 0;
         h = following(h, turns);
-        if (turns > 2) refuse("a patch is not convex");
+        if (turns > 2) refuse_lines("a patch is not convex");
         if (turns == 1) corners.push_back(cycle.size());
       }
       add_patch(cycle, std::move(corners));
@@ -378,7 +378,7 @@ class TMeshBuilder {
   }
 
   void add_patch(const std::vector<Index>& cycle, std::vector<std::size_t> corners) {
-    if (corners.size() != 4) refuse(fmt::format("a patch has {} corners", corners.size()));
+    if (corners.size() != 4) refuse_lines(fmt::format("a patch has {} corners", corners.size()));
     TPatch patch;
     std::array<std::int64_t, 4> length{};
     for (std::size_t k = 0; k < 4; ++k)
@@ -387,7 +387,7 @@ class TMeshBuilder {
         patch.sides[k].push_back(cycle[i]);
         length[k] += mesh_.arcs[arc_of(cycle[i])].length();
       }
-    if (length[0] != length[2] || length[1] != length[3]) refuse("a patch is no rectangle");
+    if (length[0] != length[2] || length[1] != length[3]) refuse_lines("a patch is no rectangle");
     patch.width = length[0];
     patch.height = length[1];
     mesh_.patches.push_back(std::move(patch));
@@ -399,11 +399,11 @@ class TMeshBuilder {
                        static_cast<Index>(mesh_.patches.size());
     const Index wanted = lattice_.surface().topology().euler_characteristic();
     if (euler != wanted)
-      refuse(
+      refuse_lines(
           fmt::format("their Euler characteristic is {}, that of the surface {}", euler, wanted));
     WideInteger area = 0;
     for (const TPatch& patch : mesh_.patches) area += 2 * WideInteger{patch.width} * patch.height;
-    if (area != lattice_.twice_area()) refuse("the areas of patches do not add up");
+    if (area != lattice_.twice_area()) refuse_lines("the areas of patches do not add up");
   }
 
   const SeamlessLattice& lattice_;
@@ -428,7 +428,7 @@ TMesh trace_t_mesh(SeamlessLattice& lattice, const StopCheck& stop) {
     } catch (const InTheWay& in_the_way) {
       lattice.move(in_the_way.vertex, {step(random), step(random)});
     }
-  refuse("they pass through vertices however these are moved");
+  refuse_lines("they pass through vertices however these are moved");
 }
 
 }  // namespace majorant

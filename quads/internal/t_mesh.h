@@ -2,9 +2,9 @@
 // the first line in its way [EGKT08]. It cuts the surface into patches that are rectangles in the
 // map, with lines that end on their sides: a T-mesh.
 //
-//   SeamlessLattice lattice(surface, *result.map);
-//   const TMesh mesh = trace_t_mesh(lattice, stop);
-//   mesh.patches[0].sides[0];     // half-arcs from its first corner to the second
+//   SeamlessLattice lattice(*mesh, map);
+//   const TMesh t_mesh = trace_t_mesh(lattice, stop);
+//   const std::vector<Index> half_arcs = t_mesh.patches[0].sides[0];   // from corner 0 to corner 1
 //
 // Traced on the integers of the lattice, so every decision is exact: lines have one integer
 // coordinate, and where two of them meet both are known. A line that would pass through a vertex,

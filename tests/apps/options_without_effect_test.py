@@ -131,7 +131,7 @@ class OptionsWithoutEffect(CommandTest):
         self.run_ok('parametrize', mesh, '--quiet', '--degree', 2, '-o', self.path('a.vtu'), '-o', self.path('a.obj'),
                     '-o', self.path('a.svg'), '-o', self.path('a.png'), '-o', self.path('a.msh'), '--vtu', 'lagrange',
                     '--msh', 'surface', '--refine', 2, '--grid', 0.1, '--color-range', '0.5,5', '--color-by', 'area',
-                    '--size', '64,64', '--view', '1,1,1', '--align', '--transparent')
+                    '--size', '400,300', '--view', '1,1,1', '--align', '--transparent')
         self.run_ok('unwrap', mesh, '--quiet', '-o', self.path('b.obj'), '--padding', 2, '--resolution', 512,
                     '--max-stretch', 1.1)
         handles = self.write('h.json', '{"handles": [{"vertex": 0, "target": "initial"}]}')

@@ -115,7 +115,7 @@ class Check(CommandTest):
         path = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
         said = self.run_ok('check', path, '--report', self.path('r.json')).out
         self.assertIn('valid: 6 quads, Euler characteristic 2', said)
-        self.assertIn('not asked: surface', said)
+        self.assertIn('not compared with a surface', said)
         report = json.loads(self.read('r.json'))
         self.assertEqual(report['quads']['irregular'], 8)
         self.assertIsNone(report['quads']['turned'])

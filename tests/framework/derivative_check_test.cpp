@@ -149,7 +149,9 @@ TEST(DerivativeCheck, UnknownsOfOneElementMayDifferInSize) {
     const DerivativeReport wrong = check_derivatives(Swing(1.001), Vec{{scale, 0.1}});
     ASSERT_FALSE(wrong.ok()) << scale;
     EXPECT_EQ(wrong.message().find("not resolved"), std::string::npos) << wrong.message();
-    if (scale >= 1) EXPECT_EQ(wrong.mismatches.front().block, "gradient[1]");
+    if (scale >= 1) {
+      EXPECT_EQ(wrong.mismatches.front().block, "gradient[1]");
+    }
   }
 }
 

@@ -425,6 +425,11 @@ TEST(WriteSvg, SheetsOfAnySize) {
                                   drawing_of(map, {.size = SheetSize{8, 600}});
                                 }),
                   {"a sheet of 8 x 600 px: sides are 16 to 8192"});
+  expect_contains(error_message(ErrorKind::Usage,
+                                [&] {
+                                  drawing_of(map, {.size = SheetSize{700, 100}});
+                                }),
+                  {"a sheet 100 px high: its legends are 156 px high; take one of 196 or more"});
 }
 
 TEST(WriteSvg, WithoutEdgesTheOutlineStays) {

@@ -350,6 +350,12 @@ TEST(BarrierMinimizer, LimitsHoldOnTheWayInside) {
   const BarrierResult result = w.minimizer.run(w.problem, Vec::Constant(2, -40));
   EXPECT_EQ(result.status, Status::MaxIterations);
   EXPECT_EQ(result.iterations.size(), 1);
+  const Slit slit(0.5);
+  StepObserver interrupt([](const TraceEntry&, const Vec&) { return Directive::Interrupt; });
+  const BarrierResult ended = slit.minimizer.run(slit.problem, Vec::Zero(1), &interrupt);
+  EXPECT_EQ(ended.status, Status::Interrupted);
+  EXPECT_EQ(ended.iterations.size(), 1);
+  EXPECT_TRUE(ended.phases.empty());
 }
 
 TEST(BarrierMinimizer, Misuse) {
