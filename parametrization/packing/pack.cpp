@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "majorant/certify/map_proof.h"
 #include "majorant/certify/proven_distance.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/packing/internal/nesting.h"
@@ -126,10 +127,11 @@ class Packer {
 
  private:
   [[noreturn]] void refuse_padding() const {
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("packing: no square holds {} charts that are {:.6g} of its side apart; "
-                            "less padding or a higher resolution would do",
-                            charts_.size(), least_distance_));
+    throw Error(
+        ErrorKind::Unsupported,
+        fmt::format("packing: no square holds {} that are {:.6g} of its side apart; "
+                    "less padding or a higher resolution would do",
+                    count_text(static_cast<Index>(charts_.size()), "chart"), least_distance_));
   }
 
   [[noreturn]] void refuse_side(const PackingJob& job) const {
@@ -308,10 +310,12 @@ Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options,
                             : options.padding_pixels;
   within.resolution -= 2 * border;
   if (!(within.resolution > 0))
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("packing: no square of {:.6g} pixels holds {} charts in a border of "
-                            "{:.6g}; less padding or a higher resolution would do",
-                            options.resolution, charts.size(), options.padding_pixels));
+    throw Error(
+        ErrorKind::Unsupported,
+        fmt::format("packing: no square of {:.6g} pixels holds {} in a border of "
+                    "{:.6g}; less padding or a higher resolution would do",
+                    options.resolution, count_text(static_cast<Index>(charts.size()), "chart"),
+                    options.padding_pixels));
   const double part = within.resolution / options.resolution;  // of the side
   if (within.side) *within.side *= part;
   Packing packing = Packer(charts, within, border / within.resolution, stop).pack();
