@@ -22,8 +22,8 @@ namespace {
 using test::Random;
 
 // One tetrahedron for each Jacobian, on the unit rest shape: its first corner in the origin.
-struct Tetrahedra {
-  explicit Tetrahedra(const std::vector<Eigen::Matrix3d>& jacobians)
+struct FreeTetrahedra {
+  explicit FreeTetrahedra(const std::vector<Eigen::Matrix3d>& jacobians)
       : x(Vec::Zero(12 * static_cast<Index>(jacobians.size()))) {
     const auto count = static_cast<Index>(jacobians.size());
     Cells cells(count, 4);
@@ -63,7 +63,7 @@ Vec values(const EnergyTerm& term, const Vec& x) {
 }
 
 TEST(SolidEnergies, Derivatives) {
-  const Tetrahedra t(jacobians(true));
+  const FreeTetrahedra t(jacobians(true));
   for (const NamedEnergy& energy : solid_energies()) {
     const DerivativeReport report = check_derivatives(*energy.make(t.space, t.rest), t.x);
     EXPECT_TRUE(report.ok()) << energy.name << "\n" << report.message();
@@ -79,7 +79,7 @@ TEST(SolidEnergies, ValuesAtIsometriesAndOutside) {
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   Eigen::Matrix3d mirrored = turn;
   mirrored.col(0) *= -1;
-  const Tetrahedra t({turn, 2 * turn, mirrored});
+  const FreeTetrahedra t({turn, 2 * turn, mirrored});
   EXPECT_EQ(solid_energies().size(), least.size());
   for (const NamedEnergy& energy : solid_energies()) {
     const Vec f = 6 * values(*energy.make(t.space, t.rest), t.x);
@@ -93,7 +93,7 @@ TEST(SolidEnergies, ValuesAtIsometriesAndOutside) {
 }
 
 TEST(SolidEnergies, SingularValuesGiveWhatEntriesGive) {
-  const Tetrahedra t(jacobians(true));
+  const FreeTetrahedra t(jacobians(true));
   const auto by_entries = make_energy(t.space, t.rest, density<3, 3>("a", [](const auto& J) {
                                         return J.squaredNorm() + J.inverse().squaredNorm();
                                       }));
@@ -115,14 +115,14 @@ TEST(SolidEnergies, SingularValuesGiveWhatEntriesGive) {
 }
 
 TEST(SolidEnergies, UntanglingIsFiniteForInvertedElements) {
-  const Tetrahedra t(jacobians(false));
+  const FreeTetrahedra t(jacobians(false));
   for (const double eps : {1.0, 0.1, 1e-3}) {
     const auto term = make_energy(t.space, t.rest, SolidUntanglingDensity(eps));
     const DerivativeReport report = check_derivatives(*term, t.x);
     EXPECT_TRUE(report.ok()) << eps << "\n" << report.message();
   }
   // (|J|^2 chi^(-2/3) + (D^2 + 1) / chi), chi(eps, 1) at an isometry.
-  const Tetrahedra one({Eigen::Matrix3d::Identity()});
+  const FreeTetrahedra one({Eigen::Matrix3d::Identity()});
   const auto term = make_energy(one.space, one.rest, SolidUntanglingDensity(0.75));
   const double chi = (1 + 1.25) / 2;
   EXPECT_NEAR(6 * values(*term, one.x)[0], 3 / std::cbrt(chi * chi) + 2 / chi, 1e-13);
