@@ -35,7 +35,7 @@ SurfaceParts parts_of(const PolygonMesh& mesh) {
   return parts;
 }
 
-RepairedSurface repaired(const PolygonMesh& mesh) {
+RepairedSurface by_repair(const PolygonMesh& mesh) {
   return repair(mesh, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven});
 }
 
@@ -52,7 +52,7 @@ TEST(SoundSurface, IsWhatRepairMakesOfIt) {
         mesh_of(two, {{5, 6, 4}, {0, 1, 2}, {0, 2, 3}, {4, 6, 7}})}) {
     const auto sound = sound_surface(parts_of(mesh));
     ASSERT_TRUE(sound);
-    const RepairedSurface expected = repaired(mesh);
+    const RepairedSurface expected = by_repair(mesh);
     ASSERT_TRUE(expected.repairs.empty());
     EXPECT_EQ(sound->faces(), expected.mesh->faces());
     EXPECT_EQ(sound->positions(), expected.mesh->positions());
