@@ -578,6 +578,7 @@ class Unwrapping {
     hints.parent = task.parent;
     if (options_.cuts.method == CutMethod::Texture && is_textured(*task.mesh, 0))
       hints.texture = TextureStart::Tried;
+    if (unfolds(*task.mesh) && !is_held(task)) hints.shape = ChartShape::Unfolds;
     if (is_cut_where_it_overlaps(task)) hints.overlaps = UnfoldedOverlaps::LeftToCuts;
     Chart chart = ChartSolver(task.mesh, task.options, hints).solve(record);
     chart.faces = task.faces;

@@ -116,7 +116,10 @@ std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wan
 // Of cuts (3 #F flags, both sides): their length, a quarter of it along creases, in model units.
 double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,
                     const std::vector<char>& is_cut);
-// Returns whether the chart lies in the plane as it is, edge for edge, but for overlaps: flat
+// Returns whether the chart lies in the plane as it is, edge for edge, but for overlaps: there is
+// no curvature inside.
+bool unfolds(const SurfaceMesh& chart);
+// Returns whether it does, and is bent at creases: flat
 // panels between creases, and no curvature inside.
 bool unfolds_at_creases(const SurfaceMesh& chart, const CutPreferences& wanted);
 // The estimated stretch of the chart as it is.

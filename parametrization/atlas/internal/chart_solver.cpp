@@ -69,14 +69,14 @@ ChartSolver::ChartSolver(std::shared_ptr<const SurfaceMesh> mesh,
 Chart ChartSolver::solve(RunRecord& record) {
   chart_.pins = options_.map.pins;
   if (hints_.texture == TextureStart::Tried) try_texture(record);
-  const bool is_flat = hints_.overlaps == UnfoldedOverlaps::LeftToCuts;
-  if (!is_done_ && hints_.parent.size() > 0 && !is_flat &&
+  const bool is_left = !is_done_ && hints_.overlaps == UnfoldedOverlaps::LeftToCuts &&
+                       overlaps_unfolded() && record.directive() == Directive::Continue;
+  const auto has_start = [&] { return !is_done_ && !is_left; };
+  if (has_start() && hints_.shape == ChartShape::Unfolds) try_unfolded(record);
+  if (has_start() && hints_.parent.size() > 0 &&
       attempt(hints_.parent, MapInjectivity::Local, record))
     chart_.start = ChartStart::Parent;
-  const bool is_left =
-      !is_done_ && is_flat && overlaps_unfolded() && record.directive() == Directive::Continue;
-  if (!is_done_ && is_flat && !is_left) try_unfolded(record);
-  if (!is_done_ && !is_left) try_tutte(record);
+  if (has_start()) try_tutte(record);
   if (!is_done_) keep_start(record);
   if (is_left) {
     chart_.status = Status::Failed;

@@ -27,8 +27,12 @@ enum class TextureStart { Tried, Ignored };
 // LeftToCuts, such a chart is Failed where its faces overlap, so that it is cut instead.
 enum class UnfoldedOverlaps { Undone, LeftToCuts };
 
+// Curved, or of unknown shape: Tutte's map is the start; Unfolds: the faces side by side.
+enum class ChartShape { Curved, Unfolds };
+
 struct ChartHints {
   TextureStart texture = TextureStart::Ignored;
+  ChartShape shape = ChartShape::Curved;
   UnfoldedOverlaps overlaps = UnfoldedOverlaps::Undone;
   // u, v per vertex: the map of the chart that this one was cut from, or no numbers. May overlap.
   Vec parent = {};

@@ -1,4 +1,4 @@
-// cut_in_two(), cut_across(), cost_of_cuts() and unfolds_at_creases() of choose_cuts.h.
+// cut_in_two(), cut_across(), cost_of_cuts(), unfolds() and unfolds_at_creases() of choose_cuts.h.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -384,9 +384,12 @@ double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,
   return sum;
 }
 
+bool unfolds(const SurfaceMesh& chart) {
+  return chart.rest_triangles().empty() && angle_defects(chart).cwiseAbs().maxCoeff() <= kCurved;
+}
+
 bool unfolds_at_creases(const SurfaceMesh& chart, const CutPreferences& wanted) {
-  if (!chart.rest_triangles().empty()) return false;
-  if (angle_defects(chart).cwiseAbs().maxCoeff() > kCurved) return false;
+  if (!unfolds(chart)) return false;
   const Vec sharp = sharpness(chart, wanted.creases);
   for (Index h = 0; h < chart.half_edge_count(); ++h)
     if (sharp[h] > 0 && chart.opposite(h) >= 0) return true;
