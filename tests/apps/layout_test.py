@@ -241,7 +241,8 @@ class TexelDensity(LayoutTest):
 
     def test_what_does_not_fit_says_how_much_would(self):
         mesh = self.mesh(*tetrahedra(9))
-        outcome = self.refused(UNSUPPORTED, 'unwrap', mesh, '-o', self.path('x.obj'), '--texel-density', 1000)
+        outcome = self.refused(UNSUPPORTED, 'unwrap', mesh, '-o', self.path('x.obj'), '--texel-density', 1000,
+                               '--quiet')
         times = float(re.search(r'need ([\d.]+) times', outcome.err).group(1))
         self.run_ok('unwrap', mesh, '-o', self.path('x.obj'), '--texel-density', 0.97 * 1000 / times)
 
@@ -308,8 +309,6 @@ f 4 6 7
         kept = [line if not line.startswith('f ') else 'f ' + ' '.join(w.split('/')[0] for w in line.split()[1:])
                 for line in lines]
         self.assertEqual(kept, self.BLOCKS.splitlines())
-        self.run_ok('convert', self.path('out.obj'), '-o', self.path('again.obj'))
-        self.assertEqual(self.read('again.obj'), self.read('out.obj'))
 
     def test_texture_coordinates_stand_before_faces_that_use_them(self):
         self.run_ok('unwrap', self.write('b.obj', self.BLOCKS), '-o', self.path('out.obj'))
