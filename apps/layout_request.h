@@ -3,7 +3,8 @@
 //
 //   LayoutRequest layout;
 //   layout.add_to(verb);
-//   layout.apply(job, stop);      // of a job that is open, with its packing chosen
+//   AtlasJob job(record);
+//   layout.apply(job, stop);      // once it is open, with its packing chosen
 #pragma once
 
 #include <CLI/App.hpp>

@@ -1,10 +1,11 @@
 // Leads a point to where every element is proven to be positively oriented: minimizes untangling
 // energies (energies/untangling.h) by projected Newton while their eps shrinks, after [GKKPRS21].
 //
-//   const auto judge = [&](VecIn x) { return injectivity.check(x); };
-//   UntangledPoint point = descend_untangling(problem, {energy}, judge, problem.reduce(start),
+//   const TermId term = builder.add(energy);          // one that untangles
+//   const auto judge = [&](VecIn) { return Verdict{}; };
+//   UntangledPoint point = descend_untangling(problem, {term}, judge, problem.reduce(start),
 //                                             kFirstEpsHeld, stop);
-//   if (point.verdict.feasible) ...   // point.x is a start for minimizers with this checker
+//   if (point.verdict.feasible) std::cout << point.x;   // a start for minimizers
 //
 // What it reaches is valid, not good: optimize it afterwards. It may fail: there may be no such
 // point.

@@ -91,15 +91,6 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
     advice.stop = Stop{Status::Failed, unbounded_below(r.energy)};
     return advice;
   }
-  // An energy that vanishes at its minimum has no relative scale there: below roundings of the
-  // start there is nothing left.
-  const double vanishing =
-      std::numeric_limits<double>::epsilon() * smallest_scale_ / kSmallestScale;
-  if (since == Since::Same && r.newton_decrement > 0 &&
-      r.newton_decrement <= rules_.decrement * vanishing) {
-    advice.stop = Stop{Status::Converged, "decrement"};
-    return advice;
-  }
   remember(step, since);
   const bool plateau = on_plateau();
   const bool small = r.relative_decrease <= rules_.relative_decrease;

@@ -4,8 +4,8 @@
 //   const PolygonMesh cup = read_mesh("cup.glb");
 //   const BaseColors colors = base_colors(cup);
 //   colors.images[to_size(colors.image_of_polygon[12])].bytes;      // a PNG or JPEG
-//   // baked into the layout of new.glb, which write_gltf() has made of cup:
-//   write_base_color("new.glb", read_mesh("new.glb"), png_of_the_new_layout, verify);
+//   // text: a PNG, baked into the layout of new.glb, which write_gltf() has made of cup
+//   write_base_color("new.glb", read_mesh("new.glb"), text, {});
 //
 // Other textures (normals, roughness, ...) stay as they are, shown by the set of coordinates that
 // write_gltf() has moved the old ones to.

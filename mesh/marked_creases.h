@@ -1,7 +1,8 @@
 // Where a file says that its surface is sharp, whatever the angle.
 //
 //   const RepairedSurface surface = repair(polygons);
-//   options.cuts.wanted.creases = marked_creases(polygons, surface);
+//   CutOptions cuts;
+//   cuts.wanted.creases = marked_creases(polygons, surface);
 #pragma once
 
 #include <vector>

@@ -2,7 +2,7 @@
 // counted in their legends.
 //
 //   const std::vector<Index> over = turned_over_cells(read_map("by_others.obj"));
-//   std::cout << turned_over_words(to_size(over.size()));   // "17 triangles turned over"
+//   std::cout << turned_over_words(over.size());   // "17 triangles turned over"
 #pragma once
 
 #include <string>

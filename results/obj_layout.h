@@ -1,7 +1,8 @@
 // What the lines of an OBJ say of a layout: a material for every tile, a group for every chart.
 //
-//   PolygonMesh marked = with_tile_materials(*job.polygons, tile_of_polygons);   // usemtl 1001 ...
-//   marked = with_chart_groups(std::move(marked), chart_of_polygons);            // g wheel chart_0
+//   const std::vector<int> chart = chart_of_polygons(file, polygons);
+//   PolygonMesh marked = with_tile_materials(polygons, chart);       // usemtl 1001 ...
+//   marked = with_chart_groups(std::move(marked), chart);            // g wheel chart_0
 //   write_map("out.obj", file, &marked, {});
 //
 // A polygon that a cut crosses has the tile and the chart of its first cell.

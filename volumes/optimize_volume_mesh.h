@@ -2,9 +2,9 @@
 // element and what it should look like, minimized by Newton's method inside the set of meshes whose
 // elements are proven to be valid. Where some are not, they are untangled first.
 //
-//   RunRecord record;
-//   const VolumeResult result = optimize_volume_mesh(mesh, {}, record);
-//   if (result.after.is_valid()) mesh.points = result.points;      // proven, as doubles
+//   VolumeMesh cells = read_volume_mesh("ball.msh");
+//   const VolumeResult result = optimize_volume_mesh(cells, {}, record);
+//   if (result.after.is_valid()) cells.points = result.points;      // proven, as doubles
 //
 // Tetrahedra, hexahedra, wedges, and triangles and quads of the plane, in one mesh; straight or
 // curved. Numbers, order and regions of cells stay.

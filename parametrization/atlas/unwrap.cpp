@@ -95,7 +95,7 @@ constexpr double kSeen = 0.3, kSurely = 0.85;
 // What a layout costs, besides its seams in square roots of the area, creases a quarter, and its
 // stretch (choose_cuts.h): each chart, and the boxes of all charts for their area. Long thin charts
 // have fills of 0.03 to 0.1, their halves are worth a short cut; others fill half of their box.
-constexpr double kChartCost = 0.05, kFillCost = 0.1;
+constexpr double kChartCost = 0.1, kFillCost = 0.1;
 // Layouts packed at most on the way to a fill; on public models it was reached, or out of reach,
 // in ten.
 constexpr int kMostFills = 16;

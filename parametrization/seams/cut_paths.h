@@ -1,7 +1,7 @@
 // How straight cuts run.
 //
-//   const CutTurning turning = turning_of_cuts(*mesh, cuts.is_cut);
-//   smooth_cuts(*mesh, cones, cost, cuts.is_cut);
+//   const CutTurning turning = turning_of_cuts(*mesh, is_cut);
+//   smooth_cuts(*mesh, {}, Vec::Ones(mesh->half_edge_count()), is_cut);
 //
 // A path runs from one place where cuts meet or end, or that is far from flat, to the next.
 #pragma once

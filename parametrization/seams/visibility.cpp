@@ -193,11 +193,21 @@ void smooth(const SurfaceMesh& mesh, Vec& value) {
   }
 }
 
+// Values by vertex of `other`, which has the same faces with other numbers of vertices.
+Vec on_vertices_of(const SurfaceMesh& mesh, const SurfaceMesh& other, const Vec& value) {
+  Vec out = Vec::Zero(mesh.vertex_count());
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    out[mesh.from_vertex(h)] = value[other.from_vertex(h)];
+  return out;
+}
+
 }  // namespace
 
 Vec ambient_visibility(const SurfaceMesh& mesh, const StopCheck& stop) {
-  if (const double unit = model_unit(mesh); unit != 1)
-    return ambient_visibility(*in_units(mesh, unit), stop);
+  if (const double unit = model_unit(mesh); unit != 1) {
+    const auto near_one = in_units(mesh, unit);
+    return on_vertices_of(mesh, *near_one, ambient_visibility(*near_one, stop));
+  }
   const Occluders occluders(mesh);
   const std::vector<Direction> light = directions();
   const Points3 normals = vertex_normals(mesh);
@@ -224,8 +234,10 @@ Vec ambient_visibility(const SurfaceMesh& mesh, const StopCheck& stop) {
 }
 
 Vec visibility_from(const SurfaceMesh& mesh, const Vector3& direction, const StopCheck& stop) {
-  if (const double unit = model_unit(mesh); unit != 1)
-    return visibility_from(*in_units(mesh, unit), direction, stop);
+  if (const double unit = model_unit(mesh); unit != 1) {
+    const auto near_one = in_units(mesh, unit);
+    return on_vertices_of(mesh, *near_one, visibility_from(*near_one, direction, stop));
+  }
   const Occluders occluders(mesh);
   const Points3 normals = vertex_normals(mesh);
   const double height = start_height(mesh);

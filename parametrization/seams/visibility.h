@@ -1,7 +1,8 @@
 // How much of its surroundings a point of a surface is seen from: seams are wanted where that is
 // little.
 //
-//   options.wanted.weight = hiding_weights(*mesh, ambient_visibility(*mesh));
+//   CutOptions cuts;
+//   cuts.wanted.weight = hiding_weights(*mesh, ambient_visibility(*mesh));
 //
 // Plain sums and square roots alone: the same bits on every machine, and for any number of threads.
 #pragma once

@@ -27,7 +27,7 @@ class Help(CommandTest):
     def test_without_words(self):
         done = self.run_ok()
         self.assertEqual(done.err, '')
-        self.assertEqual(len(VERBS), 10)
+        self.assertEqual(len(VERBS), 12)
         for verb in VERBS:
             self.assertRegex(done.out, r'(?m)^  %s ' % verb.split()[0])
         self.assertEqual(len(re.findall(r'(?m)^  majorant ', done.out)), 3)

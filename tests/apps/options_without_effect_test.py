@@ -22,7 +22,7 @@ ALWAYS = {
     '--charts': 'auto demands nothing of --seams uv and FILE', '--preset': 'padding and resolution',
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
     '--petsc-options': 'for whichever solver a run comes to',
-    '--linear-solvers': 'measures them', '--list': '',
+    '--linear-solvers': 'measures them', '--list': '', '--quads': '',
 }
 
 # option -> (the words without effect, outputs, what is said); for every verb that has it

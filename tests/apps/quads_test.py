@@ -134,7 +134,7 @@ class Check(CommandTest):
     def test_triangles_are_a_map_unless_quads_are_asked_for(self):
         points, faces = torus(8, 6)
         path = self.write('torus.obj', helpers.obj_text(points, faces))
-        self.refused(UNREADABLE, 'check', path)
+        self.refused(UNSUPPORTED, 'check', path)
         self.assertIn('no quads', self.run_ok('check', path, '--quads', code=INVALID).out)
 
     def test_flags_of_maps(self):

@@ -13,7 +13,7 @@ class Placement(UnwrapTest):
         return json.loads(self.read(name))
 
     def scaled(self, factor):
-        points, faces = both(sphere(3), torus(8, 6, 0))
+        points, faces = both(sphere(3), torus(12, 8, 0))
         return self.mesh([tuple(factor * x for x in p) for p in points], faces)
 
     def test_a_border_as_wide_as_the_padding(self):
@@ -113,8 +113,8 @@ class Placement(UnwrapTest):
 
     def test_padding_that_leaves_no_square(self):
         outcome = self.run_ok('unwrap', generated('cap'), '-o', self.path('a.obj'), '--padding', 512,
-                              code=UNSUPPORTED)
-        self.assertIn('less padding or a higher resolution', outcome.err.splitlines()[-1])
+                              code=USAGE)
+        self.assertIn('give less of the one or more of the other', outcome.err.splitlines()[-1])
         self.assertFalse(os.path.exists(self.path('a.obj')))
 
 

@@ -15,7 +15,7 @@ class Surfaces(UnwrapTest):
     def test_closed_ones_of_any_genus(self):
         for name, mesh, charts in [('cube', (cube(3)[0], triangles(cube(3)[1])), 1),
                                    ('sphere', sphere(4), 1), ('torus', torus(12, 8, 0), 1),
-                                   ('two', both(sphere(3), torus(8, 6, 0)), 2)]:
+                                   ('two', both(sphere(3), torus(12, 8, 0)), 2)]:
             with self.subTest(name):
                 layout, report = self.clean(self.mesh(*mesh))
                 self.judged()

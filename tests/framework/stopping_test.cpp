@@ -28,21 +28,6 @@ TEST(Stopping, StepsWithProgressGoOnUntilTheIterationsAreUsedUp) {
   EXPECT_FALSE(test.before_step()->at_fallback);
 }
 
-TEST(Stopping, NothingIsLeftOfAnEnergyThatVanishes) {
-  StepResult step = moved(1, 2);
-  step.record.energy = 0;
-  for (const double left : {1e-24, 1e-30}) {
-    StoppingTest test(usual_rules(), 100);
-    step.energy_before = left / 2;
-    step.record.newton_decrement = left;
-    const Advice advice = test.after(step);
-    if (left > 1e-26)
-      expect_goes_on(advice);
-    else
-      expect_stop(advice, Status::Converged, "decrement");
-  }
-}
-
 TEST(Stopping, ASmallStepNearAMinimumIsPolishedOnceThenConverged) {
   StoppingTest test(usual_rules(), 100);
   const Advice first = test.after(moved(9e-7, 9e-6));

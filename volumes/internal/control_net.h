@@ -1,8 +1,9 @@
 // The control points of a mesh, which its cells share: what is moved in place of the nodes.
 //
-//   const ControlNet net(mesh, sides_of(mesh));
+//   const VolumeMesh cells = read_volume_mesh("ball.msh");
+//   const ControlNet net(cells, sides_of(cells));
 //   Vec x = net.control_points();                     // dim() numbers each
-//   const Points3 moved = net.nodes(x, held);         // the points of the mesh with that map
+//   const Points3 moved = net.nodes(x, {});           // the points of the mesh with that map
 //
 // Where a node stands on the lattice of its cell, there is a control point. Nodes that two cells
 // have at one place of a shared side, under numbers of their own, are one control point.

@@ -1,8 +1,8 @@
 // A .msh file as a list of nodes, elements and entities, whatever its version and encoding: what it
 // takes to write it in another one.
 //
-//   const GmshDocument document = read_gmsh_document(path, content, stop);
-//   const std::string text = gmsh_content(document, {GmshVersion::New, GmshEncoding::Text});
+//   const GmshDocument document = read_gmsh_document(path, text, stop);
+//   text = gmsh_content(document, {GmshVersion::New, GmshEncoding::Text}, {});
 #pragma once
 
 #include <array>

@@ -1,7 +1,8 @@
 // The sides of the cells of most dimensions, those of the same corners together, and the nodes on
 // a side in an order that all of its cells see alike.
 //
-//   const std::vector<CellSide> sides = sides_of(mesh);
+//   const VolumeMesh cells = read_volume_mesh("ball.msh");
+//   const std::vector<CellSide> sides = sides_of(cells);
 //   for_each_side(sides, [&](std::span<const CellSide> cells) { cells.size() == 1; });  // boundary
 #pragma once
 

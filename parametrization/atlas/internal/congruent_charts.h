@@ -1,7 +1,7 @@
 // Charts whose surfaces are copies of each other: which of them may lie on one place of the layout.
 //
-//   const std::vector<std::optional<StackPlace>> places = stack_places(pieces, Stacking::Equal, 1);
-//   if (places[3]) maps[3] = map_on(maps[places[3]->chart], maps[3], *places[3]);
+//   const auto places = stack_places({mesh, mesh}, Stacking::Equal, {});
+//   if (places[1]) map = map_on(map, map, *places[1]);
 #pragma once
 
 #include <memory>

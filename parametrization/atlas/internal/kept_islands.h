@@ -1,6 +1,6 @@
 // Islands of a file's texture coordinates as charts that keep their shapes: for packing alone.
 //
-//   const std::vector<BezierMap> charts = kept_islands(islands);
+//   const std::vector<BezierMap> charts = kept_islands({mesh});
 //
 // Islands that are turned over, in part or as a whole, or overlap themselves are refused: a motion
 // of the plane mends neither.

@@ -1,7 +1,7 @@
 // What cuts cost, edge by edge: their length, where a seam shows.
 //
-//   const Vec cost = cut_costs(*mesh, options.wanted);
-//   const std::vector<char> is_cut = cut_graph(*mesh, cones, cost, {});
+//   const Vec cost = cut_costs(*mesh, CutOptions().wanted);
+//   is_cut = cut_graph(*mesh, {}, cost, {});
 #pragma once
 
 #include <vector>

@@ -122,7 +122,7 @@ TEST(ChooseCuts, EnoughTakesWhatSuffices) {
   at_once.enough = StopCheck([] { return Directive::TimeLimit; });
   const SurfaceCuts first = choose_cuts(mesh, at_once), best = choose_cuts(mesh, {});
   expect_planar_pieces(mesh, first);
-  EXPECT_GT(first.length, 1.2 * best.length);
+  EXPECT_GT(first.length, 1.05 * best.length);
   const StopCheck stop([] { return Directive::Interrupt; });
   EXPECT_THROW(choose_cuts(mesh, at_once, stop), Stopped);
 }

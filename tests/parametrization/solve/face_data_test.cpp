@@ -264,7 +264,7 @@ TEST(FaceData, WhatIsNotForTheFacesIsRefused) {
   Vec weight = Vec::Ones(faces);
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     weight[4] = bad;
-    expect_contains(refused({{symmetric_dirichlet(), 1.0, weight}}), {"face weights"});
+    expect_contains(refused({{symmetric_dirichlet(), 1.0, weight}}), {"face weight [4]"});
   }
   expect_contains(refused({{symmetric_dirichlet(), 1.0, Vec::Ones(faces - 1)}}), {"face weights"});
   ParametrizationOptions options = degree(1);
