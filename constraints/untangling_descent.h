@@ -1,9 +1,9 @@
 // Leads a point to where every element is proven to be positively oriented: minimizes untangling
 // energies (energies/untangling.h) by projected Newton while their eps shrinks, after [GKKPRS21].
 //
-//   const TermId term = builder.add(energy);          // one that untangles
+//   const std::vector<TermId> terms;   // of the problem: those that untangle
 //   const auto judge = [&](VecIn) { return Verdict{}; };
-//   UntangledPoint point = descend_untangling(problem, {term}, judge, problem.reduce(start),
+//   UntangledPoint point = descend_untangling(problem, terms, judge, problem.reduce(start),
 //                                             kFirstEpsHeld, stop);
 //   if (point.verdict.feasible) std::cout << point.x;   // a start for minimizers
 //

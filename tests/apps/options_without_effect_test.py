@@ -23,6 +23,7 @@ ALWAYS = {
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
     '--petsc-options': 'for whichever solver a run comes to',
     '--linear-solvers': 'measures them', '--list': '', '--quads': '',
+    '--count': '', '--edge-length': '', '--target': '', '--msh-version': '', '--binary': '',
 }
 
 # option -> (the words without effect, outputs, what is said); for every verb that has it
