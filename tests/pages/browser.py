@@ -62,7 +62,7 @@ def npm_ci(source, folder, needed):
             f.write(wanted)
 
 
-def run(script, *arguments, timeout=300):
+def run(script, *arguments, timeout=900):
     """What tests/pages/SCRIPT answers to the arguments, each a JSON value."""
     chromium = require_chromium()
     folder = os.path.join(BUILD, 'page_tests')
