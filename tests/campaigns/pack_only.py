@@ -7,9 +7,10 @@
 
 The files: layouts of other meshes, whose islands are put back at random places and turns. Of every file: the
 largest deviation of a point of an island from a motion of the plane, at one scale for all islands and in sides of the
-square; the least distance of two islands, measured by layout_margins.py; the fill beside that of xatlas (brute force,
-rotations, the same padding in pixels of a square as large). Exit 1 where one is lost, not congruent to 1e-12, nearer
-than its padding, or fills less.
+square; the least distance of two islands, measured by layout_margins.py; the fill of the square within the border
+beside that of xatlas, which leaves none (brute force, rotations, the same padding in pixels of a square as large).
+Files whose islands touch themselves once they are turned are refused, and not counted. Exit 1 where one is lost, not
+congruent to 1e-12, nearer than its padding, or fills less.
 """
 import argparse
 import glob
@@ -137,7 +138,6 @@ def main():
         for name, path in files(args.meshes, args.majorant, folder):
             if count == args.count:
                 break
-            count += 1
             scattered(path, given, count)
             size, their = RESOLUTION, None
             if args.watlas:
@@ -147,12 +147,16 @@ def main():
             done = subprocess.run([args.majorant, 'unwrap', given, '-o', out, '--seams', 'uv', '--keep-shape', '--quiet',
                                    '--threads', '1', '--padding', str(PADDING), '--resolution', str(size), '--report',
                                    report], stderr=subprocess.PIPE, text=True)
+            if done.returncode == 3 and 'overlaps itself' in done.stderr:
+                print('%-24s refused: %s' % (name, done.stderr.split(': ', 2)[-1].strip()[:100]))
+                continue
+            count += 1
             if done.returncode:
                 bad += 1
                 print('%-24s exit %d: %s' % (name, done.returncode, done.stderr.strip()[-200:]))
                 continue
             with open(report) as f:
-                fill = json.load(f)['result']['fill']
+                fill = json.load(f)['result']['fill'] / (1 - 2 * PADDING / size) ** 2
             off, found = deviation(given, out), measure(out)
             gap = found[4] * size
             is_bad = off > 1e-12 or gap < PADDING - 1e-6 or (their is not None and fill < their)
