@@ -14,8 +14,8 @@ EXAMPLES = re.findall(r'^```python\n(.*?)^```', PAGE, re.S | re.M)
 TUTORIALS = re.findall(r'^```python\n(.*?)^```', (helpers.SOURCE / 'docs/tutorials.md').read_text(), re.S | re.M)
 
 
-def test_there_are_eight():
-    assert len(EXAMPLES) == 8 and PAGE.count('```python') == 8 and 'Each of the eight examples' in PAGE
+def test_there_are_nine():
+    assert len(EXAMPLES) == 9 and PAGE.count('```python') == 9 and 'Each of the nine examples' in PAGE
     assert TUTORIALS
 
 
