@@ -123,11 +123,13 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
     said = _options.choice('target', target, ('ideal', 'initial', 'size'))
     if (said == 'size') != (sizes is not None):
         raise UsageError("target='size' and sizes go together")
-    lengths = [] if sizes is None else _arrays.floats('sizes', np.atleast_1d(sizes), (None,))
+    lengths = np.zeros(0)
+    if sizes is not None:
+        lengths = _arrays.floats('sizes', [sizes] if np.isscalar(sizes) else sizes, (None,))
     keywords = {
         'energy': _options.energies(energy)[0],
         'target': said,
-        'sizes': list(lengths),
+        'sizes': lengths.tolist(),
         'boundary': _options.choice('boundary', boundary, ('fixed', 'slide', 'free')),
         'tolerance': _options.number('tolerance', tolerance, 0),
         'max_iterations': _options.integer('max_iterations', max_iterations, 0, 2**31 - 1),
