@@ -587,15 +587,20 @@ void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {
   say_missed(run);
   written.say_sizes();
   const std::string fill = atlas.packing ? fmt::format(", fill {:.2f}", atlas.packing->fill) : "";
-  say("{}: {}, {} chart{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
+  const auto stacked = std::count_if(atlas.charts.begin(), atlas.charts.end(),
+                                     [](const Chart& chart) { return chart.place.has_value(); });
+  const std::string on_others = stacked > 0 ? fmt::format(" ({} on others)", stacked) : "";
+  say("{}: {}, {} chart{}{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
       "degree {}, {}, {:.2f} s\n",
       run.map.input, status_name(atlas.status()), atlas.charts.size(),
-      atlas.charts.size() == 1 ? "" : "s", run.map.energy, atlas.value(), seam_length(run.job),
+      atlas.charts.size() == 1 ? "" : "s", on_others, run.map.energy, atlas.value(), seam_length(run.job),
       seam_length(run.job) / std::sqrt(run.job.surface.mesh->area()), atlas.stretch().l2, fill,
       run.map.degree, overlap_words(run.job.boundary, ImageOf::Charts), seconds_since(run.start));
+  const bool is_stacked = run.job.options.stacking != Stacking::None;
   for (const std::string& path : run.outputs.files)
     if (is_map_data(path) && written.has(path))
-      say("proof: majorant check {}{}\n", path, atlas.packing ? " --certify" : "");
+      say("proof: majorant check {}{}{}\n", path, atlas.packing ? " --certify" : "",
+          is_stacked && format_of(path) != ".vtu" ? " --stacked" : "");
 }
 
 // Writes the layout, unless a chart failed, each file certified, then the reports, then the lines

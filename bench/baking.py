@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How well textures survive a bake, how their seams look, and what large images and thin charts cost.
 
-    bench/baking.py MAJORANT [--size 2048] [--large 8192] [--folder DIR] [--copy SCAN.obj COPY.obj]... MESH.obj...
+    bench/baking.py MAJORANT [--size 2048] [--large 8192] [--folder DIR] [--blender PROGRAM]
+                    [--copy SCAN.obj COPY.obj]... MESH.obj...
 
 A texture is drawn by a formula of the position: waves, 127.5 + 110 sin(2 pi 16 x / D + phase) in red, green and blue,
 D the diagonal; and a checkerboard of 64 cells along D. One sample a texel. Four tables:
@@ -14,7 +15,9 @@ D the diagonal; and a checkerboard of 64 cells along D. One sample a texel. Four
   texture there, which is 0 where the first layout is not cut; in codes of 1/255, of a second atlas of floats, so
   that no rounding is in it. Crowded are points at which one of the layouts has another part of the surface, or the other
   side of the cut, within two or three texels: what is read there no baker can help; they are counted, and left out.
-* Copies: from a mesh to a coarser one; compared with the formula at the points of the mesh that the copy shows.
+* Copies: from a mesh to a coarser one; compared with the formula at the points of the mesh that the copy shows. With
+  --blender PROGRAM (3.4 of Debian 12) also by Cycles, which looks for them along normals (selected to active, rays
+  from 2 % of the diagonal outside, 16 samples): compared at the points that it finds, which it bakes as well.
 * Charts: thousands of them, and strips of a fifth of a texel.
 * Large images of the last mesh: seconds and memory.
 """
@@ -22,11 +25,11 @@ import argparse
 import json
 import os
 import subprocess
+import sys
 import tempfile
 import time
 
 import numpy as np
-from PIL import Image
 
 PHASES = (0, 2, 4)
 WAVES, CELLS = 16, 64
@@ -37,6 +40,7 @@ STRIP, APART = 0.2, 1.7
 OFF = 3  # codes
 APART_AT_LEAST = 3  # texels, of the two sides of a cut: filters of both read two each way
 FAR = 2.5  # texels from what a filter reads at one point: another part of the surface
+OUTSIDE, SAMPLES = 0.02, 16  # Blender's: where rays begin, of the diagonal; rays of a texel
 
 
 def waves(position, diagonal):
@@ -150,8 +154,8 @@ def psnr(error):
 
 
 class Bench:
-    def __init__(self, binary, folder, size):
-        self.binary, self.folder, self.size = binary, folder, size
+    def __init__(self, binary, folder, size, blender=None):
+        self.binary, self.folder, self.size, self.blender = binary, folder, size, blender
 
     def path(self, name):
         return os.path.join(self.folder, name)
@@ -167,6 +171,7 @@ class Bench:
             return json.load(f)
 
     def image(self, name):
+        from PIL import Image
         return np.asarray(Image.open(self.path(name))).astype(float)
 
     def codes_without_rounding(self, name):
@@ -181,6 +186,7 @@ class Bench:
     def draw(self, formula, diagonal, layout, image):
         """The texture of a layout, with padding."""
         position = self.positions(layout, layout, '--padding', 64)
+        from PIL import Image
         texture = np.nan_to_num(np.rint(formula(position, diagonal))).astype(np.uint8)
         Image.fromarray(texture).save(self.path(image))
 
@@ -221,8 +227,16 @@ class Bench:
             report = self.bake('copy.obj', 'scan.obj', 'copy.png', '--image', self.path('scan.png'))
             error = self.image('copy.png')[inside] - formula(position[inside], diagonal)
             there = report['bake']
-            yield (os.path.basename(scan), os.path.basename(copy), name, there['covered'], there['misses'],
-                   '%.1f' % psnr(error), '%.2f' % report['seconds']['total'])
+            row = os.path.basename(scan), os.path.basename(copy), name
+            yield (*row, 'majorant', there['covered'], there['misses'], '%.1f' % psnr(error))
+            if self.blender:
+                subprocess.run([self.blender, '-b', '--factory-startup', '--python-exit-code', '1', '--python',
+                                os.path.abspath(__file__), '--', self.folder, str(self.size), str(OUTSIDE * diagonal)],
+                               check=True, stdout=subprocess.DEVNULL)
+                found = np.load(self.path('found.npy'))
+                hit = inside & (found[..., 3] == 1)
+                error = self.image('blender.png')[hit][:, :3] - formula(found[hit][:, :3], diagonal)
+                yield (*row, 'Blender', int(inside.sum()), int((inside & ~hit).sum()), '%.1f' % psnr(error))
 
     def many_charts(self):
         """A square of triangles, each of them a chart of its own, in a square of cells."""
@@ -276,19 +290,79 @@ def main():
     parser.add_argument('--size', type=int, default=2048)
     parser.add_argument('--large', type=int, default=0)
     parser.add_argument('--copy', nargs=2, action='append', default=[])
+    parser.add_argument('--blender', help='the program, for copies')
     parser.add_argument('--folder')
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(dir=options.folder) as folder:
-        bench = Bench(options.majorant, folder, options.size)
+        bench = Bench(options.majorant, folder, options.size, options.blender)
         print_table(('mesh', 'texture', 'charts', 'without texels', 'double', 'misses', 'PSNR, dB', 'points of seams', 'crowded',
                      'median', '99 %', 'largest step', 's'), (row for mesh in options.meshes for row in bench.round_trip(mesh)))
         if options.copy:
-            print_table(('mesh', 'copy', 'texture', 'texels', 'misses', 'PSNR, dB', 's'),
+            print_table(('mesh', 'copy', 'texture', 'by', 'texels', 'misses', 'PSNR, dB'),
                         (row for pair in options.copy for row in bench.copy(*pair)))
         print_table(('layout', 'charts', 'without texels', 'centres', 'partly', 'double', 's'), bench.charts())
         if options.large:
             print_table(('mesh', 'size', 'format', 'memory, GB', 's'), bench.large(options.meshes[-1], options.large))
 
 
+# ------------------------------------------------------------------ inside of Blender
+def material_of(shown, target):
+    """Emits what `shown` gives of the new nodes; active is the image to bake to."""
+    import bpy
+    material = bpy.data.materials.new('m')
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes.clear()
+    emission, output = nodes.new('ShaderNodeEmission'), nodes.new('ShaderNodeOutputMaterial')
+    links.new(emission.outputs['Emission'], output.inputs['Surface'])
+    if shown:
+        links.new(shown(nodes), emission.inputs['Color'])
+    if target:
+        nodes.active = nodes.new('ShaderNodeTexImage')
+        nodes.active.image = target
+    return material
+
+
+def bake_in_blender(folder, size, outside):
+    """scan.obj with scan.png to copy.obj: blender.png, and found.npy, the points with 1 where there is one."""
+    import bpy
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    scene.render.engine = 'CYCLES'
+    scene.cycles.samples, scene.cycles.use_denoising = SAMPLES, False
+    things = []
+    for name in ('scan', 'copy'):
+        bpy.ops.wm.obj_import(filepath=os.path.join(folder, name + '.obj'), forward_axis='Y', up_axis='Z')
+        things.append(bpy.context.selected_objects[0])
+    scan, copy = things
+    scan.select_set(True)
+    bpy.context.view_layer.objects.active = copy
+
+    def bake(shown, image):
+        for thing, material in ((scan, material_of(shown, None)), (copy, material_of(None, image))):
+            thing.data.materials.clear()
+            thing.data.materials.append(material)
+        bpy.ops.object.bake(type='EMIT', use_selected_to_active=True, cage_extrusion=outside,
+                            max_ray_distance=2 * outside, margin=0, use_clear=True)
+
+    def textured(nodes):
+        node = nodes.new('ShaderNodeTexImage')
+        node.image = bpy.data.images.load(os.path.join(folder, 'scan.png'))
+        return node.outputs['Color']
+    image = bpy.data.images.new('baked', size, size, alpha=True)
+    bake(textured, image)
+    image.filepath_raw, image.file_format = os.path.join(folder, 'blender.png'), 'PNG'
+    image.save()
+    places = bpy.data.images.new('places', size, size, alpha=True, float_buffer=True, is_data=True)
+    bake(lambda nodes: nodes.new('ShaderNodeNewGeometry').outputs['Position'], places)
+    found = np.empty(4 * size * size, np.float32)
+    places.pixels.foreach_get(found)
+    np.save(os.path.join(folder, 'found.npy'), found.reshape(size, size, 4)[::-1])
+
+
 if __name__ == '__main__':
-    main()
+    if 'bpy' in sys.modules:
+        folder, size, outside = sys.argv[sys.argv.index('--') + 1:]
+        bake_in_blender(folder, int(size), float(outside))
+    else:
+        main()

@@ -49,9 +49,19 @@ CheckRequest::Cuts cuts_of(const std::string& said) {
   return said == "none" ? CheckRequest::Cuts::None : CheckRequest::Cuts::Auto;
 }
 
-// "positive (486 cells), continuous (no cuts), ..., no overlaps; not asked: surface (--surface)".
+// "no overlaps, 3 charts (45 cut edges, length 3.21); proven: positive (486 cells), ...; not asked:
+// surface (--surface)".
 std::string in_words(const MapCheck& check) {
   const MapProof& proof = check.proof;
+  // Found out whether that was asked or not.
+  std::string text = check.report["result"]["overlaps"].get<std::string>();
+  if (const CutCount& cuts = proof.cuts; cuts.others > 0)
+    text += fmt::format(", {} ({}, length {:.4g}{})", count_text(cuts.charts, "chart"),
+                        count_text(cuts.others, "cut edge"), cuts.length,
+                        check.has_untold_cuts ? ", not told from tears" : "");
+  if (const StackCount& stacked = proof.stacked; stacked.stacks > 0)
+    text += fmt::format(", {} of {}, {} mirrored", count_text(stacked.stacks, "stack"),
+                        count_text(stacked.charts, "chart"), stacked.mirrored);
   std::string proven, open;
   for (const auto& [question, finding] : proof.findings()) {
     if (finding->answer == ProofStatus::Proven)
@@ -59,18 +69,7 @@ std::string in_words(const MapCheck& check) {
     if (finding->answer == ProofStatus::NotAsked && question == "surface")
       open = "; not asked: surface (--surface)";
   }
-  const CutCount& cuts = proof.cuts;
-  if (cuts.others > 0)
-    proven += fmt::format(", {}, length {:.4g}, {}{}", count_text(cuts.others, "cut edge"),
-                          cuts.length, count_text(cuts.charts, "chart"),
-                          check.has_untold_cuts ? ": not told from tears" : "");
-  const StackCount& stacked = proof.stacked;
-  if (stacked.stacks > 0)
-    proven += fmt::format(", {} of {}, {} mirrored", count_text(stacked.stacks, "stack"),
-                          count_text(stacked.charts, "chart"), stacked.mirrored);
-  // Found out whether that was asked or not.
-  return fmt::format("{}, {}{}", proven, check.report["result"]["overlaps"].get<std::string>(),
-                     open);
+  return fmt::format("{}; proven: {}{}", text, proven, open);
 }
 
 // One line: "FILE: valid, degree 3: ...", "FILE: invalid: ..." or "FILE: undecided: ...".

@@ -145,7 +145,7 @@ class OneTear(CommandTest):
         points, faces, uv, copy = self.torn_arrays(1e-6)
         length = math.dist(points[copy], points[neighbour])
         path = self.write('torn.msh', msh_text(points + [points[copy]], uv, faces))
-        self.assertIn(', 1 cut edge, length %.4g, 1 chart: not told from tears' % length,
+        self.assertIn(', 1 chart (1 cut edge, length %.4g, not told from tears)' % length,
                       self.run_ok('check', path).out)
         report = self.path('report.json')
         for setting, told in (('auto', False), ('free', True)):
