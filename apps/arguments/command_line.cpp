@@ -20,7 +20,8 @@ constexpr const char* kDefaultVerb = "unwrap";
 using OtherName = std::pair<const char*, const char*>;
 
 // Names that other tools have for a verb of ours.
-constexpr std::array<OtherName, 6> kOtherVerbs = {{
+constexpr std::array<OtherName, 7> kOtherVerbs = {{
+    {"pack", kDefaultVerb},
     {"flatten", kDefaultVerb},
     {"unfold", kDefaultVerb},
     {"uv", kDefaultVerb},
@@ -30,7 +31,7 @@ constexpr std::array<OtherName, 6> kOtherVerbs = {{
 }};
 
 // And for an option: of several, the first that the verb has.
-constexpr std::array<OtherName, 30> kOtherOptions = {{
+constexpr std::array<OtherName, 35> kOtherOptions = {{
     {"--margin", "--padding"},
     {"--island-margin", "--padding"},
     {"--gutter", "--padding"},
@@ -49,6 +50,11 @@ constexpr std::array<OtherName, 30> kOtherOptions = {{
     {"--stretch", "--max-stretch"},
     {"--max-distortion", "--max-stretch"},
     {"--sharp", "--seams"},
+    {"--angle-limit", "--seams"},
+    {"--pack", "--keep-shape"},
+    {"--pack-only", "--keep-shape"},
+    {"--rotate", "--upright"},
+    {"--rotation", "--upright"},
     {"--cut", "--seams"},
     {"--order", "--degree"},
     {"--injective", "--bijective"},
