@@ -593,9 +593,10 @@ void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {
   say("{}: {}, {} chart{}{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
       "degree {}, {}, {:.2f} s\n",
       run.map.input, status_name(atlas.status()), atlas.charts.size(),
-      atlas.charts.size() == 1 ? "" : "s", on_others, run.map.energy, atlas.value(), seam_length(run.job),
-      seam_length(run.job) / std::sqrt(run.job.surface.mesh->area()), atlas.stretch().l2, fill,
-      run.map.degree, overlap_words(run.job.boundary, ImageOf::Charts), seconds_since(run.start));
+      atlas.charts.size() == 1 ? "" : "s", on_others, run.map.energy, atlas.value(),
+      seam_length(run.job), seam_length(run.job) / std::sqrt(run.job.surface.mesh->area()),
+      atlas.stretch().l2, fill, run.map.degree, overlap_words(run.job.boundary, ImageOf::Charts),
+      seconds_since(run.start));
   const bool is_stacked = run.job.options.stacking != Stacking::None;
   for (const std::string& path : run.outputs.files)
     if (is_map_data(path) && written.has(path))

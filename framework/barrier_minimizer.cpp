@@ -176,10 +176,10 @@ class Phases {
         continue;
       }
       result_.energy = measure().energy;
+      if (left.bound) result_.message += "; the point violates " + words_of(left);
       return !left.bound && went_on();
     }
-    const std::string where = fmt::format("'{}' by {:.3g} at {}{}", left.bound->name(), left.amount,
-                                          left.place, held_back_by(*left.bound));
+    const std::string where = words_of(left) + held_back_by(*left.bound);
     if (no_room)
       refuse(*left.bound, Status::Infeasible,
              "no point meets the bounds, or none nearby if they are not convex: their smallest "
@@ -189,6 +189,10 @@ class Phases {
       refuse(*left.bound, Status::Stalled,
              "no point was found that meets the bounds: the last one violates " + where + kNoProof);
     return false;
+  }
+
+  static std::string words_of(const LargestViolation& v) {
+    return fmt::format("'{}' by {:.3g} at {}", v.bound->name(), v.amount, v.place);
   }
 
   // By relaxed bounds that are tightened, which needs no measure.
@@ -215,6 +219,8 @@ class Phases {
                          held_back_by(violated), kNoProof));
     }
     result_.energy = measure().energy;
+    if (const BarrierChecker* const violated = bounds_.violated(point()))
+      result_.message += fmt::format("; the point violates '{}'", violated->name());
     return false;
   }
 
@@ -278,23 +284,22 @@ class Phases {
   struct RestWeights {
     double energy, barrier;  // that of a barrier is the product of both
   };
-  // The problem with the violation in place of the bounds that are not met, and these weights for
-  // the rest.
+  // The problem with the violation in place of the bounds that have one, and these weights for the
+  // rest.
   Problem with_violations(double margin, const RestWeights& rest) const {
-    const Vec x = problem_.expand(result_.y);
     std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>> terms;
     auto checkers = problem_.checkers();
-    std::vector<TermId> violated;
+    std::vector<TermId> measured;
     for (std::size_t k = 0; k < bounds_.bounds().size(); ++k) {
       const auto& bound = bounds_.bounds()[k];
-      if (bound->check(x).feasible) continue;
-      violated.push_back(barriers_[k]);
+      if (!measure_of(*bound)) continue;
+      measured.push_back(barriers_[k]);
       terms.emplace_back(barriers_[k], measure_of(*bound)->violation(margin));
       std::erase(checkers, bound);
     }
     TermChanges changes;
     for (const TermId id : problem_.terms()) {
-      if (std::find(violated.begin(), violated.end(), id) != violated.end()) continue;
+      if (std::find(measured.begin(), measured.end(), id) != measured.end()) continue;
       changes.emplace_back(id, problem_.state(id));
       changes.back().second.weight *= rest.energy * (is_barrier(id) ? rest.barrier : 1);
     }

@@ -45,8 +45,9 @@ class InverseMap:
 
     A layout without overlaps has exactly one preimage of every point inside and none of those outside.
     A point on an edge or a vertex belongs to the smallest of its faces. Straight faces are decided
-    exactly; of curved ones the iteration is proven to contract, and what lies within rounding of the
-    border counts as inside and is `undecided`. r.evaluate(face, bary) is uv to 1e-12 of the layout.
+    exactly; of curved ones the iteration is proven to contract, and what the rounding of its last digits leaves
+    open counts as inside and is `undecided`. What r.evaluate rounds on the border may lie just outside.
+    r.evaluate(face, bary) is uv to 1e-12 of the layout.
 
     r: a `Map`, of any degree, of charts or seamless. Not for the nearest point of a layout: points outside
     have no preimage; `SurfaceTree` knows what is near in space.

@@ -303,6 +303,61 @@ TEST(BarrierMinimizer, FindsANarrowInside) {
       }
 }
 
+// The part of the unit disk to the right of x = low, and a curved valley in it.
+struct Cap {
+  Problem problem;
+  BarrierMinimizer minimizer{{}};
+
+  explicit Cap(double low, const BarrierOptions& options = {}) {
+    const double none = std::numeric_limits<double>::infinity();
+    const auto right = Bounds(Vec{{low, -none}}, Vec::Constant(2, none)).checker();
+    const auto disk = inequality<1, 2>("disk", Cells{{0}}, [](Index, const auto& z) {
+                        return 1.0 - z.squaredNorm();
+                      }).checker();
+    ProblemBuilder builder(2);
+    builder.add(make_term<2>("valley", Cells{{0, 1}},
+                             [](Index, const auto& z) {
+                               const auto off = (z[1] - z[0] * z[0]).eval();
+                               return (1.0 - z[0]) * (1.0 - z[0]) + 100.0 * off * off;
+                             }),
+                1);
+    const HeldBound held[] = {{builder.add(right->barrier(), 1), right},
+                              {builder.add(disk->barrier(), 1), disk}};
+    builder.add(right).add(disk);
+    problem = builder.build();
+    minimizer = BarrierMinimizer::of_bounds({held[0], held[1]}, {}, options);
+  }
+};
+
+TEST(BarrierMinimizer, DoesNotCreepAlongBoundsThatAreMet) {
+  for (const double low : {0.9, 0.99, 0.999})
+    for (const Vec& start : {Vec{{0, 0}}, Vec{{0, 0.99}}, Vec{{3, 3}}}) {
+      SCOPED_TRACE(testing::Message() << low << " " << start.transpose());
+      const Cap cap(low);
+      const BarrierResult result = cap.minimizer.run(cap.problem, start);
+      EXPECT_EQ(result.status, Status::Converged) << result.message;
+      const double y = std::sqrt(1 - low * low);
+      EXPECT_NEAR(result.y[0], low, 1e-6);
+      EXPECT_NEAR(result.y[1], y, 1e-5);
+      EXPECT_LE(result.iterations.size(), 150);
+    }
+  for (const Vec& start : {Vec{{0, 0}}, Vec{{0.1, 0.2}}, Vec{{3, 1}}}) {
+    const Cap none(2);
+    const BarrierResult result = none.minimizer.run(none.problem, start);
+    EXPECT_EQ(result.status, Status::Infeasible) << start.transpose() << ": " << result.message;
+  }
+}
+
+TEST(BarrierMinimizer, SaysWhatALimitLeavesViolated) {
+  BarrierOptions few;
+  few.newton.stopping.max_iterations = 1;
+  const Cap cap(0.99, few);
+  const BarrierResult result = cap.minimizer.run(cap.problem, Vec::Zero(2));
+  EXPECT_EQ(result.status, Status::MaxIterations);
+  EXPECT_NE(result.message.find("; the point violates 'bounds' by "), std::string::npos)
+      << result.message;
+}
+
 TEST(BarrierMinimizer, SaysByHowMuchBoundsContradictEachOther) {
   const Slit slit(1.25);
   for (const double start : {0.0, 5.0}) {  // 1 - x^2 >= 0 holds, and x >= 1.25
