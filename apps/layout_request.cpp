@@ -84,6 +84,12 @@ void LayoutRequest::add_to(CLI::App& verb) {
   verb.add_flag("--keep-shape", keep_shape,
                 "pack only: the islands of --seams uv are moved and turned, all at one scale")
       ->excludes("--no-pack");
+  verb.add_option(
+          "--objects", objects,
+          "separate: every object of an OBJ (o), or mesh of a glTF, has a layout of its own "
+          "in the unit square, as if it were alone; together (default): there is one")
+      ->check(one_of({"together", "separate"}))
+      ->excludes("--no-pack");
   verb.add_flag("--groups", groups, "OBJ: a group for every chart, chart_0 and on");
 }
 
@@ -116,6 +122,7 @@ Json LayoutRequest::to_json() const {
           {"texel_density", density ? Json(*density) : Json(texel_density)},
           {"stack", stack},
           {"keep_shape", keep_shape},
+          {"objects", objects},
           {"groups", groups}};
 }
 

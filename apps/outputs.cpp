@@ -196,6 +196,8 @@ void WrittenFiles::write(const std::string& path, const std::function<void()>& w
   entries_.push_back(std::move(entry));
 }
 
+void WrittenFiles::add(const std::string& path) { entries_.push_back({path, "", kSuccess}); }
+
 bool WrittenFiles::has(const std::string& path) const {
   return std::any_of(entries_.begin(), entries_.end(),
                      [&](const Entry& e) { return e.path == path && e.code == kSuccess; });

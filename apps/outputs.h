@@ -47,6 +47,8 @@ class WrittenFiles {
  public:
   // Calls write() and remembers what it throws.
   void write(const std::string& path, const std::function<void()>& write);
+  // Remembers one that is written with another one.
+  void add(const std::string& path);
   bool has(const std::string& path) const;
   // "wrote a.vtu (12.3 kB), a.svg (4.5 MB)" on stderr; nothing where nothing was written.
   void say_sizes() const;  // written, and as it should be

@@ -35,11 +35,13 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
+#include "majorant/io/mesh_objects.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/results/atlas_job.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/model_texture.h"
 #include "majorant/results/obj_layout.h"
+#include "majorant/results/object_layouts.h"
 
 namespace majorant::app {
 namespace {
@@ -289,18 +291,31 @@ struct UnwrapVerb {
   UnwrapRequest unwrap;
 };
 
-// The output that the texture moves to: of the kind of the input; null where there is none.
+// The output that the texture moves to: of the kind of the input; null where there is none. Throws
+// Error(Usage) for several.
 const std::string* baked_output(const UnwrapVerb& request) {
-  const std::string input = format_of(request.map.input);
-  const auto is_same_kind = [&](const std::string& path) {
-    return input == ".obj" ? extension(path) == ".obj" : is_gltf(path);
-  };
-  const std::vector<std::string>& files = request.outputs.files;
-  const auto found = std::find_if(files.begin(), files.end(), is_same_kind);
-  return found == files.end() || !may_have_texture(request.map.input) ? nullptr : &*found;
+  if (!may_have_texture(request.map.input)) return nullptr;
+  const bool is_obj = format_of(request.map.input) == ".obj";
+  const std::string* model = nullptr;
+  for (const std::string& path : request.outputs.files) {
+    if (is_obj ? extension(path) != ".obj" : !is_gltf(path)) continue;
+    if (model != nullptr)
+      throw Error(ErrorKind::Usage,
+                  fmt::format("--bake moves the texture to one model, not to {} and {}; leave one "
+                              "of the two out",
+                              *model, path));
+    model = &path;
+  }
+  return model;
 }
 
-// What --bake needs, and the files that it writes beside the model.
+// The files that --bake writes beside the model.
+std::vector<std::string> files_beside(const std::string& model) {
+  if (extension(model) != ".obj") return {};
+  return {texture_file(model), material_file(model)};
+}
+
+// The same of a request. Throws Error(Usage) for what --bake cannot do.
 std::vector<std::string> baked_files(const UnwrapVerb& request) {
   if (!request.unwrap.bake) return {};
   const std::string* const model = baked_output(request);
@@ -308,8 +323,7 @@ std::vector<std::string> baked_files(const UnwrapVerb& request) {
     throw Error(ErrorKind::Usage,
                 "--bake moves the texture of an OBJ to an OBJ, that of a GLB or glTF to one of "
                 "these: -o OUT.obj, or -o OUT.glb");
-  if (extension(*model) != ".obj") return {};
-  return {texture_file(*model), material_file(*model)};
+  return files_beside(*model);
 }
 
 Json options_of(const UnwrapVerb& request) {
@@ -384,8 +398,39 @@ void require_stackable(const UnwrapVerb& request) {
                   fmt::format("{}: gmsh's files hold one layer; leave it, or --stack, out", path));
 }
 
+// Every object is unwrapped as if it were alone: what is said of the vertices and faces of the
+// file, or of one square, says nothing then.
+void require_objects(const UnwrapVerb& request) {
+  const LayoutRequest& layout = request.unwrap.layout;
+  if (!layout.is_of_objects()) return;
+  const auto refuse = [](std::string_view flag) {
+    throw Error(ErrorKind::Usage,
+                fmt::format("--objects separate gives every object the unit square, by itself: not "
+                            "with {}; leave one of the two out",
+                            flag));
+  };
+  if (request.map.degree > 1) refuse("--degree above 1");
+  if (!request.map.pins.empty()) refuse("--pins");
+  if (!request.map.handles.empty()) refuse("--handles");
+  if (!request.map.weights.empty()) refuse("--weights");
+  if (!request.unwrap.seams.file().empty()) refuse("a FILE of --seams");
+  if (weld_distance(request.unwrap.weld)) refuse("a DISTANCE of --weld");
+  if (request.unwrap.scale == "model") refuse("--scale model");
+  if (request.unwrap.bake) refuse("--bake");
+  if (layout.stack != "no") refuse("--stack");
+  if (const std::string flag = layout.needs_unit_square(); !flag.empty()) refuse(flag);
+  if (!request.outputs.distortion.empty()) refuse("--distortion");
+  for (const std::string& path : request.outputs.files)
+    if (extension(path) != ".obj" && !is_gltf(path) && extension(path) != ".json")
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: --objects separate is of formats that have objects, .obj, .glb "
+                              "and .gltf; leave it, or the option, out",
+                              path));
+}
+
 void require_layout(const UnwrapVerb& request) {
   const LayoutRequest& layout = request.unwrap.layout;
+  require_objects(request);
   require_islands(request);
   if (request.unwrap.bake && layout.udim > 0)
     throw Error(ErrorKind::Usage,
@@ -494,12 +539,6 @@ MapPage page_of(const FinishedUnwrap& run) {
   return page;
 }
 
-void bake(const FinishedUnwrap& run, const std::string& model, const FileVerification& verify) {
-  or_interrupted("baking the texture of " + model, [&] {
-    bake_texture(*run.texture, *run.job.polygons, model, verify, run.job.record.stop());
-  });
-}
-
 void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
   FaceDistortion table;
   const MapFile file = atlas_file(run.job, &table);
@@ -517,16 +556,22 @@ void write_maps(const FinishedUnwrap& run, WrittenFiles& written) {
         PolygonMesh marked;
         if (is_marked) marked = marked_polygons(run, path, file);
         const FileVerification verify = proof_of_file(path, promise(run.job, path), file, formats);
-        write_map(path, file, is_marked ? &marked : run.job.polygons.get(), formats, verify);
-        if (is_baked && !is_obj) bake(run, path, verify);
+        const PolygonMesh& polygons = is_marked ? marked : *run.job.polygons;
+        if (is_baked)
+          or_interrupted("baking the texture of " + path, [&] {
+            write_textured(path, {file, polygons, formats, verify}, *run.job.polygons, *run.texture,
+                           run.job.record.stop());
+          });
+        else
+          write_map(path, file, &polygons, formats, verify);
         if (run.common.quiet) return;
         std::vector<std::string> left = left_out(path, file, formats, run.job.polygons.get());
         if (is_obj)
           for (std::string& what : replaced(run)) left.push_back(std::move(what));
         say_left_out(path, left);
       });
-  if (run.baked != nullptr && extension(*run.baked) == ".obj" && written.has(*run.baked))
-    written.write(texture_file(*run.baked), [&] { bake(run, *run.baked, {}); });
+  if (run.baked != nullptr && written.has(*run.baked))
+    for (const std::string& path : files_beside(*run.baked)) written.add(path);
 }
 
 void write_reports(const FinishedUnwrap& run, double write_seconds, WrittenFiles& written) {
@@ -617,30 +662,12 @@ int write_atlas(const FinishedUnwrap& run) {
   return written.conclude(exit_code(run.job.atlas.status()));
 }
 
-int unwrap_file(UnwrapVerb request) {
-  const auto start = std::chrono::steady_clock::now();
-  Progress progress(request.common, {Activity::Reading, Activity::Cutting, Activity::Solving,
-                                     Activity::Packing, Activity::Proving, Activity::Writing});
-  RunRecord record = request.solve.make_record(progress);
-  require_usable(request, record.start_stop());
-  const ThreadCount threads(usable_threads(request.common.threads));
-  AtlasJob job(record);
-  std::optional<ModelTexture> texture;
+// The charts of a mesh, in place and proven.
+void unwrap_mesh(const UnwrapVerb& request, PolygonMesh polygons, Strictness strictness,
+                 LinearSolvers& solvers, AtlasJob& job) {
+  const RunRecord& record = job.record;
   job.energy = request.map.energy;
-  record.begin(Activity::Reading);
   or_interrupted("reading " + request.map.input, [&] {
-    const Strictness strictness = request.common.strictness(
-        request.unwrap.keep_seams ? Strictness::Texcoords : request.unwrap.seams.needed_of_file());
-    PolygonMesh polygons = within_memory(request.map.input, [&] {
-      return read_mesh(request.map.input, record.start_stop(), strictness);
-    });
-    say_warnings(polygons.warnings);
-    request.outputs.require_materials(polygons);
-    if (request.unwrap.bake) {
-      texture = within_memory(request.map.input,
-                              [&] { return read_texture(polygons, record.start_stop()); });
-      say_warnings(texture->warnings);
-    }
     request.unwrap.open(job, std::move(polygons), strictness);
     job.options.chart = read_options(request.map, *job.polygons, *job.surface.mesh,
                                      record.start_stop(), job.surface.welded);
@@ -648,8 +675,6 @@ int unwrap_file(UnwrapVerb request) {
   });
   request.solve.apply(job.options.chart);
   job.options.cutting_seconds = kCuttingShare * request.solve.time_limit;
-  LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,
-                        LinearSolvers::Runs::Several);
   solvers.apply(job.options.chart.solve);
   job.read_seconds = record.seconds();
   or_interrupted("unwrapping " + request.map.input, [&] { job.solve(); });
@@ -665,6 +690,147 @@ int unwrap_file(UnwrapVerb request) {
   job.linear_solver = solvers.section();
   job.memory = solvers.memory();
   job.prove();
+}
+
+// The objects of a file, each unwrapped by itself.
+class ObjectsRun {
+ public:
+  ObjectsRun(const UnwrapVerb& request, PolygonMesh polygons, Strictness strictness,
+             LinearSolvers& solvers, RunRecord& record)
+      : request_(request),
+        polygons_(std::move(polygons)),
+        strictness_(strictness),
+        solvers_(solvers),
+        record_(record) {}
+
+  void solve() {
+    const MeshObjects objects = objects_of(polygons_);
+    for (Index k = 0; k < objects.count(); ++k) {
+      ObjectMesh object = object_mesh(polygons_, objects, k);
+      const std::string& name = objects.names[to_size(k)];
+      object.mesh.file = fmt::format(
+          "{}: {}", polygons_.file,
+          name.empty() ? fmt::format("object {}", k + 1) : fmt::format("object '{}'", name));
+      AtlasJob job(record_);
+      unwrap_mesh(request_, object.mesh, strictness_, solvers_, job);
+      const Status status = job.atlas.status();
+      if (exit_code(status) > exit_code(worst_) || k == 0) worst_ = status;
+      const Json report = atlas_report(job);
+      Json& section = sections_.emplace_back(Json{{"name", name}});
+      for (const char* const key : {"status", "input", "repairs", "result", "charts"})
+        section[key] = report[key];
+      lines_.push_back(fmt::format(
+          "{}: {}, {}, {} {:.6f}, stretch {:.4f}, fill {:.2f}, {}\n", object.mesh.file,
+          status_name(status), count_text(static_cast<Index>(job.atlas.charts.size()), "chart"),
+          request_.map.energy, job.atlas.value(), job.atlas.stretch().l2, job.atlas.packing->fill,
+          overlap_words(job.boundary, ImageOf::Charts)));
+      asked_ = job.asked;
+      if (status != Status::Failed) layouts_.push_back({atlas_file(job), std::move(object)});
+    }
+  }
+
+  // Returns the exit code.
+  int write(std::chrono::steady_clock::time_point start, Progress& progress) {
+    const double before = seconds_since(start);
+    WrittenFiles written;
+    record_.begin(Activity::Writing);
+    if (worst_ != Status::Failed) write_maps(written);
+    write_reports(before, start, written);
+    progress.finish();
+    if (!request_.common.quiet && worst_ != Status::Failed) {
+      written.say_sizes();
+      for (const std::string& line : lines_) say_text(line);
+      for (const std::string& path : request_.outputs.files)
+        if (is_map_data(path) && written.has(path))
+          say("proof: majorant check {} --certify --objects separate\n", path);
+    }
+    return written.conclude(exit_code(worst_));
+  }
+
+ private:
+  void write_maps(WrittenFiles& written) {
+    const MapFile file = map_of_objects(std::move(layouts_));
+    PolygonMesh grouped;
+    if (request_.unwrap.layout.groups)
+      grouped = with_chart_groups(polygons_, chart_of_polygons(file, polygons_));
+    for (const std::string& path : request_.outputs.files) {
+      if (extension(path) == ".json") continue;
+      written.write(path, [&] {
+        const bool is_grouped = request_.unwrap.layout.groups && extension(path) == ".obj";
+        write_map(path, file, is_grouped ? &grouped : &polygons_, request_.outputs.formats,
+                  proof_of_objects(path, polygons_));
+        if (!request_.common.quiet)
+          say_left_out(path, left_out(path, file, request_.outputs.formats, &polygons_));
+      });
+    }
+  }
+
+  void write_reports(double before, std::chrono::steady_clock::time_point start,
+                     WrittenFiles& written) {
+    std::vector<std::string> paths;
+    if (!request_.common.report.empty()) paths.push_back(request_.common.report);
+    for (const std::string& path : request_.outputs.files)
+      if (extension(path) == ".json") paths.push_back(path);
+    for (const std::string& path : paths) {
+      const Json report{
+          {"schema_version", 1},
+          {"version", MAJORANT_VERSION},
+          {"command", "unwrap"},
+          {"status", status_name(worst_)},
+          {"message", ""},
+          {"warnings", polygons_.warnings},
+          {"options", asked_},
+          {"objects", sections_},
+          {"outputs", written.to_json()},
+          {"seconds", {{"write", seconds_since(start) - before}, {"total", seconds_since(start)}}}};
+      written.write(path, [&] { write_json(path, report); });
+    }
+  }
+
+  const UnwrapVerb& request_;
+  const PolygonMesh polygons_;
+  const Strictness strictness_;
+  LinearSolvers& solvers_;
+  RunRecord& record_;
+  std::vector<ObjectLayout> layouts_;
+  std::vector<std::string> lines_;  // that sum up, by object
+  Json sections_ = Json::array(), asked_;
+  Status worst_ = Status::Converged;
+};
+
+int unwrap_file(UnwrapVerb request) {
+  const auto start = std::chrono::steady_clock::now();
+  Progress progress(request.common, {Activity::Reading, Activity::Cutting, Activity::Solving,
+                                     Activity::Packing, Activity::Proving, Activity::Writing});
+  RunRecord record = request.solve.make_record(progress);
+  require_usable(request, record.start_stop());
+  const ThreadCount threads(usable_threads(request.common.threads));
+  const Strictness strictness = request.common.strictness(
+      request.unwrap.keep_seams ? Strictness::Texcoords : request.unwrap.seams.needed_of_file());
+  std::optional<ModelTexture> texture;
+  record.begin(Activity::Reading);
+  PolygonMesh polygons = or_interrupted("reading " + request.map.input, [&] {
+    PolygonMesh mesh = within_memory(request.map.input, [&] {
+      return read_mesh(request.map.input, record.start_stop(), strictness);
+    });
+    say_warnings(mesh.warnings);
+    request.outputs.require_materials(mesh);
+    if (request.unwrap.bake) {
+      texture =
+          within_memory(request.map.input, [&] { return read_texture(mesh, record.start_stop()); });
+      say_warnings(texture->warnings);
+    }
+    return mesh;
+  });
+  LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,
+                        LinearSolvers::Runs::Several);
+  if (request.unwrap.layout.is_of_objects()) {
+    ObjectsRun run(request, std::move(polygons), strictness, solvers, record);
+    run.solve();
+    return run.write(start, progress);
+  }
+  AtlasJob job(record);
+  unwrap_mesh(request, std::move(polygons), strictness, solvers, job);
   return write_atlas({request.common, request.outputs, request.map, job, start, progress, texture,
                       texture ? baked_output(request) : nullptr, request.unwrap.layout});
 }

@@ -16,7 +16,6 @@
 #include "majorant/certify/internal/match_tolerance.h"
 #include "majorant/certify/internal/repaired_match.h"
 #include "majorant/certify/internal/surface_match.h"
-#include "majorant/certify/stacked_charts.h"
 #include "majorant/constraints/sector_angle.h"
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/element_space.h"
@@ -160,14 +159,10 @@ std::string describe(const GlobalInjectivity& proof, const CornerNames& input_ve
 // Asks one question after the other; later ones build on earlier answers.
 class MapProof::Judge {
  public:
-  // is_upper: flags of cells, of charts that lie on others; empty: none does.
+  // stacks: of the cells, mirrored charts turned back; null: no chart lies on another.
   Judge(MapProof& proof, const MapFile& file, const std::string& name, const ProofRequest& request,
-        std::vector<char> is_upper)
-      : proof_(proof),
-        file_(file),
-        name_(name),
-        request_(request),
-        is_upper_(std::move(is_upper)) {}
+        const StackedCharts* stacks)
+      : proof_(proof), file_(file), name_(name), request_(request), stacks_(stacks) {}
 
   void run() {
     try {
@@ -185,7 +180,7 @@ class MapProof::Judge {
     judge_cuts();
     judge_angles();
     try {
-      proof_.map_ = cut_->map_cut_along(cut_->cuts());
+      proof_.map_ = cut_->map_cut_along(borders());
     } catch (const Error& e) {  // an edge is open whose ends are not
       if (proof_.continuous.answer == ProofStatus::Proven)
         proof_.continuous = {ProofStatus::Undecided, problem_of(e)};
@@ -420,20 +415,64 @@ class MapProof::Judge {
       proof_.angles.detail += ", " + count_text(static_cast<Index>(proof_.cones.size()), "cone");
   }
 
-  // Of charts that lie on each other one alone.
-  BoundaryLoops lowest_of(const BoundaryLoops& all) const {
-    BoundaryLoops lowest;
-    std::map<Index, Index> number;
-    for (const BoundaryLoop& loop : all.loops) {
-      if (is_upper_[face_of(all.half_edge[loop.first])]) continue;
-      const Index chart =
-          number.try_emplace(loop.chart, static_cast<Index>(number.size())).first->second;
-      const auto first = static_cast<std::ptrdiff_t>(loop.first), last = std::ptrdiff_t{loop.last};
-      lowest.charts = static_cast<Index>(number.size());
-      lowest.add_loop(chart, {all.curves.begin() + first, all.curves.begin() + last},
-                      {all.half_edge.begin() + first, all.half_edge.begin() + last});
+  // Half-edges that differ, those between layers, and those between charts of stacks: the sides of
+  // a fold may agree where one is turned back.
+  std::vector<char> borders() const {
+    std::vector<char> is_cut = cut_->cuts();
+    const SurfaceMesh& surface = cut_->surface();
+    for (Index h = 0; h < surface.half_edge_count(); ++h) {
+      const Index other = surface.opposite(h);
+      if (other < 0) continue;
+      const Index cell = face_of(h), beyond = face_of(other);
+      if (layer(cell) != layer(beyond) ||
+          (stacks_ && stacks_->chart[cell] != stacks_->chart[beyond]))
+        is_cut[h] = 1;
     }
-    return lowest;
+    return is_cut;
+  }
+
+  Index layer(Index cell) const { return request_.layers.empty() ? 0 : request_.layers[cell]; }
+  bool is_upper(Index cell) const {
+    return stacks_ && !stacks_->is_first[to_size(stacks_->chart[cell])];
+  }
+
+  // By layer; of charts that lie on each other one alone.
+  std::map<Index, BoundaryLoops> layers_of(const BoundaryLoops& all) const {
+    std::map<Index, BoundaryLoops> layers;
+    std::map<Index, Index> number;  // in its layer, of a chart
+    for (const BoundaryLoop& loop : all.loops) {
+      const Index cell = face_of(all.half_edge[loop.first]);
+      if (is_upper(cell)) continue;
+      BoundaryLoops& layer_loops = layers[layer(cell)];
+      const auto [chart, is_new] = number.try_emplace(loop.chart, layer_loops.charts);
+      layer_loops.charts += is_new;
+      const auto first = static_cast<std::ptrdiff_t>(loop.first), last = std::ptrdiff_t{loop.last};
+      layer_loops.add_loop(chart->second, {all.curves.begin() + first, all.curves.begin() + last},
+                           {all.half_edge.begin() + first, all.half_edge.begin() + last});
+    }
+    return layers;
+  }
+
+  // That of the first layer that overlaps, else of the first that is not decided, with the work of
+  // all.
+  static GlobalInjectivity worst_of_layers(const std::map<Index, BoundaryLoops>& layers,
+                                           const InjectivityOptions& options) {
+    const auto rank = [](ProofStatus s) {
+      return s == ProofStatus::Violated ? 2 : s == ProofStatus::Undecided ? 1 : 0;
+    };
+    GlobalInjectivity worst, work;
+    worst.result = ProofStatus::Proven;
+    for (const auto& [unused, loops] : layers) {
+      GlobalInjectivity proof = check_layout(loops, options);
+      work.pairs_tested += proof.pairs_tested;
+      work.pairs_left += proof.pairs_left;
+      work.subdivisions += proof.subdivisions;
+      if (rank(proof.result) > rank(worst.result)) worst = std::move(proof);
+    }
+    worst.pairs_tested = work.pairs_tested;
+    worst.pairs_left = work.pairs_left;
+    worst.subdivisions = work.subdivisions;
+    return worst;
   }
 
   void judge_overlaps(const BezierMap& plain) {
@@ -443,15 +482,15 @@ class MapProof::Judge {
         proof_.injective = stopped_finding();
       return;
     }
-    const auto check = [&](const BezierMap& map) {
-      const InjectivityOptions options{.stopped = [this] { return is_stopped(); }};
-      proof_.global = is_upper_.empty() ? check_boundary(map, options)
-                                        : check_layout(lowest_of(boundary_loops(map)), options);
-    };
-    check(plain);
-    if (proof_.global->result != ProofStatus::Proven)
-      if (const std::optional<BezierMap> one = is_upper_.empty() ? glued(plain) : std::nullopt)
-        check(*one);
+    const InjectivityOptions options{.stopped = [this] { return is_stopped(); }};
+    if (stacks_ || !request_.layers.empty()) {
+      proof_.global = worst_of_layers(layers_of(boundary_loops(plain)), options);
+    } else {
+      proof_.global = check_boundary(plain, options);
+      if (proof_.global->result != ProofStatus::Proven)
+        if (const std::optional<BezierMap> one = glued(plain))
+          proof_.global = check_boundary(*one, options);
+    }
     if (request_.overlap == ProofRequest::Overlap::Reported) return;
     const SurfaceMesh& mesh = plain.mesh();  // faces are those of the glued one
     const std::string reason = describe(*proof_.global, [&](Index face, Index corner) {
@@ -481,7 +520,7 @@ class MapProof::Judge {
   const MapFile& file_;
   const std::string& name_;
   const ProofRequest& request_;
-  const std::vector<char> is_upper_;
+  const StackedCharts* const stacks_;
   std::optional<CutMap> cut_;
   std::vector<char> is_free_;  // half-edges of the surface that are cut and no seam
 };
@@ -501,18 +540,13 @@ MapProof::MapProof(const MapFile& file, const std::string& name, const ProofRequ
 }
 
 void MapProof::judge(const MapFile& file, const std::string& name, const ProofRequest& request) {
-  StackedCharts stacks;
   try {
-    if (request.stacks == ProofRequest::Stacks::Allowed) stacks = find_stacks(file, name);
+    if (request.stacks == ProofRequest::Stacks::Allowed && request.layers.empty())
+      stacks = find_stacks(file, name);
   } catch (const Error&) {  // cells that cannot be put together: a finding
   }
-  stacked.stacks = stacks.stacks;
-  stacked.mirrored = stacks.mirrored;
-  for (const Index stack : stacks.stack) stacked.charts += stack >= 0;
-  if (stacks.stacks == 0) return Judge(*this, file, name, request, {}).run();
-  std::vector<char> is_upper;
-  for (const Index chart : stacks.chart) is_upper.push_back(!stacks.is_first[to_size(chart)]);
-  Judge(*this, turned_back(file, stacks), name, request, std::move(is_upper)).run();
+  if (stacks.stacks == 0) return Judge(*this, file, name, request, nullptr).run();
+  Judge(*this, turned_back(file, stacks), name, request, &stacks).run();
 }
 
 ProofStatus MapProof::verdict() const {

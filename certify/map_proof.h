@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "majorant/certify/global_injectivity.h"
+#include "majorant/certify/stacked_charts.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/maps/map_file.h"
@@ -58,6 +59,9 @@ struct ProofRequest {
   // Allowed: charts may lie exactly on others, mirrored ones, too: that is no
   // overlap, and what is proven is the map with mirrored charts turned back.
   enum class Stacks { Forbidden, Allowed } stacks = Stacks::Forbidden;
+  // By cell, or empty: charts of different layers may lie on each other, those of one layer not,
+  // whatever `stacks` says. A chart that is in two layers counts as two.
+  std::vector<Index> layers = {};
   // Compared: vertices and input_face of the file must be those of the surface. A .vtu has a cell
   // for every face and names it; an .obj may have pieces of faces, with vertices of their own, and
   // its labels are ignored.
@@ -70,11 +74,6 @@ struct CutCount {
   Index seams = 0, others = 0;
   double length = 0;  // of both on the surface, model units
   Index charts = 1;
-};
-
-// Charts that lie on others.
-struct StackCount {
-  Index stacks = 0, charts = 0, mirrored = 0;  // charts: in stacks
 };
 
 // Number, in the input, of the vertex at corner 0, 1, 2 of a face of the map.
@@ -104,7 +103,7 @@ class MapProof {
   Finding injective;   // nothing overlaps or touches
 
   CutCount cuts;
-  StackCount stacked;                       // where stacks are allowed
+  StackedCharts stacks;                     // where they are allowed
   std::vector<Index> not_positive;          // cells, inverted or undecided
   std::vector<Cone> cones;                  // vertices of the input; of CutRule::Seams
   std::optional<GlobalInjectivity> global;  // when overlaps were asked for

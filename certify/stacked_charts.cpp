@@ -3,24 +3,23 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "majorant/certify/cut_map.h"
 #include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {
 
 using Point = std::pair<double, double>;
-using Edge = std::vector<Point>;  // control points, the smaller end first
-using Outline = std::vector<Edge>;
 
-Point point(const MapFile& file, Index cell, Index local) {
-  const Index p = file.cells(cell, local);
-  return {file.uv(p, 0), file.uv(p, 1)};
-}
+// A side of a polygon: its control points, ends included, and whether the chart goes on beyond.
+using PolygonSide = std::pair<std::vector<Point>, bool>;
+using PolygonSides = std::vector<PolygonSide>;
+using Outline = std::vector<PolygonSides>;
 
 Vector2 corner(const MapFile& file, Index cell, Index k) {
   return file.uv.row(file.cells(cell, k));
@@ -31,77 +30,118 @@ double doubled_area(const MapFile& file, Index cell) {
   return cross(Vector2(corner(file, cell, 1) - origin), Vector2(corner(file, cell, 2) - origin));
 }
 
-// Half-edge h of the cells.
-Edge edge_points(const MapFile& file, Index h) {
-  Edge edge;
-  for (const int local : bezier_edge_points(file.degree, corner_of(h)))
-    edge.push_back(point(file, face_of(h), local));
-  if (edge.back() < edge.front()) std::reverse(edge.begin(), edge.end());
-  return edge;
+// The least of all rotations.
+PolygonSides turned_to_least(PolygonSides cycle) {
+  const std::size_t count = cycle.size();
+  std::size_t first = 0, other = 1, alike = 0;  // two starts, and sides that follow both
+  while (std::max(first, other) < count && alike < count) {
+    const PolygonSide& a = cycle[(first + alike) % count];
+    const PolygonSide& b = cycle[(other + alike) % count];
+    if (a == b) {
+      ++alike;
+      continue;
+    }
+    (b < a ? first : other) += alike + 1;  // no start among these sides is least
+    if (first == other) ++other;
+    alike = 0;
+  }
+  const auto least = static_cast<std::ptrdiff_t>(std::min(first, other));
+  std::rotate(cycle.begin(), cycle.begin() + least, cycle.end());
+  return cycle;
+}
+
+// Equal for cycles that differ in where they begin, and in their sense.
+PolygonSides canonical(const PolygonSides& cycle) {
+  PolygonSides reversed(cycle.rbegin(), cycle.rend());
+  for (auto& [points, goes_on] : reversed) std::reverse(points.begin(), points.end());
+  return std::min(turned_to_least(cycle), turned_to_least(std::move(reversed)));
 }
 
 class Charts {
  public:
-  Charts(const MapFile& file, const std::string& name)
-      : file_(file), cut_(file, name), parent_(static_cast<std::size_t>(file.cells.rows())) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-    const SurfaceMesh& surface = cut_.surface();
-    for (Index h = 0; h < surface.half_edge_count(); ++h)
-      if (surface.opposite(h) > h && !divides(h)) join(face_of(h), face_of(surface.opposite(h)));
-    std::vector<Index> number(parent_.size(), -1);
-    for (Index c = 0; c < file.cells.rows(); ++c) {
-      Index& known = number[to_size(root(c))];
+  Charts(const MapFile& file, const std::string& name) : file_(file), cut_(file, name) {
+    UnionFind pieces(cells());
+    for (Index h = 0; h < surface().half_edge_count(); ++h) {
+      goes_on_.push_back(is_inside_of_chart(h));
+      if (goes_on_.back()) pieces.join(face_of(h), face_of(surface().opposite(h)));
+    }
+    std::vector<Index> number(to_size(cells()), -1);
+    for (Index c = 0; c < cells(); ++c) {
+      Index& known = number[to_size(pieces.find(c))];
       if (known < 0) known = count_++;
       chart_.push_back(known);
     }
+    find_polygons();
   }
 
   Index count() const { return count_; }
   const std::vector<Index>& of_cells() const { return chart_; }
 
-  // By chart: its edges that are not inside of a polygon, in an order of their own.
+  // By chart: its polygons, in an order of their own.
   std::vector<Outline> outlines() const {
     std::vector<Outline> list(to_size(count_));
-    const SurfaceMesh& surface = cut_.surface();
-    for (Index h = 0; h < surface.half_edge_count(); ++h) {
-      const Index other = surface.opposite(h);
-      const bool is_inner = other >= 0 && chart_[face_of(h)] == chart_[face_of(other)];
-      if (is_inner && (other < h || is_in_polygon(h, other))) continue;
-      list[to_size(chart_[face_of(h)])].push_back(edge_points(file_, h));
+    std::vector<char> is_done(is_in_polygon_);
+    for (Index first = 0; first < surface().half_edge_count(); ++first) {
+      if (is_done[first]) continue;
+      PolygonSides cycle;
+      Index h = first;
+      do {
+        is_done[h] = 1;
+        cycle.push_back(side(h));
+        for (h = next(h); is_in_polygon_[h];) h = next(surface().opposite(h));
+      } while (h != first);
+      list[to_size(chart_[face_of(first)])].push_back(canonical(cycle));
     }
     for (Outline& outline : list) std::sort(outline.begin(), outline.end());
     return list;
   }
 
  private:
+  const SurfaceMesh& surface() const { return cut_.surface(); }
+  Index cells() const { return static_cast<Index>(file_.cells.rows()); }
+
   // Sides of a fold agree, and one of them has its other side up.
-  bool divides(Index h) const {
-    if (cut_.differs(h) || cut_.is_unshared(h)) return true;
-    return side_of(face_of(h)) * side_of(face_of(cut_.surface().opposite(h))) < 0;
+  bool is_inside_of_chart(Index h) const {
+    const Index other = surface().opposite(h);
+    return other >= 0 && !cut_.differs(h) && side_of(face_of(h)) * side_of(face_of(other)) >= 0;
   }
 
   int side_of(Index cell) const {
     return orientation(corner(file_, cell, 0), corner(file_, cell, 1), corner(file_, cell, 2));
   }
 
-  bool is_in_polygon(Index h, Index other) const {
-    return file_.input_face.size() > 0 &&
-           file_.input_face[face_of(h)] == file_.input_face[face_of(other)];
+  PolygonSide side(Index h) const {
+    PolygonSide side{{}, goes_on_[h] != 0};
+    for (const int local : bezier_edge_points(file_.degree, corner_of(h))) {
+      const Index p = file_.cells(face_of(h), local);
+      side.first.emplace_back(file_.uv(p, 0), file_.uv(p, 1));
+    }
+    return side;
   }
 
-  Index root(Index cell) {
-    while (parent_[to_size(cell)] != cell)
-      cell = parent_[to_size(cell)] = parent_[to_size(parent_[to_size(cell)])];
-    return cell;
-  }
-  void join(Index a, Index b) {
-    const Index first = root(a), second = root(b);
-    parent_[to_size(std::max(first, second))] = std::min(first, second);
+  // Cells that hang together like a tree are a disc without a vertex inside, whoever named them.
+  void find_polygons() {
+    is_in_polygon_.assign(goes_on_.size(), 0);
+    if (file_.input_face.size() == 0) return;
+    UnionFind polygons(cells());
+    std::vector<Index> closing;  // half-edges between cells that hung together before
+    for (Index h = 0; h < surface().half_edge_count(); ++h) {
+      if (!goes_on_[h]) continue;
+      const Index opposite = surface().opposite(h), cell = face_of(h), other = face_of(opposite);
+      is_in_polygon_[h] = file_.input_face[cell] == file_.input_face[other];
+      if (h < opposite && is_in_polygon_[h] && !polygons.join(cell, other)) closing.push_back(h);
+    }
+    std::vector<char> is_tree(to_size(cells()), 1);  // by the first cell of the polygon
+    for (const Index h : closing) is_tree[polygons.find(face_of(h))] = 0;
+    for (Index h = 0; h < surface().half_edge_count(); ++h)
+      if (!is_tree[polygons.find(face_of(h))]) is_in_polygon_[h] = 0;
   }
 
   const MapFile& file_;
   CutMap cut_;
-  std::vector<Index> parent_, chart_;
+  std::vector<Index> chart_;
+  std::vector<char> goes_on_;        // by half-edge: whether the chart does, beyond
+  std::vector<char> is_in_polygon_;  // by half-edge: whether the polygon does
   Index count_ = 0;
 };
 
@@ -129,12 +169,15 @@ StackedCharts find_stacks(const MapFile& file, const std::string& name) {
   for (const std::vector<std::size_t>* const list : stacks) {
     const bool has_upper =
         std::any_of(list->begin(), list->end(), [&](std::size_t k) { return area[k] > 0; });
+    bool has_first = false;
     for (const std::size_t k : *list) {
       out.stack[k] = out.stacks;
-      out.is_first[k] = k == list->front();
       out.is_mirrored[k] = has_upper && area[k] < 0;
+      out.is_first[k] = !has_first && !out.is_mirrored[k];
+      has_first = has_first || out.is_first[k];
       out.mirrored += out.is_mirrored[k];
     }
+    out.stacked += static_cast<Index>(list->size());
     ++out.stacks;
   }
   return out;

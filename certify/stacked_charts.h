@@ -6,8 +6,11 @@
 //
 // A chart may lie on another one as it is, or mirrored, with its other side up: what is shown there
 // is shown by both. Of charts that lie on each other one is looked at for overlaps, and all that
-// holds of a layout is proven of the one in which mirrored charts are turned back. Decided by the
-// digits alone, whatever a file claims.
+// holds of a layout is proven of the one in which mirrored charts are turned back.
+//
+// Charts of equal polygons, all positive, cover every point equally often: a disc does as often as
+// its border winds around the point. That one chart covers none twice, nor one of another chart's,
+// is true of all of its stack then, whatever polygons a file names.
 #pragma once
 
 #include <string>
@@ -17,19 +20,22 @@
 
 namespace majorant {
 
-// Charts are pieces that edges divide whose sides differ, share no point, or lie on each other like
-// those of a fold.
+// Charts are pieces that edges divide whose sides differ, or lie on each other like those of a
+// fold.
 struct StackedCharts {
-  std::vector<Index> chart;        // of every cell, in the order of their first cells
-  std::vector<Index> stack;        // of every chart, from 0; -1: on no other
-  std::vector<char> is_first;      // of every chart: of its stack, or alone
-  std::vector<char> is_mirrored;   // of every chart: has its other side up
-  Index stacks = 0, mirrored = 0;  // how many
+  std::vector<Index> chart;       // of every cell, in the order of their first cells
+  std::vector<Index> stack;       // of every chart, from 0; -1: on no other
+  std::vector<char> is_first;     // of every chart: alone, or of its stack the first that is
+                                  // not mirrored
+  std::vector<char> is_mirrored;  // of every chart: has its other side up
+  Index stacks = 0, stacked = 0, mirrored = 0;  // how many; stacked: charts in stacks
 };
 
-// Two charts are in one stack where they have the same edges of polygons (input_face), control
-// points and all. Mirrored are those whose area is negative, where another one's of the stack is
-// positive. Throws Error(Unreadable) as CutMap.
+// Two charts are in one stack where they have the same polygons: control points of their sides, in
+// their order or against it, and whether the chart goes on beyond a side. Polygons are those of
+// input_face where their cells are a disc without a vertex inside, else single cells. Mirrored are
+// charts whose area is negative, where another one's of the stack is positive. Throws
+// Error(Unreadable) for cells that make no surface.
 StackedCharts find_stacks(const MapFile& file, const std::string& name);
 
 // u is negative in mirrored charts, which changes no digit. Their points are shared by no others.

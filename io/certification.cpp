@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <functional>
 #include <optional>
 #include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/io.h"
+#include "majorant/io/mesh_objects.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/refusal.h"
 
@@ -36,38 +38,57 @@ std::string unsaid_cone(const MapFile& file, const std::string& path, ProofReque
   return fmt::format("{}; the format does not tell a cone from that, write a .vtu", angles.detail);
 }
 
+[[noreturn]] void refuse(const std::string& path, const std::string& reason) {
+  throw Error(
+      ErrorKind::Invalid,
+      fmt::format("{} is not written, since what it says would not be valid: {}", path, reason));
+}
+
+void prove(const MapFile& map, const std::string& path, const ProofRequest& request) {
+  const MapProof proof(map, path, request);
+  if (proof.verdict() != ProofStatus::Proven) refuse(path, proof.first_defect());
+}
+
+// judge: of the file of that name. What cannot be read back is not valid either.
+FileVerification refusing(const std::string& path, std::function<void(const std::string&)> judge) {
+  return [path, judge = std::move(judge)](const std::string& temporary) {
+    try {
+      judge(temporary);
+    } catch (const Error& e) {
+      if (e.kind() != ErrorKind::Unreadable && e.kind() != ErrorKind::Unsupported) throw;
+      refuse(path, problem_of(e));
+    }
+  };
+}
+
 }  // namespace
 
 FileVerification certification(std::string path, ProofRequest wanted, const MapFile* image_of) {
-  return [path = std::move(path), wanted, image_of](const std::string& temporary) {
-    const auto refuse = [&](const std::string& reason) {
-      throw Error(ErrorKind::Invalid,
-                  fmt::format("{} is not written, since what it says would not be valid: {}", path,
-                              reason));
-    };
-    const auto prove = [&](const MapFile& map, const ProofRequest& request) {
-      const MapProof proof(map, path, request);
-      if (proof.verdict() != ProofStatus::Proven) refuse(proof.first_defect());
-    };
-    try {
-      const MapFile file = read_map(temporary);
-      // A claim of cuts binds the file: other edges whose sides differ are tears.
-      ProofRequest claimed = wanted;
-      if (!claimed.cut_edges) claimed.cut_edges = parse_claims(file.claims, path).cuts;
-      if (image_of != nullptr) {
-        const std::optional<MapFile> shown = shown_by(file, *image_of);
-        if (!shown) refuse("its cells are not those of the map");
-        prove(*shown, wanted);
-        prove(file, {.stop = wanted.stop});
-        return;
-      }
-      prove(file, claimed);
-      if (const std::string cone = unsaid_cone(file, path, wanted); !cone.empty()) refuse(cone);
-    } catch (const Error& e) {
-      if (e.kind() != ErrorKind::Unreadable && e.kind() != ErrorKind::Unsupported) throw;
-      refuse(problem_of(e));
+  return refusing(path, [path, wanted, image_of](const std::string& temporary) {
+    const MapFile file = read_map(temporary);
+    // A claim of cuts binds the file: other edges whose sides differ are tears.
+    ProofRequest claimed = wanted;
+    if (!claimed.cut_edges) claimed.cut_edges = parse_claims(file.claims, path).cuts;
+    if (image_of != nullptr) {
+      const std::optional<MapFile> shown = shown_by(file, *image_of);
+      if (!shown) refuse(path, "its cells are not those of the map");
+      prove(*shown, path, wanted);
+      prove(file, path, {.stop = wanted.stop});
+      return;
     }
-  };
+    prove(file, path, claimed);
+    if (const std::string cone = unsaid_cone(file, path, wanted); !cone.empty()) refuse(path, cone);
+  });
+}
+
+FileVerification certification_of_objects(std::string path, ProofRequest wanted) {
+  return refusing(path, [path, wanted](const std::string& temporary) {
+    const PolygonMesh mesh = read_mesh(temporary, {}, Strictness::Texcoords);
+    const MapFile file = to_map_file(mesh);
+    ProofRequest layered = wanted;
+    layered.layers = object_of_cells(objects_of(mesh), file);
+    prove(file, path, layered);
+  });
 }
 
 }  // namespace majorant

@@ -41,6 +41,9 @@ using FileVerification = std::function<void(const std::string& temporary_path)>;
 // place when it is not.
 FileVerification certification(std::string path, ProofRequest wanted,
                                const MapFile* image_of = nullptr);
+// The same of an OBJ or glTF whose objects (mesh_objects.h) have layouts of their own, which may
+// lie on each other.
+FileVerification certification_of_objects(std::string path, ProofRequest wanted);
 
 // The full result as a VTK XML UnstructuredGrid, lossless: read_vtu(write_vtu(map)) gives the same
 // doubles. One VTK_BEZIER_TRIANGLE (type 76) per cell for degree >= 2, VTK_TRIANGLE (5) for 1.
@@ -205,6 +208,10 @@ void write_ply(const std::string& path, const MapFile& map, const PolygonMesh* i
 // Throws as write_obj does, and Error(Invalid) for numbers beyond the range of floats.
 void write_gltf(const std::string& path, const MapFile& map, const PolygonMesh* input,
                 const TessellationOptions& options = {}, const FileVerification& verify = {});
+
+// The bytes of that file. Throws the same but for what writing does.
+std::string gltf_bytes(const std::string& path, const MapFile& map, const PolygonMesh* input,
+                       const TessellationOptions& options = {});
 
 // Returns whether write_gltf() leaves out tangents that the input has.
 bool drops_tangents(const PolygonMesh& input);

@@ -3,8 +3,8 @@
 //
 //     {"materials": {"wood": 512, "metal": 256}, "other": 128}
 //
-// "other": of materials that are not named, and of faces without one; both keys may be missing.
-// Other keys are comments.
+// "other": of materials that are not named, and of faces without one; one of the two keys may be
+// missing. Other keys are comments.
 #pragma once
 
 #include <map>

@@ -148,21 +148,24 @@ class PlainFile {
 
 }  // namespace
 
-void write_gltf(const std::string& path, const MapFile& map, const PolygonMesh* input,
-                const TessellationOptions& options, const FileVerification& verify) {
+std::string gltf_bytes(const std::string& path, const MapFile& map, const PolygonMesh* input,
+                       const TessellationOptions& options) {
   require_sound(path, map);
-  std::string content;
   try {
     std::vector<PolygonOrigin> origins;
     const PolygonMesh mesh = tessellate_map(map, input, options, &origins);
     const bool is_gltf = input != nullptr && input->gltf != nullptr;
     const GltfOutput output = is_gltf ? updated_gltf(*input->gltf, *input, mesh, origins, path)
                                       : PlainFile(mesh).output();
-    content = format_of(path) == ".glb" ? output.glb() : output.text();
+    return format_of(path) == ".glb" ? output.glb() : output.text();
   } catch (const Error& error) {
     throw Error(error.kind(), fmt::format("cannot write {}: {}", path, error.what()));
   }
-  write_file_atomically(path, content, verify);
+}
+
+void write_gltf(const std::string& path, const MapFile& map, const PolygonMesh* input,
+                const TessellationOptions& options, const FileVerification& verify) {
+  write_file_atomically(path, gltf_bytes(path, map, input, options), verify);
 }
 
 bool drops_tangents(const PolygonMesh& input) {

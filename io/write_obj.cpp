@@ -22,10 +22,9 @@ namespace {
 std::string cone_comments(const MapFile& map) {
   const std::map<Index, int> cones = cones_of(map);
   if (cones.empty()) return {};
-  std::string text = "# cones: vertices count from 0; angle = quarter_turns * 90 degrees\n";
-  for (const auto& [vertex, turns] : cones) {
-    text += fmt::format("# cone vertex {} quarter_turns {}\n", vertex, turns);
-  }
+  std::string text = fmt::format("# {}\n", kConesComment);
+  for (const auto& [vertex, turns] : cones)
+    text += fmt::format("# {}\n", cone_comment(vertex, turns));
   return text;
 }
 
@@ -80,7 +79,9 @@ class ObjText {
   static std::optional<Index> vertices_of(const std::string& line) {
     Index number = 0;
     if (!line.starts_with("v ")) return std::nullopt;
-    std::from_chars(line.data() + 2, line.data() + line.size(), number);
+    const char* const end = line.data() + line.size();
+    const auto [stop, code] = std::from_chars(line.data() + 2, end, number);
+    if (code != std::errc() || stop != end) return std::nullopt;
     return number;
   }
 

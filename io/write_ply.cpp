@@ -82,10 +82,9 @@ class PlyText {
  private:
   std::string header(const std::map<Index, int>& cones) const {
     std::string text = "ply\nformat binary_little_endian 1.0\n";
-    if (!cones.empty())
-      text += "comment cones: vertices count from 0; angle = quarter_turns * 90 degrees\n";
+    if (!cones.empty()) text += fmt::format("comment {}\n", kConesComment);
     for (const auto& [vertex, turns] : cones)
-      text += fmt::format("comment cone vertex {} quarter_turns {}\n", vertex, turns);
+      text += fmt::format("comment {}\n", cone_comment(vertex, turns));
     text += fmt::format("element vertex {}\n", vertices_.size());
     for (const char* name : {"x", "y", "z", "s", "t"})
       text += fmt::format("property double {}\n", name);

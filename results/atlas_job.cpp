@@ -277,7 +277,9 @@ double scale_of(const AtlasJob& job) { return job.square ? job.square->size : 1;
 std::optional<double> texel_density(const AtlasJob& job) {
   if (!job.atlas.packing) return std::nullopt;
   const double side = job.square ? job.square->size : job.atlas.packing->side;
-  return job.options.packing->resolution / side;
+  const Stretch all = job.atlas.stretch();
+  const double larger = all.surface_area > 0 ? std::sqrt(all.image_area / all.surface_area) : 1;
+  return job.options.packing->resolution / side * larger;
 }
 
 double seam_length(const AtlasJob& job) { return job.atlas.cuts.length + job.surface.cut_length; }

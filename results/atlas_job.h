@@ -72,8 +72,10 @@ struct AtlasJob {
 
 // Units of the surface per unit of uv in the file.
 double scale_of(const AtlasJob& job);
-// Pixels along a unit of the surface in the layout, in the mean of squares; none where charts are
-// not packed.
+// Pixels along a unit of the surface, in the mean of squares over the faces that have an area:
+//     resolution / side * sqrt(area of the image / area of the surface)
+// Where a density is asked for, that with charts as large as the surface: this one differs by what
+// their distortion leaves. None where charts are not packed.
 std::optional<double> texel_density(const AtlasJob& job);
 // The length of all cuts, those of repair() included.
 double seam_length(const AtlasJob& job);

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "majorant/certify/stacked_charts.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/io.h"
@@ -150,6 +149,7 @@ ProofRequest questions(const MapFile& file, const CheckRequest& request, const C
   if (const std::string e = extension(request.name); e == ".vtu" || e == ".pvtu")
     wanted.labels = ProofRequest::FaceLabels::Compared;
   if (request.stacked || claims.stacks) wanted.stacks = ProofRequest::Stacks::Allowed;
+  wanted.layers = request.layers;
   wanted.stop = stop;
   return wanted;
 }
@@ -197,9 +197,9 @@ void add_proofs(MapCheck& check) {
     check.report["proofs"][question] = {{"answer", name_of(finding->answer)},
                                         {"detail", finding->detail}};
   }
-  const StackCount& stacked = check.proof.stacked;
+  const StackedCharts& stacks = check.proof.stacks;
   check.report["stacks"] = {
-      {"stacks", stacked.stacks}, {"charts", stacked.charts}, {"mirrored", stacked.mirrored}};
+      {"stacks", stacks.stacks}, {"charts", stacks.stacked}, {"mirrored", stacks.mirrored}};
   const CutCount& cuts = check.proof.cuts;
   check.report["cuts"] = {{"seam_edges", cuts.seams},
                           {"other_edges", cuts.others},
@@ -209,9 +209,8 @@ void add_proofs(MapCheck& check) {
 }
 
 // Claimed charts lie on each other, as they are or mirrored as it is claimed, and no others do.
-void check_stacks(const MapFile& file, const std::string& name, const Claims& claims,
+void check_stacks(const MapFile& file, const StackedCharts& found, const Claims& claims,
                   Findings& findings) {
-  const StackedCharts found = find_stacks(file, name);
   std::map<Index, std::size_t> piece;  // by chart of the file
   for (Index c = 0; c < file.chart.size(); ++c) {
     const std::size_t of_cell = to_size(found.chart[to_size(c)]);
@@ -275,12 +274,12 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
       proof.cuts.others > 0 && request.cuts == CheckRequest::Cuts::Auto && is_untold(file, claims);
   add_proofs(*this);
   record.begin(Activity::Measuring);
-  if (proof.stacked.mirrored == 0) {
+  if (proof.stacks.mirrored == 0) {
     add_measures(*this, file, request, record.stop());
   } else {
-    add_measures(*this, turned_back(file, find_stacks(file, request.name)), request, record.stop());
+    add_measures(*this, turned_back(file, proof.stacks), request, record.stop());
   }
-  if (claims.stacks && proof.map()) check_stacks(file, request.name, claims, findings);
+  if (claims.stacks && proof.map()) check_stacks(file, proof.stacks, claims, findings);
   const std::vector<std::string>& list = findings.list();
   report["status"] = status();
   report["message"] = list.empty() ? "" : list.front();

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "majorant/certify/map_proof.h"
 #include "majorant/framework/run_record.h"
@@ -55,6 +56,8 @@ struct CheckRequest {
   bool certify = false;   // overlaps are violations, also where the file claims nothing
   bool seamless = false;  // likewise, seams are none
   bool stacked = false;   // likewise, charts may lie exactly on others
+  // As ProofRequest has them: where the objects of the file have layouts of their own.
+  std::vector<Index> layers = {};
   bool reported = false;  // all that reports say is found out, also what decides nothing
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -189,11 +190,11 @@ ModelTexture read_gltf_texture(const PolygonMesh& polygons, const StopCheck& sto
   return texture;
 }
 
-// What `old` carries, in the layout of the model that was written.
+// What `old` carries, in the layout of the model that was written to `file`.
 BakeJob baked(ModelTexture& texture, const PolygonMesh& old, const std::string& model,
-              const StopCheck& stop) {
+              const std::string& file, const StopCheck& stop) {
   BakeJob job;
-  job.target = read_bake_surface(model, Texcoords::Needed, stop);
+  job.target = read_bake_surface(file, Texcoords::Needed, stop);
   job.carrier = bake_surface(old, Texcoords::Needed, stop);
   int side = 1;
   bool is_wide = false;
@@ -245,18 +246,30 @@ PolygonMesh with_material_file(PolygonMesh polygons, const std::string& obj) {
   return polygons;
 }
 
-void bake_texture(ModelTexture texture, const PolygonMesh& old, const std::string& model,
-                  const FileVerification& verify, const StopCheck& stop) {
-  const BakeJob job = baked(texture, old, model, stop);
-  if (format_of(model) != ".obj") {
-    const std::string png = encode_image(texture_file(model), job.baked->image,
-                                         {.transfer = Transfer::Srgb, .channels = {}});
-    return write_base_color(model, job.target.polygons, png, verify);
+void write_textured(const std::string& path, const LayoutOfModel& layout, const PolygonMesh& old,
+                    ModelTexture texture, const StopCheck& stop) {
+  const std::string image = texture_file(path);
+  std::optional<BakeJob> job;
+  std::string png;
+  const auto bake = [&](const std::string& temporary) {
+    if (layout.verify) layout.verify(temporary);
+    job = baked(texture, old, path, temporary, stop);
+    png = encode_image(image, job->baked->image, {.transfer = Transfer::Srgb, .channels = {}});
+  };
+  if (format_of(path) != ".obj") {
+    const PendingFile never_there(
+        path, gltf_bytes(path, layout.map, &layout.polygons, layout.formats.tessellation), bake);
+    return write_base_color(path, job->target.polygons, png, layout.verify);
   }
-  const std::string image = texture_file(model);
-  write_baked(image, job);
-  write_file_atomically(material_file(model),
-                        materials_text(texture, std::filesystem::path(image).filename().string()));
+  write_map(path, layout.map, &layout.polygons, layout.formats, [&](const std::string& temporary) {
+    bake(temporary);
+    PendingFile picture(image, png);
+    PendingFile materials(
+        material_file(path),
+        materials_text(texture, std::filesystem::path(image).filename().string()));
+    picture.take_place();
+    materials.take_place();
+  });
 }
 
 }  // namespace majorant

@@ -2,9 +2,8 @@
 //
 //   const PolygonMesh model = read_mesh("old.obj");
 //   ModelTexture texture = read_texture(model);                // of its mtllib, map_Kd
-//   const PolygonMesh moved = with_material_file(model, "new.obj");
-//   // moved is written to new.obj, with other texture coordinates
-//   bake_texture(std::move(texture), model, "new.obj");        // new.png and new.mtl beside it
+//   write_textured("new.obj", {file, with_material_file(model, "new.obj"), {}, {}}, model,
+//                  std::move(texture));                        // and new.png, new.mtl
 //
 // Of glTF the base colours (io/gltf_texture.h); the image is put into the file.
 #pragma once
@@ -15,6 +14,7 @@
 #include "majorant/framework/stop_check.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/results/bake_job.h"
+#include "majorant/results/write_map.h"
 
 namespace majorant {
 
@@ -38,11 +38,20 @@ std::string material_file(const std::string& obj);
 // The same polygons, whose materials are in that file, written to `obj`.
 PolygonMesh with_material_file(PolygonMesh polygons, const std::string& obj);
 
-// Reads `model` back, bakes into its layout what `old` carries, and writes image and material file,
-// or, of glTF, the model with the image in it, verified as it was. As large as the largest texture.
-// Throws as BakeJob::run(), Error(Invalid) where that is not proven.
-void bake_texture(ModelTexture texture, const PolygonMesh& old, const std::string& model,
-                  const FileVerification& verify = {}, const StopCheck& stop = {});
+// What write_map() takes.
+struct LayoutOfModel {
+  const MapFile& map;
+  const PolygonMesh& polygons;
+  const MapFormats& formats;
+  const FileVerification& verify;
+};
+// Writes an OBJ or glTF as write_map() does, in whose layout, read back, the texture is baked that
+// `old` shows: to the image and the material file, or into the glTF. As large as the largest image
+// of the texture. The model takes its name last, so that it appears with its texture or not at all.
+// Throws as write_map() and BakeJob::run(), Error(Invalid) where that is not proven; Error(Usage)
+// for a glTF that is no regular file.
+void write_textured(const std::string& path, const LayoutOfModel& layout, const PolygonMesh& old,
+                    ModelTexture texture, const StopCheck& stop = {});
 
 }  // namespace majorant
 

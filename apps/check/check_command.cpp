@@ -25,6 +25,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
+#include "majorant/io/mesh_objects.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/waiting_output.h"
 #include "majorant/mesh/repair.h"
@@ -38,7 +39,7 @@ namespace {
 struct Request {
   CommonOptions common;
   std::string result, surface, distortion;
-  std::string cuts = "auto";
+  std::string cuts = "auto", objects = "together";
   std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
   bool certify = false, seamless = false, quads = false, stacked = false;
@@ -59,9 +60,9 @@ std::string in_words(const MapCheck& check) {
     text += fmt::format(", {} ({}, length {:.4g}{})", count_text(cuts.charts, "chart"),
                         count_text(cuts.others, "cut edge"), cuts.length,
                         check.has_untold_cuts ? ", not told from tears" : "");
-  if (const StackCount& stacked = proof.stacked; stacked.stacks > 0)
-    text += fmt::format(", {} of {}, {} mirrored", count_text(stacked.stacks, "stack"),
-                        count_text(stacked.charts, "chart"), stacked.mirrored);
+  if (const StackedCharts& stacks = proof.stacks; stacks.stacks > 0)
+    text += fmt::format(", {} of {}, {} mirrored", count_text(stacks.stacks, "stack"),
+                        count_text(stacks.stacked, "chart"), stacks.mirrored);
   std::string proven, open;
   for (const auto& [question, finding] : proof.findings()) {
     if (finding->answer == ProofStatus::Proven)
@@ -123,6 +124,8 @@ void require_of_maps(const Request& request) {
   };
   if (request.seamless) refuse("--seamless");
   if (request.certify) refuse("--certify");
+  if (request.stacked) refuse("--stacked");
+  if (request.objects != "together") refuse("--objects");
   if (request.cuts != "auto") refuse("--cuts");
   if (!request.distortion.empty()) refuse("--distortion");
   if (!request.outputs.empty()) refuse("-o");
@@ -159,6 +162,15 @@ int check_as_quads(const Request& request, const PolygonMesh& quads, const Polyg
   return written.conclude(check.is_valid() ? kSuccess : kInvalid);
 }
 
+// By cell: its object, where those have layouts of their own.
+std::vector<Index> layers_of(const Request& request, const PolygonMesh* mesh, const MapFile& file) {
+  if (request.objects == "together") return {};
+  if (mesh == nullptr)
+    throw Error(ErrorKind::Usage,
+                "--objects separate: objects are of .obj, .glb and .gltf; leave it out");
+  return object_of_cells(objects_of(*mesh), file);
+}
+
 int check(const Request& request) {
   require_writable(request.common, {{request.outputs, {".html"}}, {{request.distortion}, {".csv"}}},
                    {request.result, request.surface});
@@ -191,6 +203,7 @@ int check(const Request& request) {
     return check_as_quads(request, *mesh, surface ? &*surface : nullptr, record, progress);
   }
   const MapFile file = mesh ? to_map_file(*mesh) : read(request.result, read_map);
+  const std::vector<Index> layers = layers_of(request, mesh ? &*mesh : nullptr, file);
   mesh.reset();
   say_warnings(file.warnings);
   read_surface();
@@ -201,6 +214,7 @@ int check(const Request& request) {
                         .certify = request.certify,
                         .seamless = request.seamless,
                         .stacked = request.stacked,
+                        .layers = layers,
                         .reported = !request.common.report.empty() || !request.outputs.empty()},
                        record);
   progress.finish();
@@ -233,6 +247,11 @@ void add_check(CLI::App& app, Action* run) {
   verb.add_flag("--stacked", request->stacked,
                 "charts may lie exactly on others, mirrored ones, too: counted, no overlaps "
                 "(implied where the file claims it)");
+  verb.add_option("--objects", request->objects,
+                  "separate: each object of an OBJ (o) or mesh of a glTF has a layout of its own, "
+                  "which may lie on those of others; together (default): there is one")
+      ->check(one_of({"together", "separate"}))
+      ->excludes("--stacked");
   verb.add_option("--time-limit", request->time_limit,
                   "seconds; what is not decided by then is said to be undecided")
       ->check(non_negative_number(std::numeric_limits<double>::infinity()));

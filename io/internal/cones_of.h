@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <string_view>
 
 #include "majorant/parametrization/maps/map_file.h"
 
@@ -9,6 +11,13 @@ namespace majorant {
 
 // Quarter turns by vertex of the input, from 0; of vertices that the file knows.
 std::map<Index, int> cones_of(const MapFile& map);
+
+// The comment above them, and that of one.
+inline constexpr std::string_view kConesComment =
+    "cones: vertices count from 0; angle = quarter_turns * 90 degrees";
+std::string cone_comment(Index vertex, int quarter_turns);
+// Whether a text is one of these.
+bool is_cone_comment(std::string_view text);
 
 }  // namespace majorant
 

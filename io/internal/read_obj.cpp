@@ -19,6 +19,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/io/input_file.h"
+#include "majorant/io/internal/cones_of.h"
 #include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
@@ -175,7 +176,8 @@ class ObjReader {
   // Those of the writer about cones belong to the coordinates that were.
   void keep_comments() {
     for (const std::string_view comment : comments_)
-      if (!comment.starts_with("# cone")) add_directive(std::string(comment));
+      if (!comment.starts_with("# ") || !is_cone_comment(comment.substr(2)))
+        add_directive(std::string(comment));
     comments_.clear();
   }
 

@@ -13,7 +13,7 @@
 namespace majorant {
 namespace {
 
-// Faces of a leaf.
+// Faces of a leaf. Chosen.
 constexpr Index kLeaf = 4;
 // Points that a task takes: successive ones are often neighbours.
 constexpr Index kPointsOfTask = 256;

@@ -6,9 +6,8 @@
 //   const auto all = tree.locate(Points3::Random(1000, 3));   // on all threads
 //
 // Exact but for rounding: what is left out lies in boxes that are farther than the best point
-// found. A tree of its own: Boost.Geometry's R-tree, asked for one box after the other, took 0.6 ms
-// a point beside a surface of 10,000 faces. Of faces at one distance any may be named. Faces
-// without an area count as the segments or points that they are.
+// found. Of faces at one distance any may be named. Faces without an area count as the segments or
+// points that they are.
 //
 // Not for rays, and not for points inside of solids: there is no sign.
 #pragma once

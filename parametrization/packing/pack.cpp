@@ -177,7 +177,7 @@ class Packer {
     const auto raster = [&](double width) { return raster_strip(job, cells, width); };
     add(PackMethod::Raster,
         smallest_square(job, raster, {kRasterWidth * of_boxes, kFactor, tries}));
-    if (charts_.size() > kMostNested || charts_.size() < 2 || job.tiles > 1) return candidates;
+    if (charts_.size() > kMostNested || charts_.size() < 2) return candidates;
     const double best = std::min(of_boxes, candidates.back().placements.side);
     const auto nesting = [&](double width) { return nested_strip(job, width); };
     add(PackMethod::Nesting,

@@ -12,7 +12,8 @@ namespace {
 
 // The report of `majorant check`, as JSON. surface: a Mesh, or None; cuts: "auto", "none", "free".
 std::string check_map(const std::string& name, const MapFile& file, const SharedPolygons& surface,
-                      const std::string& cuts, bool certify, bool seamless, double time_limit) {
+                      const std::string& cuts, bool certify, bool seamless, bool stacked,
+                      double time_limit) {
   CheckRequest request;
   request.name = name;
   request.surface = surface.get();
@@ -20,6 +21,7 @@ std::string check_map(const std::string& name, const MapFile& file, const Shared
   if (cuts == "free") request.cuts = CheckRequest::Cuts::Free;
   request.certify = certify;
   request.seamless = seamless;
+  request.stacked = stacked;
   request.reported = true;
   Run run(time_limit, 0, py::none());
   return run([&] { return json_text(MapCheck(file, request, run.record()).report); });
@@ -29,7 +31,8 @@ std::string check_map(const std::string& name, const MapFile& file, const Shared
 
 void bind_check(py::module_& module) {
   module.def("check_map", &check_map, py::arg("name"), py::arg("file"), py::arg("surface"),
-             py::arg("cuts"), py::arg("certify"), py::arg("seamless"), py::arg("time_limit"));
+             py::arg("cuts"), py::arg("certify"), py::arg("seamless"), py::arg("stacked"),
+             py::arg("time_limit"));
 }
 
 }  // namespace majorant::python

@@ -60,13 +60,14 @@ MapFile restored(const py::tuple& state) {
 
 ProofRequest request_from(const Promise& promise, const PolygonMesh& mesh,
                           const std::string& path) {
-  const auto [cuts, is_injective, of_surface, has_labels, is_as_given] = promise;
+  const auto [cuts, is_injective, of_surface, has_labels, is_as_given, has_stacks] = promise;
   ProofRequest request;
   request.cuts = static_cast<CutRule>(cuts);
   if (is_injective) request.overlap = ProofRequest::Overlap::Forbidden;
   if (of_surface) request.surface = &mesh;
   if (has_labels) request.labels = labels_in(path);
   if (is_as_given) request.orientation = Orientation::AsGiven;
+  if (has_stacks) request.stacks = ProofRequest::Stacks::Allowed;
   return request;
 }
 
@@ -154,9 +155,12 @@ py::array multi_indices(int degree) {
 }  // namespace
 
 Promise promise_from(const ProofRequest& request) {
-  return {static_cast<int>(request.cuts), request.overlap == ProofRequest::Overlap::Forbidden,
-          request.surface != nullptr, request.labels == ProofRequest::FaceLabels::Compared,
-          request.orientation == Orientation::AsGiven};
+  return {static_cast<int>(request.cuts),
+          request.overlap == ProofRequest::Overlap::Forbidden,
+          request.surface != nullptr,
+          request.labels == ProofRequest::FaceLabels::Compared,
+          request.orientation == Orientation::AsGiven,
+          request.stacks == ProofRequest::Stacks::Allowed};
 }
 
 void bind_map_files(py::module_& module) {

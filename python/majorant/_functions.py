@@ -189,10 +189,17 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         'one_chart': not counted and _options.choice('charts', charts, ('auto', 'one')) == 'one',
         'least_charts': _options.integer('charts', charts, 1, 2**31 - 1) if counted else 0,
         'hide_from': None if hide_from is None else _direction(hide_from),
-        'least_fill': 0.0 if fill is None else _options.number('fill', fill, 0, 1),
+        'least_fill': 0.0 if fill is None else _fill(fill),
         'strict': _options.truth('strict', strict),
     }
     return _solve(_core.unwrap, mesh, said, extra)
+
+
+def _fill(fill: float) -> float:
+    part = _options.number('fill', fill, 0, 1)
+    if part == 1:
+        raise UsageError(f'fill={fill!r} is no number above 0 and below 1')
+    return part
 
 
 def _direction(hide_from: ArrayLike) -> list[float]:
@@ -242,7 +249,8 @@ class Verdict:
 
 
 def check(result: Map | str | os.PathLike, V: ArrayLike | None = None, F: Faces | None = None, *, cuts: str = 'auto',
-          certify: bool = False, seamless: bool = False, time_limit: float | None = None) -> Verdict:
+          certify: bool = False, seamless: bool = False, stacked: bool = False,
+          time_limit: float | None = None) -> Verdict:
     """Judges a map again, from its control points alone, as `majorant check` does.
 
         verdict = majorant.check('bunny.vtu', V, F, certify=True)
@@ -251,8 +259,9 @@ def check(result: Map | str | os.PathLike, V: ArrayLike | None = None, F: Faces 
     result: a Map, or a file. V, F: the mesh that it should be a map of. cuts: 'none' - inner edges
     whose sides differ are violations -, 'free' - they are counted -, or 'auto': violations but where
     the file says that it is cut, and counted where it says nothing. certify: prove that nothing
-    overlaps, too. seamless: the map is seamless, its seams are no cuts. What is not decided within
-    time_limit seconds is 'undecided'.
+    overlaps, too. seamless: the map is seamless, its seams are no cuts. stacked: charts may lie exactly
+    on others, corner by corner, mirrored ones, too; implied where the file claims `stacks`. What is not
+    decided within time_limit seconds is 'undecided'.
     """
     if (V is None) != (F is None):
         raise UsageError('V and F go together')
@@ -266,7 +275,8 @@ def check(result: Map | str | os.PathLike, V: ArrayLike | None = None, F: Faces 
     said = _options.choice('cuts', cuts, ('auto', 'none', 'free'))
     limit = float('inf') if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
     return Verdict(json.loads(_core.check_map(name, file, surface, said, _options.truth('certify', certify),
-                                              _options.truth('seamless', seamless), limit)))
+                                              _options.truth('seamless', seamless),
+                                              _options.truth('stacked', stacked), limit)))
 
 
 def read(path: str | os.PathLike) -> Map:

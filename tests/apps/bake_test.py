@@ -293,7 +293,8 @@ class Unwrap(CommandTest):
 
     def test_a_texture_moves(self):
         os.mkdir(self.path('out'))
-        done = self.run_ok('unwrap', self.model(), '-o', self.path('out/new.obj'), '--bake')
+        done = self.run_ok('unwrap', self.model(), '-o', self.path('out/new.obj'), '--bake', '--report',
+                           self.path('r.json'))
         self.assertIn('map_Bump', done.err)
         text = self.read('out/new.obj').decode()
         self.assertEqual([line for line in text.splitlines() if line.startswith(('mtllib', 'usemtl'))],
@@ -302,15 +303,17 @@ class Unwrap(CommandTest):
         old, new = self.colors('old.obj', 'old.png'), self.colors('out/new.obj', 'out/new.png')
         self.assertEqual(np.asarray(Image.open(self.path('out/new.png'))).shape, (256, 256, 3))
         self.assertLess(np.abs(old - new).max(), 4)
+        self.assertEqual([(f['file'], f['written']) for f in json.loads(self.read('r.json'))['outputs']],
+                         [(self.path('out/new.' + kind), True) for kind in ('obj', 'png', 'mtl')])
         self.assertEqual(self.run_ok('check', self.path('out/new.obj'), '--certify').code, OK)
 
     def test_a_limit_that_comes_before_the_texture(self):
         new = self.path('new.obj')
         done = majorant('unwrap', self.model(), '-o', new, '--bake', '--time-limit', 0, '--quiet')
         self.assertEqual(done.code, INVALID, done.err)
-        self.assertRegex(done.err, 'the time limit was reached while baking .*; written: ' + re.escape(new))
-        self.assertNotIn('nothing is written', done.err)
-        self.assertFalse(os.path.exists(self.path('new.png')))
+        self.assertRegex(done.err, 'the time limit was reached while baking .*' + re.escape(new)
+                         + '; nothing was written')
+        self.assertEqual([name for name in self.files() if name.startswith(('new', '.'))], [])
 
     def test_several_materials_become_one_image(self):
         self.write('gray.png', image_bytes(np.full((32, 32), 77, np.uint8)))
@@ -327,6 +330,7 @@ class Unwrap(CommandTest):
         out = self.path('new.obj')
         self.refused(UNSUPPORTED, 'unwrap', generated('buckle'), '-o', out, '--bake', says='map_Kd')
         self.refused(USAGE, 'unwrap', self.model(), '-o', self.path('new.vtu'), '--bake', says='OUT.obj')
+        self.refused(USAGE, 'unwrap', self.model(), '-o', out, '-o', self.path('two.obj'), '--bake', says='one model')
         self.refused(UNSUPPORTED, 'unwrap', self.model('newmtl a\nmap_Kd -s 2 2 2 old.png\n'), '-o', out, '--bake',
                      says='-s')
         path = self.model()

@@ -206,9 +206,11 @@ class Tiles(LayoutTest):
 
     def test_every_format_is_proven(self):
         mesh = self.mesh(*tetrahedra(9))
-        outputs = [word for name in ('a.vtu', 'a.ply', 'a.glb', 'a.msh') for word in ('-o', self.path(name))]
-        self.run_ok('unwrap', mesh, '--udim', 3, *outputs)
-        self.run_ok('check', self.path('a.vtu'), '--certify', '--surface', mesh)
+        names = ('a.vtu', 'a.obj', 'a.ply', 'a.glb', 'a.msh')
+        outputs = [word for name in names for word in ('-o', self.path(name))]
+        self.run_ok('unwrap', mesh, '--udim', 3, '--msh', 'surface', *outputs)
+        for name in names:
+            self.run_ok('check', self.path(name), '--certify', '--surface', mesh)
 
     def test_not_with_what_says_where_charts_are(self):
         mesh = self.mesh(*tetrahedra(3))
@@ -234,10 +236,17 @@ class TexelDensity(LayoutTest):
             layout, report = self.unwrap(mesh, '--texel-density', density, '--udim', tiles)
             for chart in layout.charts:
                 self.assertAlmostEqual(self.density(layout, points, chart, 1024), density, delta=1e-4 * density)
-            self.assertAlmostEqual(report['result']['texel_density'], density, places=9)
+            self.assertAlmostEqual(report['result']['texel_density'], density, delta=1e-4 * density)
             self.assertAlmostEqual(report['result']['layout_scale'], density / 1024, places=12)
             self.spaced(layout, 4, 1024)
             self.within(layout, Fraction(4, 1024))
+
+    def test_what_is_reported_is_what_there_is(self):
+        points, faces = sphere(6)
+        for words in ([], ['--texel-density', 100], ['--udim', 2]):
+            layout, report = self.unwrap(self.mesh(points, faces), '--max-stretch', 1.2, *words)
+            there = self.density(layout, points, [k for chart in layout.charts for k in chart], 1024)
+            self.assertAlmostEqual(report['result']['texel_density'] / there, 1, delta=1e-9)
 
     def test_what_does_not_fit_says_how_much_would(self):
         mesh = self.mesh(*tetrahedra(9))
@@ -284,6 +293,8 @@ class TexelDensity(LayoutTest):
 
 class LinesOfAnObj(LayoutTest):
     BLOCKS = '''# made by hand
+# cones of the rocket
+# cone vertex 3 quarter_turns 3, as it should be
 mtllib sub/a.mtl
 o first
 v 0 0 0
@@ -309,6 +320,12 @@ f 4 6 7
         kept = [line if not line.startswith('f ') else 'f ' + ' '.join(w.split('/')[0] for w in line.split()[1:])
                 for line in lines]
         self.assertEqual(kept, self.BLOCKS.splitlines())
+
+    def test_a_header_stays_above_the_vertices(self):
+        text = self.BLOCKS[:self.BLOCKS.index('o second')]
+        self.run_ok('unwrap', self.write('b.obj', text), '-o', self.path('out.obj'))
+        lines = self.read('out.obj').decode().splitlines()
+        self.assertEqual(lines[:6], text.splitlines()[:6])
 
     def test_texture_coordinates_stand_before_faces_that_use_them(self):
         self.run_ok('unwrap', self.write('b.obj', self.BLOCKS), '-o', self.path('out.obj'))

@@ -17,6 +17,7 @@ ALWAYS = {
     '--bijective': '', '--improve-mesh': 'depends on the mesh', '--tolerance': '', '--max-iterations': '',
     '--time-limit': '', '--normalize': '', '--scale': '', '--linear-solver': '', '--seams': '', '--no-pack': '', '--weld': '',
     '--upright': '', '--udim': '', '--texel-density': '', '--stack': '', '--stacked': 'a permission',
+    '--objects': '',
     '--from': '', '--attribute': '', '--method': '', '--distance': 'a demand', '--samples': '', '--filter': '',
     '--depth': '', '--linear': '',
     '--charts': 'auto demands nothing of --seams uv and FILE', '--preset': 'padding and resolution',

@@ -139,7 +139,7 @@ class Check(CommandTest):
 
     def test_flags_of_maps(self):
         path = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))
-        for flag in (['--certify'], ['--seamless'], ['--cuts', 'none'], ['--distortion', self.path('d.csv')]):
+        for flag in (['--certify'], ['--seamless'], ['--stacked'], ['--cuts', 'none'], ['--distortion', self.path('d.csv')]):
             self.refused(USAGE, 'check', path, *flag, says=flag[0])
 
 

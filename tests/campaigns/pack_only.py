@@ -132,7 +132,8 @@ def main():
     parser.add_argument('--meshes', default='../shared/data/public')
     parser.add_argument('--count', type=int, default=20)
     args = parser.parse_args()
-    bad, ahead, count, worst = 0, 0, 0, 0
+    bad, ahead, count, worst, refused = 0, 0, 0, 0, []
+    print('| file | islands | off by | pixels apart | fill | xatlas | pixels |\n|---|---|---|---|---|---|---|')
     with tempfile.TemporaryDirectory() as folder:
         given, out, report = (os.path.join(folder, name) for name in ('given.obj', 'out.obj', 'r.json'))
         for name, path in files(args.meshes, args.majorant, folder):
@@ -148,12 +149,12 @@ def main():
                                    '--threads', '1', '--padding', str(PADDING), '--resolution', str(size), '--report',
                                    report], stderr=subprocess.PIPE, text=True)
             if done.returncode == 3 and 'overlaps itself' in done.stderr:
-                print('%-24s refused: %s' % (name, done.stderr.split(': ', 2)[-1].strip()[:100]))
+                refused.append(name)
                 continue
             count += 1
             if done.returncode:
                 bad += 1
-                print('%-24s exit %d: %s' % (name, done.returncode, done.stderr.strip()[-200:]))
+                print('| %s | exit %d: %s |' % (name, done.returncode, done.stderr.strip()[-200:]))
                 continue
             with open(report) as f:
                 fill = json.load(f)['result']['fill'] / (1 - 2 * PADDING / size) ** 2
@@ -162,10 +163,11 @@ def main():
             is_bad = off > 1e-12 or gap < PADDING - 1e-6 or (their is not None and fill < their)
             bad, worst = bad + is_bad, max(worst, off)
             ahead += their is not None and fill >= their
-            print('%-24s %4d islands, off by %.1e, %.4f px apart, fill %.4f%s%s' % (
-                name, found[0], off, gap, fill, '' if their is None else ', xatlas %.4f in %d px' % (their, size),
-                '  BAD' if is_bad else ''), flush=True)
-    print('%d files: off by %.1e at most, fill at least as xatlas in %d, %d bad' % (count, worst, ahead, bad))
+            print('| %s | %d | %.1e | %.4f | %.4f%s | %s | %d |' % (
+                name, found[0], off, gap, fill, ' BAD' if is_bad else '', '-' if their is None else '%.4f' % their,
+                size), flush=True)
+    print('\n%d files: off by %.1e at most, fill at least as xatlas in %d, %d bad; refused, since islands touch '
+          'themselves: %s.' % (count, worst, ahead, bad, ', '.join(refused) or 'none'))
     return bad > 0
 
 

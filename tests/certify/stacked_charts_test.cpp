@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/io.h"
@@ -101,18 +104,194 @@ TEST(StackedCharts, TurnedOverAloneIsNotMirrored) {
   EXPECT_EQ(verdict(file, kAllowed), ProofStatus::Violated);
 }
 
-// Of charts that lie on each other the lowest must keep off the others.
+// Pieces of a surface at different heights, shaped like their image.
+struct Piece {
+  std::vector<Vector2> uv;
+  std::vector<std::vector<Index>> polygons;
+};
+
+PolygonMesh surface_of(const std::vector<Piece>& pieces) {
+  PolygonMesh mesh;
+  double height = 0;
+  for (const Piece& piece : pieces) {
+    const auto first = static_cast<Index>(mesh.texcoords.size());
+    for (const Vector2& p : piece.uv) {
+      mesh.texcoords.push_back(p);
+      mesh.positions.emplace_back(p.x(), p.y(), height + 0.1 * p.x() * p.y());
+    }
+    for (std::vector<Index> polygon : piece.polygons) {
+      for (Index& v : polygon) v += first;
+      mesh.polygons.push_back(polygon);
+      mesh.polygon_texcoords.push_back(polygon);
+    }
+    height += 100;
+  }
+  return mesh;
+}
+
+std::vector<Vector2> moved(std::vector<Vector2> uv, double u) {
+  for (Vector2& p : uv) p.x() += u;
+  return uv;
+}
+
+ProofStatus verdict_of_quads(const std::vector<std::vector<Vector2>>& quads) {
+  std::vector<Piece> pieces;
+  for (const std::vector<Vector2>& uv : quads) pieces.push_back({uv, {{0, 1, 2, 3}}});
+  return verdict(to_map_file(surface_of(pieces)), kAllowed);
+}
+
+// Of charts that lie on each other one must keep off the others, at its place.
 TEST(StackedCharts, AThirdChartAcrossAStack) {
-  PolygonMesh mesh = two_quads(kFirst);
-  for (const Vector2& p : kFirst) mesh.texcoords.push_back(p);
-  for (const Vector2& p : kFirst) mesh.texcoords.emplace_back(p.x() + 0.1, p.y());
-  for (const Vector3& p : std::vector<Vector3>(mesh.positions))
-    mesh.positions.emplace_back(p.x(), p.y(), p.z() + 5);
-  mesh.polygons.push_back({6, 7, 10, 9});
-  mesh.polygon_texcoords.push_back({8, 9, 10, 11});
-  const MapFile file = to_map_file(mesh);
-  EXPECT_EQ(find_stacks(file, "three").stacks, 1);
+  EXPECT_EQ(verdict_of_quads({kFirst, kFirst, moved(kFirst, 0.1)}), ProofStatus::Violated);
+  EXPECT_EQ(verdict_of_quads({reversed(), kFirst, moved(kFirst, 0.1)}), ProofStatus::Violated);
+  EXPECT_EQ(verdict_of_quads({moved(kFirst, 0.1), reversed(), kFirst}), ProofStatus::Violated);
+  EXPECT_EQ(verdict_of_quads({reversed(), kFirst, moved(kFirst, 2)}), ProofStatus::Proven);
+}
+
+// A mirrored chart at u < 0 is turned back to where another one lies, which is no overlap.
+TEST(StackedCharts, AChartWhereAMirroredOneIsTurnedBackTo) {
+  std::vector<Vector2> across;
+  for (const Vector2& p : reversed()) across.emplace_back(3 - p.x(), p.y());
+  EXPECT_EQ(verdict_of_quads({moved(reversed(), -3), moved(kFirst, -3), across}),
+            ProofStatus::Proven);
+}
+
+// Edges alone are those of the ring. The small chart lies in the hole.
+TEST(StackedCharts, ARingAndTheSameWithoutItsHole) {
+  const std::vector<Vector2> uv{{0, 0}, {9, 0}, {4, 9}, {3, 2}, {5, 2}, {4, 4}};
+  Piece ring{uv, {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
+  Piece filled = ring;
+  filled.polygons.push_back({3, 4, 5});
+  const Piece small{{{3.75, 2.5}, {4.25, 2.5}, {4, 3}}, {{0, 1, 2}}};
+  const MapFile file = to_map_file(surface_of({ring, filled, small}));
+  EXPECT_EQ(find_stacks(file, "ring").stacks, 0);
   EXPECT_EQ(verdict(file, kAllowed), ProofStatus::Violated);
+  const MapFile rings = to_map_file(surface_of({ring, ring, small}));
+  EXPECT_EQ(find_stacks(rings, "rings").stacks, 1);
+  EXPECT_EQ(verdict(rings, kAllowed), ProofStatus::Proven);
+}
+
+// Two halves of a ring, and two that each cover the hole and end at its far side: all edges are
+// equal, and where the surface ends, but not which of them are one polygon's.
+TEST(StackedCharts, PolygonsOfTheSameEdges) {
+  const std::vector<Vector2> uv{{10, 13}, {7, 10}, {10, 7}, {13, 10},   // around: top, left, ...
+                                {10, 11}, {9, 10}, {10, 9}, {11, 10}};  // the hole
+  const Piece halves{
+      uv, {{1, 2, 6}, {1, 6, 5}, {1, 5, 4}, {1, 4, 0}, {3, 0, 4}, {3, 4, 7}, {3, 7, 6}, {3, 6, 2}}};
+  const Piece across{
+      uv, {{1, 2, 6}, {1, 6, 7}, {1, 7, 4}, {1, 4, 0}, {3, 0, 4}, {3, 4, 5}, {3, 5, 6}, {3, 6, 2}}};
+  MapFile file = to_map_file(surface_of({halves, across}));
+  for (Index c = 0; c < file.cells.rows(); ++c) file.input_face[c] = c / 4;
+  EXPECT_EQ(find_stacks(file, "halves").stacks, 0);
+  EXPECT_EQ(verdict(file, kAllowed), ProofStatus::Violated);
+}
+
+// Where labels do not name discs the cells are compared: a ring, and one of other triangles.
+TEST(StackedCharts, LabelsOfNoDisc) {
+  const std::vector<Vector2> uv{{0, 0}, {9, 0}, {4, 9}, {3, 2}, {5, 2}, {4, 4}};
+  const Piece ring{uv, {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
+  const Piece other{uv, {{0, 1, 3}, {1, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
+  const auto stacks = [](const std::vector<Piece>& pieces) {
+    MapFile file = to_map_file(surface_of(pieces));
+    for (Index c = 0; c < file.cells.rows(); ++c) file.input_face[c] = c / 6;
+    return find_stacks(file, "rings").stacks;
+  };
+  EXPECT_EQ(stacks({ring, ring}), 1);
+  EXPECT_EQ(stacks({ring, other}), 0);
+}
+
+// Turned back at u = 0 the two sides of a fold agree there; each is a chart all the same.
+TEST(StackedCharts, AFoldAtTheAxis) {
+  PolygonMesh mesh;
+  mesh.positions = {{-1, 0, 0.3}, {-1, 1, 0.3}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0.3}, {1, 1, 0.3}};
+  mesh.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh.polygons = {{0, 2, 3, 1}, {2, 4, 5, 3}};
+  mesh.polygon_texcoords = {{1, 0, 3, 2}, {0, 1, 2, 3}};
+  const auto with = [&](double u) {
+    PolygonMesh all = mesh;
+    for (const Vector2& p : std::vector<Vector2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      all.positions.emplace_back(5 + p.x(), p.y(), 0.2 * p.x() * p.y());
+      all.texcoords.emplace_back(u + p.x(), 0.25 + 0.5 * p.y());
+    }
+    all.polygons.push_back({6, 7, 8, 9});
+    all.polygon_texcoords.push_back({4, 5, 6, 7});
+    return all;
+  };
+  for (int order = 0; order < 4; ++order) {
+    if (order % 2 == 1) {
+      std::swap(mesh.polygons[0], mesh.polygons[1]);
+      std::swap(mesh.polygon_texcoords[0], mesh.polygon_texcoords[1]);
+    }
+    if (order == 2) {  // vertices from the other end
+      for (auto& polygon : mesh.polygons)
+        for (Index& v : polygon) v = 5 - v;
+      std::reverse(mesh.positions.begin(), mesh.positions.end());
+    }
+    EXPECT_EQ(verdict(to_map_file(mesh), kAllowed), ProofStatus::Proven);
+    EXPECT_EQ(verdict(to_map_file(with(2)), kAllowed), ProofStatus::Proven);
+    EXPECT_EQ(verdict(to_map_file(with(0.5)), kAllowed), ProofStatus::Violated);
+  }
+}
+
+// Two quads side by side are one chart whether they share texture coordinates or have equal ones:
+// one that lies on the first alone is no stack, and the second is seen.
+TEST(StackedCharts, EqualCoordinatesAreOneChart) {
+  PolygonMesh mesh;
+  mesh.positions = {{5, 0, 0}, {6, 0, 0}, {6, 1, 0.2}, {5, 1, 0}, {0, 0, 0},
+                    {1, 0, 0}, {2, 0, 0}, {0, 1, 0},   {1, 1, 0}, {2, 1, 0.2}};
+  mesh.texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {1, 0}, {2, 0}, {2, 1}, {1, 1}};
+  mesh.polygons = {{0, 1, 2, 3}, {4, 5, 8, 7}, {5, 6, 9, 8}};
+  mesh.polygon_texcoords = {{0, 1, 2, 3}, {0, 1, 2, 3}, {4, 5, 6, 7}};
+  EXPECT_EQ(find_stacks(to_map_file(mesh), "two").stacks, 0);
+  EXPECT_EQ(verdict(to_map_file(mesh), kAllowed), ProofStatus::Violated);
+  const auto add_quad = [&](double z, const std::vector<Vector2>& uv) {
+    const auto v = static_cast<Index>(mesh.positions.size());
+    const auto t = static_cast<Index>(mesh.texcoords.size());
+    for (const Vector2& p : uv) mesh.positions.emplace_back(p.x(), p.y(), z);
+    mesh.texcoords.insert(mesh.texcoords.end(), uv.begin(), uv.end());
+    mesh.polygons.push_back({v, v + 1, v + 2, v + 3});
+    mesh.polygon_texcoords.push_back({t, t + 1, t + 2, t + 3});
+  };
+  add_quad(7, {{1.25, 0.25}, {1.75, 0.25}, {1.75, 0.75}, {1.25, 0.75}});
+  EXPECT_EQ(verdict(to_map_file(mesh), kAllowed), ProofStatus::Violated);
+}
+
+// Quads of different layers may overlap, those of one layer not.
+TEST(StackedCharts, Layers) {
+  const std::vector<std::vector<Vector2>> quads{kFirst, moved(kFirst, 0.1), kFirst, kFirst};
+  const auto of_layers = [&](std::vector<Index> layers, ProofRequest::Stacks stacks) {
+    std::vector<Piece> pieces;
+    for (std::size_t k = 0; k < layers.size(); ++k) pieces.push_back({quads[k], {{0, 1, 2, 3}}});
+    ProofRequest request{.cuts = CutRule::Free, .overlap = ProofRequest::Overlap::Forbidden};
+    request.stacks = stacks;
+    for (const Index layer : layers) request.layers.insert(request.layers.end(), 2, layer);
+    const MapProof proof(to_map_file(surface_of(pieces)), "layers", request);
+    EXPECT_EQ(proof.stacks.stacks, 0);
+    return proof.verdict();
+  };
+  EXPECT_EQ(of_layers({0, 0}, kForbidden), ProofStatus::Violated);
+  EXPECT_EQ(of_layers({0, 1}, kForbidden), ProofStatus::Proven);
+  EXPECT_EQ(of_layers({4, 1, 2}, kForbidden), ProofStatus::Proven);
+  EXPECT_EQ(of_layers({1, 4, 4}, kForbidden), ProofStatus::Violated);
+  EXPECT_EQ(of_layers({1, 2, 2, 3}, kForbidden), ProofStatus::Violated);
+  EXPECT_EQ(of_layers({1, 2, 1}, ProofRequest::Stacks::Allowed), ProofStatus::Violated);
+}
+
+// Two cells of one quad in two layers: each is a chart.
+TEST(StackedCharts, AChartInTwoLayers) {
+  const std::vector<Vector2> upper{{0.3, 0.8}, {0.35, 0.8}, {0.35, 0.85}, {0.3, 0.85}};
+  ProofRequest request{.cuts = CutRule::Free, .overlap = ProofRequest::Overlap::Forbidden};
+  const std::vector<Vector2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const MapFile file = to_map_file(surface_of({{square, {{0, 1, 2, 3}}}, {upper, {{0, 1, 2, 3}}}}));
+  const bool first_is_upper =
+      file.uv(file.cells(0, 1), 1) + file.uv(file.cells(0, 2), 1) + file.uv(file.cells(0, 0), 1) >
+      1.5;
+  for (const bool is_with_upper : {true, false}) {
+    request.layers = {0, 0, 2, 2};
+    request.layers[first_is_upper == is_with_upper ? 0 : 1] = 2;
+    EXPECT_EQ(MapProof(file, "two", request).verdict(),
+              is_with_upper ? ProofStatus::Violated : ProofStatus::Proven);
+  }
 }
 
 }  // namespace

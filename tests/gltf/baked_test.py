@@ -136,6 +136,17 @@ class Baked(CommandTest):
         pixels = np.asarray(Image.open(self.path('out.png')))
         self.assertLess(np.abs(pixels[2:-2, 2:-2].astype(int) - gradient()[2:-2, 2:-2]).max(), 2)
 
+    def test_a_limit_that_comes_before_the_texture(self):
+        source = self.write('in.glb', textured([embedded(gradient())]).glb())
+        for before in (None, b'as it was'):
+            if before:
+                self.write('out.glb', before)
+            run = majorant('unwrap', source, '-o', self.path('out.glb'), '--bake', '--time-limit', 0, '--force')
+            self.assertEqual(run.code, INVALID, run.err)
+            self.assertIn('while baking', run.err)
+            self.assertEqual(self.read('out.glb') if os.path.exists(self.path('out.glb')) else None, before)
+        self.assertEqual(sorted(self.files()), ['in.glb', 'out.glb'])
+
     def test_refusals(self):
         out = self.path('out.glb')
 
@@ -157,6 +168,7 @@ class Baked(CommandTest):
         refuse(UNSUPPORTED, textured([lambda model: {'bufferView': model.view(b'RIFF    WEBP' + bytes(50))}]), 'WebP')
         source = self.write('in.glb', textured([embedded(gradient())]).glb())
         self.refused(USAGE, 'unwrap', source, '-o', self.path('out.obj'), '--bake', says='OUT.glb')
+        self.refused(USAGE, 'unwrap', source, '-o', out, '-o', self.path('out.gltf'), '--bake', says='one model')
         self.refused(USAGE, 'bake', source, '--from', self.write('a.ply', b'ply\n'), '-o', self.path('a.png'),
                      says='--image')
 

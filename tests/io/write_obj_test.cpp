@@ -56,6 +56,33 @@ TEST(WriteObj, DegreeOneKeepsTheInput) {
 }
 
 // The map has the quad with its other side up: its corners run backwards, each with its own vt.
+// Of comments about cones those of the writer belong to the map; others are the user's.
+TEST(WriteObj, CommentsAboutConesAreReplaced) {
+  const TemporaryFolder folder;
+  QuadExample example;
+  example.map.cone = decltype(example.map.cone)::Zero(7);
+  example.map.cone[1] = 3;
+  example.input.directives = {{0, "# cones of the rocket"},
+                              {0, "# cone vertex 2 quarter_turns 3, as it should be"},
+                              {1, "#cone vertex 2 quarter_turns 3"}};
+  write_obj(folder.file("out.obj"), example.map, &example.input);
+  EXPECT_TRUE(
+      content_of(folder.file("out.obj"))
+          .starts_with("# cones: vertices count from 0; angle = quarter_turns * 90 degrees\n"
+                       "# cone vertex 2 quarter_turns 3\n"));
+  EXPECT_EQ(read_mesh(folder.file("out.obj")).directives, example.input.directives);
+}
+
+TEST(WriteObj, MarksOfVerticesAreNumbers) {
+  QuadExample example;
+  example.input.directives = {{0, "v 8"}, {0, "g a"}};
+  EXPECT_EQ(obj_text(example.input).find("v 8"), std::string::npos);
+  for (const char* line : {"v x", "v 8 9", "v "}) {
+    example.input.directives = {{0, line}};
+    EXPECT_NE(obj_text(example.input).find(std::string("\n") + line + "\nf "), std::string::npos);
+  }
+}
+
 TEST(WriteObj, TurnedFacesAreWrittenTurned) {
   const TemporaryFolder folder;
   QuadExample example;

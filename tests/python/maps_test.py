@@ -364,6 +364,24 @@ def test_check_agrees_with_the_command(cap, tmp_path):
         majorant.check(cap, V)
 
 
+def test_stacks_of_files(tmp_path):
+    """A surface, its mirror image and a copy: read, proven and written again."""
+    V, F = helpers.grid(3)
+    positions = np.concatenate([V, V * [-1, 1, 1] + [5, 0, 0], V + [9, 0, 0]])
+    faces = np.concatenate([F, F[:, ::-1] + len(V), F + 2 * len(V)])
+    mesh, path = tmp_path / 'three.obj', tmp_path / 'stacked.vtu'
+    mesh.write_text(''.join(f'v {x!r} {y!r} {z!r}\n' for x, y, z in positions.tolist())
+                    + ''.join(f'f {a} {b} {c}\n' for a, b, c in (faces + 1).tolist()))
+    helpers.command('unwrap', mesh, '--stack', 'mirrored', '-o', path, '--quiet')
+    r = majorant.read(path)
+    r.save(tmp_path / 'again.vtu')
+    r.save(tmp_path / 'again.obj')
+    verdict = majorant.check(tmp_path / 'again.vtu', positions, faces, certify=True)
+    assert verdict and verdict.report['stacks'] == {'stacks': 1, 'charts': 3, 'mirrored': 1}
+    assert not majorant.check(tmp_path / 'again.obj', certify=True)
+    assert majorant.check(tmp_path / 'again.obj', positions, faces, certify=True, stacked=True)
+
+
 def test_read_gives_what_was_saved(cap, tmp_path):
     cap.save(tmp_path / 'cap.vtu')
     r = majorant.read(tmp_path / 'cap.vtu')

@@ -63,10 +63,10 @@ Vector2 turned_corner(const Vector2& size, int quarters) {
 }  // namespace
 
 std::optional<Strip> nested_strip(const PackingJob& job, double width) {
+  if (job.tiles > 1) return {};
   const double scale = kIntegers / width;
   double reach = 0;
   std::vector<libnest2d::Item> items;
-  if (job.tiles > 1) return {};
   for (std::size_t k = 0; k < job.charts.size(); ++k) {
     if (job.fixed[k]) return {};
     reach = std::max(reach, job.charts[k].outline.reach);

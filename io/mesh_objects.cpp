@@ -1,0 +1,156 @@
+#include "majorant/io/mesh_objects.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "majorant/io/internal/gltf_scene.h"
+
+namespace majorant {
+namespace {
+
+constexpr std::string_view kSpaces = " \t\r";
+
+// The first word of a line, and the rest without spaces around it.
+std::pair<std::string_view, std::string_view> word_and_rest(std::string_view line) {
+  const std::size_t end = std::min(line.find_first_of(kSpaces), line.size());
+  const std::string_view rest = line.substr(end);
+  const std::size_t first = std::min(rest.find_first_not_of(kSpaces), rest.size());
+  const std::size_t last = rest.find_last_not_of(kSpaces);
+  return {line.substr(0, end),
+          last == std::string_view::npos ? "" : rest.substr(first, last + 1 - first)};
+}
+
+class Naming {
+ public:
+  // Key: what tells objects apart.
+  void add(const std::string& key, const std::string& name) {
+    const auto next = static_cast<Index>(objects_.names.size());
+    const auto [known, is_new] = number_.try_emplace(key, next);
+    if (is_new) objects_.names.push_back(name);
+    objects_.of_polygon.push_back(known->second);
+  }
+  MeshObjects take() { return std::move(objects_); }
+
+ private:
+  MeshObjects objects_;
+  std::map<std::string, Index> number_;
+};
+
+MeshObjects objects_of_gltf(const PolygonMesh& mesh) {
+  const GltfScene& scene = *mesh.gltf;
+  const Gltf& meshes = scene.document.list("meshes");
+  Naming naming;
+  for (const GltfScene::Face& face : scene.faces) {
+    const std::size_t k = scene.vertices[to_size(face.vertices)].mesh;
+    const auto name = meshes[k].find("name");
+    const bool is_named = name != meshes[k].end() && name->is_string();
+    naming.add(std::to_string(k), is_named ? name->get<std::string>() : std::string());
+  }
+  return naming.take();
+}
+
+// Gives every used element of a list a number, in their order.
+class Used {
+ public:
+  explicit Used(std::size_t count) : number_(count, -1) {}
+  void mark(const std::vector<Index>& list) {
+    for (const Index k : list) number_[to_size(k)] = 0;
+  }
+  // The used ones, in order.
+  std::vector<Index> number() {
+    std::vector<Index> used;
+    for (std::size_t k = 0; k < number_.size(); ++k) {
+      if (number_[k] < 0) continue;
+      number_[k] = static_cast<Index>(used.size());
+      used.push_back(static_cast<Index>(k));
+    }
+    return used;
+  }
+  std::vector<Index> operator()(std::vector<Index> list) const {
+    for (Index& k : list) k = number_[to_size(k)];
+    return list;
+  }
+
+ private:
+  std::vector<Index> number_;
+};
+
+template <class List>
+List taken(const List& all, const std::vector<Index>& which) {
+  List part;
+  if (all.empty()) return part;
+  part.reserve(which.size());
+  for (const Index k : which) part.push_back(all[to_size(k)]);
+  return part;
+}
+
+// The lists of these polygons, none where they are empty, and the elements that they use.
+std::vector<Index> take_lists(const std::vector<std::vector<Index>>& all, std::size_t count,
+                              const std::vector<Index>& polygons,
+                              std::vector<std::vector<Index>>& lists) {
+  lists = taken(all, polygons);
+  Used used(count);
+  for (const std::vector<Index>& list : lists) used.mark(list);
+  const std::vector<Index> which = used.number();
+  if (which.empty()) lists.clear();
+  for (std::vector<Index>& list : lists) list = used(std::move(list));
+  return which;
+}
+
+}  // namespace
+
+MeshObjects objects_of(const PolygonMesh& mesh) {
+  if (mesh.gltf) return objects_of_gltf(mesh);
+  Naming naming;
+  std::string name;
+  auto directive = mesh.directives.begin();
+  for (std::size_t p = 0; p < mesh.polygons.size(); ++p) {
+    for (; directive != mesh.directives.end() && to_size(directive->first) <= p; ++directive)
+      if (const auto [word, rest] = word_and_rest(directive->second); word == "o") name = rest;
+    naming.add(name, name);
+  }
+  return naming.take();
+}
+
+std::vector<Index> object_of_cells(const MeshObjects& objects, const MapFile& file) {
+  std::vector<Index> layers;
+  for (const int polygon : file.input_face) layers.push_back(objects.of_polygon[to_size(polygon)]);
+  return layers;
+}
+
+ObjectMesh object_mesh(const PolygonMesh& mesh, const MeshObjects& objects, Index object) {
+  ObjectMesh part;
+  PolygonMesh& out = part.mesh;
+  out.file = mesh.file;
+  out.position_rounding = mesh.position_rounding;
+  std::vector<Index> before;  // polygons of the object before each of the file
+  for (std::size_t p = 0; p < mesh.polygons.size(); ++p) {
+    before.push_back(static_cast<Index>(part.polygons.size()));
+    if (objects.of_polygon[p] == object) part.polygons.push_back(static_cast<Index>(p));
+  }
+  before.push_back(static_cast<Index>(part.polygons.size()));
+  part.vertices = take_lists(mesh.polygons, mesh.positions.size(), part.polygons, out.polygons);
+  out.positions = taken(mesh.positions, part.vertices);
+  out.colors = taken(mesh.colors, part.vertices);
+  out.polygon_lines = taken(mesh.polygon_lines, part.polygons);
+  const std::vector<Index> texcoords = take_lists(mesh.polygon_texcoords, mesh.texcoords.size(),
+                                                  part.polygons, out.polygon_texcoords);
+  out.texcoords = taken(mesh.texcoords, texcoords);
+  out.texcoord_rounding = taken(mesh.texcoord_rounding, texcoords);
+  out.normals = taken(mesh.normals, take_lists(mesh.polygon_normals, mesh.normals.size(),
+                                               part.polygons, out.polygon_normals));
+  for (const auto& [polygon, line] : mesh.directives) {
+    const std::string_view word = word_and_rest(line).first;
+    if (word == "p" || word == "l" || word == "v") continue;  // of numbers of vertices
+    out.directives.emplace_back(
+        before[to_size(std::min<Index>(polygon, static_cast<Index>(mesh.polygons.size())))], line);
+  }
+  return part;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""unwrap --objects separate: a layout for every object, each proven by itself, by the objects that the file names."""
+import json
+import re
+
+from command_helpers import *
+from unwrap_helpers import *
+
+
+def room():
+    """A cube before the first `o`, a sphere, a cube in two runs of one name; its text, and polygons by object."""
+    parts, text, count = [(cube(2), ''), (sphere(4), 'o ball\n'), (cube(3), 'o box\n'), (cube(1), 'o lid\n'),
+                          (cube(2), 'o box\n')], '', 0
+    polygons = {}
+    first = 0
+    for k, ((points, faces), line) in enumerate(parts):
+        text += line + ''.join('v %r %r %r\n' % (p[0] + 3 * k, p[1], p[2]) for p in points)
+        text += ''.join('f ' + ' '.join(str(v + 1 + count) for v in f) + '\n' for f in faces)
+        polygons.setdefault(line, []).extend(range(first, first + len(faces)))
+        count, first = count + len(points), first + len(faces)
+    return text, list(polygons.values())
+
+
+class Objects(UnwrapTest):
+    def setUp(self):
+        super().setUp()
+        text, self.objects = room()
+        self.room = self.write('room.obj', text)
+        self.out = self.path('out.obj')
+
+    def separate(self, *words, **how):
+        return self.run_ok('unwrap', self.room, '-o', self.out, '--objects', 'separate', '--report',
+                           self.path('r.json'), *words, **how)
+
+    def test_each_fills_the_unit_square(self):
+        said = self.separate()
+        self.assertEqual(len(re.findall(r"^.*room.obj: object .*, fill 0\.\d+, no overlaps$", said.err, re.M)), 4)
+        self.assertIn('proof: majorant check %s --certify --objects separate\n' % self.out, said.err)
+        layout, report = Layout(self.out), json.loads(self.read('r.json'))
+        self.assertEqual([o['name'] for o in report['objects']], ['', 'ball', 'box', 'lid'])
+        for polygons, section in zip(self.objects, report['objects']):
+            points = [layout.uv[t] for k in polygons for t in layout.texture[k]]
+            for x in range(2):
+                self.assertGreaterEqual(min(p[x] for p in points), 0)
+                self.assertLessEqual(max(p[x] for p in points), layout.scale)
+            side = max(max(p[x] for p in points) - min(p[x] for p in points) for x in range(2)) / layout.scale
+            self.assertAlmostEqual(side, 1 - 8 / 1024, delta=0.01)  # with borders of 4 pixels
+            self.assertEqual(section['status'], 'converged')
+            self.assertTrue(section['result']['globally_injective'])
+            self.assertEqual(sum(c['faces'] for c in section['charts']),
+                             sum(len(layout.faces[k]) - 2 for k in polygons))
+
+    def test_as_if_it_were_alone(self):
+        self.separate()
+        layout = Layout(self.out)
+        alone = self.write('ball.obj', obj_text(*[[(p[0] + 3, *p[1:]) for p in sphere(4)[0]], sphere(4)[1]]))
+        self.run_ok('unwrap', alone, '-o', self.path('alone.obj'))
+        other = Layout(self.path('alone.obj'))
+        mine = [[tuple(x / layout.scale for x in layout.uv[t]) for t in layout.texture[k]] for k in self.objects[1]]
+        theirs = [[tuple(x / other.scale for x in other.uv[t]) for t in other.texture[k]] for k in range(len(mine))]
+        self.assertEqual(mine, theirs)
+
+    def test_proofs(self):
+        self.separate()
+        said = self.run_ok('check', self.out, '--certify', '--objects', 'separate', '--surface', self.room)
+        self.assertIn('no overlaps', said.out)
+        self.found(self.out, '--certify', says='not globally injective')
+        lines = self.read('out.obj').decode().splitlines()
+        renamed = [('o box' if line == 'o lid' else line) for line in lines]  # two layouts in one object
+        self.found(self.write('renamed.obj', '\n'.join(renamed) + '\n'), '--certify', '--objects', 'separate',
+                   says='not globally injective')
+        self.found(self.write('nameless.obj', '\n'.join(l for l in lines if not l.startswith('o ')) + '\n'),
+                   '--certify', '--objects', 'separate', says='not globally injective')
+
+    def test_options_of_layouts(self):
+        self.separate('--groups', '--padding', 8, '--charts', 3)
+        text = self.read('out.obj').decode()
+        groups = [line for line in text.splitlines() if line.startswith('g ')]
+        charts = sum(len(o['charts']) for o in json.loads(self.read('r.json'))['objects'])
+        self.assertEqual({line for line in groups}, {'g chart_%d' % k for k in range(charts)})
+
+    def test_one_object(self):
+        """The same digits as those of one layout."""
+        points, faces = sphere(4)
+        mesh = self.mesh(points, faces)
+        self.run_ok('unwrap', mesh, '-o', self.path('a.obj'), '--objects', 'separate')
+        self.run_ok('unwrap', mesh, '-o', self.path('b.obj'))
+        self.assertEqual(self.read('a.obj'), self.read('b.obj'))
+
+    def test_a_limit_and_a_mesh_that_is_refused(self):
+        self.separate('--time-limit', 0, code=LIMIT)
+        self.run_ok('check', self.out, '--certify', '--objects', 'separate', '--surface', self.room)
+
+    def test_refusals(self):
+        pins = self.write('p.json', '{"handles": [{"vertex": 0, "target": [0, 0]}]}')
+        for words, says in ((['--pins', pins], '--pins'), (['--udim', 2], '--udim'), (['--no-pack'], '--no-pack'),
+                            (['--texel-density', 9], '--texel-density'), (['--scale', 'model'], '--scale'),
+                            (['--stack', 'equal'], '--stack'), (['--degree', 2], '--degree'), (['--bake'], '--bake'),
+                            (['--seams', self.write('s.json', '{"edges": [[0, 1]]}')], '--seams'),
+                            (['--weld', 1e-3], '--weld')):
+            self.refused(USAGE, 'unwrap', self.room, '-o', self.path('x.obj'), '--objects', 'separate', *words, says=says)
+        self.refused(USAGE, 'unwrap', self.room, '-o', self.path('x.vtu'), '--objects', 'separate', says='.obj, .glb')
+        self.separate()
+        self.run_ok('convert', self.out, '-o', self.path('x.vtu'))
+        self.refused(USAGE, 'check', self.path('x.vtu'), '--objects', 'separate', says='.obj, .glb')
+
+
+if __name__ == '__main__':
+    unittest.main()

@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""unwrap --objects separate of glTF: every mesh has the unit square, whatever nodes show it."""
+from gltf_helpers import *
+
+
+class Objects(CommandTest):
+    def model(self):
+        """Two meshes: of two primitives, and of one that two nodes show."""
+        model = Model()
+
+        def primitive(shape):
+            rows, faces = shape
+            return {'attributes': {'POSITION': model.accessor([p for p, _, _ in rows], bounds=True),
+                                   'NORMAL': model.accessor([n for _, n, _ in rows])},
+                    'indices': model.accessor([[v] for f in faces for v in f], USHORT, INDICES)}
+        room = model.add('meshes', {'name': 'room', 'primitives': [primitive(ball(5)), primitive(box((9, 2, 3)))]})
+        lamp = model.add('meshes', {'name': 'lamp', 'primitives': [primitive(ball(4))]})
+        nodes = [model.add('nodes', {'mesh': mesh, 'translation': at})
+                 for mesh, at in ((room, [0, 0, 0]), (lamp, [5, 0, 0]), (lamp, [9, 1, 0]))]
+        model.json['scene'] = model.add('scenes', {'nodes': nodes})
+        return model
+
+    def test_each_fills_the_unit_square(self):
+        source, out = self.write('in.glb', self.model().glb()), self.path('out.glb')
+        self.run_ok('unwrap', source, '-o', out, '--objects', 'separate', '--report', self.path('r.json'))
+        self.assertEqual([o['name'] for o in json.loads(self.read('r.json'))['objects']], ['room', 'lamp'])
+        reader = Reader(self.read('out.glb'))
+        for mesh, primitives in ((0, 2), (1, 1)):
+            uv = [p for k in range(primitives) for p in reader.attribute(mesh, k, 'TEXCOORD_0')]
+            for x in range(2):
+                self.assertGreaterEqual(min(p[x] for p in uv), 0)
+                self.assertLessEqual(max(p[x] for p in uv), 1)
+            side = max(max(p[x] for p in uv) - min(p[x] for p in uv) for x in range(2))
+            self.assertGreater(side, 0.97)
+        self.run_ok('check', out, '--surface', source, '--certify', '--objects', 'separate')
+        self.assertEqual(majorant('check', out, '--certify').code, INVALID)
+        for issues in validated([out], self.path('.')):
+            self.assertEqual([i for i in issues if i['severity'] < 2], [])
+
+
+if __name__ == '__main__':
+    unittest.main()
