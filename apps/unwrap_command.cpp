@@ -211,7 +211,7 @@ void UnwrapRequest::use_preset() {
     if (p.name != preset) continue;
     if (!seams.max_stretch && seams.divides()) seams.max_stretch = p.max_stretch;
     if (!is_said("--charts") && seams.divides()) charts = p.charts;
-    if (!is_said("--fill") && seams.divides() && charts != kOneChart && !no_pack &&
+    if (!is_said("--fill") && seams.divides() && charts == kAutomaticCharts && !no_pack &&
         !layout.has_own_sizes())
       fill = p.fill;
     if (!is_said("--padding")) padding = p.padding;
@@ -234,6 +234,11 @@ void UnwrapRequest::require_divisible() const {
   if (fill > 0 && charts == kOneChart)
     throw Error(ErrorKind::Usage,
                 "--fill divides charts, --charts one leaves them; leave one of the two out");
+  if (fill > 0 && chart_count(charts))
+    throw Error(ErrorKind::Usage,
+                fmt::format("--fill divides charts until they fill so much, --charts {} until "
+                            "there are so many; leave one of the two out",
+                            charts));
 }
 
 void UnwrapRequest::open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const {
@@ -609,6 +614,20 @@ void name_charts(const FinishedUnwrap& run) {
   }
 }
 
+// Why charts were not divided further; `nothing` where that would have helped nothing.
+std::string_view why_undivided(Status division, std::string_view nothing) {
+  switch (division) {
+    case Status::TimeLimit:
+      return "the time limit was reached";
+    case Status::Interrupted:
+      return "interrupted";
+    case Status::MaxIterations:
+      return "no more layouts are tried";
+    default:
+      return nothing;
+  }
+}
+
 // What was asked of the layout and could not be had.
 void say_missed(const FinishedUnwrap& run) {
   const Atlas& atlas = run.job.atlas;
@@ -617,10 +636,10 @@ void say_missed(const FinishedUnwrap& run) {
   if (asked.least_charts > 0 && count != asked.least_charts)
     say("{}: {} charts, not --charts {}: {}\n", run.map.input, count, asked.least_charts,
         count > asked.least_charts ? "fewer would stretch more than --max-stretch, or join pieces"
-                                   : "none can be divided further");
+                                   : why_undivided(atlas.division, "none can be divided further"));
   if (asked.least_fill > 0 && atlas.packing && atlas.packing->fill < asked.least_fill)
-    say("{}: fill {:.3f}, not --fill {:g}: dividing charts gains no more\n", run.map.input,
-        atlas.packing->fill, asked.least_fill);
+    say("{}: fill {:.3f}, not --fill {:g}: {}\n", run.map.input, atlas.packing->fill,
+        asked.least_fill, why_undivided(atlas.division, "dividing charts gains no more"));
 }
 
 void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {

@@ -2,7 +2,7 @@
 // energies (energies/untangling.h) by projected Newton while their eps shrinks, after [GKKPRS21].
 //
 //   const std::vector<TermId> terms;   // of the problem: those that untangle
-//   const auto judge = [&](VecIn) { return Verdict{}; };
+//   const auto judge = [&](VecIn x) { return LocalInjectivity(space, 2 * rest.measure).check(x); };
 //   UntangledPoint point = descend_untangling(problem, terms, judge, problem.reduce(start),
 //                                             kFirstEpsHeld, stop);
 //   if (point.verdict.feasible) std::cout << point.x;   // a start for minimizers

@@ -36,20 +36,19 @@ HeldBounds held(const std::vector<HeldBound>& bounds) {
 
 // The violation of bounds (violation.h) is minimized, and with it whatever else the problem has, of
 // a weight that falls with the margin asked for: the penalty method of [NW06] Sec. 17.1.
-struct ViolationRules {
-  // The room, relative to that of a bound or to 1, that the first round asks for: what bounds are
-  // relaxed by, too.
-  double first_margin = 0.1;
-  // The factor of the margin from one round to the next.
-  double fall = 0.1;
-  // The last margin is 1e-9: less is not told from none.
-  int most_rounds = 9;
-  // The relative change of a violation that is none, and the part of it that a margin may be, where
-  // it is called a minimum.
-  double unchanged = 0.01;
-  // The relative difference of two Hessians that is rounding.
-  double rounding = 1e-9;
-};
+
+// The room, relative to that of a bound or to 1, that the first round asks for: what bounds are
+// relaxed by, too.
+constexpr double kFirstMargin = 0.1;
+// The factor of the margin from one round to the next.
+constexpr double kMarginFall = 0.1;
+// The last margin is 1e-9: less is not told from none.
+constexpr int kMostRounds = 9;
+// The relative change of a violation that is none, and the part of it that a margin may be, where
+// it is called a minimum.
+constexpr double kUnchanged = 0.01;
+// The relative difference of two Hessians that is rounding.
+constexpr double kHessianRounding = 1e-9;
 
 constexpr const char* kNoProof = "; that is no proof that there is none, start inside";
 
@@ -155,23 +154,22 @@ class Phases {
 
   // By minima of the violation of all bounds that are not met. Those that are hold on the way.
   bool minimize_violation() {
-    const ViolationRules rules;
     const double scale = this->scale(), mu = options_.first_gap * scale / m_;
     double before = std::numeric_limits<double>::infinity();
     bool no_room = false;
     LargestViolation left;
-    for (int k = 0; k < rules.most_rounds && !no_room; ++k) {
-      const double margin = rules.first_margin / std::pow(1 / rules.fall, k);
+    for (int k = 0; k < kMostRounds && !no_room; ++k) {
+      const double margin = kFirstMargin / std::pow(1 / kMarginFall, k);
       // The energy moves the minimum out by about half its weight times the multiplier of the
       // bound, which is less than the margin from some round on.
-      const double weight = margin * margin / rules.first_margin / scale;
+      const double weight = margin * margin / kFirstMargin / scale;
       stepper_.reset(with_violations(margin, {weight, mu}));
       if (k == 0 && !check_start(stepper_.evaluator(), result_)) return false;
       descend({}, stepper_.evaluator().value(result_.y));
       left = largest_violation();
       if (left.bound && went_on()) {
-        no_room = result_.status == Status::Converged && margin <= rules.unchanged * left.amount &&
-                  left.amount >= (1 - rules.unchanged) * before && is_convex_here(rules.rounding);
+        no_room = result_.status == Status::Converged && margin <= kUnchanged * left.amount &&
+                  left.amount >= (1 - kUnchanged) * before && is_convex_here();
         before = left.amount;
         continue;
       }
@@ -264,7 +262,7 @@ class Phases {
 
   // Whether the stepper's problem, without the energy, has a Hessian whose parts are all
   // semidefinite.
-  bool is_convex_here(double rounding) const {
+  bool is_convex_here() const {
     TermChanges changes;
     for (const TermId id : problem_.terms()) {
       if (is_barrier(id)) continue;
@@ -278,7 +276,7 @@ class Phases {
     Vec gradient, exact, projected;
     evaluator.linearize(result_.y, Curvature::Exact, gradient, exact);
     evaluator.linearize(result_.y, Curvature::Projected, gradient, projected);
-    return (exact - projected).norm() <= rounding * projected.norm();
+    return (exact - projected).norm() <= kHessianRounding * projected.norm();
   }
 
   struct RestWeights {

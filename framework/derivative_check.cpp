@@ -243,8 +243,8 @@ class ElementCheck {
         all = all && agrees(claimed.column[j], found.back().column[j], hessian_scale_);
       if (all) break;
     }
-    // Differences that agree with each other are believed, else the one that is nearest to the
-    // derivative.
+    // The difference that the derivative agrees with is believed, else one that another one agrees
+    // with, else the nearest.
     const auto compare = [&](Worst& worst, double scale, std::string block, const auto& entry) {
       std::vector<double> expected;
       for (const Differences& one : found) expected.push_back(entry(one));
@@ -254,12 +254,15 @@ class ElementCheck {
         return std::abs(a - computed) < std::abs(b - computed);
       };
       std::sort(expected.begin(), expected.end(), nearer);
-      bool resolved = agrees(computed, expected.front(), scale);
+      double believed = expected.front();
+      bool resolved = agrees(computed, believed, scale);
       for (std::size_t a = 0; a < expected.size() && !resolved; ++a)
-        for (std::size_t b = a + 1; b < expected.size() && !resolved; ++b)
+        for (std::size_t b = a + 1; b < expected.size() && !resolved; ++b) {
           resolved = agrees(expected[a], expected[b], scale);
+          if (resolved) believed = expected[a];
+        }
       if (!resolved) block += ", not resolved by differences,";
-      worst.update(scale, element_, std::move(block), computed, expected.front());
+      worst.update(scale, element_, std::move(block), computed, believed);
     };
     compare(gradient, gradient_scale_, fmt::format("gradient[{}]", i),
             [](const Differences& d) { return d.gradient; });
@@ -341,8 +344,11 @@ std::string DerivativeReport::message() const {
     text += fmt::format("element {}: {} is {:.9g}, expected {:.9g}\n", m.element, m.block,
                         m.computed, m.expected);
   }
-  if (shown.size() < all.size())
-    text += fmt::format("... and {} more elements\n", all.size() - shown.size());
+  const std::size_t more = all.size() - shown.size(), left = mismatches.size() - lines;
+  if (more > 0)
+    text += fmt::format("... and {} more elements\n", more);
+  else if (left > 0)
+    text += fmt::format("... and {} more of the same elements\n", left);
   return text;
 }
 

@@ -25,6 +25,12 @@ double extent(const Eigen::MatrixBase<Points>& points) {
   return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
 }
 
+// The diagonal of the bounding box. points: #P by dimension, one at least.
+template <class Points>
+double diagonal(const Eigen::MatrixBase<Points>& points) {
+  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+
 // Sine and cosine of a corner of a triangle, times the lengths of the two edges: the sine is twice
 // the area.
 struct CornerAngle {

@@ -213,9 +213,7 @@ void AtlasJob::solve() {
   options.cuts.given.clear();
   if (old_seams == OldSeams::Cut) options.cuts.given = surface.texture_seams;
   options.cuts.wanted = {marked_creases(*polygons, surface), {}};
-  const bool is_free =
-      options.cuts.method == CutMethod::Automatic || options.cuts.method == CutMethod::Sharp;
-  if (is_free) {
+  if (chooses_cuts(options.cuts.method)) {
     const StopCheck& stop = record.start_stop();
     visibility = hide_from ? visibility_from(*surface.mesh, *hide_from, stop)
                            : ambient_visibility(*surface.mesh, stop);

@@ -13,6 +13,7 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/layout_scale.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/maps/distortion.h"
@@ -45,10 +46,6 @@ bool holds_map(const std::string& path) {
 
 Points3 input_positions(const SurfaceMesh& mesh) {
   return mesh.positions().rowwise() + mesh.origin().transpose();
-}
-
-double diagonal(const SurfaceMesh& mesh) {
-  return (mesh.positions().colwise().maxCoeff() - mesh.positions().colwise().minCoeff()).norm();
 }
 
 // The file's normals at the corners of the faces; those of flat faces where it has none.
@@ -226,7 +223,7 @@ void BakeJob::run(const StopCheck& stop) {
                             target.file, carrier.file));
   method = place_of ? BakeMethod::Same : BakeMethod::Nearest;
   if (!place_of) {
-    farthest = distance.value_or(kFarthest * diagonal(*carrier.mesh));
+    farthest = distance.value_or(kFarthest * diagonal(carrier.mesh->positions()));
     tree.emplace(input_positions(*carrier.mesh), carrier.mesh->faces());
     place_of = nearest_places(*target.mesh, *tree, farthest);
   }

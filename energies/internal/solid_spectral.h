@@ -12,6 +12,7 @@
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -96,8 +97,8 @@ class SolidSpectralDensity {
     for (int r = 0; r < size; ++r) m.g[r] = G(r / 3, r % 3);
   }
 
-  static void write_curvature(const Factors& factors, const Jets& jets,
-                              PointModel<double, size>& m) {
+  void write_curvature(const Factors& factors, const Jets& jets,
+                       PointModel<double, size>& m) const {
     for (double& entry : m.k) entry = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto row = static_cast<Eigen::Index>(i);
@@ -109,9 +110,13 @@ class SolidSpectralDensity {
         const double difference = si - sj, sum = si + sj;
         // Closer values are equal: their quotient would have lost half of its digits.
         constexpr double kEqual = 1e-6;
-        const bool are_equal = std::abs(difference) <= kEqual * (std::abs(si) + std::abs(sj));
+        double scale = std::abs(si) + std::abs(sj);
+        const bool are_equal = std::abs(difference) <= kEqual * scale;
         const double a = are_equal ? (jets[i].h[0] + jets[j].h[0]) / 2 : (di - dj) / difference;
-        const double b = (di + dj) / (sum == 0 ? std::numeric_limits<double>::min() : sum);
+        // Where values cancel, at reflections and at 0, f has no second derivative. The sum is not
+        // negative, as s_2 is the least in magnitude; with a positive determinant it is `scale`.
+        if (traits.domain == Domain::Everywhere) scale = std::max(scale, 1.0);
+        const double b = (di + dj) / std::max(sum, kEqual * scale);
         const Matrix P = factors.U.col(row) * factors.V.col(column).transpose(),
                      Q = factors.U.col(column) * factors.V.col(row).transpose();
         add(a / 2, P + Q, m);

@@ -93,21 +93,24 @@ constexpr int kMostCuts = 2;
 constexpr double kSeen = 0.3, kSurely = 0.85;
 
 // What a layout costs, besides its seams in square roots of the area, creases a quarter, and its
-// stretch (choose_cuts.h): each chart, and the boxes of all charts for their area. Long thin charts
-// have fills of 0.03 to 0.1, their halves are worth a short cut; others fill half of their box.
+// stretch (choose_cuts.h): each chart, and the boxes of all charts for their area. A chart that
+// fills a twentieth of its box is worth a short cut; one that fills half of it, none.
 constexpr double kChartCost = 0.1, kFillCost = 0.1;
-// Layouts packed at most on the way to a fill; on public models it was reached, or out of reach,
-// in ten.
+// Layouts packed at most on the way to a fill, each of which takes as long as the first one.
 constexpr int kMostFills = 16;
 
 // In square roots of a chart's area: what pinned charts are apart at least. A billion
 // roundings.
 constexpr double kTouching = 1e-7;
 
+// Whether charts may be cut for the sake of their stretch, their number or their fill.
+bool may_cut(const UnwrapOptions& options) {
+  return options.limit == StretchLimit::Kept && options.islands == Islands::Mapped &&
+         chooses_cuts(options.cuts.method);
+}
+
 bool is_stretched(const UnwrapOptions& options, const Chart& chart) {
-  const CutMethod method = options.cuts.method;
-  return options.limit == StretchLimit::Kept && chart.stretch.l2 > options.cuts.max_stretch &&
-         (method == CutMethod::Automatic || method == CutMethod::Sharp);
+  return may_cut(options) && chart.stretch.l2 > options.cuts.max_stretch;
 }
 
 // The way in which a chart can be divided.
@@ -164,7 +167,8 @@ class Unwrapping {
     scale_charts();
     atlas_.optimize_seconds = record_.seconds() - started - atlas_.initialize_seconds;
     if (options_.packing && atlas_.status() != Status::Failed) place_charts();
-    if (atlas_.packing && options_.least_fill > 0 && is_of_one_scale()) fill_square();
+    if (atlas_.packing && options_.least_fill > 0 && may_cut(options_) && is_of_one_scale())
+      fill_square();
     atlas_.packing_seconds =
         record_.seconds() - started - atlas_.initialize_seconds - atlas_.optimize_seconds;
     return std::move(atlas_);
@@ -248,10 +252,7 @@ class Unwrapping {
 
   // Whether overlaps of its unfolded panels are cut, not mapped away.
   bool is_cut_where_it_overlaps(const Task& task) const {
-    const CutMethod method = options_.cuts.method;
-    return options_.limit == StretchLimit::Kept && !is_held(task) &&
-           (method == CutMethod::Automatic || method == CutMethod::Sharp) &&
-           unfolds_at_creases(*task.mesh, task.wanted);
+    return may_cut(options_) && !is_held(task) && unfolds_at_creases(*task.mesh, task.wanted);
   }
 
   // Cuts charts that stretch more than they may and maps them again, until none is left that can
@@ -382,15 +383,19 @@ class Unwrapping {
   // Divides charts for the sake of what is asked for, or where the layout costs less then.
   void divide() {
     try {
-      while (record_.directive() == Directive::Continue) {
+      for (;;) {
         const std::vector<std::size_t> next = worth_dividing();
-        if (next.empty() || !divide(next)) return;
+        if (next.empty()) return;
+        if (!divide(next)) break;
       }
-    } catch (const Stopped&) {
+      atlas_.division = stopped_status(record_.directive());
+    } catch (const Stopped& stop) {
+      atlas_.division = stopped_status(stop.why());
     }
   }
 
   bool divide(const std::vector<std::size_t>& which) {
+    if (record_.directive() != Directive::Continue) return false;
     const bool is_done = recut(which, [&](const StopCheck&) {
       std::vector<Flags> cuts;
       for (const std::size_t k : which) cuts.push_back(tasks_[k].division->cut);
@@ -409,10 +414,8 @@ class Unwrapping {
   // Those whose division lowers the cost that docs/atlas.md states, or makes as many as are asked
   // for. Stopped.
   std::vector<std::size_t> worth_dividing() {
-    const CutMethod method = options_.cuts.method;
-    const bool is_free = method == CutMethod::Automatic || method == CutMethod::Sharp;
     std::vector<std::size_t> next;
-    if (!is_free || options_.limit != StretchLimit::Kept) return next;
+    if (!may_cut(options_)) return next;
     const auto asked = static_cast<std::size_t>(std::max<Index>(options_.least_charts, 0));
     const bool is_counted = asked > tasks_.size();
     if (!is_counted && (options_.least_charts > 0 || !options_.packing)) return next;
@@ -461,6 +464,7 @@ class Unwrapping {
   const Division* division_of(std::size_t k) {
     Task& task = tasks_[k];
     if (!task.division) {
+      record_.stop().poll();
       const Chart& chart = atlas_.charts[k];
       Division division;
       division.cut = cut_across(*task.mesh, task.wanted, PathsAcross::BetweenEnds, record_.stop());
@@ -529,9 +533,10 @@ class Unwrapping {
     }
   }
 
+  // Gives chart k this map, and its measures, whole even where the time limit is reached.
   void take(BezierMap map, std::size_t k) {
     Chart& chart = atlas_.charts[k];
-    chart.measures = measure_map(map, tasks_[k].options.map.energy, record_.stop());
+    chart.measures = measure_map(map, tasks_[k].options.map.energy, record_.start_stop());
     chart.stretch = measure_stretch(map);
     chart.map = std::move(map);
   }
@@ -620,17 +625,29 @@ class Unwrapping {
       Atlas atlas;
     };
     Layout best{tasks_, atlas_};
-    try {
-      for (int k = 0; k < kMostFills && atlas_.packing->fill < options_.least_fill; ++k) {
-        const std::vector<std::size_t> next = fullest_next();
-        if (next.empty() || !divide(next)) break;
-        place_charts();
-        if (atlas_.packing->fill > best.atlas.packing->fill) best = {tasks_, atlas_};
-      }
-    } catch (const Stopped&) {
-    }
+    const Status why = fill_until_done([&] {
+      if (atlas_.packing->fill > best.atlas.packing->fill) best = {tasks_, atlas_};
+    });
     tasks_ = std::move(best.tasks);
     atlas_ = std::move(best.atlas);
+    if (why != Status::Converged) atlas_.division = why;
+  }
+
+  // Calls after_layout() after every packing; Atlas::division.
+  Status fill_until_done(const std::function<void()>& after_layout) {
+    try {
+      for (int k = 0; atlas_.packing->fill < options_.least_fill; ++k) {
+        if (k == kMostFills) return Status::MaxIterations;
+        const std::vector<std::size_t> next = fullest_next();
+        if (next.empty()) break;
+        if (!divide(next)) return stopped_status(record_.directive());
+        place_charts();
+        after_layout();
+      }
+    } catch (const Stopped& stop) {
+      return stopped_status(stop.why());
+    }
+    return Status::Converged;
   }
 
   // As many as fill the square if all goes as with their boxes.
@@ -656,21 +673,29 @@ class Unwrapping {
     return next;
   }
 
-  // Charts that lie on none.
+  // Charts that lie on none; those that pins or handles hold are among them, and none lies on them.
   std::vector<std::size_t> choose_places() {
+    std::vector<std::size_t> loose;
     std::vector<std::shared_ptr<const SurfaceMesh>> surfaces;
     std::vector<double> scale;
-    for (const Task& task : tasks_) {
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      const Task& task = tasks_[k];
+      atlas_.charts[k].place.reset();
+      if (is_held(task)) continue;
+      loose.push_back(k);
       surfaces.push_back(task.mesh);
       if (options_.face_scale.size() > 0) scale.push_back(options_.face_scale[task.faces.front()]);
     }
     std::vector<std::optional<StackPlace>> places =
         stack_places(surfaces, options_.stacking, scale);
-    std::vector<std::size_t> lowest;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      if (!places[k]) lowest.push_back(k);
-      atlas_.charts[k].place = std::move(places[k]);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (!places[i]) continue;
+      places[i]->chart = loose[places[i]->chart];
+      atlas_.charts[loose[i]].place = std::move(places[i]);
     }
+    std::vector<std::size_t> lowest;
+    for (std::size_t k = 0; k < tasks_.size(); ++k)
+      if (!atlas_.charts[k].place) lowest.push_back(k);
     return lowest;
   }
 

@@ -64,7 +64,7 @@ Stretch measure_stretch(const BezierMap& map);
 // Unfolded: the faces laid side by side in their own shapes (flat panels between creases; strips,
 // where Tutte's map led to overlaps). Texture: the file's
 // coordinates, turned and mirrored as they lie. Untangled: those, after triangles were turned over.
-// Anew: one of the first two, because the file's coordinates overlap or have no area, or could not
+// Anew: one of the first four, because the file's coordinates overlap or have no area, or could not
 // be untangled.
 enum class ChartStart { Tutte, Multiresolution, Parent, Unfolded, Texture, Untangled, Anew };
 // "tutte", "multiresolution", "parent", "unfolded", "texture", "untangled", "anew"
@@ -124,9 +124,10 @@ struct UnwrapOptions {
   CutOptions cuts = {};
   StretchLimit limit = StretchLimit::Kept;
   // Where the limit is kept of Automatic or Sharp cuts, charts are divided until there are so many
-  // of them, and until they fill so much of the packing's square; with 0 where the layout costs
-  // less then (docs/atlas.md, "One chart or many"). Fewer, and less, where that is not possible;
-  // least_fill is not looked at with Stacking, face_scale and several tiles.
+  // of them, and then until they fill so much of the packing's square; with 0 where the layout
+  // costs less then (docs/atlas.md, "One chart or many"). Fewer, and less, where that is not
+  // possible (Atlas::division); least_fill is not looked at with Stacking, face_scale and several
+  // tiles.
   Index least_charts = 0;
   double least_fill = 0;
   // Seconds from the start of the run after which cuts that suffice are not made shorter.
@@ -146,6 +147,10 @@ struct Atlas {
   std::vector<Chart> charts;       // in the order of their first faces
   std::optional<Packing> packing;  // of their maps, which are in place
   double initialize_seconds = 0, optimize_seconds = 0, packing_seconds = 0;
+  // Why the division of charts ended (least_charts, least_fill). Converged: there are so many, and
+  // they fill so much, or none can be divided that gains anything. MaxIterations: no more layouts
+  // are packed on the way to a fill.
+  Status division = Status::Converged;
 
   // The worst of the charts: Converged only if all are.
   Status status() const;

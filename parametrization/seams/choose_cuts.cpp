@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
-#include <queue>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -460,11 +457,17 @@ void require_valid(const SurfaceMesh& mesh, const CutOptions& options) {
     if (v < 0 || v >= mesh.vertex_count())
       throw InvalidArgument(
           fmt::format("{}vertex {}, to be left whole, does not exist", message_prefix(mesh), v));
-  for (const std::size_t count :
-       {options.given.size(), options.wanted.creases.size(), options.wanted.weight.size()})
+  const std::vector<double>& weight = options.wanted.weight;
+  for (const auto& [count, what] : {std::pair(options.given.size(), "flags"),
+                                    {options.wanted.creases.size(), "flags"},
+                                    {weight.size(), "weights"}})
     if (count > 0 && count != to_size(mesh.half_edge_count()))
       throw InvalidArgument(
-          fmt::format("choose_cuts: {} flags for {} half-edges", count, mesh.half_edge_count()));
+          fmt::format("choose_cuts: {} {} for {} half-edges", count, what, mesh.half_edge_count()));
+  for (std::size_t h = 0; h < weight.size(); ++h)
+    if (!(weight[h] > 0) || !std::isfinite(weight[h]))
+      throw InvalidArgument(fmt::format(
+          "choose_cuts: the weight of half-edge {} is {:g}, not a positive number", h, weight[h]));
   if (options.method == CutMethod::Texture && mesh.corner_texcoords().rows() == 0)
     throw Refusal(
         ErrorKind::Unsupported, mesh.file(),
@@ -630,10 +633,9 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
     out.components.push_back(facts);
     require_usable_size(part, area);
     take_apart_if_flat(part, options.max_stretch, out.is_cut, stop);
-    if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
-      part_from_slivers(part, out.is_cut);
+    if (chooses_cuts(options.method)) part_from_slivers(part, out.is_cut);
   }
-  if (options.method == CutMethod::Automatic || options.method == CutMethod::Sharp)
+  if (chooses_cuts(options.method))
     cut_automatically(mesh, wishes, options.max_stretch, Pieces::All, out, stop);
   if (options.method == CutMethod::Texture) {
     cut_automatically(mesh, wishes, options.max_stretch, Pieces::NotByTexture, out, stop);

@@ -27,12 +27,17 @@ enum class CutMethod {
   Given,      // along CutOptions::edges and nothing else
 };
 
+// Returns whether the rule chooses cuts by what they cost, so that more of them may be made.
+inline bool chooses_cuts(CutMethod method) {
+  return method == CutMethod::Automatic || method == CutMethod::Sharp;
+}
+
 // What else cuts cost, edge by edge: 3 #F, both sides the same, or empty.
 struct CutPreferences {
   // Flags of creases, whatever their angle, as normals, smoothing groups and materials of a file
   // have them. A cut along a crease costs a quarter of its length.
   std::vector<char> creases = {};
-  std::vector<double> weight = {};  // positive factors of all costs: where seams are not wanted
+  std::vector<double> weight = {};  // factors > 0 of all costs: where seams are not wanted
 };
 
 struct CutOptions {
@@ -84,10 +89,11 @@ struct SurfaceCuts {
 // Edges inside polygons of the file are cut only where nothing else is possible. Components of
 // faces without an area alone (all at one place, all on one line) are cut along all their edges.
 //
-// Throws InvalidArgument for a stretch or an angle out of range, a vertex that does not exist, and
-// flags of the wrong size; Error(Usage) for a pair of `edges` that is no edge of the file, naming
-// it; Error(Unsupported) for a component of less than 1e-160 of the area of all, for areas that are
-// no doubles, and for Texture where no face has texture coordinates; Stopped.
+// Throws InvalidArgument for a stretch, an angle or a weight out of range, a vertex that does not
+// exist, and flags or weights of the wrong size; Error(Usage) for a pair of `edges` that is no edge
+// of the file, naming it; Error(Unsupported) for a component of less than 1e-160 of the area of
+// all, for areas that are no doubles, and for Texture where no face has texture coordinates;
+// Stopped.
 SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options,
                         const StopCheck& stop = {});
 
@@ -107,9 +113,9 @@ std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wa
 // around planes [CSAD04]. Of two or more faces.
 std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop = {});
 // The path from boundary to boundary that costs least for the area that it leaves on its smaller
-// side, between the ends of the chart or from a boundary vertex around which there is more than a
-// full turn, so that the chart overlaps itself there, if there is one. No flags where there is
-// none.
+// side, between the ends of the chart or from the boundary vertex around which there is most, a
+// full turn or more, so that the chart overlaps itself there, if there is one. No flags where there
+// is no such path.
 enum class PathsAcross { BetweenEnds, FromOverlaps };
 std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,
                              PathsAcross paths, const StopCheck& stop = {});

@@ -48,18 +48,25 @@ class Paths {
     for (const Index v : through) is_node_[v] = 1;
   }
 
-  // The half-edges of every path, once; not those of loops without a node.
+  // The half-edges of every path between two nodes, once; a loop with one node is two paths that
+  // meet half way, and one without any is none.
   std::vector<std::vector<Index>> all() const {
     std::vector<std::vector<Index>> paths;
     std::vector<char> is_seen(is_cut_.size(), 0);
     for (Index start = 0; start < mesh_.half_edge_count(); ++start) {
       if (!is_cut_[start] || is_seen[start] || !is_node_[mesh_.from_vertex(start)]) continue;
-      std::vector<Index>& path = paths.emplace_back();
+      std::vector<Index> path;
       for (Index h = start; h >= 0;) {
         path.push_back(h);
         is_seen[h] = is_seen[mesh_.opposite(h)] = 1;
         h = is_node_[mesh_.to_vertex(h)] ? -1 : onwards(h);
       }
+      if (mesh_.from_vertex(path.front()) == mesh_.to_vertex(path.back())) {
+        const auto half = path.begin() + static_cast<std::ptrdiff_t>(path.size() / 2);
+        paths.emplace_back(path.begin(), half);
+        path.erase(path.begin(), half);
+      }
+      paths.push_back(std::move(path));
     }
     return paths;
   }
@@ -78,18 +85,24 @@ class Paths {
   // The cheapest path near this one between its ends that meets no other cut.
   std::vector<Index> cheapest(const std::vector<Index>& path, const Vec& cost, double turn_cost) {
     const std::vector<Index> near = allow_near(path);
-    const Index end = mesh_.to_vertex(path.back());
+    const Index start = mesh_.from_vertex(path.front()), end = mesh_.to_vertex(path.back());
+    const auto is_end = [&](Index v) { return v == start || v == end; };
+    // Of the cuts between vertices that are allowed those that join the ends are other paths.
+    const auto is_other_cut = [&](Index g) {
+      return path.size() > 1 && is_cut_[g] && is_end(mesh_.from_vertex(g)) &&
+             is_end(mesh_.to_vertex(g));
+    };
     using Reached = std::pair<double, Index>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
     std::vector<Index> touched;
     const auto reach = [&](Index g, double d, Index from) {
-      if (!is_allowed_[mesh_.to_vertex(g)] || d >= distance_[g]) return;
+      if (!is_allowed_[mesh_.to_vertex(g)] || d >= distance_[g] || is_other_cut(g)) return;
       if (distance_[g] == kFar) touched.push_back(g);
       distance_[g] = d;
       entered_[g] = from;
       front.emplace(d, g);
     };
-    for (const Index g : leaving_[mesh_.from_vertex(path.front())]) reach(g, cost[g], -1);
+    for (const Index g : leaving_[start]) reach(g, cost[g], -1);
     Index last = -1;
     while (!front.empty() && last < 0) {
       const auto [d, h] = front.top();

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "majorant/framework/parallel.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/mesh/model_unit.h"
 #include "majorant/parametrization/seams/internal/cut_costs.h"
 
@@ -23,8 +24,8 @@ constexpr int kCells = 4;
 constexpr double kHeight = 1e-3;
 // Times that visibility is replaced by the mean over neighbours.
 constexpr int kSmoothings = 2;
-// The weight of what is not visible at all: hidden ways may be longer, seams become so by some
-// percent on public models.
+// The weight of what is not visible at all: a hidden way may be four times as long as a visible
+// one.
 constexpr double kHiddenWeight = 0.25;
 
 // Whether rays meet a surface: a tree of boxes, halved at the median of their middles.
@@ -153,34 +154,85 @@ Points3 vertex_normals(const SurfaceMesh& mesh) {
   return normals;
 }
 
-double start_height(const SurfaceMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) box.extend(Vector3(mesh.positions().row(v)));
-  return kHeight * box.diagonal().norm();
+// By vertex: those that it shares an edge with, those of two faces twice.
+std::vector<std::vector<Index>> neighbours(const SurfaceMesh& mesh) {
+  std::vector<std::vector<Index>> all(to_size(mesh.vertex_count()));
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    all[to_size(mesh.from_vertex(h))].push_back(mesh.to_vertex(h));
+    if (mesh.opposite(h) < 0) all[to_size(mesh.to_vertex(h))].push_back(mesh.from_vertex(h));
+  }
+  return all;
 }
 
-// The values of the samples (v % stride == 0), each taken by the vertices nearest to it.
-void spread(const SurfaceMesh& mesh, Index stride, Vec& value) {
-  if (stride == 1) return;
-  std::vector<std::vector<Index>> neighbours(to_size(mesh.vertex_count()));
-  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    neighbours[to_size(mesh.from_vertex(h))].push_back(mesh.to_vertex(h));
-    if (mesh.opposite(h) < 0) neighbours[to_size(mesh.to_vertex(h))].push_back(mesh.from_vertex(h));
-  }
-  std::vector<char> is_known(neighbours.size(), 0);
-  std::vector<Index> queue;
-  for (Index v = 0; v < mesh.vertex_count(); v += stride) {
-    is_known[to_size(v)] = 1;
-    queue.push_back(v);
-  }
-  for (std::size_t k = 0; k < queue.size(); ++k)
-    for (const Index w : neighbours[to_size(queue[k])]) {
-      if (is_known[to_size(w)]) continue;
-      is_known[to_size(w)] = 1;
-      value[w] = value[queue[k]];
-      queue.push_back(w);
+// Vertices that stand for those around them: each takes the value of the sample that is nearest
+// along edges.
+class Samples {
+ public:
+  // Every k-th vertex, kMostSamples at most, and the first of each component that has none of
+  // these.
+  explicit Samples(const SurfaceMesh& mesh) : nearest_(to_size(mesh.vertex_count()), -1) {
+    const Index stride = (mesh.vertex_count() + kMostSamples - 1) / kMostSamples;
+    for (Index v = 0; v < mesh.vertex_count(); v += std::max<Index>(stride, 1)) add(v);
+    if (stride <= 1) return;
+    const std::vector<std::vector<Index>> around = neighbours(mesh);
+    grow(around);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (nearest_[to_size(v)] >= 0) continue;
+      add(v);
+      grow(around);
     }
-}
+  }
+
+  const std::vector<Index>& vertices() const { return vertices_; }
+
+  // #V, of values by sample.
+  Vec spread(const Vec& value) const {
+    Vec all(static_cast<Index>(nearest_.size()));
+    for (Index v = 0; v < all.size(); ++v) all[v] = value[nearest_[to_size(v)]];
+    return all;
+  }
+
+ private:
+  void add(Index v) {
+    nearest_[to_size(v)] = static_cast<Index>(vertices_.size());
+    vertices_.push_back(v);
+    reached_.push_back(v);
+  }
+  void grow(const std::vector<std::vector<Index>>& around) {
+    for (; grown_ < reached_.size(); ++grown_)
+      for (const Index w : around[to_size(reached_[grown_])]) {
+        if (nearest_[to_size(w)] >= 0) continue;
+        nearest_[to_size(w)] = nearest_[to_size(reached_[grown_])];
+        reached_.push_back(w);
+      }
+  }
+
+  std::vector<Index> nearest_;  // #V: the number of the sample
+  std::vector<Index> vertices_;
+  std::vector<Index> reached_;  // vertices, in the order of their distance
+  std::size_t grown_ = 0;       // of these, those whose neighbours are reached
+};
+
+// Rays that start a little above vertices.
+class RaysFrom {
+ public:
+  explicit RaysFrom(const SurfaceMesh& mesh)
+      : positions_(mesh.positions()),
+        occluders_(mesh),
+        normals_(vertex_normals(mesh)),
+        height_(kHeight * diagonal(mesh.positions())) {}
+
+  Vector3 normal(Index v) const { return normals_.row(v); }
+  bool leaves(Index v, const Vector3& direction) const {
+    return !occluders_.meets(positions_.row(v).transpose() + height_ * normal(v), direction);
+  }
+
+ private:
+  const Points3& positions_;
+  const Occluders occluders_;
+  const Points3 normals_;
+  const double height_;
+};
 
 void smooth(const SurfaceMesh& mesh, Vec& value) {
   for (int k = 0; k < kSmoothings; ++k) {
@@ -193,64 +245,51 @@ void smooth(const SurfaceMesh& mesh, Vec& value) {
   }
 }
 
-// Values by vertex of `other`, which has the same faces with other numbers of vertices.
-Vec on_vertices_of(const SurfaceMesh& mesh, const SurfaceMesh& other, const Vec& value) {
-  Vec out = Vec::Zero(mesh.vertex_count());
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    out[mesh.from_vertex(h)] = value[other.from_vertex(h)];
-  return out;
+// What `visibility` gives of a mesh, in units in which its extent is an ordinary number.
+template <class Visibility>
+Vec near_one(const SurfaceMesh& mesh, const Visibility& visibility) {
+  const double unit = model_unit(mesh);
+  return unit == 1 ? visibility(mesh) : visibility(*in_units(mesh, unit));
 }
 
 }  // namespace
 
-Vec ambient_visibility(const SurfaceMesh& mesh, const StopCheck& stop) {
-  if (const double unit = model_unit(mesh); unit != 1) {
-    const auto near_one = in_units(mesh, unit);
-    return on_vertices_of(mesh, *near_one, ambient_visibility(*near_one, stop));
-  }
-  const Occluders occluders(mesh);
-  const std::vector<Direction> light = directions();
-  const Points3 normals = vertex_normals(mesh);
-  const double height = start_height(mesh);
-  const Index stride = (mesh.vertex_count() + kMostSamples - 1) / kMostSamples;
-  Vec visibility = Vec::Ones(mesh.vertex_count());
-  parallel_for((mesh.vertex_count() + stride - 1) / stride, 16, [&](Index sample) {
-    if (sample % 16 == 0) stop.poll();
-    const Index v = sample * stride;
-    const Vector3 normal = normals.row(v);
-    const Vector3 from = mesh.positions().row(v).transpose() + height * normal;
-    double seen = 0, all = 0;
-    for (const Direction& d : light) {
-      const double weight = d.weight * d.towards.dot(normal);
-      if (weight <= 0) continue;
-      all += weight;
-      if (!occluders.meets(from, d.towards)) seen += weight;
-    }
-    if (all > 0) visibility[v] = seen / all;
+Vec ambient_visibility(const SurfaceMesh& surface, const StopCheck& stop) {
+  return near_one(surface, [&stop](const SurfaceMesh& mesh) {
+    const RaysFrom rays(mesh);
+    const Samples samples(mesh);
+    const std::vector<Direction> light = directions();
+    Vec visibility = Vec::Ones(static_cast<Index>(samples.vertices().size()));
+    parallel_for(visibility.size(), 16, [&](Index sample) {
+      if (sample % 16 == 0) stop.poll();
+      const Index v = samples.vertices()[to_size(sample)];
+      double seen = 0, all = 0;
+      for (const Direction& d : light) {
+        const double weight = d.weight * d.towards.dot(rays.normal(v));
+        if (weight <= 0) continue;
+        all += weight;
+        if (rays.leaves(v, d.towards)) seen += weight;
+      }
+      if (all > 0) visibility[sample] = seen / all;
+    });
+    visibility = samples.spread(visibility);
+    smooth(mesh, visibility);
+    return visibility;
   });
-  spread(mesh, stride, visibility);
-  smooth(mesh, visibility);
-  return visibility;
 }
 
-Vec visibility_from(const SurfaceMesh& mesh, const Vector3& direction, const StopCheck& stop) {
-  if (const double unit = model_unit(mesh); unit != 1) {
-    const auto near_one = in_units(mesh, unit);
-    return on_vertices_of(mesh, *near_one, visibility_from(*near_one, direction, stop));
-  }
-  const Occluders occluders(mesh);
-  const Points3 normals = vertex_normals(mesh);
-  const double height = start_height(mesh);
+Vec visibility_from(const SurfaceMesh& surface, const Vector3& direction, const StopCheck& stop) {
   const Vector3 towards = direction.stableNormalized();
-  Vec visibility(mesh.vertex_count());
-  parallel_for(mesh.vertex_count(), 256, [&](Index v) {
-    if (v % 256 == 0) stop.poll();
-    const Vector3 normal = normals.row(v);
-    const Vector3 from = mesh.positions().row(v).transpose() + height * normal;
-    const double cosine = towards.dot(normal);
-    visibility[v] = cosine > 0 && !occluders.meets(from, towards) ? cosine : 0;
+  return near_one(surface, [&](const SurfaceMesh& mesh) {
+    const RaysFrom rays(mesh);
+    Vec visibility(mesh.vertex_count());
+    parallel_for(mesh.vertex_count(), 256, [&](Index v) {
+      if (v % 256 == 0) stop.poll();
+      const double cosine = towards.dot(rays.normal(v));
+      visibility[v] = cosine > 0 && rays.leaves(v, towards) ? cosine : 0;
+    });
+    return visibility;
   });
-  return visibility;
 }
 
 std::vector<double> hiding_weights(const SurfaceMesh& mesh, const Vec& visibility) {

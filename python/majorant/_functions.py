@@ -176,6 +176,8 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         raise UsageError("numbers of charts, fill and hide_from are of seams 'auto' and 'sharp'; leave them or the seams out")
     if fill is not None and (charts == 'one' or pack is False):
         raise UsageError("fill divides charts that are packed; leave it out, or charts='one' and pack=False")
+    if fill is not None and counted:
+        raise UsageError('fill and charts both say how far charts are divided; leave one of the two out')
     extra = {
         **_cuts(seams, uv, len(mesh.positions)),
         'max_stretch': None if max_stretch is None else _options.number('max_stretch', max_stretch, 1),

@@ -19,6 +19,12 @@ def arch(n):
     return points, faces
 
 
+def seam_where(vtu, points, weight):
+    """The length of the seams of a file, that of each edge times the weight of its middle."""
+    edges = [[points[v] for v in edge] for edge in Vtu(vtu).claims['cuts']]
+    return sum(math.dist(a, b) * weight(tuple((x + y) / 2 for x, y in zip(a, b))) for a, b in edges)
+
+
 class Creases(UnwrapTest):
     def test_panels_are_not_sheared(self):
         for kind in ('open box', 'lid', 'tray', 'shaft', 'L-block', 'gear', 'bracket'):
@@ -29,7 +35,7 @@ class Creases(UnwrapTest):
                     self.assertEqual(report['status'], 'converged')
 
     def marked(self, marks):
-        """The length of the seams of a sphere whose upper and lower half are marked."""
+        """Of a sphere whose halves are marked: the length of its seams, and the part of it between the halves."""
         points, faces = sphere(8)
         halves = [[f for f in faces if (sum(points[v][2] for v in f) > 0) == upper] for upper in (True, False)]
         text = ''.join('v %r %r %r\n' % tuple(p) for p in points)
@@ -37,16 +43,33 @@ class Creases(UnwrapTest):
             text += mark + '\n' + ''.join('f %d %d %d\n' % tuple(v + 1 for v in f) for f in half)
         mesh = self.write('marked.obj', text)
         self.run_ok('unwrap', mesh, '-o', self.path('cuts.vtu'), '--report', self.path('r.json'))
-        with open(self.path('r.json')) as f:
-            seam = json.load(f)['result']['seam_length']
-        return seam
+        seam = json.loads(self.read('r.json'))['result']['seam_length']
+        return seam, seam_where(self.path('cuts.vtu'), points, lambda p: p[2] == 0) / seam
 
     def test_marks_of_files_attract_seams(self):
         plain = self.marked(('', ''))
         self.assertEqual(self.marked(('s 1', 's 1')), plain)
         self.assertEqual(self.marked(('s off', 's off')), plain)  # all edges: says nothing
         for marks in (('s 1', 's 2'), ('usemtl a', 'usemtl b')):
-            self.assertNotEqual(self.marked(marks), plain)  # a border costs a quarter
+            self.assertGreater(self.marked(marks)[1], plain[1] + 0.1)  # a border costs a quarter
+
+
+class HiddenSeams(UnwrapTest):
+    def test_out_of_sight_of_who_looks_from_there(self):
+        points, faces = sphere(8)
+        mesh = self.mesh(points, faces)
+        seen = {}
+        for flags in ((), ('--hide-from', '0,0,1')):
+            self.run_ok('unwrap', mesh, '-o', self.path('a.vtu'), '--report', self.path('r.json'), *flags)
+            report = json.loads(self.read('r.json'))
+            length = report['result']['seam_length']
+            cosine = seam_where(self.path('a.vtu'), points, lambda p: max(0, p[2])) / length
+            seen[flags] = cosine, report['result']['seam_visibility']
+            self.assertEqual(report['options']['hide_from'], flags[1] if flags else None)
+        around, hidden = seen.values()
+        self.assertAlmostEqual(around[1], 1, places=9)  # from somewhere: it is convex
+        self.assertAlmostEqual(*hidden, delta=0.02)
+        self.assertLess(hidden[0], around[0] / 2)
 
 
 class OneOrMany(UnwrapTest):
@@ -78,6 +101,9 @@ class OneOrMany(UnwrapTest):
         self.assertGreaterEqual(full['result']['fill'], 0.6)
         outcome = self.run_ok('unwrap', mesh, self.path('o.obj'), '--fill', 0.99)
         self.assertIn('not --fill 0.99', outcome.err)
+        for flags in (('--fill', 0.99), ('--charts', 99)):
+            outcome = self.run_ok('unwrap', mesh, self.path('o.obj'), '--time-limit', 0, *flags, code=LIMIT)
+            self.assertRegex(outcome.err, 'not %s %s: the time limit was reached' % flags)
 
     def test_presets(self):
         mesh = self.mesh(*open_box(2, 1, 1, 1))
@@ -85,6 +111,8 @@ class OneOrMany(UnwrapTest):
         for key, value in (('preset', 'game'), ('padding', 9), ('resolution', 2048), ('fill', 0.6),
                            ('max_stretch', 1.01), ('charts', 'auto')):
             self.assertEqual(game['options'][key], value, key)
+        _, five = self.unwrap(mesh, '--preset', 'game', '--charts', 5)
+        self.assertEqual((five['options']['fill'], five['result']['charts']), (None, 5))
         _, single = self.unwrap(mesh, '--preset', 'single', '--resolution', 99)
         self.assertEqual((single['options']['charts'], single['options']['resolution']), ('one', 99))
 
@@ -96,6 +124,7 @@ class OneOrMany(UnwrapTest):
                             (['--fill', 1], 'no part of a square'),
                             (['--fill', 0.5, '--no-pack'], '--fill'),
                             (['--charts', 'one', '--fill', 0.5], '--charts one leaves them'),
+                            (['--charts', 5, '--fill', 0.9], '--charts 5 until there are so many'),
                             (['--seams', none, '--charts', 3], '--charts divides charts of --seams auto'),
                             (['--preset', 'film'], 'film')):
             self.refused(USAGE, 'unwrap', mesh, self.path('o.obj'), *flags, says=says)

@@ -36,6 +36,11 @@ class Placement(UnwrapTest):
                 else:
                     self.fail('the layout does not fill its square')
 
+    def test_panels_whose_cuts_close_again_are_written(self):
+        """A coarse torus, of flat panels: sides of a cut that lie on each other are apart by rounding alone."""
+        mesh = self.mesh(*both(sphere(3), torus(8, 6, 0)))
+        self.run_ok('unwrap', mesh, '-o', self.path('a.obj'), '--padding', 60, '--resolution', 256)
+
     def test_one_chart_has_a_border_too(self):
         self.run_ok('unwrap', generated('creature'), '-o', self.path('a.obj'), '--padding', 32)
         layout = Layout(self.path('a.obj'))

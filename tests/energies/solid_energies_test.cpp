@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -89,6 +90,21 @@ TEST(SolidEnergies, ValuesAtIsometriesAndOutside) {
     else
       EXPECT_GT(f[1], f[0] + 0.1) << energy.name;
     EXPECT_EQ(std::isinf(f[2]), energy.name != "arap") << energy.name;
+  }
+}
+
+// Values of either sign that cancel, and none at all.
+TEST(SolidEnergies, ArapHasFiniteModelsEverywhere) {
+  const FreeTetrahedra t(
+      {Eigen::Vector3d(1, 1, -1).asDiagonal().toDenseMatrix(), Eigen::Matrix3d::Zero()});
+  const auto arap = std::find_if(solid_energies().begin(), solid_energies().end(),
+                                 [](const NamedEnergy& e) { return e.name == "arap"; });
+  const auto problem =
+      ProblemBuilder(static_cast<Index>(t.x.size())).add(arap->make(t.space, t.rest), 1).build();
+  for (const Curvature curvature : {Curvature::Projected, Curvature::Exact}) {
+    Vec g, h;
+    Evaluator(problem).linearize(problem.reduce(t.x), curvature, g, h);
+    EXPECT_TRUE(g.allFinite() && h.allFinite()) << curvature_name(curvature);
   }
 }
 

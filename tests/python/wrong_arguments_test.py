@@ -66,6 +66,7 @@ WRONG = [
     (lambda: flat(soft=3.0), 'soft is the weight of handles; give handles'),
     (lambda: majorant.unwrap(V, F, pack=False, padding=3), 'padding and resolution are for packing'),
     (lambda: majorant.unwrap(V, F, pack=False, resolution=256), 'padding and resolution are for packing'),
+    (lambda: majorant.unwrap(V, F, fill=0.5, charts=3), 'fill and charts both say how far'),
     (lambda: majorant.unwrap(V, F, seams=[[0, 1]], max_stretch=2), "max_stretch is of seams 'auto' and 'sharp'"),
     (lambda: majorant.seamless(V, F, cones={0: 3}, curvature_alignment=5), 'leave out cones or it'),
     # points

@@ -5,6 +5,7 @@
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/rounding.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
@@ -17,8 +18,22 @@
 namespace majorant {
 namespace {
 
+// The part of the size of a chart that moving it and writing it down rounds, at most, in a layout
+// that is thousands of times as large.
+constexpr double kRounding = 0x1p-40;
+
 bool has_proven_boundary(const BezierMap& map) {
   return check_boundary(map).result == ProofStatus::Proven;
+}
+
+// Returns whether its boundary is proven to be simple, and stays so where its points are rounded:
+// not where the two sides of a cut lie on each other but for rounding, as those of panels that fit
+// into the plane.
+bool has_boundary_margin(const BezierMap& map) {
+  const Vec& x = map.control_points();
+  const double unit = kRounding * power_of_two(x.cwiseAbs().maxCoeff());
+  return has_proven_boundary(map) &&
+         has_proven_boundary(map.with(map.shared_space(), Vec(unit * (x / unit).array().round())));
 }
 
 // Returns whether its faces are larger than what moving it and writing it down rounds.
@@ -63,8 +78,8 @@ bool is_positive(const SurfaceMesh& mesh, const Vec& uv) {
 }  // namespace
 
 ChartSolver::ChartSolver(std::shared_ptr<const SurfaceMesh> mesh,
-                         const ParametrizationOptions& options, const ChartHints& hints)
-    : mesh_(std::move(mesh)), options_(options), hints_(hints) {}
+                         const ParametrizationOptions& options, ChartHints hints)
+    : mesh_(std::move(mesh)), options_(options), hints_(std::move(hints)) {}
 
 Chart ChartSolver::solve(RunRecord& record) {
   chart_.pins = options_.map.pins;
@@ -75,7 +90,7 @@ Chart ChartSolver::solve(RunRecord& record) {
   if (has_start() && hints_.shape == ChartShape::Unfolds) try_unfolded(record);
   if (has_start() && hints_.parent.size() > 0 &&
       attempt(hints_.parent, MapInjectivity::Local, record))
-    chart_.start = ChartStart::Parent;
+    name_start(ChartStart::Parent);
   if (has_start()) try_tutte(record);
   if (!is_done_) keep_start(record);
   if (is_left) {
@@ -121,14 +136,14 @@ bool ChartSolver::try_many_resolutions(RunRecord& record) {
   } catch (const Stopped&) {
     return false;
   }
-  chart_.start = ChartStart::Multiresolution;
+  name_start(ChartStart::Multiresolution);
   return true;
 }
 
 bool ChartSolver::overlaps_unfolded() const {
   const Vec start = unfolded(*mesh_);
   return faces_without_area_margin(mesh_->faces(), start) == 0 &&
-         !has_proven_boundary(BezierMap::linear(mesh_, start));
+         !has_boundary_margin(BezierMap::linear(mesh_, start));
 }
 
 // Starts from strips that are laid out: Tutte's map of a strip much longer than wide is so far from
@@ -137,12 +152,12 @@ bool ChartSolver::overlaps_unfolded() const {
 bool ChartSolver::try_unfolded(RunRecord& record) {
   const Vec start = unfolded(*mesh_);
   if (faces_without_area_margin(mesh_->faces(), start) > 0 ||
-      !has_proven_boundary(BezierMap::linear(mesh_, start)))
+      !has_boundary_margin(BezierMap::linear(mesh_, start)))
     return false;
   if (!attempt(start, MapInjectivity::Local, record) &&
       !attempt(start, MapInjectivity::Global, record))
     return false;
-  if (chart_.start == ChartStart::Tutte) chart_.start = ChartStart::Unfolded;
+  name_start(ChartStart::Unfolded);
   return true;
 }
 
@@ -180,7 +195,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
     return false;
   }
   const bool has_map = result.map && result.status != Status::Failed;
-  if (!has_map || !has_proven_boundary(*result.map) || !has_area_margin(*result.map)) {
+  if (!has_map || !has_boundary_margin(*result.map) || !has_area_margin(*result.map)) {
     chart_.message = result.message;
     return false;
   }
@@ -205,6 +220,11 @@ void ChartSolver::keep_start(const RunRecord& record) {
     chart_.message = "no injective map of the chart was found";
   }
   chart_.map = std::move(map);
+}
+
+// A chart that was to start from the file's coordinates is Anew, wherever it starts instead.
+void ChartSolver::name_start(ChartStart start) {
+  if (chart_.start == ChartStart::Tutte) chart_.start = start;
 }
 
 // Scales the chart to the area of the surface where the energy does not determine its size.

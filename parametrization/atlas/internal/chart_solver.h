@@ -5,10 +5,11 @@
 //   Chart chart = solver.solve(record);    // chart.map is there, and proven injective
 //
 // The attempts at a chart, until the image is proven to be free of overlaps and its faces are
-// larger than rounding: the map of what it was cut from, the file's texture coordinates (untangled
-// if need be), Tutte's map - of large charts one in many resolutions - and the unfolded faces as
-// starts, each first without a scaffold, which most charts do not need and which costs several
-// times as much, then with one (Tutte's last). At the end Tutte's map as it is.
+// larger than rounding, start from: the file's texture coordinates (untangled if need be), the
+// faces side by side where they unfold, the map of what it was cut from, Tutte's map - of large
+// charts one in many resolutions - and the faces side by side of any chart. Each is first without a
+// scaffold, which most charts do not need and which costs several times as much, then with one:
+// Tutte's last, that of what it was cut from never. At the end Tutte's map as it is.
 // Overlaps are looked for after the solve: of a free boundary only the boundary tells.
 //
 // The file's texture coordinates of a chart as a start of its map, as good as they can be made.
@@ -40,10 +41,10 @@ struct ChartHints {
 
 class ChartSolver {
  public:
-  // mesh: planar (SurfaceMesh::require_planar). options: vertices are those of the mesh. All
-  // outlive this.
+  // mesh: planar (SurfaceMesh::require_planar). options: vertices are those of the mesh; outlive
+  // this.
   ChartSolver(std::shared_ptr<const SurfaceMesh> mesh, const ParametrizationOptions& options,
-              const ChartHints& hints);
+              ChartHints hints);
 
   // All but `faces`. Throws Error(Infeasible) where pins cannot be met, Error(Usage) for options.
   Chart solve(RunRecord& record);
@@ -56,12 +57,13 @@ class ChartSolver {
   bool overlaps_unfolded() const;
   bool attempt(const Vec& start, MapInjectivity injectivity, RunRecord& record);
   void keep_start(const RunRecord& record);
+  void name_start(ChartStart start);
   void to_area_of_surface();
   const Vec& tutte();
 
   std::shared_ptr<const SurfaceMesh> mesh_;
   const ParametrizationOptions& options_;
-  const ChartHints& hints_;
+  const ChartHints hints_;
   std::optional<Vec> tutte_;
   Chart chart_;
   bool is_done_ = false;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/elements/bernstein.h"
+#include "majorant/mesh/geometry.h"
 
 namespace majorant {
 namespace {
@@ -15,19 +16,15 @@ namespace {
 // Half a texel of a chart that is 4096 of them wide.
 constexpr double kSamePlace = 1e-4;
 
-double extent(const SurfaceMesh& mesh) {
-  const auto& p = mesh.positions();
-  return (p.colwise().maxCoeff() - p.colwise().minCoeff()).norm();
-}
-
-Index previous(Index half_edge) { return next(next(half_edge)); }
+// The distance that vertices may have of those of the chart that they lie on.
+double close_to(const SurfaceMesh& mesh) { return kSamePlace * diagonal(mesh.positions()); }
 
 // The faces of two surfaces, matched from one pair of half-edges on.
 class Matching {
  public:
   // Mirrored: half-edges of one run backwards along those of the other.
   Matching(const SurfaceMesh& on, const SurfaceMesh& under, ChartSense sense)
-      : on_(on), under_(under), sense_(sense), close_(kSamePlace * extent(under)) {}
+      : on_(on), under_(under), sense_(sense), close_(close_to(under)) {}
 
   // Returns whether all faces match where h lies on g.
   bool match(Index h, Index g) {
@@ -123,8 +120,12 @@ std::vector<Index> numbers_of(const SurfaceMesh& mesh) {
   return numbers;
 }
 
-bool may_be_copies(const SurfaceMesh& a, const SurfaceMesh& b) {
-  return std::abs(a.area() - b.area()) <= 8 * kSamePlace * std::max(a.area(), b.area());
+// Whether areas agree: where the corners of a triangle move by at most d, its area changes by at
+// most half of its perimeter times d, but for d^2.
+bool may_be_copies(const SurfaceMesh& on, const SurfaceMesh& under) {
+  double perimeters = 0;
+  for (Index h = 0; h < under.half_edge_count(); ++h) perimeters += under.edge_length(h);
+  return std::abs(on.area() - under.area()) <= close_to(under) * perimeters;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "majorant/energies/make_energy.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
+#include "majorant/parametrization/atlas/internal/congruent_charts.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
 #include "random.h"
@@ -220,6 +221,88 @@ TEST(Unwrap, PinsHoldTheirChart) {
   expect_layout(atlas, *repair(mesh).mesh);
 }
 
+// Three copies: the two that no pin holds share a place.
+TEST(Unwrap, PinnedChartsAreNotStacked) {
+  const PolygonMesh sheet = grid(3, bumpy);
+  const PolygonMesh mesh =
+      together(together(sheet, moved(sheet, {0, 0, 9})), moved(sheet, {0, 0, 18}));
+  const auto count = static_cast<Index>(sheet.positions.size());
+  for (std::size_t pinned = 0; pinned < 3; ++pinned) {
+    UnwrapOptions options = of_degree(1);
+    options.stacking = Stacking::Equal;
+    const Vector2 target(3.25, -1.5);
+    options.chart.map.pins = {{static_cast<Index>(pinned) * count + 7, target}};
+    const Atlas atlas = unwrapped(mesh, options);
+    ASSERT_EQ(atlas.charts.size(), 3U);
+    const std::size_t under = pinned == 0 ? 1 : 0, on = 3 - pinned - under;
+    EXPECT_FALSE(atlas.charts[pinned].place || atlas.charts[under].place);
+    ASSERT_TRUE(atlas.charts[on].place);
+    EXPECT_EQ(atlas.charts[on].place->chart, under);
+    const Chart& chart = atlas.charts[pinned];
+    EXPECT_EQ(Vector2(chart.map->control_points().segment<2>(2 * chart.pins.at(0).vertex)), target);
+  }
+}
+
+// Of one size: the tolerance is a part of the length, whatever the width is.
+TEST(Stacks, OfStripsAreAsCloseAsOfSquares) {
+  const auto strip = [](double width) {
+    return repair(transformed(grid(6),
+                              [width](const Vector3& p) -> Vector3 {
+                                return {p.x(), width * p.y(), 0.002 * p.x() * p.x()};
+                              }))
+        .mesh;
+  };
+  const auto places = [&](double width) {
+    return stack_places({strip(0.01), strip(width)}, Stacking::Equal, {});
+  };
+  EXPECT_TRUE(places(0.01 + 0.9e-4)[1]);
+  EXPECT_FALSE(places(0.01 + 3e-4)[1]);
+}
+
+// A half ring, flat, which fills little of a square.
+PolygonMesh arch() {
+  return transformed(grid(10), [](const Vector3& p) -> Vector3 {
+    const double angle = std::numbers::pi * p.x(), radius = 1 + 0.1 * p.y();
+    return {-radius * std::cos(angle), radius * std::sin(angle), 0};
+  });
+}
+
+TEST(Unwrap, ChartsThatMayNotBeCutAreNotDivided) {
+  UnwrapOptions options;
+  options.least_fill = 0.9;
+  EXPECT_GT(unwrapped(arch(), options).charts.size(), 1U);
+  UnwrapOptions given = options, reported = options;
+  given.cuts.method = CutMethod::Given;
+  reported.limit = StretchLimit::Reported;
+  for (const UnwrapOptions& kept : {given, reported})
+    EXPECT_EQ(unwrapped(arch(), kept).charts.size(), 1U);
+}
+
+TEST(Unwrap, SaysWhyTheDivisionEnded) {
+  const std::shared_ptr<const SurfaceMesh> surface = repair(cube_sphere(4)).mesh;
+  UnwrapOptions counted, full;
+  counted.least_charts = 3;
+  full.least_fill = 0.99;
+  for (const UnwrapOptions& options : {counted, full}) {
+    RunRecord none(0);
+    EXPECT_EQ(unwrap(surface, options, none).division, Status::TimeLimit);
+  }
+  RunRecord enough;
+  const Atlas atlas = unwrap(surface, counted, enough);
+  EXPECT_EQ(atlas.division, Status::Converged);
+  EXPECT_EQ(atlas.charts.size(), 3U);
+}
+
+TEST(Unwrap, ScaledChartsAreMeasuredWhole) {
+  const std::shared_ptr<const SurfaceMesh> surface = repair(grid(4, bumpy)).mesh;
+  UnwrapOptions options = of_degree(2);
+  options.face_scale = Vec::Constant(surface->face_count(), 2);
+  RunRecord record(0);
+  const Atlas atlas = unwrap(surface, options, record);
+  EXPECT_EQ(atlas.status(), Status::TimeLimit);
+  EXPECT_FALSE(atlas.charts.at(0).measures.cut_short);
+}
+
 // Where the cut of a closed surface would pass; on seams that are asked for it is refused.
 TEST(Unwrap, PinnedVerticesHaveOnePlace) {
   const PolygonMesh mesh = cube_sphere(4);
@@ -287,6 +370,21 @@ TEST(TextureStart, SaysWhatItFinds) {
   ASSERT_TRUE(folded);
   EXPECT_EQ(folded->start, ChartStart::Untangled);
   EXPECT_FALSE(start_of([](const Vector2&) { return Vector2(0, 0); }));
+}
+
+// The map of what it was cut from, where the file has none.
+TEST(ChartSolver, NamesTheStart) {
+  const std::shared_ptr<const SurfaceMesh> mesh =
+      repair(textured_grid([](const Vector2&) { return Vector2(0, 0); })).mesh;
+  for (const auto& [texture, start] : {std::pair(TextureStart::Tried, ChartStart::Anew),
+                                       {TextureStart::Ignored, ChartStart::Parent}}) {
+    ChartHints hints;
+    hints.texture = texture;
+    hints.parent = uv_of(*mesh, [](const Vector3& p) -> Vector2 { return p.head<2>(); });
+    RunRecord record;
+    const ParametrizationOptions options;
+    EXPECT_EQ(ChartSolver(mesh, options, hints).solve(record).start, start);
+  }
 }
 
 TEST(UnitSquare, HoldsEverything) {

@@ -127,12 +127,28 @@ TEST(ChooseCuts, EnoughTakesWhatSuffices) {
   EXPECT_THROW(choose_cuts(mesh, at_once, stop), Stopped);
 }
 
+TEST(ChooseCuts, RefusesWeightsThatAreNoFactors) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(tetrahedron());
+  CutOptions options;
+  for (const double wrong : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    options.wanted.weight.assign(to_size(mesh.half_edge_count()), 1);
+    options.wanted.weight[5] = wrong;
+    expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, options); }),
+                    {"weight of half-edge 5"});
+  }
+  options.wanted.weight.assign(3, 1);
+  expect_contains(error_message(ErrorKind::Usage, [&] { choose_cuts(mesh, options); }),
+                  {"3 weights for 12 half-edges"});
+}
+
 TEST(ChooseCuts, CreasesCostAQuarter) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(8));
   CutOptions options;
   options.wanted.creases.assign(to_size(mesh.half_edge_count()), 0);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
     options.wanted.creases[h] = is_between(mesh, h, [](const Vector3& p) { return p.z() > 0; });
+  EXPECT_NEAR(cost_of_cuts(mesh, options.wanted, options.wanted.creases),
+              0.25 * cost_of_cuts(mesh, {}, options.wanted.creases), 1e-9);
   const auto along = [&](const SurfaceCuts& cuts) {
     double length = 0;
     for (Index h = 0; h < mesh.half_edge_count(); ++h)

@@ -16,6 +16,20 @@ std::vector<char> path_through(const SurfaceMesh& mesh, const std::vector<Index>
   return is_cut;
 }
 
+// Of radius 1, m quads around in each of n rows: vertices row by row.
+PolygonMesh tube(int m, int n) {
+  std::vector<Vector3> positions;
+  std::vector<std::vector<Index>> quads;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i < m; ++i) {
+      const double angle = 2 * kPi * i / m;
+      positions.push_back({std::cos(angle), std::sin(angle), 0.4 * j});
+      const Index next = (i + 1) % m;
+      if (j < n) quads.push_back({j * m + i, j * m + next, (j + 1) * m + next, (j + 1) * m + i});
+    }
+  return polygon_mesh(std::move(positions), std::move(quads));
+}
+
 TEST(CutPaths, StaircasesBecomeStraight) {
   constexpr int n = 12;
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid(n));
@@ -39,6 +53,23 @@ TEST(CutPaths, StaircasesBecomeStraight) {
     if (is_cut[h]) cut += 0.5 * length[h] * n;
   EXPECT_NEAR(cut, 15, 1e-9);  // no longer than the stairs
   EXPECT_EQ(mesh.cut_along(is_cut, nullptr).topology().boundary_loops, 2);
+}
+
+// A ring around a tube, and a cut from one of its vertices to the border.
+TEST(CutPaths, LoopsWithOneNodeStayLoops) {
+  constexpr int m = 16, n = 8;
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(tube(m, n));
+  std::vector<Index> ring, branch;
+  for (int i = 0; i <= m; ++i) ring.push_back(n / 2 * m + i % m);
+  for (int j = 0; j <= n / 2; ++j) branch.push_back(j * m);
+  std::vector<char> is_cut = path_through(mesh, ring);
+  const std::vector<char> down = path_through(mesh, branch);
+  for (std::size_t h = 0; h < is_cut.size(); ++h) is_cut[h] |= down[h];
+  const CutTurning turning = turning_of_cuts(mesh, is_cut);
+  EXPECT_NEAR(turning.shortest, turning.cuts, 1e-9);
+  std::vector<char> smooth = is_cut;
+  smooth_cuts(mesh, {}, Vec::Ones(mesh.half_edge_count()), smooth);
+  EXPECT_EQ(smooth, is_cut);
 }
 
 TEST(CutPaths, NoneTurnsNothing) {

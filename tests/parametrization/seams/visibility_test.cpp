@@ -33,6 +33,38 @@ TEST(Visibility, IsLessInAPit) {
   EXPECT_EQ(ambient_visibility(mesh), seen);
 }
 
+// Near a plate and turned to it; none of its vertices is one that rays start from by its number.
+TEST(Visibility, OfEveryComponent) {
+  PolygonMesh mesh = grid(114);
+  const auto first = static_cast<Index>(mesh.positions.size());
+  for (const Vector3& p :
+       {Vector3(0.45, 0.45, 0.05), Vector3(0.45, 0.55, 0.05), Vector3(0.55, 0.45, 0.05)})
+    mesh.positions.push_back(p);
+  mesh.polygons.push_back({first, first + 1, first + 2});
+  mesh.polygon_lines.clear();
+  const Vec seen = ambient_visibility(SurfaceMesh::from_polygons(mesh));
+  EXPECT_LT(seen.tail<3>().maxCoeff(), 0.1);
+}
+
+// A plate high above a part of another one.
+TEST(Visibility, FromADirectionBehindOtherParts) {
+  PolygonMesh mesh = grid(10);
+  const auto first = static_cast<Index>(mesh.positions.size());
+  for (const auto& [x, y] : {std::pair(0.25, 0.25), {0.75, 0.25}, {0.75, 0.75}, {0.25, 0.75}})
+    mesh.positions.emplace_back(x, y, 0.5);
+  mesh.polygons.push_back({first, first + 1, first + 2, first + 3});
+  mesh.polygon_lines.clear();
+  const SurfaceMesh surface = SurfaceMesh::from_polygons(mesh);
+  const Vec above = visibility_from(surface, {0, 0, 1});
+  for (Index v = 0; v < surface.vertex_count(); ++v) {
+    const Vector3 p = surface.positions().row(v);
+    const bool is_hidden =
+        p.z() == 0 && std::abs(p.x() - 0.5) < 0.25 && std::abs(p.y() - 0.5) < 0.25;
+    EXPECT_EQ(above[v], is_hidden ? 0 : 1) << p.transpose();
+  }
+  EXPECT_EQ(visibility_from(surface, {0, 0, -1}).maxCoeff(), 0);
+}
+
 TEST(Visibility, FromADirection) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(6));
   const Vec seen = visibility_from(mesh, {0, 0, 3});
