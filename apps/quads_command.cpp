@@ -93,6 +93,7 @@ int make_quads(QuadsRequest request) {
                {"cones", request.cones},
                {"strict", request.common.strict}};
   or_interrupted("making quads of " + request.input, [&] { job.solve(request.cones); });
+  say_warnings(job.warnings);
   record.begin(Activity::Writing);
   const double before = seconds_since(start);
   WrittenFiles written;
@@ -125,7 +126,7 @@ void add_quads(CLI::App& app, Action* run) {
   begin_group(verb, OptionGroup::Map);
   CLI::Option* const count =
       verb.add_option("--count", r.count, "number of quads (half the number of faces)")
-          ->check(whole_number(1, 100000000));
+          ->check(whole_number(1, kMostQuads));
   verb.add_option("--edge-length", r.edge_length, "length of the edges of quads, model units")
       ->check(positive_number(std::numeric_limits<double>::max()))
       ->excludes(count);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -43,6 +44,34 @@ Index quad_of(Index half_edge) { return half_edge / 4; }
 Index after(Index half_edge) { return half_edge % 4 == 3 ? half_edge - 3 : half_edge + 1; }
 Index before(Index half_edge) { return half_edge % 4 == 0 ? half_edge + 3 : half_edge - 1; }
 
+// Of every component its Euler characteristic and its number of border loops, sorted.
+using Components = std::vector<std::pair<Index, Index>>;
+
+// Of a manifold whose half-edge `corners` f + k starts at corner k of face f, at from() of it, and
+// has the one beyond it for opposite(); negative: none. on_loops: a vertex of every border loop.
+template <class From, class Opposite>
+Components components_of(Index faces, Index corners, Index vertices, const From& from,
+                         const Opposite& opposite, const std::vector<Index>& on_loops) {
+  UnionFind same(faces);
+  for (Index h = 0; h < corners * faces; ++h)
+    if (opposite(h) >= 0) same.join(h / corners, opposite(h) / corners);
+  std::map<Index, std::pair<Index, Index>> found;  // by face
+  std::vector<Index> name_of(to_size(vertices), -1);
+  for (Index h = 0; h < corners * faces; ++h) {
+    const Index name = same.find(h / corners);
+    Index& euler_characteristic = found[name].first;
+    if (h % corners == 0) ++euler_characteristic;      // the face
+    if (opposite(h) < h) --euler_characteristic;       // the edge, of both sides once
+    if (name_of[from(h)] < 0) ++euler_characteristic;  // the vertex
+    name_of[from(h)] = name;
+  }
+  for (const Index v : on_loops) ++found[name_of[v]].second;
+  Components all;
+  for (const auto& [name, component] : found) all.push_back(component);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 class QuadJudge {
  public:
   QuadJudge(const PolygonMesh& quads, const SurfaceMesh* surface, const StopCheck& stop)
@@ -57,6 +86,7 @@ class QuadJudge {
   QuadCheck judge() {
     check_.count = static_cast<Index>(quads_.polygons.size());
     if (!are_all_quads() || !join_edges() || !has_single_fans()) return check_;
+    check_.is_surface = true;
     count_topology();
     measure_corners();
     if (surface_) compare();
@@ -209,6 +239,7 @@ class QuadJudge {
 
   void compare() {
     const Topology &t = check_.topology, &s = surface_->topology();
+    const std::size_t before = check_.defects.size();
     const auto compare_counts = [&](std::string_view what, Index ours, Index theirs) {
       if (ours != theirs)
         blame(fmt::format("{} of the quads: {}, of the surface: {}", what, ours, theirs));
@@ -216,8 +247,25 @@ class QuadJudge {
     compare_counts("Euler characteristic", t.euler_characteristic(), s.euler_characteristic());
     compare_counts("components", t.components, s.components);
     compare_counts("border loops", t.boundary_loops, s.boundary_loops);
+    if (check_.defects.size() == before && are_other_components())
+      blame(
+          "Euler characteristics and border loops are those of the surface in sum, not component "
+          "by component");
     compare_positions();
     if (t.boundary_loops == s.boundary_loops && t.boundary_loops > 0) compare_borders();
+  }
+
+  bool are_other_components() const {
+    std::vector<Index> ours, theirs;
+    for (const auto& loop : loops_) ours.push_back(from(loop.front()));
+    for (const auto& loop : surface_->boundary_loops()) theirs.push_back(loop.front());
+    return components_of(
+               check_.count, 4, static_cast<Index>(quads_.positions.size()),
+               [&](Index h) { return from(h); }, [&](Index h) { return opposite_[h]; }, ours) !=
+           components_of(
+               surface_->face_count(), 3, surface_->vertex_count(),
+               [&](Index h) { return surface_->from_vertex(h); },
+               [&](Index h) { return surface_->opposite(h); }, theirs);
   }
 
   // Positions of the surface as the file has them.
@@ -288,7 +336,7 @@ class QuadJudge {
   };
 
   // All border edges of the surface as triangles without an area, which are the segments.
-  void open_borders() {
+  void open_borders(const Points3& positions) {
     const auto& loops = surface_->boundary_loops();
     Index edges = 0;
     for (const auto& loop : loops) edges += static_cast<Index>(loop.size());
@@ -300,7 +348,7 @@ class QuadJudge {
         segments.row(row++) << a, b, b;
         edge_places_.push_back({static_cast<Index>(l), static_cast<double>(i), 0});
       }
-    border_tree_.emplace(surface_points(), segments);
+    border_tree_.emplace(positions, segments);
   }
 
   Place place_of(Index vertex) const {
@@ -312,16 +360,18 @@ class QuadJudge {
   }
 
   void compare_borders() {
-    open_borders();
     const Points3 positions = surface_points();
+    open_borders(positions);
     const double close =
         kBorderClose * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
     const auto& loops = surface_->boundary_loops();
     std::vector<char> is_followed(loops.size(), 0);
     std::vector<Index> off, wrong;
+    std::size_t polls = 0;
     for (const std::vector<Index>& loop : loops_) {
       std::vector<Place> places;
       for (const Index h : loop) {
+        stop_.poll_at(polls++);
         places.push_back(place_of(from(h)));
         if (!(places.back().distance <= close)) off.push_back(from(h));
       }
@@ -338,7 +388,7 @@ class QuadJudge {
       constexpr double kHalf = 0.5;  // of a turn: sums are whole turns but for rounding
       if (!(around < (1 + kHalf) * length) || is_followed[on]) wrong.push_back(from(loop[0]));
       is_followed[on] = 1;
-      missing_corners(loops[on], loop, close);
+      missing_corners(positions, loops[on], loop, close);
     }
     if (!off.empty())
       blame(listed("border vertex is off the surface's border",
@@ -354,15 +404,15 @@ class QuadJudge {
   }
 
   // Vertices of the surface where its border turns, but no vertex of the quads' is.
-  void missing_corners(const std::vector<Index>& border, const std::vector<Index>& loop,
-                       double close) {
-    const Points3 positions = surface_points();
+  void missing_corners(const Points3& positions, const std::vector<Index>& border,
+                       const std::vector<Index>& loop, double close) {
     const std::size_t count = border.size();
     for (std::size_t i = 0; i < count; ++i) {
       const Vector3 p = positions.row(border[i]);
       const Vector3 in = p - Vector3(positions.row(border[(i + count - 1) % count]));
       const Vector3 out = Vector3(positions.row(border[(i + 1) % count])) - p;
       if (degrees(std::atan2(in.cross(out).norm(), in.dot(out))) < kCornerTurn) continue;
+      stop_.poll();  // all of the loop is looked through
       const bool is_met = std::any_of(
           loop.begin(), loop.end(), [&](Index h) { return (point(from(h)) - p).norm() <= close; });
       if (!is_met) missing_.push_back(border[i]);

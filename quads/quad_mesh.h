@@ -37,20 +37,23 @@ struct QuadMesh {
   PolygonMesh quads;
   QuadCheck check;  // of these, with the surface: valid
   long asked = 0;
-  // The number of quads with as few edges on every arc as the cones allow; where more than asked
-  // were made.
+  // The number of quads with as few edges on every arc as the cones allow; where more than
+  // kCountClose above the count asked for were made.
   std::optional<long> least_count;
   Index cones = 0, patches = 0;
-  bool has_joined_arcs = false;       // arcs without edges; false: all have one at least
   Status status = Status::Converged;  // of the map's optimization, which a limit may have ended
 };
 
-// Count within 5 % of the one asked where that is possible.
+// Of the attempts whose quads are valid the first with a count within this part of the one asked
+// for, else the closest.
 inline constexpr double kCountClose = 0.05;
+// Numbers of quads, and of their half-edges, are Index.
+inline constexpr Index kMostQuads = 100'000'000;
 
-// mesh: connected. Throws Error(Unsupported) for a border; InvalidArgument for options out of range
-// or that exclude each other; Error(Infeasible) where no whole numbers or no valid quads were
-// found; as make_seamless(); Stopped when the record's start_stop() says so.
+// mesh: connected. Throws Error(Unsupported) for a border and for more than kMostQuads;
+// InvalidArgument for options out of range or that exclude each other; Error(Infeasible) where no
+// whole numbers or no valid quads were found; as make_seamless(); Stopped when the record's
+// start_stop() says so.
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record);
 
 }  // namespace majorant

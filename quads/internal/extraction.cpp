@@ -17,6 +17,11 @@ bool contains(const SeamlessLattice& lattice, Index face, LatticePoint p) {
   return true;
 }
 
+// The distance of point k of an arc that is cut into `count` edges.
+std::int64_t cut(std::int64_t length, Index k, Index count) {
+  return static_cast<std::int64_t>(WideInteger{length} * k / count);
+}
+
 // A rectangle's side, cut into edges: distances from its first corner, of every whole number.
 std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>& half_arcs,
                                      const std::vector<Index>& edges) {
@@ -27,7 +32,7 @@ std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>
     const std::int64_t length = mesh.arcs[arc_of(h)].length();
     for (Index k = 1; k <= count; ++k) {
       // As the arc counts from its own start, so that both of its patches have the same points.
-      const std::int64_t from_start = length * (h % 2 == 0 ? k : count - k) / count;
+      const std::int64_t from_start = cut(length, h % 2 == 0 ? k : count - k, count);
       points.push_back(begin + (h % 2 == 0 ? from_start : length - from_start));
     }
     begin += length;
@@ -109,7 +114,7 @@ void ExtractedQuads::place_arcs() {
       const TArc& arc = mesh_.arcs[a];
       const Index count = edges_[a], intervals = std::max(count, 1);
       for (Index k = 0; k <= intervals; ++k) {
-        const std::int64_t distance = arc.begin + arc.length() * k / intervals;
+        const std::int64_t distance = arc.begin + cut(arc.length(), k, intervals);
         while (leg + 1 < line.legs.size() &&
                !contains(lattice_, line.legs[leg].face, line.legs[leg].at(distance)))
           ++leg;

@@ -168,11 +168,15 @@ class Quantizer {
             if (path.empty()) continue;
           }
           path.push_back(change);
-          double gain = 0;
-          for (const Change& c : path) gain -= cost_of(c);
-          if (gain <= kGain) continue;
-          for (const Change& c : path) apply(c);
-          has_improved = true;
+          double gain = 0;  // one after the other: a path may change an arc twice
+          for (const Change& c : path) {
+            gain -= cost_of(c);
+            apply(c);
+          }
+          if (gain > kGain)
+            has_improved = true;
+          else
+            for (const Change& c : path) apply({c.arc, -c.by});
         }
     }
   }

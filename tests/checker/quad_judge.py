@@ -142,7 +142,8 @@ class Mesh:
                 return True
         return False
 
-    def components(self):
+    def component_names(self):
+        """Of every face one of the faces that it hangs together with, the same for all of them."""
         name = list(range(len(self.faces)))
 
         def find(f):
@@ -153,7 +154,14 @@ class Mesh:
         for (a, b), faces in self.sides.items():
             for f in faces + self.sides.get((b, a), []):
                 name[find(f)] = find(faces[0])
-        return len({find(f) for f in range(len(self.faces))})
+        return [find(f) for f in range(len(self.faces))]
+
+    def components(self):
+        """Of each its Euler characteristic and its number of border loops, sorted."""
+        names = self.component_names()
+        parts = [Mesh(self.positions, [face for face, of in zip(self.faces, names) if of == name])
+                 for name in set(names)]
+        return sorted((part.euler(), len(part.loops())) for part in parts)
 
     def loops(self):
         """Border loops as vertices, the faces on their left."""
@@ -224,14 +232,17 @@ def judge(quads, surface=None):
     if surface is None:
         return found
     surface = Mesh(*surface)
-    loops = len(quads.loops()), len(surface.loops())
-    if quads.euler() != surface.euler():
+    ours, theirs = quads.components(), surface.components()
+    loops = [sum(part[1] for part in parts) for parts in (ours, theirs)]
+    if sum(part[0] for part in ours) != sum(part[0] for part in theirs):
         found.add('Euler characteristic')
-    if quads.components() != surface.components():
+    if len(ours) != len(theirs):
         found.add('components')
     if loops[0] != loops[1]:
         found.add('border loops')
-    elif loops[0]:
+    if ours != theirs and not found & {'Euler characteristic', 'components', 'border loops'}:
+        found.add('other components')
+    if loops[0] == loops[1] > 0:
         found |= border_defects(quads, surface)
     nearest = Nearest(surface)
     for f in range(len(quads.faces)):
