@@ -1,4 +1,4 @@
-// majorant quads IN -o OUT...: a pure quad mesh of a closed surface. docs/quads.md.
+// majorant quads IN -o OUT...: a pure quad mesh of a surface. docs/quads.md.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -116,9 +116,9 @@ int make_quads(QuadsRequest request) {
 void add_quads(CLI::App& app, Action* run) {
   auto request = std::make_shared<QuadsRequest>();
   QuadsRequest& r = *request;
-  CLI::App& verb = *app.add_subcommand("quads", "make a pure quad mesh of a closed surface");
+  CLI::App& verb = *app.add_subcommand("quads", "make a pure quad mesh of a surface");
   begin_group(verb, OptionGroup::Files);
-  verb.add_option("input", r.input, "mesh of a closed surface")->required();
+  verb.add_option("input", r.input, "mesh of a surface")->required();
   verb.add_option("output", r.positional_output, "one more output");
   verb.add_option("-o,--output", r.outputs, output_help(quad_extensions()))
       ->type_name("FILE")

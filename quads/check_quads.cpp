@@ -19,6 +19,7 @@
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/baking/nearest_point.h"
 #include "majorant/quads/exact_normals.h"
+#include "majorant/quads/internal/border.h"
 
 namespace majorant {
 namespace {
@@ -364,6 +365,7 @@ class QuadJudge {
     open_borders(positions);
     const double close =
         kBorderClose * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+    const std::vector<char> is_corner = border_corners(*surface_);
     const auto& loops = surface_->boundary_loops();
     std::vector<char> is_followed(loops.size(), 0);
     std::vector<Index> off, wrong;
@@ -388,7 +390,7 @@ class QuadJudge {
       constexpr double kHalf = 0.5;  // of a turn: sums are whole turns but for rounding
       if (!(around < (1 + kHalf) * length) || is_followed[on]) wrong.push_back(from(loop[0]));
       is_followed[on] = 1;
-      missing_corners(positions, loops[on], loop, close);
+      missing_corners(is_corner, loops[on], loop, close);
     }
     if (!off.empty())
       blame(listed("border vertex is off the surface's border",
@@ -403,19 +405,16 @@ class QuadJudge {
                    "corners of the surface's border have no vertex (of the surface)", missing_));
   }
 
-  // Vertices of the surface where its border turns, but no vertex of the quads' is.
-  void missing_corners(const Points3& positions, const std::vector<Index>& border,
+  // Corners of the surface's border where no vertex of the quads' is.
+  void missing_corners(const std::vector<char>& is_corner, const std::vector<Index>& border,
                        const std::vector<Index>& loop, double close) {
-    const std::size_t count = border.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vector3 p = positions.row(border[i]);
-      const Vector3 in = p - Vector3(positions.row(border[(i + count - 1) % count]));
-      const Vector3 out = Vector3(positions.row(border[(i + 1) % count])) - p;
-      if (degrees(std::atan2(in.cross(out).norm(), in.dot(out))) < kCornerTurn) continue;
+    for (const Index v : border) {
+      if (!is_corner[v]) continue;
       stop_.poll();  // all of the loop is looked through
+      const Vector3 p = surface_->input_position(v);
       const bool is_met = std::any_of(
           loop.begin(), loop.end(), [&](Index h) { return (point(from(h)) - p).norm() <= close; });
-      if (!is_met) missing_.push_back(border[i]);
+      if (!is_met) missing_.push_back(v);
     }
   }
 

@@ -14,6 +14,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/extraction.h"
 #include "majorant/quads/internal/quantization.h"
 #include "majorant/quads/internal/smoothing.h"
@@ -22,7 +23,8 @@
 namespace majorant {
 namespace {
 
-// Whole numbers for the arcs of a T-mesh, such that no two cones become one vertex.
+// Whole numbers for the arcs of a T-mesh, such that no two cones or corners become one vertex, and
+// borders stay.
 class ArcNumbers {
  public:
   // Joined: an arc may have no edges; Separate: all have one at least.
@@ -34,8 +36,8 @@ class ArcNumbers {
         stop_(stop),
         least_(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1) {}
 
-  // Arcs that would join two cones get an edge, one after the other; where there would be no quads
-  // then, the longest arc without edges does.
+  // Arcs that would join two of these get an edge, one after the other; where there would be no
+  // quads then, the longest arc without edges does.
   std::vector<Index> at(double edge_length) {
     std::vector<double> wanted;
     for (const TArc& arc : mesh_.arcs)
@@ -45,7 +47,7 @@ class ArcNumbers {
       std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).joining_arcs();
       if (more.empty() && quad_count(mesh_, edges) == 0) more = {longest_without_edges(edges)};
       if (more.empty()) return edges;
-      for (const Index arc : more) least_[arc] = 1;
+      for (const Index arc : more) least_[arc] = edges[arc] + 1;
     }
   }
 
@@ -103,11 +105,11 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
     throw InvalidArgument(fmt::format("quad_mesh: edges of length {}", *options.edge_length));
   if (mesh.topology().components != 1)
     throw InvalidArgument("quad_mesh: the surface has several components");
-  if (mesh.topology().boundary_loops > 0)
+  if (mesh.topology().boundary_loops > 0 && options.map.cones)
     throw Error(ErrorKind::Unsupported,
                 file_of(mesh) +
-                    "the surface has a border, and quads are made of closed surfaces only; close "
-                    "it");
+                    "the surface has a border, where cones are those of the field that follows it; "
+                    "leave them out");
   if (const double asked = asked_of(mesh, options); asked > kMostQuads)
     throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
                                                     file_of(mesh), asked, kMostQuads));
@@ -118,9 +120,12 @@ BezierMap seamless_map(const SurfaceMesh& mesh, const QuadMeshOptions& options, 
                        Status& status) {
   SeamlessOptions how = options.map;
   how.threads = options.threads;
+  ParametrizationOptions optimize;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (mesh.opposite(h) < 0) optimize.map.aligned.push_back(h);
+  if (!optimize.map.aligned.empty()) how.field.aligned = border_flags(mesh);
   record.begin(Activity::Starting);
   const Start start = make_seamless(mesh, how, record);
-  ParametrizationOptions optimize;
   optimize.map.degree = 1;
   optimize.solve.threads = options.threads;
   const ParametrizationResult result = parametrize(start.map, optimize, record);
@@ -134,14 +139,15 @@ struct JudgedQuads {
   QuadCheck check;
 };
 
-JudgedQuads smoothed_quads(const SeamlessLattice& lattice, const TMesh& t_mesh,
-                           const std::vector<Index>& edges, const RunRecord& record) {
-  const SurfaceMesh& mesh = lattice.surface();
+JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const SeamlessLattice& lattice,
+                           const TMesh& t_mesh, const std::vector<Index>& edges,
+                           const RunRecord& record) {
   const StopCheck& stop = record.start_stop();
-  PolygonMesh quads = ExtractedQuads(lattice, t_mesh, edges).polygons();
+  ExtractedQuads extracted(lattice, t_mesh, edges);
+  PolygonMesh quads = extracted.polygons();
   QuadCheck check = check_quads(quads, nullptr, stop);
   if (check.is_surface) {
-    smooth_quads(quads, mesh.positions().rowwise() + mesh.origin().transpose(), mesh.faces(), stop);
+    smooth_quads(quads, lattice.surface(), extracted.border_points(), stop);
     record.begin(Activity::Proving);
     check = check_quads(quads, &mesh, stop);
   }
@@ -167,11 +173,13 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   const ThreadCount threads(options.threads);
   const StopCheck& stop = record.start_stop();
   QuadMesh result;
-  const BezierMap map = seamless_map(mesh, options, record, result.status);
-  SeamlessLattice lattice(mesh, map);
+  const SurfaceMesh roomy = with_room_at_border(mesh);
+  const BezierMap map = seamless_map(roomy, options, record, result.status);
+  SeamlessLattice lattice(roomy, map);
   const TMesh t_mesh = trace_t_mesh(lattice, stop);
   result.patches = static_cast<Index>(t_mesh.patches.size());
-  for (const TNode& node : t_mesh.nodes) result.cones += node.vertex >= 0 && node.turns != 4;
+  for (const TNode& node : t_mesh.nodes)
+    result.cones += node.is_cone() && node.side == Side::Inside;
   const double asked = asked_of(mesh, options);
   result.asked = std::lround(asked);
   // Arcs without edges leave the best angles; other numbers of quads are other meshes, of which one
@@ -189,7 +197,7 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
                             : numbers.for_count(part * asked);
     const double off = std::abs(static_cast<double>(quad_count(t_mesh, edges)) / asked - 1);
     if (result.check.count > 0 && off >= least_off) return;
-    JudgedQuads made = smoothed_quads(lattice, t_mesh, edges, record);
+    JudgedQuads made = smoothed_quads(mesh, lattice, t_mesh, edges, record);
     if (!made.check.is_valid()) throw Error(ErrorKind::Infeasible, made.check.defects.front());
     least_off = off;
     result.quads = std::move(made.quads);
@@ -212,7 +220,7 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
                                     result.least_count == result.check.count))
       break;
   // More, where so few turn thin limbs over; chosen.
-  constexpr double kGrowth = 1.5, kMostTimes = 4, kFew = 100;
+  constexpr double kGrowth = 1.5, kMostTimes = 4, kFew = 200;
   const double most = std::max(kMostTimes, kFew / std::max(asked, 1.0));
   for (double part = kGrowth; result.check.count == 0 && part <= most; part *= kGrowth)
     attempt_for(Arcs::Joined, part);

@@ -9,7 +9,8 @@
 // Rounded, then brought to agree along shortest paths from patch to patch, then improved by closed
 // paths that lower sum (n - wanted)^2 / max(wanted, 1), in rounds over all arcs until one lowers
 // nothing, 20 at most. Each arc lies between two patches, so a change by one goes on through a
-// patch, to its opposite side or back on its own: a bi-directed flow [HWB23]. Not a proven minimum.
+// patch, to its opposite side or back on its own: a bi-directed flow [HWB23], which arcs of the
+// border, of one patch, may start and end. Not a proven minimum.
 #pragma once
 
 #include <vector>

@@ -117,7 +117,7 @@ SurfaceMesh surface_of(PolygonMesh quads) {
     halves.push_back({q[0], q[2], q[3]});
   }
   quads.polygons = std::move(halves);
-  return SurfaceMesh::from_polygons(quads);
+  return SurfaceMesh::from_polygons(quads, {}, Components::Any);
 }
 
 bool says(const QuadCheck& check, const std::string& what) {

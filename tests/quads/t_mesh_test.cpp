@@ -172,8 +172,10 @@ TEST(QuadMesh, RefusesWhatItCannot) {
   PolygonMesh open = sphere(3);
   open.polygons.pop_back();
   open.polygon_lines.clear();
+  QuadMeshOptions given;
+  given.map.cones.emplace();
   try {
-    quad_mesh(SurfaceMesh::from_polygons(open), {}, record);
+    quad_mesh(SurfaceMesh::from_polygons(open), given, record);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::Unsupported);
