@@ -352,17 +352,82 @@ class QuadJudge {
     border_tree_.emplace(positions, segments);
   }
 
-  Place place_of(Index vertex) const {
-    const NearestPoint nearest = border_tree_->nearest(point(vertex));
+  Place nearest_place(const Vector3& p) const {
+    const NearestPoint nearest = border_tree_->nearest(p);
     Place place = edge_places_[nearest.face];
     place.along += std::clamp(1 - nearest.barycentric[0], 0.0, 1.0);
     place.distance = nearest.distance;
     return place;
   }
 
+  // The nearest place of the border; where several vertices of it are at one place, all of these.
+  std::vector<Place> places_of(const Vector3& p, double close) const {
+    const Place nearest = nearest_place(p);
+    const std::vector<Index>& loop = surface_->boundary_loops()[nearest.loop];
+    const auto before = to_size(static_cast<Index>(nearest.along)) % loop.size();
+    for (const std::size_t i : {before, (before + 1) % loop.size()}) {
+      const auto found = touching_.find(key_of(loop[i]));
+      if (found == touching_.end() || (surface_->input_position(loop[i]) - p).norm() > close)
+        continue;
+      std::vector<Place> places;
+      for (const auto& [on, along] : found->second) places.push_back({on, along, nearest.distance});
+      return places;
+    }
+    return {nearest};
+  }
+
+  using Key = std::array<double, 3>;
+  Key key_of(Index vertex) const {
+    const Vector3 p = surface_->input_position(vertex);
+    return {p.x(), p.y(), p.z()};
+  }
+
+  void find_touching_borders() {
+    const auto& loops = surface_->boundary_loops();
+    for (std::size_t l = 0; l < loops.size(); ++l)
+      for (std::size_t i = 0; i < loops[l].size(); ++i)
+        touching_[key_of(loops[l][i])].emplace_back(static_cast<Index>(l), static_cast<double>(i));
+    std::erase_if(touching_, [](const auto& places) { return places.second.size() < 2; });
+  }
+
+  // Whether the vertices of a loop, which may be at these places, go around that one of the surface
+  // once, in order.
+  bool follows(const std::vector<std::vector<Place>>& places, Index on) const {
+    std::vector<std::vector<double>> along;
+    for (const std::vector<Place>& of_vertex : places) {
+      along.emplace_back();
+      for (const Place& place : of_vertex)
+        if (place.loop == on) along.back().push_back(place.along);
+      if (along.back().empty()) return false;
+    }
+    // From a vertex that is at one place only, if there is one, always to the next place.
+    const auto first = std::find_if(along.begin(), along.end(),
+                                    [](const auto& choice) { return choice.size() == 1; });
+    if (first != along.end()) std::rotate(along.begin(), first, along.end());
+    const auto length = static_cast<double>(surface_->boundary_loops()[on].size());
+    const double start = along.front().front();
+    double here = start, around = 0;
+    for (std::size_t i = 1; i <= along.size(); ++i) {
+      double least = std::numeric_limits<double>::infinity(), next = here;
+      for (const double there : i < along.size() ? along[i] : std::vector<double>{start}) {
+        double step = std::fmod(there - here, length);
+        if (step <= 0) step += length;  // also where two vertices are at one place
+        if (step < least) {
+          least = step;
+          next = there;
+        }
+      }
+      around += least;
+      here = next;
+    }
+    constexpr double kHalf = 0.5;  // of a turn: sums are whole turns but for rounding
+    return around < (1 + kHalf) * length;
+  }
+
   void compare_borders() {
     const Points3 positions = surface_points();
     open_borders(positions);
+    find_touching_borders();
     const double close =
         kBorderClose * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
     const std::vector<char> is_corner = border_corners(*surface_);
@@ -371,24 +436,19 @@ class QuadJudge {
     std::vector<Index> off, wrong;
     std::size_t polls = 0;
     for (const std::vector<Index>& loop : loops_) {
-      std::vector<Place> places;
+      std::vector<std::vector<Place>> places;
       for (const Index h : loop) {
         stop_.poll_at(polls++);
-        places.push_back(place_of(from(h)));
-        if (!(places.back().distance <= close)) off.push_back(from(h));
+        places.push_back(places_of(point(from(h)), close));
+        if (!(places.back().front().distance <= close)) off.push_back(from(h));
       }
-      const Index on = places.front().loop;
-      const auto length = static_cast<double>(loops[on].size());
-      double around = 0;
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        const Place &here = places[i], &there = places[(i + 1) % places.size()];
-        double step = std::fmod(there.along - here.along, length);
-        if (step <= 0) step += length;  // also where two vertices are at one place
-        around += step;
-        if (there.loop != on) around = std::numeric_limits<double>::infinity();
-      }
-      constexpr double kHalf = 0.5;  // of a turn: sums are whole turns but for rounding
-      if (!(around < (1 + kHalf) * length) || is_followed[on]) wrong.push_back(from(loop[0]));
+      const auto followed =
+          std::find_if(places.front().begin(), places.front().end(), [&](const Place& place) {
+            return !is_followed[place.loop] && follows(places, place.loop);
+          });
+      if (followed == places.front().end()) wrong.push_back(from(loop[0]));
+      const Index on =
+          followed == places.front().end() ? places.front().front().loop : followed->loop;
       is_followed[on] = 1;
       missing_corners(is_corner, loops[on], loop, close);
     }
@@ -426,6 +486,8 @@ class QuadJudge {
   std::vector<char> is_border_;            // by vertex
   std::vector<std::vector<Index>> loops_;
   std::optional<SurfaceTree> border_tree_;
+  // Where several vertices of the surface's border are at one place: loops, and vertices of them.
+  std::map<std::array<double, 3>, std::vector<std::pair<Index, double>>> touching_;
   std::vector<Place> edge_places_;  // where the segments of border_tree_ begin
   std::vector<Index> missing_;
 };

@@ -12,6 +12,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/quads/internal/border.h"
@@ -36,9 +37,31 @@ class ArcNumbers {
         stop_(stop),
         least_(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1) {}
 
+  std::vector<Index> at(double edge_length) {
+    return without_bad_quads([&] { return joined_at(edge_length); });
+  }
+
+  // The numbers at the edge length at which there are about as many quads as asked.
+  std::vector<Index> for_count(double asked) {
+    return without_bad_quads([&] { return closest_to(asked); });
+  }
+
+ private:
+  // Numbers with more and more edges, up to a bound, until no quad has a vertex twice.
+  template <class Numbers>
+  std::vector<Index> without_bad_quads(const Numbers& numbers) {
+    constexpr int kRounds = 50;
+    for (int round = 0;; ++round) {
+      std::vector<Index> edges = numbers();
+      const std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).arcs_of_bad_quads();
+      if (more.empty() || round == kRounds) return edges;
+      for (const Index arc : more) least_[arc] = edges[arc] + 1;
+    }
+  }
+
   // Arcs that would join two of these get an edge, one after the other; where there would be no
   // quads then, the longest arc without edges does.
-  std::vector<Index> at(double edge_length) {
+  std::vector<Index> joined_at(double edge_length) {
     std::vector<double> wanted;
     for (const TArc& arc : mesh_.arcs)
       wanted.push_back(static_cast<double>(arc.length()) / edge_length);
@@ -51,15 +74,14 @@ class ArcNumbers {
     }
   }
 
-  // The numbers at the edge length at which there are about as many quads as asked.
-  std::vector<Index> for_count(double asked) {
+  std::vector<Index> closest_to(double asked) {
     constexpr int kSteps = 12;
     constexpr double kNearEnough = 0.005;
     double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
     std::vector<Index> best;
     double least_off = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kSteps; ++step) {
-      std::vector<Index> edges = at(length);
+      std::vector<Index> edges = joined_at(length);
       const double ratio = static_cast<double>(quad_count(mesh_, edges)) / asked;
       const double off = std::abs(std::log(ratio));
       if (off < least_off) {
@@ -72,7 +94,6 @@ class ArcNumbers {
     return best;
   }
 
- private:
   Index longest_without_edges(const std::vector<Index>& edges) const {
     Index longest = -1;
     for (Index a = 0; a < static_cast<Index>(edges.size()); ++a)
@@ -115,6 +136,16 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
                                                     file_of(mesh), asked, kMostQuads));
 }
 
+// Cones of a surface with a border cannot be chosen, and none may have a map.
+Start seamless_start(const SurfaceMesh& mesh, const SeamlessOptions& how, const RunRecord& record) {
+  try {
+    return make_seamless(mesh, how, record);
+  } catch (const Refusal& refusal) {
+    if (refusal.kind() != ErrorKind::Invalid || mesh.boundary_loops().empty()) throw;
+    throw Error(ErrorKind::Infeasible, refusal.problem() + "; refine the mesh there");
+  }
+}
+
 // status receives how the optimization ended.
 BezierMap seamless_map(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record,
                        Status& status) {
@@ -125,7 +156,7 @@ BezierMap seamless_map(const SurfaceMesh& mesh, const QuadMeshOptions& options, 
     if (mesh.opposite(h) < 0) optimize.map.aligned.push_back(h);
   if (!optimize.map.aligned.empty()) how.field.aligned = border_flags(mesh);
   record.begin(Activity::Starting);
-  const Start start = make_seamless(mesh, how, record);
+  const Start start = seamless_start(mesh, how, record);
   optimize.map.degree = 1;
   optimize.solve.threads = options.threads;
   const ParametrizationResult result = parametrize(start.map, optimize, record);

@@ -121,7 +121,53 @@ std::vector<char> ExtractedQuads::joins_too_much() {
 }
 
 std::vector<Index> ExtractedQuads::joining_arcs() {
-  const std::vector<char> is_joined = joins_too_much();
+  std::vector<Index> arcs = arcs_of_short_borders();
+  const std::vector<Index> joining = arcs_that_join(joins_too_much());
+  arcs.insert(arcs.end(), joining.begin(), joining.end());
+  return arcs;
+}
+
+std::vector<Index> ExtractedQuads::arcs_of_bad_quads() {
+  struct QuadSide {
+    std::array<Index, 2> vertices;
+    std::size_t patch;
+  };
+  std::vector<QuadSide> sides;
+  std::vector<char> is_bad(to_size(vertex_count_), 0);
+  std::vector<std::pair<Index, std::size_t>> bad;  // vertex, patch
+  for (std::size_t p = 0; p < mesh_.patches.size(); ++p)
+    for (std::array<Index, 4> quad : quads_of(p)) {
+      for (Index& v : quad) v = same_.find(v);
+      for (std::size_t k = 0; k < 4; ++k) {
+        sides.push_back({{quad[k], quad[(k + 1) % 4]}, p});
+        if (quad[k] == quad[(k + 1) % 4] || quad[k] == quad[(k + 2) % 4])
+          bad.emplace_back(quad[k], p);
+      }
+    }
+  const auto before = [](const QuadSide& a, const QuadSide& b) { return a.vertices < b.vertices; };
+  std::stable_sort(sides.begin(), sides.end(), before);
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i].vertices == sides[i - 1].vertices)
+      for (const Index v : sides[i].vertices) bad.emplace_back(v, sides[i].patch);
+  for (const auto& [vertex, patch] : bad) is_bad[vertex] = 1;
+  std::vector<Index> arcs = arcs_that_join(is_bad);
+  if (!arcs.empty()) return arcs;
+  const auto edge_length = [&](Index half_arc) {
+    const Index a = arc_of(half_arc);
+    return static_cast<double>(mesh_.arcs[a].length()) / (edges_[a] + 1);
+  };
+  for (const auto& [vertex, patch] : bad) {
+    Index longest = mesh_.patches[patch].sides[0].front();
+    for (const std::vector<Index>& side : mesh_.patches[patch].sides)
+      for (const Index h : side)
+        if (edge_length(h) > edge_length(longest)) longest = h;
+    arcs.push_back(arc_of(longest));
+  }
+  return arcs;
+}
+
+// Of every vertex where is_joined, by its name in same_, the longest.
+std::vector<Index> ExtractedQuads::arcs_that_join(const std::vector<char>& is_joined) {
   using Longest = std::map<Index, Index>;  // arc, by vertex
   const auto add = [&](Longest& longest, Index vertex, Index arc) {
     if (edges_[arc] > 0 || !is_joined[vertex]) return;
@@ -140,7 +186,7 @@ std::vector<Index> ExtractedQuads::joining_arcs() {
         for (const Index h : patch.sides[s]) add(across, same_.find(v), arc_of(h));
     }
   longest.merge(across);
-  std::vector<Index> arcs = arcs_of_short_borders();
+  std::vector<Index> arcs;
   for (const auto& [vertex, arc] : longest) arcs.push_back(arc);
   return arcs;
 }
@@ -281,6 +327,25 @@ void ExtractedQuads::place_inside(const TPatch& patch, Index first) {
   }
 }
 
+std::vector<std::array<Index, 4>> ExtractedQuads::quads_of(std::size_t patch) const {
+  const auto& sides = mesh_.patches[patch].sides;
+  const std::vector<Index> lower = vertices_of_side(sides[0]), right = vertices_of_side(sides[1]),
+                           upper = vertices_of_side(sides[2]), left = vertices_of_side(sides[3]);
+  const std::size_t p = lower.size() - 1, q = right.size() - 1;
+  const auto vertex = [&](std::size_t a, std::size_t b) {
+    if (b == 0) return lower[a];
+    if (b == q) return upper[p - a];
+    if (a == 0) return left[q - b];
+    if (a == p) return right[b];
+    return first_in_patch_[patch] + static_cast<Index>((b - 1) * (p - 1) + a - 1);
+  };
+  std::vector<std::array<Index, 4>> quads;
+  for (std::size_t b = 0; b < q; ++b)
+    for (std::size_t a = 0; a < p; ++a)
+      quads.push_back({vertex(a, b), vertex(a + 1, b), vertex(a + 1, b + 1), vertex(a, b + 1)});
+  return quads;
+}
+
 PolygonMesh ExtractedQuads::polygons() {
   positions_.assign(to_size(vertex_count_), Vector3::Zero());
   on_border_.assign(to_size(vertex_count_), {});
@@ -288,24 +353,9 @@ PolygonMesh ExtractedQuads::polygons() {
   PolygonMesh mesh;
   std::vector<std::array<Index, 4>> quads;
   for (std::size_t i = 0; i < mesh_.patches.size(); ++i) {
-    const TPatch& patch = mesh_.patches[i];
-    const std::vector<Index> lower = vertices_of_side(patch.sides[0]),
-                             right = vertices_of_side(patch.sides[1]),
-                             upper = vertices_of_side(patch.sides[2]),
-                             left = vertices_of_side(patch.sides[3]);
-    const std::size_t p = lower.size() - 1, q = right.size() - 1;
-    if (p == 0 || q == 0) continue;
-    place_inside(patch, first_in_patch_[i]);
-    const auto vertex = [&](std::size_t a, std::size_t b) {
-      if (b == 0) return lower[a];
-      if (b == q) return upper[p - a];
-      if (a == 0) return left[q - b];
-      if (a == p) return right[b];
-      return first_in_patch_[i] + static_cast<Index>((b - 1) * (p - 1) + a - 1);
-    };
-    for (std::size_t b = 0; b < q; ++b)
-      for (std::size_t a = 0; a < p; ++a)
-        quads.push_back({vertex(a, b), vertex(a + 1, b), vertex(a + 1, b + 1), vertex(a, b + 1)});
+    const std::vector<std::array<Index, 4>> more = quads_of(i);
+    if (!more.empty()) place_inside(mesh_.patches[i], first_in_patch_[i]);
+    quads.insert(quads.end(), more.begin(), more.end());
   }
   // Joined vertices lie at their cone, else where one of the border was, else in the middle of
   // where they were.

@@ -16,6 +16,7 @@
 // and those of one family never, so that all quads of a patch are convex in the map.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "majorant/mesh/polygon_mesh.h"
@@ -35,6 +36,10 @@ class ExtractedQuads {
   // that they may come apart: the longest of the arcs without edges that join them; where a loop of
   // the border has few edges: one of its arcs. Empty where there is none.
   std::vector<Index> joining_arcs();
+  // The same for quads that have one vertex twice, and for edges with more than two quads: of the
+  // arcs without edges at such a vertex the longest; where there are none, that with the longest
+  // edges around the patch.
+  std::vector<Index> arcs_of_bad_quads();
   // The quads, without texture, with positions of the file that the surface came from. Throws
   // Error(Infeasible) where a vertex could not be placed.
   PolygonMesh polygons();
@@ -50,9 +55,12 @@ class ExtractedQuads {
   };
   Index vertex_on(Index half_arc, Index step) const;
   std::vector<Index> vertices_of_side(const std::vector<Index>& side) const;
+  // Before any vertices are joined, row by row.
+  std::vector<std::array<Index, 4>> quads_of(std::size_t patch) const;
   void join();
   std::vector<Index> vertices_of_border() const;
   std::vector<char> joins_too_much();
+  std::vector<Index> arcs_that_join(const std::vector<char>& is_joined);
   std::vector<Index> arcs_of_short_borders() const;
   void place_arcs();
   void place_inside(const TPatch& patch, Index first);

@@ -160,6 +160,24 @@ class Quads(CommandTest):
         quads = self.made(helpers.generated('wavy_disk'), '--count', 500)['quads']
         self.assertEqual((quads['boundary_loops'], quads['euler_characteristic']), (1, 1))
 
+    def test_borders_that_touch(self):
+        """Two holes whose corners are one point, of two vertices."""
+        points, number, faces = [], {}, []
+        for i in range(12):
+            for j in range(12):
+                if (i // 2, j // 2) in ((2, 2), (3, 3)):
+                    continue
+                corners = []
+                for at in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                    key = at if at != (6, 6) else (at, i < j)
+                    if key not in number:
+                        number[key] = len(points)
+                        points.append((at[0], at[1], 0))
+                    corners.append(number[key])
+                faces += [(corners[0], corners[1], corners[2]), (corners[0], corners[2], corners[3])]
+        path = self.write('touching.obj', helpers.obj_text(points, faces))
+        self.assertEqual(self.made(path, '--count', 300)['quads']['boundary_loops'], 3)
+
     def test_time_limit(self):
         """The limit ends the optimization of the map; quads of it take far less than the 10 s they have."""
         buckle, quads = helpers.generated('buckle'), self.path('o.obj')

@@ -155,6 +155,19 @@ class Agreement(unittest.TestCase):
         quads = [onto.get(v, p) for v, p in enumerate(points)], faces
         self.assertIn('border not followed', self.agreed(quads, surface))
 
+    def test_borders_that_touch(self):
+        """Two holes whose corners are one point, of two vertices."""
+        points = [(i, j, 0) for i in range(7) for j in range(7)] + [(3, 3, 0)]
+        faces = [[7 * i + j, 7 * i + j + 7, 7 * i + j + 8, 7 * i + j + 1] for i in range(6) for j in range(6)
+                 if (i, j) not in ((2, 2), (3, 3))]
+        one = next(face for face in faces if 24 in face)
+        one[one.index(24)] = 49
+        surface = halves((list(points), faces))
+        self.assertEqual(self.agreed((points, faces), surface), set())
+        points[16] = (2, 2.5, 0)  # of one of the holes, beyond the next one
+        points[17] = (2, 2.2, 0)
+        self.assertIn('border not followed', self.agreed((points, faces), surface))
+
     def test_components_by_themselves(self):
         """A cube and one without two opposite sides, or two without one: the same sums."""
         def closed(n):

@@ -157,6 +157,22 @@ TEST(CheckQuads, TwoLoopsOnOneOfTheSurface) {
   EXPECT_TRUE(says(check_quads(quads, &surface), "does not follow one of the surface once"));
 }
 
+// Two holes whose corners are one point, of two vertices.
+TEST(CheckQuads, BordersThatTouch) {
+  PolygonMesh quads =
+      plate(6, [](int i, int j) { return (i == 2 && j == 2) || (i == 3 && j == 3); });
+  const Index corner = 3 * 7 + 3;
+  const auto one = std::find_if(
+      quads.polygons.begin(), quads.polygons.end(),
+      [&](const auto& quad) { return std::find(quad.begin(), quad.end(), corner) != quad.end(); });
+  std::replace(one->begin(), one->end(), corner, static_cast<Index>(quads.positions.size()));
+  quads.positions.push_back(Vector3(quads.positions[corner]));
+  const SurfaceMesh surface = surface_of(quads);
+  EXPECT_EQ(surface.topology().boundary_loops, 3);
+  const QuadCheck check = check_quads(quads, &surface);
+  EXPECT_TRUE(check.is_valid()) << check.defects.front();
+}
+
 // The same sums of Euler characteristics, components and loops: a closed cube and one without two
 // opposite sides, or two cubes without one side.
 TEST(CheckQuads, ComponentsAreComparedByThemselves) {
