@@ -1,4 +1,4 @@
-// majorant quads IN -o OUT...: a pure quad mesh of a closed surface. docs/quads.md.
+// majorant quads IN -o OUT...: a pure quad mesh of a surface. docs/quads.md.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -93,6 +93,7 @@ int make_quads(QuadsRequest request) {
                {"cones", request.cones},
                {"strict", request.common.strict}};
   or_interrupted("making quads of " + request.input, [&] { job.solve(request.cones); });
+  say_warnings(job.warnings);
   record.begin(Activity::Writing);
   const double before = seconds_since(start);
   WrittenFiles written;
@@ -115,9 +116,9 @@ int make_quads(QuadsRequest request) {
 void add_quads(CLI::App& app, Action* run) {
   auto request = std::make_shared<QuadsRequest>();
   QuadsRequest& r = *request;
-  CLI::App& verb = *app.add_subcommand("quads", "make a pure quad mesh of a closed surface");
+  CLI::App& verb = *app.add_subcommand("quads", "make a pure quad mesh of a surface");
   begin_group(verb, OptionGroup::Files);
-  verb.add_option("input", r.input, "mesh of a closed surface")->required();
+  verb.add_option("input", r.input, "mesh of a surface")->required();
   verb.add_option("output", r.positional_output, "one more output");
   verb.add_option("-o,--output", r.outputs, output_help(quad_extensions()))
       ->type_name("FILE")
@@ -125,7 +126,7 @@ void add_quads(CLI::App& app, Action* run) {
   begin_group(verb, OptionGroup::Map);
   CLI::Option* const count =
       verb.add_option("--count", r.count, "number of quads (half the number of faces)")
-          ->check(whole_number(1, 100000000));
+          ->check(whole_number(1, kMostQuads));
   verb.add_option("--edge-length", r.edge_length, "length of the edges of quads, model units")
       ->check(positive_number(std::numeric_limits<double>::max()))
       ->excludes(count);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/baking/nearest_point.h"
 #include "majorant/quads/exact_normals.h"
+#include "majorant/quads/internal/border.h"
 
 namespace majorant {
 namespace {
@@ -43,6 +45,34 @@ Index quad_of(Index half_edge) { return half_edge / 4; }
 Index after(Index half_edge) { return half_edge % 4 == 3 ? half_edge - 3 : half_edge + 1; }
 Index before(Index half_edge) { return half_edge % 4 == 0 ? half_edge + 3 : half_edge - 1; }
 
+// Of every component its Euler characteristic and its number of border loops, sorted.
+using Components = std::vector<std::pair<Index, Index>>;
+
+// Of a manifold whose half-edge `corners` f + k starts at corner k of face f, at from() of it, and
+// has the one beyond it for opposite(); negative: none. on_loops: a vertex of every border loop.
+template <class From, class Opposite>
+Components components_of(Index faces, Index corners, Index vertices, const From& from,
+                         const Opposite& opposite, const std::vector<Index>& on_loops) {
+  UnionFind same(faces);
+  for (Index h = 0; h < corners * faces; ++h)
+    if (opposite(h) >= 0) same.join(h / corners, opposite(h) / corners);
+  std::map<Index, std::pair<Index, Index>> found;  // by face
+  std::vector<Index> name_of(to_size(vertices), -1);
+  for (Index h = 0; h < corners * faces; ++h) {
+    const Index name = same.find(h / corners);
+    Index& euler_characteristic = found[name].first;
+    if (h % corners == 0) ++euler_characteristic;      // the face
+    if (opposite(h) < h) --euler_characteristic;       // the edge, of both sides once
+    if (name_of[from(h)] < 0) ++euler_characteristic;  // the vertex
+    name_of[from(h)] = name;
+  }
+  for (const Index v : on_loops) ++found[name_of[v]].second;
+  Components all;
+  for (const auto& [name, component] : found) all.push_back(component);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 class QuadJudge {
  public:
   QuadJudge(const PolygonMesh& quads, const SurfaceMesh* surface, const StopCheck& stop)
@@ -57,6 +87,7 @@ class QuadJudge {
   QuadCheck judge() {
     check_.count = static_cast<Index>(quads_.polygons.size());
     if (!are_all_quads() || !join_edges() || !has_single_fans()) return check_;
+    check_.is_surface = true;
     count_topology();
     measure_corners();
     if (surface_) compare();
@@ -209,6 +240,7 @@ class QuadJudge {
 
   void compare() {
     const Topology &t = check_.topology, &s = surface_->topology();
+    const std::size_t before = check_.defects.size();
     const auto compare_counts = [&](std::string_view what, Index ours, Index theirs) {
       if (ours != theirs)
         blame(fmt::format("{} of the quads: {}, of the surface: {}", what, ours, theirs));
@@ -216,8 +248,25 @@ class QuadJudge {
     compare_counts("Euler characteristic", t.euler_characteristic(), s.euler_characteristic());
     compare_counts("components", t.components, s.components);
     compare_counts("border loops", t.boundary_loops, s.boundary_loops);
+    if (check_.defects.size() == before && are_other_components())
+      blame(
+          "Euler characteristics and border loops are those of the surface in sum, not component "
+          "by component");
     compare_positions();
     if (t.boundary_loops == s.boundary_loops && t.boundary_loops > 0) compare_borders();
+  }
+
+  bool are_other_components() const {
+    std::vector<Index> ours, theirs;
+    for (const auto& loop : loops_) ours.push_back(from(loop.front()));
+    for (const auto& loop : surface_->boundary_loops()) theirs.push_back(loop.front());
+    return components_of(
+               check_.count, 4, static_cast<Index>(quads_.positions.size()),
+               [&](Index h) { return from(h); }, [&](Index h) { return opposite_[h]; }, ours) !=
+           components_of(
+               surface_->face_count(), 3, surface_->vertex_count(),
+               [&](Index h) { return surface_->from_vertex(h); },
+               [&](Index h) { return surface_->opposite(h); }, theirs);
   }
 
   // Positions of the surface as the file has them.
@@ -288,7 +337,7 @@ class QuadJudge {
   };
 
   // All border edges of the surface as triangles without an area, which are the segments.
-  void open_borders() {
+  void open_borders(const Points3& positions) {
     const auto& loops = surface_->boundary_loops();
     Index edges = 0;
     for (const auto& loop : loops) edges += static_cast<Index>(loop.size());
@@ -300,45 +349,108 @@ class QuadJudge {
         segments.row(row++) << a, b, b;
         edge_places_.push_back({static_cast<Index>(l), static_cast<double>(i), 0});
       }
-    border_tree_.emplace(surface_points(), segments);
+    border_tree_.emplace(positions, segments);
   }
 
-  Place place_of(Index vertex) const {
-    const NearestPoint nearest = border_tree_->nearest(point(vertex));
+  Place nearest_place(const Vector3& p) const {
+    const NearestPoint nearest = border_tree_->nearest(p);
     Place place = edge_places_[nearest.face];
     place.along += std::clamp(1 - nearest.barycentric[0], 0.0, 1.0);
     place.distance = nearest.distance;
     return place;
   }
 
+  // The nearest place of the border; where several vertices of it are at one place, all of these.
+  std::vector<Place> places_of(const Vector3& p, double close) const {
+    const Place nearest = nearest_place(p);
+    const std::vector<Index>& loop = surface_->boundary_loops()[nearest.loop];
+    const auto before = to_size(static_cast<Index>(nearest.along)) % loop.size();
+    for (const std::size_t i : {before, (before + 1) % loop.size()}) {
+      const auto found = touching_.find(key_of(loop[i]));
+      if (found == touching_.end() || (surface_->input_position(loop[i]) - p).norm() > close)
+        continue;
+      std::vector<Place> places;
+      for (const auto& [on, along] : found->second) places.push_back({on, along, nearest.distance});
+      return places;
+    }
+    return {nearest};
+  }
+
+  using Key = std::array<double, 3>;
+  Key key_of(Index vertex) const {
+    const Vector3 p = surface_->input_position(vertex);
+    return {p.x(), p.y(), p.z()};
+  }
+
+  void find_touching_borders() {
+    const auto& loops = surface_->boundary_loops();
+    for (std::size_t l = 0; l < loops.size(); ++l)
+      for (std::size_t i = 0; i < loops[l].size(); ++i)
+        touching_[key_of(loops[l][i])].emplace_back(static_cast<Index>(l), static_cast<double>(i));
+    std::erase_if(touching_, [](const auto& places) { return places.second.size() < 2; });
+  }
+
+  // Whether the vertices of a loop, which may be at these places, go around that one of the surface
+  // once, in order.
+  bool follows(const std::vector<std::vector<Place>>& places, Index on) const {
+    std::vector<std::vector<double>> along;
+    for (const std::vector<Place>& of_vertex : places) {
+      along.emplace_back();
+      for (const Place& place : of_vertex)
+        if (place.loop == on) along.back().push_back(place.along);
+      if (along.back().empty()) return false;
+    }
+    // From a vertex that is at one place only, if there is one, always to the next place.
+    const auto first = std::find_if(along.begin(), along.end(),
+                                    [](const auto& choice) { return choice.size() == 1; });
+    if (first != along.end()) std::rotate(along.begin(), first, along.end());
+    const auto length = static_cast<double>(surface_->boundary_loops()[on].size());
+    const double start = along.front().front();
+    double here = start, around = 0;
+    for (std::size_t i = 1; i <= along.size(); ++i) {
+      double least = std::numeric_limits<double>::infinity(), next = here;
+      for (const double there : i < along.size() ? along[i] : std::vector<double>{start}) {
+        double step = std::fmod(there - here, length);
+        if (step <= 0) step += length;  // also where two vertices are at one place
+        if (step < least) {
+          least = step;
+          next = there;
+        }
+      }
+      around += least;
+      here = next;
+    }
+    constexpr double kHalf = 0.5;  // of a turn: sums are whole turns but for rounding
+    return around < (1 + kHalf) * length;
+  }
+
   void compare_borders() {
-    open_borders();
     const Points3 positions = surface_points();
+    open_borders(positions);
+    find_touching_borders();
     const double close =
         kBorderClose * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+    const std::vector<char> is_corner = border_corners(*surface_);
     const auto& loops = surface_->boundary_loops();
     std::vector<char> is_followed(loops.size(), 0);
     std::vector<Index> off, wrong;
+    std::size_t polls = 0;
     for (const std::vector<Index>& loop : loops_) {
-      std::vector<Place> places;
+      std::vector<std::vector<Place>> places;
       for (const Index h : loop) {
-        places.push_back(place_of(from(h)));
-        if (!(places.back().distance <= close)) off.push_back(from(h));
+        stop_.poll_at(polls++);
+        places.push_back(places_of(point(from(h)), close));
+        if (!(places.back().front().distance <= close)) off.push_back(from(h));
       }
-      const Index on = places.front().loop;
-      const auto length = static_cast<double>(loops[on].size());
-      double around = 0;
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        const Place &here = places[i], &there = places[(i + 1) % places.size()];
-        double step = std::fmod(there.along - here.along, length);
-        if (step <= 0) step += length;  // also where two vertices are at one place
-        around += step;
-        if (there.loop != on) around = std::numeric_limits<double>::infinity();
-      }
-      constexpr double kHalf = 0.5;  // of a turn: sums are whole turns but for rounding
-      if (!(around < (1 + kHalf) * length) || is_followed[on]) wrong.push_back(from(loop[0]));
+      const auto followed =
+          std::find_if(places.front().begin(), places.front().end(), [&](const Place& place) {
+            return !is_followed[place.loop] && follows(places, place.loop);
+          });
+      if (followed == places.front().end()) wrong.push_back(from(loop[0]));
+      const Index on =
+          followed == places.front().end() ? places.front().front().loop : followed->loop;
       is_followed[on] = 1;
-      missing_corners(loops[on], loop, close);
+      missing_corners(is_corner, loops[on], loop, close);
     }
     if (!off.empty())
       blame(listed("border vertex is off the surface's border",
@@ -353,19 +465,16 @@ class QuadJudge {
                    "corners of the surface's border have no vertex (of the surface)", missing_));
   }
 
-  // Vertices of the surface where its border turns, but no vertex of the quads' is.
-  void missing_corners(const std::vector<Index>& border, const std::vector<Index>& loop,
-                       double close) {
-    const Points3 positions = surface_points();
-    const std::size_t count = border.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vector3 p = positions.row(border[i]);
-      const Vector3 in = p - Vector3(positions.row(border[(i + count - 1) % count]));
-      const Vector3 out = Vector3(positions.row(border[(i + 1) % count])) - p;
-      if (degrees(std::atan2(in.cross(out).norm(), in.dot(out))) < kCornerTurn) continue;
+  // Corners of the surface's border where no vertex of the quads' is.
+  void missing_corners(const std::vector<char>& is_corner, const std::vector<Index>& border,
+                       const std::vector<Index>& loop, double close) {
+    for (const Index v : border) {
+      if (!is_corner[v]) continue;
+      stop_.poll();  // all of the loop is looked through
+      const Vector3 p = surface_->input_position(v);
       const bool is_met = std::any_of(
           loop.begin(), loop.end(), [&](Index h) { return (point(from(h)) - p).norm() <= close; });
-      if (!is_met) missing_.push_back(border[i]);
+      if (!is_met) missing_.push_back(v);
     }
   }
 
@@ -377,6 +486,8 @@ class QuadJudge {
   std::vector<char> is_border_;            // by vertex
   std::vector<std::vector<Index>> loops_;
   std::optional<SurfaceTree> border_tree_;
+  // Where several vertices of the surface's border are at one place: loops, and vertices of them.
+  std::map<std::array<double, 3>, std::vector<std::pair<Index, double>>> touching_;
   std::vector<Place> edge_places_;  // where the segments of border_tree_ begin
   std::vector<Index> missing_;
 };

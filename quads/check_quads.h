@@ -40,7 +40,9 @@ struct QuadDistance {
 struct QuadCheck {
   // What is wrong, a sentence each, faces and vertices from 1: empty where nothing is.
   std::vector<std::string> defects;
-  Topology topology;                // of the quads; zeros where they make no surface
+  // Whether the faces are quads of an oriented manifold: what follows but `count` is measured then.
+  bool is_surface = false;
+  Topology topology;                // of the quads
   Index count = 0;                  // faces
   Index irregular = 0;              // inner vertices of other than 4 quads
   std::vector<Index> folded;        // quads with a folded corner, ascending
@@ -55,9 +57,10 @@ struct QuadCheck {
 
 // surface: may be null, then nothing is compared. It may have several components. Where the quads
 // are no oriented manifold, or have other polygons among them, nothing but that is found out.
-// Compared are the numbers of components and border loops and the Euler characteristics; every
-// border loop of the surface is followed by one of the quads, whose vertices lie on it, in order,
-// once around, one at each of its corners. Throws InvalidArgument for vertices that do not exist or
+// Compared are the numbers of components and border loops and the Euler characteristics, also of
+// the components by themselves, whichever is which; every border loop of the surface is followed by
+// one of the quads, whose vertices lie on it, in order, once around, one at each of its corners.
+// Throws InvalidArgument for vertices that do not exist or
 // are not finite; Stopped.
 QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface,
                       const StopCheck& stop = {});

@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/extraction.h"
 #include "majorant/quads/internal/quantization.h"
 #include "majorant/quads/internal/smoothing.h"
@@ -21,7 +24,8 @@
 namespace majorant {
 namespace {
 
-// Whole numbers for the arcs of a T-mesh, such that no two cones become one vertex.
+// Whole numbers for the arcs of a T-mesh, such that no two cones or corners become one vertex, and
+// borders stay.
 class ArcNumbers {
  public:
   // Joined: an arc may have no edges; Separate: all have one at least.
@@ -33,28 +37,51 @@ class ArcNumbers {
         stop_(stop),
         least_(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1) {}
 
-  // Arcs that would join two cones get an edge, one after the other.
   std::vector<Index> at(double edge_length) {
+    return without_bad_quads([&] { return joined_at(edge_length); });
+  }
+
+  // The numbers at the edge length at which there are about as many quads as asked.
+  std::vector<Index> for_count(double asked) {
+    return without_bad_quads([&] { return closest_to(asked); });
+  }
+
+ private:
+  // Numbers with more and more edges, up to a bound, until no quad has a vertex twice.
+  template <class Numbers>
+  std::vector<Index> without_bad_quads(const Numbers& numbers) {
+    constexpr int kRounds = 50;
+    for (int round = 0;; ++round) {
+      std::vector<Index> edges = numbers();
+      const std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).arcs_of_bad_quads();
+      if (more.empty() || round == kRounds) return edges;
+      for (const Index arc : more) least_[arc] = edges[arc] + 1;
+    }
+  }
+
+  // Arcs that would join two of these get an edge, one after the other; where there would be no
+  // quads then, the longest arc without edges does.
+  std::vector<Index> joined_at(double edge_length) {
     std::vector<double> wanted;
     for (const TArc& arc : mesh_.arcs)
       wanted.push_back(static_cast<double>(arc.length()) / edge_length);
     for (;;) {
       std::vector<Index> edges = quantize(mesh_, wanted, least_, stop_);
-      const std::vector<Index> joining = ExtractedQuads(lattice_, mesh_, edges).joining_arcs();
-      if (joining.empty()) return edges;
-      for (const Index arc : joining) least_[arc] = 1;
+      std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).joining_arcs();
+      if (more.empty() && quad_count(mesh_, edges) == 0) more = {longest_without_edges(edges)};
+      if (more.empty()) return edges;
+      for (const Index arc : more) least_[arc] = edges[arc] + 1;
     }
   }
 
-  // The numbers at the edge length at which there are about as many quads as asked.
-  std::vector<Index> for_count(double asked) {
+  std::vector<Index> closest_to(double asked) {
     constexpr int kSteps = 12;
     constexpr double kNearEnough = 0.005;
     double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
     std::vector<Index> best;
     double least_off = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kSteps; ++step) {
-      std::vector<Index> edges = at(length);
+      std::vector<Index> edges = joined_at(length);
       const double ratio = static_cast<double>(quad_count(mesh_, edges)) / asked;
       const double off = std::abs(std::log(ratio));
       if (off < least_off) {
@@ -67,12 +94,28 @@ class ArcNumbers {
     return best;
   }
 
- private:
+  Index longest_without_edges(const std::vector<Index>& edges) const {
+    Index longest = -1;
+    for (Index a = 0; a < static_cast<Index>(edges.size()); ++a)
+      if (edges[a] == 0 && (longest < 0 || mesh_.arcs[a].length() > mesh_.arcs[longest].length()))
+        longest = a;
+    return longest;
+  }
+
   const SeamlessLattice& lattice_;
   const TMesh& mesh_;
   const StopCheck& stop_;
   std::vector<Index> least_;  // by arc
 };
+
+std::string file_of(const SurfaceMesh& mesh) {
+  return mesh.file().empty() ? "" : mesh.file() + ": ";
+}
+
+double asked_of(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
+  if (options.edge_length) return mesh.area() / *options.edge_length / *options.edge_length;
+  return static_cast<double>(options.count.value_or(std::max(mesh.face_count() / 2, 1)));
+}
 
 void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
   if (options.count && options.edge_length)
@@ -83,11 +126,24 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
     throw InvalidArgument(fmt::format("quad_mesh: edges of length {}", *options.edge_length));
   if (mesh.topology().components != 1)
     throw InvalidArgument("quad_mesh: the surface has several components");
-  if (mesh.topology().boundary_loops > 0)
+  if (mesh.topology().boundary_loops > 0 && options.map.cones)
     throw Error(ErrorKind::Unsupported,
-                fmt::format("{}{}the surface has a border, and quads are made of closed surfaces "
-                            "only; close it",
-                            mesh.file(), mesh.file().empty() ? "" : ": "));
+                file_of(mesh) +
+                    "the surface has a border, where cones are those of the field that follows it; "
+                    "leave them out");
+  if (const double asked = asked_of(mesh, options); asked > kMostQuads)
+    throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
+                                                    file_of(mesh), asked, kMostQuads));
+}
+
+// Cones of a surface with a border cannot be chosen, and none may have a map.
+Start seamless_start(const SurfaceMesh& mesh, const SeamlessOptions& how, const RunRecord& record) {
+  try {
+    return make_seamless(mesh, how, record);
+  } catch (const Refusal& refusal) {
+    if (refusal.kind() != ErrorKind::Invalid || mesh.boundary_loops().empty()) throw;
+    throw Error(ErrorKind::Infeasible, refusal.problem() + "; refine the mesh there");
+  }
 }
 
 // status receives how the optimization ended.
@@ -95,9 +151,12 @@ BezierMap seamless_map(const SurfaceMesh& mesh, const QuadMeshOptions& options, 
                        Status& status) {
   SeamlessOptions how = options.map;
   how.threads = options.threads;
-  record.begin(Activity::Starting);
-  const Start start = make_seamless(mesh, how, record);
   ParametrizationOptions optimize;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (mesh.opposite(h) < 0) optimize.map.aligned.push_back(h);
+  if (!optimize.map.aligned.empty()) how.field.aligned = border_flags(mesh);
+  record.begin(Activity::Starting);
+  const Start start = seamless_start(mesh, how, record);
   optimize.map.degree = 1;
   optimize.solve.threads = options.threads;
   const ParametrizationResult result = parametrize(start.map, optimize, record);
@@ -105,8 +164,37 @@ BezierMap seamless_map(const SurfaceMesh& mesh, const QuadMeshOptions& options, 
   return result.map ? *result.map : start.map;
 }
 
-Points3 file_positions(const SurfaceMesh& mesh) {
-  return mesh.positions().rowwise() + mesh.origin().transpose();
+// Quads, not smoothed and not judged any further where they make no surface.
+struct JudgedQuads {
+  PolygonMesh quads;
+  QuadCheck check;
+};
+
+JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const SeamlessLattice& lattice,
+                           const TMesh& t_mesh, const std::vector<Index>& edges,
+                           const RunRecord& record) {
+  const StopCheck& stop = record.start_stop();
+  ExtractedQuads extracted(lattice, t_mesh, edges);
+  PolygonMesh quads = extracted.polygons();
+  QuadCheck check = check_quads(quads, nullptr, stop);
+  if (check.is_surface) {
+    smooth_quads(quads, lattice.surface(), extracted.border_points(), stop);
+    record.begin(Activity::Proving);
+    check = check_quads(quads, &mesh, stop);
+  }
+  return {std::move(quads), std::move(check)};
+}
+
+// work(), or what it says where it finds that it is not possible.
+template <class Work>
+std::optional<std::string> why_infeasible(const Work& work) {
+  try {
+    work();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::Infeasible) throw;
+    return error.what();
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -116,45 +204,62 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   const ThreadCount threads(options.threads);
   const StopCheck& stop = record.start_stop();
   QuadMesh result;
-  const BezierMap map = seamless_map(mesh, options, record, result.status);
-  SeamlessLattice lattice(mesh, map);
+  const SurfaceMesh roomy = with_room_at_border(mesh);
+  const BezierMap map = seamless_map(roomy, options, record, result.status);
+  SeamlessLattice lattice(roomy, map);
   const TMesh t_mesh = trace_t_mesh(lattice, stop);
   result.patches = static_cast<Index>(t_mesh.patches.size());
-  for (const TNode& node : t_mesh.nodes) result.cones += node.vertex >= 0 && node.turns != 4;
-  if (options.edge_length)
-    result.asked = std::lround(mesh.area() / (*options.edge_length * *options.edge_length));
-  else
-    result.asked = options.count.value_or(std::max(mesh.face_count() / 2, 1));
+  for (const TNode& node : t_mesh.nodes)
+    result.cones += node.is_cone() && node.side == Side::Inside;
+  const double asked = asked_of(mesh, options);
+  result.asked = std::lround(asked);
   // Arcs without edges leave the best angles; other numbers of quads are other meshes, of which one
-  // may be valid where the first is not.
+  // may be valid, or have the count that was asked for, where the first is not, or has not.
   using Arcs = ArcNumbers::Arcs;
   constexpr std::pair<Arcs, double> kAttempts[] = {{Arcs::Joined, 1},    {Arcs::Joined, 1.02},
                                                    {Arcs::Joined, 0.98}, {Arcs::Joined, 1.04},
                                                    {Arcs::Separate, 1},  {Arcs::Separate, 1.03}};
-  std::string why;
-  for (const auto& [arcs, part] : kAttempts) {
-    record.begin(Activity::Solving);
+  std::optional<std::string> why;
+  double least_off = std::numeric_limits<double>::infinity();
+  const auto attempt = [&](Arcs arcs, double part) {
     ArcNumbers numbers(lattice, t_mesh, arcs, stop);
     const std::vector<Index> edges =
         options.edge_length ? numbers.at(*options.edge_length / lattice.unit() / std::sqrt(part))
-                            : numbers.for_count(part * static_cast<double>(result.asked));
-    result.quads = ExtractedQuads(lattice, t_mesh, edges).polygons();
-    smooth_quads(result.quads, file_positions(mesh), mesh.faces(), stop);
-    record.begin(Activity::Proving);
-    result.check = check_quads(result.quads, &mesh, stop);
-    if (!result.check.is_valid()) {
-      if (why.empty()) why = result.check.defects.front();
-      continue;
-    }
-    result.has_joined_arcs = std::count(edges.begin(), edges.end(), 0) > 0;
-    if (static_cast<double>(result.check.count) >
-        (1 + kCountClose) * static_cast<double>(result.asked))
-      result.least_count = quad_count(t_mesh, numbers.at(std::numeric_limits<double>::infinity()));
-    return result;
-  }
-  throw Error(ErrorKind::Infeasible,
-              fmt::format("{}{}the quads that were made are not valid: {}; ask for more of them",
-                          mesh.file(), mesh.file().empty() ? "" : ": ", why));
+                            : numbers.for_count(part * asked);
+    const double off = std::abs(static_cast<double>(quad_count(t_mesh, edges)) / asked - 1);
+    if (result.check.count > 0 && off >= least_off) return;
+    JudgedQuads made = smoothed_quads(mesh, lattice, t_mesh, edges, record);
+    if (!made.check.is_valid()) throw Error(ErrorKind::Infeasible, made.check.defects.front());
+    least_off = off;
+    result.quads = std::move(made.quads);
+    result.check = std::move(made.check);
+    result.least_count.reset();
+    if (static_cast<double>(result.check.count) <= (1 + kCountClose) * asked) return;
+    const long least = quad_count(t_mesh, ArcNumbers(lattice, t_mesh, Arcs::Joined, stop)
+                                              .at(std::numeric_limits<double>::infinity()));
+    result.least_count = std::min(least, long{result.check.count});
+  };
+  const auto attempt_for = [&](Arcs arcs, double part) {
+    record.begin(Activity::Solving);
+    const std::optional<std::string> failed = why_infeasible([&] { attempt(arcs, part); });
+    if (!why) why = failed;
+    return result.check.count > 0;
+  };
+  for (const auto& [arcs, part] : kAttempts)
+    // Where as few as possible were made there is nothing closer.
+    if (attempt_for(arcs, part) && (options.edge_length || least_off <= kCountClose ||
+                                    result.least_count == result.check.count))
+      break;
+  // More, where so few turn thin limbs over; chosen.
+  constexpr double kGrowth = 1.5, kMostTimes = 4, kFew = 200;
+  const double most = std::max(kMostTimes, kFew / std::max(asked, 1.0));
+  for (double part = kGrowth; result.check.count == 0 && part <= most; part *= kGrowth)
+    attempt_for(Arcs::Joined, part);
+  if (result.check.count == 0)
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("{}no valid quads were made: {}; ask for more of them", file_of(mesh),
+                            why.value_or("")));
+  return result;
 }
 
 }  // namespace majorant

@@ -1,5 +1,4 @@
-// A pure quad mesh of a closed surface, with as many quads as asked, aligned to a smooth cross
-// field.
+// A pure quad mesh of a surface, with as many quads as asked, aligned to a smooth cross field.
 //
 //   QuadMeshOptions wishes;
 //   wishes.count = 4000;
@@ -8,11 +7,11 @@
 //
 // A seamless map (start.h), optimized at degree 1, on integers; its motorcycle graph, which cuts
 // the surface into rectangles; whole numbers of edges for their sides; quads from these alone, so
-// that they are a closed manifold of the same genus before any is placed; places on the surface by
-// the map; smoothing. docs/quads.md. What is returned has been judged by check_quads() and is
-// valid.
+// that they are a manifold of the same topology before any is placed; places on the surface by the
+// map; smoothing. Borders are covered by edges of quads, with a vertex at every corner.
+// docs/quads.md. What is returned has been judged by check_quads() and is valid.
 //
-// Not for surfaces with a border, yet, and not for sharp features: quads cut across them.
+// Not for sharp features: quads cut across them.
 #pragma once
 
 #include <optional>
@@ -37,20 +36,23 @@ struct QuadMesh {
   PolygonMesh quads;
   QuadCheck check;  // of these, with the surface: valid
   long asked = 0;
-  // The number of quads with as few edges on every arc as the cones allow; where more than asked
-  // were made.
+  // The number of quads with as few edges on every arc as the cones allow; where more than
+  // kCountClose above the count asked for were made.
   std::optional<long> least_count;
   Index cones = 0, patches = 0;
-  bool has_joined_arcs = false;       // arcs without edges; false: all have one at least
   Status status = Status::Converged;  // of the map's optimization, which a limit may have ended
 };
 
-// Count within 5 % of the one asked where that is possible.
+// Of the attempts whose quads are valid the first with a count within this part of the one asked
+// for, else the closest.
 inline constexpr double kCountClose = 0.05;
+// Numbers of quads, and of their half-edges, are Index.
+inline constexpr Index kMostQuads = 100'000'000;
 
-// mesh: connected. Throws Error(Unsupported) for a border; InvalidArgument for options out of range
-// or that exclude each other; Error(Infeasible) where no whole numbers or no valid quads were
-// found; as make_seamless(); Stopped when the record's start_stop() says so.
+// mesh: connected. Throws Error(Unsupported) for cones given on a surface with a border and for
+// more than kMostQuads; InvalidArgument for options out of range or that exclude each other;
+// Error(Infeasible) where no whole numbers or no valid quads were found, or no map with the border
+// along its axes; else as make_seamless(); Stopped when the record's start_stop() says so.
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record);
 
 }  // namespace majorant

@@ -75,6 +75,7 @@ void QuadJob::solve(const std::string& source) {
     for (const Cone& cone : *options.map.cones)
       used_vertex(source, mesh, surface.welded[cone.vertex]);
   const std::vector<SurfacePiece> pieces = mesh.split(record.start_stop());
+  long least = 0;
   for (const SurfacePiece& piece : pieces) {
     QuadMeshOptions of_piece = options;
     if (options.count)
@@ -86,7 +87,7 @@ void QuadJob::solve(const std::string& source) {
     append_mesh(made.quads, quads);
     asked_count += made.asked;
     patches += made.patches;
-    if (made.least_count) least_count = least_count.value_or(0) + *made.least_count;
+    least += made.least_count.value_or(made.check.count);
     if (made.status != Status::Converged) status = made.status;
   }
   record.begin(Activity::Proving);
@@ -95,26 +96,32 @@ void QuadJob::solve(const std::string& source) {
     throw Error(ErrorKind::Infeasible,
                 fmt::format("{}: its components do not make valid quads together: {}",
                             polygons.file, check.defects.front()));
+  const auto asked = static_cast<double>(asked_count);
+  if (static_cast<double>(check.count) > (1 + kCountClose) * asked) least_count = least;
+  if (!options.edge_length && std::abs(check.count - asked) > kCountClose * asked)
+    warnings.push_back(
+        fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found",
+                    polygons.file, check.count, asked_count, 100 * kCountClose));
   solve_seconds = record.seconds() - before;
 }
 
 Json quad_report(const QuadJob& job) {
-  Json repairs = Json::array();
-  for (const Repair& repair : job.surface.repairs) repairs.push_back(describe(repair));
   Json section = quads_section(job.check, QuadsComparedWith::Surface);
   section["asked"] = job.asked_count;
   section["least_count"] = job.least_count ? Json(*job.least_count) : Json();
   section["patches"] = job.patches;
   section["degree"] = 1;
   Json input = input_section(job.polygons, *job.surface.mesh);
-  for (Json& line : repairs) input["repairs"].push_back(line);
+  for (const Repair& repair : job.surface.repairs) input["repairs"].push_back(describe(repair));
+  std::vector<std::string> warnings = job.polygons.warnings;
+  warnings.insert(warnings.end(), job.warnings.begin(), job.warnings.end());
   Json report{
       {"schema_version", 1},
       {"version", MAJORANT_VERSION},
       {"command", "quads"},
       {"status", status_name(job.status)},
       {"message", describe(job.check, QuadsComparedWith::Surface)},
-      {"warnings", job.polygons.warnings},
+      {"warnings", warnings},
       {"input", input},
       {"options", job.asked},
       {"quads", section},

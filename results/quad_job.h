@@ -39,8 +39,9 @@ struct QuadJob {
   PolygonMesh quads;  // of all components
   QuadCheck check;
   long asked_count = 0;
-  std::optional<long> least_count;
+  std::optional<long> least_count;  // as QuadMesh has it, of all components together
   Index patches = 0;
+  std::vector<std::string> warnings;  // a count that is not close to the one asked for
   Status status = Status::Converged;  // of the maps: a limit may have ended their optimization
   double read_seconds = 0, solve_seconds = 0;
 };

@@ -6,17 +6,19 @@
 namespace majorant {
 
 Json quads_section(const QuadCheck& check, QuadsComparedWith surface) {
-  const bool compared = surface == QuadsComparedWith::Surface;
+  const bool compared = check.is_surface && surface == QuadsComparedWith::Surface;
+  const auto if_surface = [&](auto value) { return check.is_surface ? Json(value) : Json(); };
   const auto if_compared = [&](auto value) { return compared ? Json(value) : Json(); };
   return {{"count", check.count},
-          {"irregular", check.irregular},
-          {"euler_characteristic", check.topology.euler_characteristic()},
-          {"components", check.topology.components},
-          {"boundary_loops", check.topology.boundary_loops},
+          {"irregular", if_surface(check.irregular)},
+          {"euler_characteristic", if_surface(check.topology.euler_characteristic())},
+          {"components", if_surface(check.topology.components)},
+          {"boundary_loops", if_surface(check.topology.boundary_loops)},
           {"scaled_jacobian",
-           {{"min", check.min_scaled_jacobian}, {"mean", check.mean_scaled_jacobian}}},
-          {"angle_deviation", check.angle_deviation},
-          {"folded", check.folded.size()},
+           {{"min", if_surface(check.min_scaled_jacobian)},
+            {"mean", if_surface(check.mean_scaled_jacobian)}}},
+          {"angle_deviation", if_surface(check.angle_deviation)},
+          {"folded", if_surface(check.folded.size())},
           {"turned", if_compared(check.turned.size())},
           {"hausdorff",
            {{"to_surface", if_compared(check.hausdorff.to_surface)},

@@ -12,7 +12,8 @@
 
 namespace majorant {
 
-// Nothing: turned quads and distances are unknown, null in reports.
+// Nothing: turned quads and distances are unknown, null in reports. So is all but the count where
+// the faces make no surface.
 enum class QuadsComparedWith { Nothing, Surface };
 
 Json quads_section(const QuadCheck& check, QuadsComparedWith surface);

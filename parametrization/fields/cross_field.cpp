@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/error.h"
@@ -85,6 +86,37 @@ std::vector<std::complex<double>> principal_directions(const SurfaceMesh& mesh,
 // Chosen, not tuned.
 constexpr int kLargestMeanAngle = 120;
 const std::vector<char> kNoneFixed;
+
+// Border vertices whose two border edges the field follows, which hold a number of quarter turns as
+// inner vertices do: what the angles between these edges add up to in a map. Elsewhere 0.
+struct AlignedBorder {
+  std::vector<int> turns, wanted;  // #V: of the field; of the surface's angles, rounded
+};
+
+// is_aligned: 3 #F, of faces that are fixed to the direction of that border edge.
+AlignedBorder aligned_border(const SurfaceMesh& mesh, const FieldGeometry& geometry,
+                             const std::vector<char>& is_aligned, const Vec& rotation) {
+  const auto size = to_size(mesh.vertex_count());
+  std::vector<int> edges(size, 0);
+  Vec left = geometry.angle_sum;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    left[mesh.to_vertex(h)] -= rotation[h];
+    if (mesh.opposite(h) >= 0 || is_aligned.empty() || !is_aligned[h]) continue;
+    ++edges[mesh.from_vertex(h)];
+    ++edges[mesh.to_vertex(h)];
+  }
+  AlignedBorder border{std::vector<int>(size, 0), std::vector<int>(size, 0)};
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    if (edges[v] < 2) continue;
+    border.turns[v] = static_cast<int>(std::lround(left[v] / kQuarter));
+    // Halfway a border is straight rather than a corner.
+    constexpr double kTie = 1e-3;
+    const double turns = geometry.angle_sum[v] / kQuarter;
+    border.wanted[v] =
+        std::abs(turns - 2) < 0.5 + kTie ? 2 : std::max(1, static_cast<int>(std::lround(turns)));
+  }
+  return border;
+}
 // Cones move one edge a sweep; the smoothest field has them nearly in place; chosen, not
 // tuned.
 constexpr int kMostConeSweeps = 20;
@@ -96,11 +128,13 @@ constexpr double kLeastConeGain = 1e-6;
 
 class Cleanup {
  public:
+  // border: no entries where it is free.
   Cleanup(const SurfaceMesh& mesh, const FieldGeometry& geometry, const std::vector<char>& is_fixed,
-          FieldConnection& field)
+          AlignedBorder border, FieldConnection& field)
       : mesh_(mesh),
         geometry_(geometry),
         is_fixed_(is_fixed),
+        border_(std::move(border)),
         field_(field),
         leaving_(to_size(mesh.vertex_count())) {
     for (Index h = 0; h < mesh.half_edge_count(); ++h)
@@ -127,14 +161,25 @@ class Cleanup {
   }
 
  private:
-  int turns(Index v) const { return field_.quarter_turns[v]; }
-  bool boundary(Index v) const { return geometry_.is_boundary[v]; }
+  bool on_aligned_border(Index v) const { return !border_.wanted.empty() && border_.wanted[v] > 0; }
+  int turns(Index v) const {
+    return on_aligned_border(v) ? border_.turns[v] : field_.quarter_turns[v];
+  }
+  // Of a vertex that is no cone, and of the border as the surface has it.
+  int regular(Index v) const { return on_aligned_border(v) ? border_.wanted[v] : 4; }
+  // Any number of turns is welcome there.
+  bool boundary(Index v) const { return geometry_.is_boundary[v] && !on_aligned_border(v); }
   bool movable(Index h) const {
     const Index o = mesh_.opposite(h);
     if (o < 0) return false;
-    return is_fixed_.empty() || !is_fixed_[face_of(h)] || !is_fixed_[face_of(o)];
+    return is_fixed_.empty() || !is_fixed_[face_of(h)] || !is_fixed_[face_of(o)] ||
+           on_aligned_border(mesh_.from_vertex(h)) || on_aligned_border(mesh_.to_vertex(h));
   }
   int most_turns(Index v) const {
+    // Faces of less than two quarter turns each.
+    if (on_aligned_border(v))
+      return std::max(geometry_.valence[v] * kLargestMeanAngle / 90,
+                      std::min(regular(v), 2 * geometry_.valence[v] - 1));
     return std::max(4, geometry_.valence[v] * kLargestMeanAngle / 90);
   }
   // Quarter turns that v has to give away (> 0) or to receive (< 0).
@@ -145,11 +190,17 @@ class Cleanup {
   // The change of the number of cones by a quarter turn less at `from` and one more at `to`.
   int change(Index from, Index to) const {
     const auto cost = [&](Index v, int step) {
-      return boundary(v) ? 0 : std::abs(turns(v) + step - 4) - std::abs(turns(v) - 4);
+      return boundary(v) ? 0
+                         : std::abs(turns(v) + step - regular(v)) - std::abs(turns(v) - regular(v));
     };
     return cost(from, -1) + cost(to, 1);
   }
-  void move(Index h) { move_quarter(mesh_, geometry_, h, field_); }
+  void move(Index h) {
+    move_quarter(mesh_, geometry_, h, field_);
+    const Index from = mesh_.from_vertex(h), to = mesh_.to_vertex(h);
+    if (on_aligned_border(from)) --border_.turns[from];
+    if (on_aligned_border(to)) ++border_.turns[to];
+  }
 
   bool cancel_neighbours() {
     bool any = false;
@@ -226,7 +277,7 @@ class Cleanup {
     const int step = excess(v) > 0 ? 1 : -1;  // what the receiver gets
     const bool found = send(v, step, [&](Index w) {
       return boundary(w) || (turns(w) + step >= 1 && turns(w) + step <= most_turns(w) &&
-                             turns(w) * step <= 4 * step);
+                             turns(w) * step <= regular(w) * step);
     });
     if (!found)
       throw Error(ErrorKind::Infeasible,
@@ -258,6 +309,7 @@ class Cleanup {
   const SurfaceMesh& mesh_;
   const FieldGeometry& geometry_;
   const std::vector<char>& is_fixed_;
+  AlignedBorder border_;
   FieldConnection& field_;
   std::vector<std::vector<Index>> leaving_;  // per vertex, half-edges that may be matched anew
 };
@@ -265,11 +317,14 @@ class Cleanup {
 // Cancels cones of opposite sign on adjacent vertices, and moves cones next to the boundary into
 // it; then moves quarter turns away from vertices that would have none, or triangles with a mean
 // angle above 120 degrees. The matching changes on the way, the angles stay: relax afterwards.
-// Edges with is_fixed faces on both sides keep their matching (#F, or empty). Throws
+// Edges with is_fixed faces on both sides keep their matching (#F, or empty), but for those that
+// end on a border that the field follows (border, or no entries): its vertices are brought to the
+// turns of the surface's angles, where that lets cones go, and to one at least. Throws
 // Error(Infeasible) when no place is found for a quarter turn.
 void optimize_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-                    const std::vector<char>& is_fixed, FieldConnection& field) {
-  Cleanup(mesh, geometry, is_fixed, field).run();
+                    const std::vector<char>& is_fixed, AlignedBorder border,
+                    FieldConnection& field) {
+  Cleanup(mesh, geometry, is_fixed, std::move(border), field).run();
 }
 
 // Lowers energy (cone_potential.h) + cone_cost * sum |quarter_turns - 4| by moves of single quarter
@@ -279,7 +334,7 @@ void optimize_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
 // Relax afterwards. Throws Stopped.
 void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry, double cone_cost,
                        FieldConnection& field, const StopCheck& stop) {
-  Cleanup(mesh, geometry, kNoneFixed, field).lower_energy(cone_cost, stop);
+  Cleanup(mesh, geometry, kNoneFixed, {}, field).lower_energy(cone_cost, stop);
 }
 
 using Complex = std::complex<double>;
@@ -468,7 +523,8 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
                           : pull * system.mass()[f] * std::abs(curvature[f]);
   }
   options.stop.poll();
-  optimize_cones(mesh, geometry, is_fixed, field);
+  optimize_cones(mesh, geometry, is_fixed,
+                 aligned_border(mesh, geometry, options.aligned, field.rotation), field);
   options.stop.poll();
   if (pull == 0 && !system.has_fixed()) {
     lower_cone_energy(mesh, geometry, options.cone_cost, field, options.stop);

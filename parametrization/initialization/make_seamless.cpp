@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -107,22 +108,31 @@ class FieldTerm final : public EnergyTerm {
   Vec weight_;
 };
 
+// A surface cut through its cones, and the field that gave them.
+struct CutField {
+  CrossField field;
+  std::vector<char> is_cut;
+  std::vector<AlignedEdge> aligned;  // that the field follows
+};
+
 // The piecewise linear map of least int (|grad u - X|^2 + |grad v - Y|^2) / scale^2 whose seams
 // have the transitions of `field`: X, Y are branches 0 and 1 of every face, of length `scale`. A
-// sparse linear solve; seams hold exactly. field: combed along is_cut (3 #F), turns 0 elsewhere.
+// sparse linear solve; seams hold exactly, aligned edges lie along the axes. field: combed along
+// is_cut (3 #F), turns 0 elsewhere.
 // scale: #F, positive; empty: 1. The field of prescribed cones and the scale of the conformal
 // metric with these cones fit together but around handles and holes, where the metric may turn by
 // other angles. The result may have inverted triangles (untangle.h). Throws Error(Infeasible) when
 // the linear system is singular.
-BezierMap integrate_field(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
-                          const CrossField& field, const Vec& scale) {
-  const CutSurface cut = cut_open(mesh, is_cut, field.turns, field.quarter_turns);
+BezierMap integrate_field(const SurfaceMesh& mesh, const CutField& along, const Vec& scale) {
+  const CrossField& field = along.field;
+  const CutSurface cut = cut_open(mesh, along.is_cut, field.turns, field.quarter_turns);
   BezierMap map = BezierMap::linear(cut.mesh, Vec::Zero(2 * cut.mesh->vertex_count()), cut.seams);
   MapSpecification spec;
   spec.seams = cut.seams;
   ProblemBuilder builder(map.control_points().size());
   builder.add(std::make_shared<const FieldTerm>(*cut.mesh, field, scale), 1.0 / mesh.area());
   builder.add(SeamlessConstraint(map.shared_space(), cut.seams));
+  if (!along.aligned.empty()) builder.add(AxisAlignment(map.shared_space(), along.aligned));
   builder.add(FixedPoints::at(gauge_vertices(spec, map.space()), map.control_points()));
   const Problem problem = builder.build();
   // Quadratic: one Newton step, and a second one against rounding.
@@ -142,20 +152,33 @@ constexpr std::size_t kNamedCones = 5;  // in messages
 // triangles, and those nearly of the right sizes.
 constexpr double kScaledFirstEps = 0.01;
 
-// A surface cut through its cones, and the field that gave them.
-struct CutField {
-  CrossField field;
-  std::vector<char> is_cut;
-};
+// The coordinate that does not change along edges that the combed field follows: that of the branch
+// across.
+std::vector<AlignedEdge> aligned_edges(const SurfaceMesh& mesh, const CrossField& field,
+                                       const std::vector<char>& is_aligned) {
+  std::vector<AlignedEdge> aligned;
+  for (Index h = 0; h < static_cast<Index>(is_aligned.size()); ++h) {
+    if (!is_aligned[h]) continue;
+    double direction = 0;  // from corner 0 -> corner 1 of the face, counterclockwise
+    const Index first = 3 * face_of(h);
+    if (h == first + 1) direction = std::numbers::pi - corner_angle(mesh, h).radians();
+    if (h == first + 2) direction = std::numbers::pi + corner_angle(mesh, first).radians();
+    const double off = direction - field.angle[face_of(h)];
+    aligned.push_back({h, std::abs(std::cos(off)) > std::abs(std::sin(off)) ? 1 : 0});
+  }
+  return aligned;
+}
 
 CutField cut_field(const SurfaceMesh& mesh, const SeamlessOptions& options, const StopCheck& stop) {
   CrossFieldOptions field = options.field;
   field.stop = stop;
   CutField out{options.cones ? cross_field_with_cones(mesh, *options.cones)
                              : smoothest_cross_field(mesh, field),
+               {},
                {}};
   out.is_cut = cut_graph(mesh, cone_vertices(out.field), stop);
   comb(mesh, out.is_cut, out.field);
+  out.aligned = aligned_edges(mesh, out.field, field.aligned);
   return out;
 }
 
@@ -208,12 +231,12 @@ class Maker {
 
   std::optional<Start> attempt(SeamlessMethod method) {
     const Vec scale = method == SeamlessMethod::ScaledField ? face_scale(mesh_, metric()) : Vec();
-    Start out{method == SeamlessMethod::Conformal
-                  ? conformal_start(mesh_, cut_, metric())
-                  : integrate_field(mesh_, cut_.is_cut, cut_.field, scale)};
+    Start out{method == SeamlessMethod::Conformal ? conformal_start(mesh_, cut_, metric())
+                                                  : integrate_field(mesh_, cut_, scale)};
     out.method = method;
     MapSpecification spec;
     spec.seams = out.map.shared_seams();
+    spec.aligned = cut_.aligned;
     spec.rest = rest_shapes(out.map.mesh());
     record_.start_stop().poll();
     Defects found = defects(out.map, spec);
@@ -313,7 +336,10 @@ std::string_view method_name(SeamlessMethod method) {
 
 Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
                     const RunRecord& record) {
-  const bool conformal_exists = is_sphere_or_disk(mesh);
+  if (options.cones && !options.field.aligned.empty())
+    throw InvalidArgument("make_seamless: given cones leave no edges to follow");
+  const bool is_aligned = !options.field.aligned.empty();
+  const bool conformal_exists = is_sphere_or_disk(mesh) && !is_aligned;
   if (options.method == SeamlessMethod::Conformal && !conformal_exists)
     throw Refusal(ErrorKind::Usage, mesh.file(),
                   message_prefix(mesh) +

@@ -85,8 +85,10 @@ Start seamless_from_layout(const SurfaceMesh& mesh, const std::vector<char>& is_
 
 struct SeamlessOptions {
   SeamlessMethod method = SeamlessMethod::Automatic;
+  // Edges that the field follows lie along axes of the map, to rounding: not by Conformal.
   CrossFieldOptions field = {};
   // Vertices of the mesh; all others are regular, an empty list has no cones. Nothing: the field's.
+  // Not together with edges to follow.
   std::optional<std::vector<Cone>> cones = {};
   int threads = 0;  // as SolveOptions has it
 };

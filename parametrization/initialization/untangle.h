@@ -22,8 +22,8 @@ struct UntangleResult {
 
 // spec: seams, pins, boundary; its energy is not looked at; its rest shapes should have the sizes
 // that images are to get. space: of degree 1. start: any finite positions, which need not satisfy
-// the constraints. first_eps: smaller changes a good start less; 0: one of the above. Ends early
-// when the start_stop() of `record` says so.
+// the constraints. first_eps: smaller changes a good start less; 0: kFirstEpsHeld or kFirstEps.
+// Ends early when the start_stop() of `record` says so.
 UntangleResult untangle(const MapSpecification& spec,
                         const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                         const RunRecord& record, double first_eps = 0);

@@ -17,6 +17,11 @@ bool contains(const SeamlessLattice& lattice, Index face, LatticePoint p) {
   return true;
 }
 
+// The distance of point k of an arc that is cut into `count` edges.
+std::int64_t cut(std::int64_t length, Index k, Index count) {
+  return static_cast<std::int64_t>(WideInteger{length} * k / count);
+}
+
 // A rectangle's side, cut into edges: distances from its first corner, of every whole number.
 std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>& half_arcs,
                                      const std::vector<Index>& edges) {
@@ -27,7 +32,7 @@ std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>
     const std::int64_t length = mesh.arcs[arc_of(h)].length();
     for (Index k = 1; k <= count; ++k) {
       // As the arc counts from its own start, so that both of its patches have the same points.
-      const std::int64_t from_start = length * (h % 2 == 0 ? k : count - k) / count;
+      const std::int64_t from_start = cut(length, h % 2 == 0 ? k : count - k, count);
       points.push_back(begin + (h % 2 == 0 ? from_start : length - from_start));
     }
     begin += length;
@@ -39,7 +44,7 @@ std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>
 
 ExtractedQuads::ExtractedQuads(const SeamlessLattice& lattice, const TMesh& mesh,
                                const std::vector<Index>& edges)
-    : lattice_(lattice), mesh_(mesh), edges_(edges), same_(0) {
+    : lattice_(lattice), mesh_(mesh), edges_(edges), same_(0), same_on_border_(0) {
   vertex_count_ = static_cast<Index>(mesh.nodes.size());
   for (const Index count : edges) {
     first_on_arc_.push_back(vertex_count_);
@@ -50,7 +55,7 @@ ExtractedQuads::ExtractedQuads(const SeamlessLattice& lattice, const TMesh& mesh
     vertex_count_ += std::max(sum_of(patch.sides[0], edges) - 1, 0) *
                      std::max(sum_of(patch.sides[1], edges) - 1, 0);
   }
-  same_ = UnionFind(vertex_count_);
+  same_ = same_on_border_ = UnionFind(vertex_count_);
   join();
 }
 
@@ -71,8 +76,12 @@ std::vector<Index> ExtractedQuads::vertices_of_side(const std::vector<Index>& ha
 }
 
 void ExtractedQuads::join() {
-  for (std::size_t a = 0; a < edges_.size(); ++a)
-    if (edges_[a] == 0) same_.join(mesh_.arcs[a].node[0], mesh_.arcs[a].node[1]);
+  for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a) {
+    if (edges_[a] > 0) continue;
+    const auto& [from, to] = mesh_.arcs[a].node;
+    same_.join(from, to);
+    if (mesh_.is_on_border(a)) same_on_border_.join(from, to);
+  }
   for (const TPatch& patch : mesh_.patches)
     for (std::size_t s = 0; s < 2; ++s) {
       if (sum_of(patch.sides[s], edges_) > 0) continue;
@@ -83,20 +92,130 @@ void ExtractedQuads::join() {
     }
 }
 
-std::vector<Index> ExtractedQuads::joining_arcs() {
-  std::map<Index, Index> cones;  // at a vertex
-  for (std::size_t n = 0; n < mesh_.nodes.size(); ++n)
-    if (mesh_.nodes[n].vertex >= 0) ++cones[same_.find(static_cast<Index>(n))];
-  std::map<Index, Index> longest;  // arc, by vertex
-  for (std::size_t a = 0; a < edges_.size(); ++a) {
-    const Index vertex = same_.find(mesh_.arcs[a].node[0]);
-    if (edges_[a] > 0 || cones[vertex] < 2) continue;
-    const auto [found, is_new] = longest.try_emplace(vertex, static_cast<Index>(a));
-    if (!is_new && mesh_.arcs[a].length() > mesh_.arcs[found->second].length())
-      found->second = static_cast<Index>(a);
+std::vector<Index> ExtractedQuads::vertices_of_border() const {
+  std::vector<Index> vertices;
+  for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a)
+    if (mesh_.is_on_border(a))
+      for (Index k = 0; k <= edges_[a]; ++k) vertices.push_back(vertex_on(2 * a, k));
+  return vertices;
+}
+
+// By name in same_: whether two cones, corners or stretches of the border are one vertex.
+std::vector<char> ExtractedQuads::joins_too_much() {
+  std::vector<char> is_joined(to_size(vertex_count_), 0);
+  std::vector<Index> cone = std::vector<Index>(is_joined.size(), -1), stretch = cone;
+  for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+    if (mesh_.nodes[n].vertex < 0) continue;
+    const Index name = same_.find(static_cast<Index>(n));
+    if (cone[name] >= 0) is_joined[name] = 1;
+    cone[name] = static_cast<Index>(n);
   }
+  for (const Index v : vertices_of_border()) {
+    const Index name = same_.find(v), own = same_on_border_.find(v);
+    if (stretch[name] >= 0 && stretch[name] != own) is_joined[name] = 1;
+    stretch[name] = own;
+    // A cone from the inside.
+    if (cone[name] >= 0 && mesh_.nodes[cone[name]].side == Side::Inside) is_joined[name] = 1;
+  }
+  return is_joined;
+}
+
+std::vector<Index> ExtractedQuads::joining_arcs() {
+  std::vector<Index> arcs = arcs_of_short_borders();
+  const std::vector<Index> joining = arcs_that_join(joins_too_much());
+  arcs.insert(arcs.end(), joining.begin(), joining.end());
+  return arcs;
+}
+
+std::vector<Index> ExtractedQuads::arcs_of_bad_quads() {
+  struct QuadSide {
+    std::array<Index, 2> vertices;
+    std::size_t patch;
+  };
+  std::vector<QuadSide> sides;
+  std::vector<char> is_bad(to_size(vertex_count_), 0);
+  std::vector<std::pair<Index, std::size_t>> bad;  // vertex, patch
+  for (std::size_t p = 0; p < mesh_.patches.size(); ++p)
+    for (std::array<Index, 4> quad : quads_of(p)) {
+      for (Index& v : quad) v = same_.find(v);
+      for (std::size_t k = 0; k < 4; ++k) {
+        sides.push_back({{quad[k], quad[(k + 1) % 4]}, p});
+        if (quad[k] == quad[(k + 1) % 4] || quad[k] == quad[(k + 2) % 4])
+          bad.emplace_back(quad[k], p);
+      }
+    }
+  const auto before = [](const QuadSide& a, const QuadSide& b) { return a.vertices < b.vertices; };
+  std::stable_sort(sides.begin(), sides.end(), before);
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i].vertices == sides[i - 1].vertices)
+      for (const Index v : sides[i].vertices) bad.emplace_back(v, sides[i].patch);
+  for (const auto& [vertex, patch] : bad) is_bad[vertex] = 1;
+  std::vector<Index> arcs = arcs_that_join(is_bad);
+  if (!arcs.empty()) return arcs;
+  const auto edge_length = [&](Index half_arc) {
+    const Index a = arc_of(half_arc);
+    return static_cast<double>(mesh_.arcs[a].length()) / (edges_[a] + 1);
+  };
+  for (const auto& [vertex, patch] : bad) {
+    Index longest = mesh_.patches[patch].sides[0].front();
+    for (const std::vector<Index>& side : mesh_.patches[patch].sides)
+      for (const Index h : side)
+        if (edge_length(h) > edge_length(longest)) longest = h;
+    arcs.push_back(arc_of(longest));
+  }
+  return arcs;
+}
+
+// Of every vertex where is_joined, by its name in same_, the longest.
+std::vector<Index> ExtractedQuads::arcs_that_join(const std::vector<char>& is_joined) {
+  using Longest = std::map<Index, Index>;  // arc, by vertex
+  const auto add = [&](Longest& longest, Index vertex, Index arc) {
+    if (edges_[arc] > 0 || !is_joined[vertex]) return;
+    const auto [found, is_new] = longest.try_emplace(vertex, arc);
+    if (!is_new && mesh_.arcs[arc].length() > mesh_.arcs[found->second].length())
+      found->second = arc;
+  };
+  Longest longest, across;
+  for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a)
+    add(longest, same_.find(mesh_.arcs[a].node[0]), a);
+  // Of vertices that no arc leads to: both long sides of a patch without width are of the border.
+  for (const TPatch& patch : mesh_.patches)
+    for (std::size_t s = 0; s < 2; ++s) {
+      if (sum_of(patch.sides[s], edges_) > 0) continue;
+      for (const Index v : vertices_of_side(patch.sides[s + 1]))
+        for (const Index h : patch.sides[s]) add(across, same_.find(v), arc_of(h));
+    }
+  longest.merge(across);
   std::vector<Index> arcs;
   for (const auto& [vertex, arc] : longest) arcs.push_back(arc);
+  return arcs;
+}
+
+// Loops of the border that would have fewer edges than a quad: of each the arc with the longest
+// ones.
+std::vector<Index> ExtractedQuads::arcs_of_short_borders() const {
+  constexpr Index kLeast = 4;
+  UnionFind loops(static_cast<Index>(mesh_.nodes.size()));
+  for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a)
+    if (mesh_.is_on_border(a)) loops.join(mesh_.arcs[a].node[0], mesh_.arcs[a].node[1]);
+  struct Loop {
+    Index edges = 0, arc = -1;
+    double longest = 0;
+  };
+  std::map<Index, Loop> found;
+  for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a) {
+    if (!mesh_.is_on_border(a)) continue;
+    Loop& loop = found[loops.find(mesh_.arcs[a].node[0])];
+    loop.edges += edges_[a];
+    const double length = static_cast<double>(mesh_.arcs[a].length()) / (edges_[a] + 1);
+    if (length > loop.longest) {
+      loop.longest = length;
+      loop.arc = a;
+    }
+  }
+  std::vector<Index> arcs;
+  for (const auto& [name, loop] : found)
+    if (loop.edges < kLeast) arcs.push_back(loop.arc);
   return arcs;
 }
 
@@ -109,7 +228,7 @@ void ExtractedQuads::place_arcs() {
       const TArc& arc = mesh_.arcs[a];
       const Index count = edges_[a], intervals = std::max(count, 1);
       for (Index k = 0; k <= intervals; ++k) {
-        const std::int64_t distance = arc.begin + arc.length() * k / intervals;
+        const std::int64_t distance = arc.begin + cut(arc.length(), k, intervals);
         while (leg + 1 < line.legs.size() &&
                !contains(lattice_, line.legs[leg].face, line.legs[leg].at(distance)))
           ++leg;
@@ -118,13 +237,25 @@ void ExtractedQuads::place_arcs() {
         if (!contains(lattice_, place.face, place.at))
           throw Error(ErrorKind::Infeasible, "a point of a patch's side is in none of its faces");
         places_[a].push_back(place);
-        positions_[k == intervals ? arc.node[1] : vertex_on(2 * a, k)] = position(place);
+        const Index vertex = k == intervals ? arc.node[1] : vertex_on(2 * a, k);
+        positions_[vertex] = position(place);
+        if (line.side == Side::Border) on_border_[vertex] = border_point(place);
       }
     }
   }
   for (std::size_t n = 0; n < mesh_.nodes.size(); ++n)
     if (const Index v = mesh_.nodes[n].vertex; v >= 0)
       positions_[n] = lattice_.surface().input_position(v);
+}
+
+// A face has one edge of the border at most.
+BorderPoint ExtractedQuads::border_point(const Place& place) const {
+  Index h = 3 * place.face;
+  while (lattice_.surface().opposite(h) >= 0) ++h;
+  const LatticePoint edge = lattice_.corner(next(h)) - lattice_.corner(h);
+  const double along = static_cast<double>(dot(place.at - lattice_.corner(h), edge)) /
+                       static_cast<double>(dot(edge, edge));
+  return {h, along};
 }
 
 Vector3 ExtractedQuads::position(const Place& place) const {
@@ -150,6 +281,7 @@ void ExtractedQuads::walk(Place& place, LatticePoint by) const {
       if (side(a, b, goal) < 0 && side(place.at, goal, a) < 0 && side(place.at, goal, b) >= 0)
         out = h;
     }
+    if (out >= 0 && surface.opposite(out) < 0) break;
     if (out < 0) {
       if (!contains(lattice_, place.face, goal)) break;
       place.at = goal;
@@ -195,32 +327,38 @@ void ExtractedQuads::place_inside(const TPatch& patch, Index first) {
   }
 }
 
+std::vector<std::array<Index, 4>> ExtractedQuads::quads_of(std::size_t patch) const {
+  const auto& sides = mesh_.patches[patch].sides;
+  const std::vector<Index> lower = vertices_of_side(sides[0]), right = vertices_of_side(sides[1]),
+                           upper = vertices_of_side(sides[2]), left = vertices_of_side(sides[3]);
+  const std::size_t p = lower.size() - 1, q = right.size() - 1;
+  const auto vertex = [&](std::size_t a, std::size_t b) {
+    if (b == 0) return lower[a];
+    if (b == q) return upper[p - a];
+    if (a == 0) return left[q - b];
+    if (a == p) return right[b];
+    return first_in_patch_[patch] + static_cast<Index>((b - 1) * (p - 1) + a - 1);
+  };
+  std::vector<std::array<Index, 4>> quads;
+  for (std::size_t b = 0; b < q; ++b)
+    for (std::size_t a = 0; a < p; ++a)
+      quads.push_back({vertex(a, b), vertex(a + 1, b), vertex(a + 1, b + 1), vertex(a, b + 1)});
+  return quads;
+}
+
 PolygonMesh ExtractedQuads::polygons() {
   positions_.assign(to_size(vertex_count_), Vector3::Zero());
+  on_border_.assign(to_size(vertex_count_), {});
   place_arcs();
   PolygonMesh mesh;
   std::vector<std::array<Index, 4>> quads;
   for (std::size_t i = 0; i < mesh_.patches.size(); ++i) {
-    const TPatch& patch = mesh_.patches[i];
-    const std::vector<Index> lower = vertices_of_side(patch.sides[0]),
-                             right = vertices_of_side(patch.sides[1]),
-                             upper = vertices_of_side(patch.sides[2]),
-                             left = vertices_of_side(patch.sides[3]);
-    const std::size_t p = lower.size() - 1, q = right.size() - 1;
-    if (p == 0 || q == 0) continue;
-    place_inside(patch, first_in_patch_[i]);
-    const auto vertex = [&](std::size_t a, std::size_t b) {
-      if (b == 0) return lower[a];
-      if (b == q) return upper[p - a];
-      if (a == 0) return left[q - b];
-      if (a == p) return right[b];
-      return first_in_patch_[i] + static_cast<Index>((b - 1) * (p - 1) + a - 1);
-    };
-    for (std::size_t b = 0; b < q; ++b)
-      for (std::size_t a = 0; a < p; ++a)
-        quads.push_back({vertex(a, b), vertex(a + 1, b), vertex(a + 1, b + 1), vertex(a, b + 1)});
+    const std::vector<std::array<Index, 4>> more = quads_of(i);
+    if (!more.empty()) place_inside(mesh_.patches[i], first_in_patch_[i]);
+    quads.insert(quads.end(), more.begin(), more.end());
   }
-  // Joined vertices lie at their cone, else in the middle of where they were.
+  // Joined vertices lie at their cone, else where one of the border was, else in the middle of
+  // where they were.
   std::vector<Vector3> sum(to_size(vertex_count_), Vector3::Zero());
   std::vector<Index> count(to_size(vertex_count_), 0), number(to_size(vertex_count_), -1);
   for (Index v = 0; v < vertex_count_; ++v) {
@@ -228,11 +366,15 @@ PolygonMesh ExtractedQuads::polygons() {
     sum[name] += positions_[v];
     ++count[name];
   }
+  std::vector<BorderPoint> on_border(to_size(vertex_count_));
+  const auto hold = [&](Index v) {
+    sum[same_.find(v)] = positions_[v];
+    count[same_.find(v)] = 1;
+    on_border[same_.find(v)] = on_border_[v];
+  };
+  for (const Index v : vertices_of_border()) hold(v);
   for (Index v = 0; v < static_cast<Index>(mesh_.nodes.size()); ++v)
-    if (mesh_.nodes[v].vertex >= 0) {
-      sum[same_.find(v)] = positions_[v];
-      count[same_.find(v)] = 1;
-    }
+    if (mesh_.nodes[v].vertex >= 0) hold(v);
   for (const auto& quad : quads) {
     std::vector<Index> corners;
     for (const Index v : quad) {
@@ -240,6 +382,7 @@ PolygonMesh ExtractedQuads::polygons() {
       if (number[name] < 0) {
         number[name] = static_cast<Index>(mesh.positions.size());
         mesh.positions.push_back(sum[name] / count[name]);
+        border_points_.push_back(on_border[name]);
       }
       corners.push_back(number[name]);
     }

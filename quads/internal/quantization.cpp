@@ -12,10 +12,10 @@ namespace majorant {
 namespace {
 
 // Half-arc h lies on side s of a patch: in the equation 2 patch + s % 2, sum of the first side -
-// sum of the second = 0, with this sign.
+// sum of the second = 0, with this sign. Beyond the border there is no equation.
 struct Term {
-  Index equation;
-  int sign;
+  Index equation = -1;
+  int sign = 0;
 };
 
 // A change of an arc by one.
@@ -40,8 +40,9 @@ class Quantizer {
         }
     for (std::size_t a = 0; a < mesh.arcs.size(); ++a)
       edges_.push_back(std::max(least[a], static_cast<Index>(std::lround(wanted[a]))));
+    for (const Term& term : terms_) has_border_ |= term.equation < 0;
     for (std::size_t h = 0; h < terms_.size(); ++h)
-      excess_[terms_[h].equation] += terms_[h].sign * edges_[h / 2];
+      if (terms_[h].equation >= 0) excess_[terms_[h].equation] += terms_[h].sign * edges_[h / 2];
   }
 
   std::vector<Index> solve(const StopCheck& stop) {
@@ -50,7 +51,7 @@ class Quantizer {
         stop.poll();
         const int need = excess_[e] > 0 ? -1 : 1;
         const auto fits = [&](Index there, int by) {
-          return (excess_[there] + (there == e ? need : 0)) * by < 0;
+          return there < 0 || (excess_[there] + (there == e ? need : 0)) * by < 0;
         };
         const std::vector<Change> path =
             cheapest_path({e, need}, fits, -1, std::numeric_limits<double>::infinity());
@@ -75,7 +76,7 @@ class Quantizer {
   void apply(const Change& change) {
     edges_[change.arc] += change.by;
     for (const Index h : {2 * change.arc, 2 * change.arc + 1})
-      excess_[terms_[h].equation] += terms_[h].sign * change.by;
+      if (terms_[h].equation >= 0) excess_[terms_[h].equation] += terms_[h].sign * change.by;
   }
 
   // An equation, and the change of its excess that is looked for.
@@ -85,9 +86,9 @@ class Quantizer {
     Index number() const { return 2 * equation + (need > 0); }
   };
 
-  // Changes that go on from one equation to the next until fits(equation, change of its excess);
-  // empty where there are none that cost less than `most`. Costs that are gains count as nothing.
-  // `kept`: an arc that stays.
+  // Changes that go on from one equation to the next until fits(equation, change of its excess), of
+  // the border equation -1; empty where there are none that cost less than `most`. Costs that are
+  // gains count as nothing. `kept`: an arc that stays.
   template <class Fits>
   std::vector<Change> cheapest_path(State start, const Fits& fits, Index kept, double most) const {
     constexpr double kLeastCost = 1e-6;  // shorter paths before longer ones
@@ -122,6 +123,7 @@ class Quantizer {
           found = {total, number};
           last = change;
         }
+        if (there.equation < 0) continue;
         const State next{there.equation, -by};
         if (total < reached[next.number()].cost) {
           reached[next.number()] = {total, number, change};
@@ -146,9 +148,9 @@ class Quantizer {
     return sum;
   }
 
-  // Every arc by one, and back to it through its two patches, as long as that lowers the sum.
+  // Every arc by one, and back to it through its two patches or from both to the border, as long as
+  // that lowers the sum.
   void improve(const StopCheck& stop) {
-    constexpr double kGain = 1e-9;
     constexpr int kRounds = 20;
     bool has_improved = true;
     for (int round = 0; round < kRounds && has_improved; ++round) {
@@ -156,25 +158,52 @@ class Quantizer {
       for (Index arc = 0; arc < static_cast<Index>(edges_.size()); ++arc)
         for (const int by : {1, -1}) {
           stop.poll();
-          const Change change{arc, by};
-          if (edges_[arc] + by < least_[arc] || cost_of(change) >= 0) continue;
-          const Term &one = terms_[2 * arc], &other = terms_[2 * arc + 1];
-          std::vector<Change> path;
-          if (one.equation != other.equation || one.sign == other.sign) {
-            const auto fits = [&](Index there, int change_there) {
-              return there == other.equation && change_there == -other.sign * by;
-            };
-            path = cheapest_path({one.equation, -one.sign * by}, fits, arc, -cost_of(change));
-            if (path.empty()) continue;
-          }
-          path.push_back(change);
-          double gain = 0;
-          for (const Change& c : path) gain -= cost_of(c);
-          if (gain <= kGain) continue;
-          for (const Change& c : path) apply(c);
-          has_improved = true;
+          has_improved |= improves({arc, by});
         }
     }
+  }
+
+  // Changes are made one after the other, since some change an arc twice, and taken back where they
+  // are no gain.
+  bool improves(const Change& change) {
+    constexpr double kGain = 1e-9;
+    const auto& [arc, by] = change;
+    const double most = -cost_of(change);
+    if (edges_[arc] + by < least_[arc] || most <= 0) return false;
+    double gain = 0;
+    std::vector<Change> made;
+    const auto make = [&](const std::vector<Change>& changes) {
+      for (const Change& c : changes) {
+        gain -= cost_of(c);
+        apply(c);
+        made.push_back(c);
+      }
+    };
+    const Term &one = terms_[2 * arc], &other = terms_[2 * arc + 1];
+    const auto is_border = [](Index there, int) { return there < 0; };
+    bool is_whole = true;
+    if (other.equation < 0) {
+      make(cheapest_path({one.equation, -one.sign * by}, is_border, arc, most));
+      is_whole = !made.empty();
+    } else if (one.equation != other.equation || one.sign == other.sign) {
+      const auto fits = [&](Index there, int change_there) {
+        return there == other.equation && change_there == -other.sign * by;
+      };
+      make(cheapest_path({one.equation, -one.sign * by}, fits, arc, most));
+      if (made.empty() && has_border_) {
+        make(cheapest_path({one.equation, -one.sign * by}, is_border, arc, most));
+        const std::size_t first = made.size();
+        if (first > 0)
+          make(cheapest_path({other.equation, -other.sign * by}, is_border, arc, most + gain));
+        is_whole = first > 0 && made.size() > first;
+      } else {
+        is_whole = !made.empty();
+      }
+    }
+    make({change});
+    if (is_whole && gain > kGain) return true;
+    for (const Change& c : made) apply({c.arc, -c.by});
+    return false;
   }
 
   const std::vector<double>& wanted_;
@@ -182,6 +211,7 @@ class Quantizer {
   std::vector<Term> terms_;                    // by half-arc
   std::vector<std::vector<Index>> half_arcs_;  // by equation
   std::vector<Index> excess_, edges_;          // by equation; by arc
+  bool has_border_ = false;
 };
 
 }  // namespace

@@ -7,10 +7,10 @@
 //   const std::vector<Index> n = quantize(t_mesh, wanted, std::vector<Index>(wanted.size(), 1));
 //
 // Rounded, then brought to agree along shortest paths from patch to patch, then improved by closed
-// paths as long as one of them lowers sum (n - wanted)^2 / max(wanted, 1). Each arc lies between
-// two patches, so a change by one goes on through a patch, to its opposite side or back on its own:
-// a bi-directed flow [HWB23]. A minimum with respect to the paths that are looked for, not a proven
-// one of all.
+// paths that lower sum (n - wanted)^2 / max(wanted, 1), in rounds over all arcs until one lowers
+// nothing, 20 at most. Each arc lies between two patches, so a change by one goes on through a
+// patch, to its opposite side or back on its own: a bi-directed flow [HWB23], which arcs of the
+// border, of one patch, may start and end. Not a proven minimum.
 #pragma once
 
 #include <vector>

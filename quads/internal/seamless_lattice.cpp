@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <random>
 
 #include "majorant/constraints/constraints.h"
 #include "majorant/framework/elimination.h"
@@ -16,29 +17,64 @@ namespace {
 constexpr int kLatticeBits = 40;
 // The largest coordinate: a layout far from the origin loses nothing up to there.
 constexpr double kLargestCoordinate = 0x1p56;
+// Steps by which unknowns are off on a surface with a border: 1e-9 of the layout at most.
+constexpr int kLargestOffset = 1000;
 
 [[noreturn]] void refuse_map(const std::string& what) {
   throw Error(ErrorKind::Infeasible, "the seamless map, rounded to integers, " + what);
 }
 
+// Edges of the surface's border, and the coordinate of the map that they hold.
+std::vector<AlignedEdge> border_of(const SurfaceMesh& surface, const BezierMap& map) {
+  std::vector<AlignedEdge> border;
+  const auto uv = map.control_uv();
+  for (Index h = 0; h < surface.half_edge_count(); ++h) {
+    if (surface.opposite(h) >= 0) continue;
+    const Vector2 edge = uv.row(map.mesh().to_vertex(h)) - uv.row(map.mesh().from_vertex(h));
+    border.push_back({h, std::abs(edge.x()) <= std::abs(edge.y()) ? 0 : 1});
+  }
+  return border;
+}
+
+// A power of two.
+std::int64_t common_denominator(const Elimination& elimination, Index unknowns) {
+  constexpr std::int64_t kMost = 256;
+  std::int64_t denominator = 1;
+  for (Index i = 0; i < unknowns; ++i)
+    for (const auto* e = elimination.begin(i); e != elimination.end(i); ++e)
+      for (double c = e->coefficient * static_cast<double>(denominator); c != std::round(c);
+           c *= 2) {
+        if (denominator == kMost) refuse_map("has seams with fractions");
+        denominator *= 2;
+      }
+  return denominator;
+}
+
 // x = Z y in integers.
-std::vector<std::int64_t> rounded_unknowns(const BezierMap& map, double unit) {
+std::vector<std::int64_t> rounded_unknowns(const SurfaceMesh& surface, const BezierMap& map,
+                                           double unit) {
   const Index unknowns = static_cast<Index>(map.control_points().size());
   ConstraintRows rows;
-  SeamlessConstraint(map.shared_space(), map.shared_seams()).append_rows(rows);
+  if (!map.seams().empty())
+    SeamlessConstraint(map.shared_space(), map.shared_seams()).append_rows(rows);
+  const std::vector<AlignedEdge> border = border_of(surface, map);
+  if (!border.empty()) AxisAlignment(map.shared_space(), border).append_rows(rows);
   const Elimination elimination(unknowns, rows);
   const Vec y = elimination.reduce(map.control_points(), nullptr);
+  std::mt19937 random(1);
+  const int most = border.empty() ? 0 : kLargestOffset;
+  std::uniform_int_distribution<std::int64_t> offset(-most, most);
+  // Whole multiples of the denominators of coefficients, so that all unknowns are whole.
+  const std::int64_t denominator = common_denominator(elimination, unknowns);
   std::vector<std::int64_t> free, x;
   for (const double value : y) {
     if (!(std::abs(value) < kLargestCoordinate * unit)) refuse_map("is too far from the origin");
-    free.push_back(std::llround(value / unit));
+    free.push_back(std::llround(value / unit / static_cast<double>(denominator)) + offset(random));
   }
   for (Index i = 0; i < unknowns; ++i) {
     std::int64_t sum = 0;
-    for (const auto* e = elimination.begin(i); e != elimination.end(i); ++e) {
-      if (e->coefficient != std::round(e->coefficient)) refuse_map("has seams with fractions");
-      sum += static_cast<std::int64_t>(e->coefficient) * free[e->reduced];
-    }
+    for (const auto* e = elimination.begin(i); e != elimination.end(i); ++e)
+      sum += std::llround(e->coefficient * static_cast<double>(denominator)) * free[e->reduced];
     x.push_back(sum);
   }
   return x;
@@ -67,12 +103,9 @@ SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& ma
   const auto uv = map.control_uv();
   const double extent = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).maxCoeff();
   unit_ = std::ldexp(1.0, std::ilogb(extent) - kLatticeBits);
-  const std::vector<std::int64_t> x = rounded_unknowns(map, unit_);
-  if (quarter_turns_.empty()) {  // a map without seams: of a plane surface
-    quarter_turns_.assign(to_size(surface.vertex_count()), 4);
-    for (const auto& loop : surface.boundary_loops())
-      for (const Index v : loop) quarter_turns_[v] = 0;
-  }
+  const std::vector<std::int64_t> x = rounded_unknowns(surface, map, unit_);
+  // A map without seams is that of a plane surface.
+  if (quarter_turns_.empty()) quarter_turns_.assign(to_size(surface.vertex_count()), 4);
   for (const SeamEdge& edge : map.seams().edges()) {
     turns_[edge.side] = edge.turns;
     turns_[edge.opposite] = quarter(-edge.turns);
@@ -80,13 +113,31 @@ SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& ma
   for (Index h = 0; h < surface.half_edge_count(); ++h) {
     const Index node = map.mesh().from_vertex(h);
     corners_.push_back({x[2 * node], x[2 * node + 1]});
-    leaving_[surface.from_vertex(h)] = h;
+    Index& leaving = leaving_[surface.from_vertex(h)];
+    if (leaving < 0 || surface.opposite(leaving) >= 0) leaving = h;
   }
   for (Index h = 0; h < surface.half_edge_count(); ++h) {
     const Index o = surface.opposite(h);
     shift_.push_back(o < 0 ? LatticePoint{} : corners_[h] - turned(corners_[next(o)], turns_[h]));
   }
+  count_turns_of_border();
   prove();
+}
+
+int SeamlessLattice::direction_of(Index half_edge) const {
+  const LatticePoint along = corners_[next(half_edge)] - corners_[half_edge];
+  if (along.v == 0) return along.u > 0 ? 0 : 2;
+  return along.v > 0 ? 1 : 3;
+}
+
+// The axis directions from one edge of the border to the other.
+void SeamlessLattice::count_turns_of_border() {
+  for (Index h = 0; h < surface_.half_edge_count(); ++h) {
+    if (surface_.opposite(h) >= 0) continue;
+    int& turns = quarter_turns_[surface_.from_vertex(h)] = 0;
+    for (Index k = h; k >= 0; k = surface_.opposite(previous(k)))
+      turns += static_cast<int>(leaving_directions(*this, k).size());
+  }
 }
 
 LatticePoint SeamlessLattice::beyond(Index half_edge, LatticePoint p) const {
@@ -106,26 +157,31 @@ void SeamlessLattice::prove() const {
     if (h % 3 == 0 && side(corners_[h], corners_[h + 1], corners_[h + 2]) <= 0)
       refuse_map(fmt::format("turns face {} over", surface_.input_face(face_of(h))));
     const Index o = surface_.opposite(h);
+    const LatticePoint along = corners_[next(h)] - corners_[h];
+    if (o < 0 && along.u != 0 && along.v != 0)
+      refuse_map(
+          fmt::format("has the border at face {} off its axes", surface_.input_face(face_of(h))));
     if (o >= 0 && (beyond(h, corners_[h]) != corners_[next(o)] ||
                    beyond(h, corners_[next(h)]) != corners_[o]))
       refuse_map(fmt::format("is torn at half-edge {}", h));
     leave[surface_.from_vertex(h)] += static_cast<int>(leaving_directions(*this, h).size());
   }
   for (Index v = 0; v < surface_.vertex_count(); ++v)
-    if (quarter_turns_[v] > 0 && leave[v] != quarter_turns_[v])
+    if (leave[v] != quarter_turns_[v])
       refuse_map(fmt::format("has {} quarter turns around vertex {}, not {}", leave[v],
                              surface_.input_vertex(v), quarter_turns_[v]));
 }
 
 void SeamlessLattice::move(Index vertex, LatticePoint by) {
   Index h = leaving_[vertex];
+  if (is_on_border(vertex)) by = by.u * unit_vector(direction_of(h));
   do {
     corners_[h] = corners_[h] + by;
     if (side(corners_[h], corners_[next(h)], corners_[previous(h)]) <= 0)
       refuse_map(fmt::format("leaves vertex {} no room", surface_.input_vertex(vertex)));
     by = turned(by, -turns_[previous(h)]);
     h = surface_.opposite(previous(h));
-  } while (h != leaving_[vertex]);
+  } while (h >= 0 && h != leaving_[vertex]);
   // The shifts of edges around it stay: both sides have moved alike.
 }
 

@@ -9,8 +9,12 @@
 // seam constraint are rounded to the lattice, and all others are integer combinations of them
 // (constraints.h). The charts of two faces agree along their edge up to a rotation by a multiple of
 // 90 degrees and a translation by integers, c = i^k c' + t. Proven on these integers: every face is
-// positive, both ends of every edge agree, and around every inner vertex as many of the four axis
-// directions leave into its faces as the map has quarter turns there.
+// positive, both ends of every edge agree, around every inner vertex as many of the four axis
+// directions leave into its faces as the map has quarter turns there, and edges of the border lie
+// along axes.
+//
+// On a surface with a border free unknowns are off by some random steps: lines of the map that meet
+// corners of the border only by its symmetry do not.
 #pragma once
 
 #include <array>
@@ -53,16 +57,25 @@ inline LatticePoint unit_vector(int direction) { return turned({1, 0}, direction
 
 class SeamlessLattice {
  public:
-  // surface: not cut; map: of degree 1, of the surface cut open along its seams, faces as there.
+  // surface: not cut, a face has one edge on the border at most; map: of degree 1, of the surface
+  // cut open along its seams, faces as there, with edges of the border along axes.
   // The surface outlives this. Throws Error(Infeasible) where the rounded map is not proven.
   SeamlessLattice(const SurfaceMesh& surface, const BezierMap& map);
 
   const SurfaceMesh& surface() const { return surface_; }
   // Steps of the lattice to model units.
   double unit() const { return unit_; }
-  // 90 degrees times this is the sum of angles at a vertex; 0 on the boundary.
+  // 90 degrees times this is the sum of angles at a vertex.
   int quarter_turns(Index vertex) const { return quarter_turns_[vertex]; }
-  bool is_cone(Index vertex) const { return quarter_turns_[vertex] != 4; }
+  bool is_on_border(Index vertex) const { return surface_.opposite(leaving_[vertex]) < 0; }
+  // Of other than four quarter turns, or two on the border.
+  bool is_cone(Index vertex) const {
+    return quarter_turns_[vertex] != (is_on_border(vertex) ? 2 : 4);
+  }
+  // A half-edge that starts there, on the border that of the border.
+  Index leaving(Index vertex) const { return leaving_[vertex]; }
+  // Of an edge of the border.
+  int direction_of(Index half_edge) const;
   LatticePoint corner(Index half_edge) const { return corners_[half_edge]; }
   // Of the chart of the face of a half-edge towards that of the opposite one: p' = i^-turns (p -
   // t).
@@ -74,18 +87,19 @@ class SeamlessLattice {
   // Twice the area of the map, in lattice units.
   WideInteger twice_area() const;
 
-  // Moves an inner vertex that is no cone by so much in the chart of its first face, in all charts.
-  // Throws Error(Infeasible) where a face would not stay positive.
+  // Moves a vertex that is no cone by so much in the chart of its first face, in all charts; on the
+  // border along it, by by.u. Throws Error(Infeasible) where a face would not stay positive.
   void move(Index vertex, LatticePoint by);
 
  private:
+  void count_turns_of_border();
   void prove() const;
 
   const SurfaceMesh& surface_;
   double unit_ = 1;
   std::vector<LatticePoint> corners_, shift_;  // by half-edge
   std::vector<int> turns_, quarter_turns_;     // by half-edge; by vertex
-  std::vector<Index> leaving_;                 // by vertex: a half-edge that starts there
+  std::vector<Index> leaving_;                 // by vertex
 };
 
 // The axis directions that leave the corner at the start of a half-edge into its face or along it,

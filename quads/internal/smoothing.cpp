@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "majorant/parametrization/baking/nearest_point.h"
@@ -15,12 +17,16 @@ namespace {
 
 class Smoother {
  public:
-  Smoother(PolygonMesh& mesh, const Points3& positions, const Cells& faces, const StopCheck& stop)
+  Smoother(PolygonMesh& mesh, const SurfaceMesh& surface, const std::vector<BorderPoint>& border,
+           const StopCheck& stop)
       : mesh_(mesh),
-        surface_positions_(positions),
-        surface_faces_(faces),
-        surface_(positions, faces),
+        surface_positions_(surface.positions().rowwise() + surface.origin().transpose()),
+        surface_faces_(surface.faces()),
+        surface_(surface_positions_, surface_faces_),
         stop_(stop),
+        lengths_(surface),
+        border_(border),
+        sides_(mesh.positions.size()),
         quads_(mesh.positions.size()),
         likely_(mesh.positions.size(), -1),
         below_(mesh.polygons.size(), -1),
@@ -29,18 +35,21 @@ class Smoother {
       for (const Index v : mesh.polygons[q]) quads_[v].push_back(q);
       is_turned_[q] = is_turned(q);
     }
+    if (!surface.boundary_loops().empty()) find_sliding(surface);
   }
 
   void smooth() {
     // Sweeps; the last ones change little. Chosen, not tuned.
     constexpr int kSweeps = 5, kRepairs = 30;
-    // The part that where the map has a vertex has in its goal: tips of the surface are not left.
-    constexpr double kStay = 0.5;
     const std::vector<Vector3> start = mesh_.positions;
+    const std::vector<BorderPoint> border_start = border_;
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       for (std::size_t v = 0; v < quads_.size(); ++v) {
         stop_.poll_at(v);
-        move_towards(v, (1 - kStay) * middle(v) + kStay * start[v]);
+        if (is_on_border(v))
+          smooth_border(v, border_start[v]);
+        else
+          move_towards(v, (1 - kStay) * middle(v) + kStay * start[v]);
       }
     }
     for (int sweep = 0; sweep < kRepairs; ++sweep)
@@ -50,6 +59,82 @@ class Smoother {
  private:
   // A corner is good above this sine: 30 degrees.
   static constexpr double kGood = 0.5;
+  // The part that where the map has a vertex has in its goal: tips of the surface are not left.
+  static constexpr double kStay = 0.5;
+  struct OnBorder {
+    Index before = -1, after = -1;  // vertices
+    bool slides = false;
+  };
+
+  bool is_on_border(std::size_t v) const { return border_[v].half_edge >= 0; }
+
+  // Vertices of the border that are none of its corners, and their neighbours along it.
+  void find_sliding(const SurfaceMesh& surface) {
+    const std::vector<char> is_corner = border_corners(surface);
+    std::set<std::pair<Index, Index>> edges;
+    for (const std::vector<Index>& quad : mesh_.polygons)
+      for (std::size_t k = 0; k < 4; ++k) edges.emplace(quad[k], quad[(k + 1) % 4]);
+    for (const auto& [from, to] : edges) {
+      if (edges.count({to, from}) > 0) continue;
+      sides_[from].after = to;
+      sides_[to].before = from;
+    }
+    for (std::size_t v = 0; v < border_.size(); ++v) {
+      const BorderPoint& at = border_[v];
+      if (at.half_edge < 0 || sides_[v].before < 0 || sides_[v].after < 0) continue;
+      sides_[v].slides = !((at.along == 0 && is_corner[surface.from_vertex(at.half_edge)]) ||
+                           (at.along == 1 && is_corner[surface.to_vertex(at.half_edge)]));
+    }
+  }
+
+  // Lengths along the border from a vertex back to the one before it and on to the one after it.
+  std::array<double, 2> room_of(std::size_t v) const {
+    const Index h = border_[v].half_edge;
+    const double all = lengths_.loop_length(h), here = lengths_.length_at(border_[v]);
+    const auto forward = [&](double length) { return length - all * std::floor(length / all); };
+    return {forward(here - lengths_.length_at(border_[to_size(sides_[v].before)])),
+            forward(lengths_.length_at(border_[to_size(sides_[v].after)]) - here)};
+  }
+
+  // By so much along the border, if that is no worse. Returns whether it moved.
+  bool slide(std::size_t v, double by) {
+    const BorderPoint before = border_[v];
+    const Vector3 place = mesh_.positions[v];
+    const double quality = std::min(worst(v), kGood);
+    border_[v] = lengths_.point_at(before.half_edge, lengths_.length_at(before) + by);
+    mesh_.positions[v] = lengths_.position(border_[v]);
+    if (worst(v) >= quality && turned_around(v) <= known_turned_around(v)) {
+      note_turned(v);
+      return true;
+    }
+    border_[v] = before;
+    mesh_.positions[v] = place;
+    return false;
+  }
+
+  void smooth_border(std::size_t v, const BorderPoint& start) {
+    if (!sides_[v].slides) return;
+    const auto [back, on] = room_of(v);
+    const double all = lengths_.loop_length(start.half_edge);
+    const double home =
+        std::remainder(lengths_.length_at(start) - lengths_.length_at(border_[v]), all);
+    const double goal = (1 - kStay) * (on - back) / 2 + kStay * home;
+    for (const double part : {1.0, 0.5, 0.25})
+      if (const double by = part * goal; - back < by && by < on && slide(v, by)) return;
+  }
+
+  bool repair_border(std::size_t v) {
+    bool has_helped = false;
+    for (const double part : {0.3, 0.1, 0.03})
+      for (const std::size_t side : {0, 1}) {
+        if (!sides_[v].slides) continue;
+        const double before = worst(v);
+        const int turned = known_turned_around(v);
+        if (slide(v, (side == 0 ? -part : part) * room_of(v)[side]))
+          has_helped |= worst(v) > before || known_turned_around(v) < turned;
+      }
+    return has_helped;
+  }
 
   std::array<Vector3, 4> corners_of(Index q) const {
     const std::vector<Index>& c = mesh_.polygons[q];
@@ -149,6 +234,10 @@ class Smoother {
       double best = worst(v);
       int fewest = known_turned_around(v);
       if (best >= kBad && fewest == 0) continue;
+      if (is_on_border(v)) {
+        has_helped |= repair_border(v);
+        continue;
+      }
       Vector3 place = mesh_.positions[v];
       const Vector3 center = place, target = middle(v);
       Vector3 normal = Vector3::Zero();
@@ -184,10 +273,13 @@ class Smoother {
   }
 
   PolygonMesh& mesh_;
-  const Points3& surface_positions_;
+  const Points3 surface_positions_;
   const Cells& surface_faces_;
   const SurfaceTree surface_;
   const StopCheck& stop_;
+  const BorderLengths lengths_;
+  std::vector<BorderPoint> border_;        // by vertex
+  std::vector<OnBorder> sides_;            // by vertex
   std::vector<std::vector<Index>> quads_;  // by vertex
   std::vector<Index> likely_, below_;      // faces of the surface, by vertex and by quad
   std::vector<char> is_turned_;            // by quad
@@ -195,9 +287,9 @@ class Smoother {
 
 }  // namespace
 
-void smooth_quads(PolygonMesh& mesh, const Points3& positions, const Cells& faces,
-                  const StopCheck& stop) {
-  Smoother(mesh, positions, faces, stop).smooth();
+void smooth_quads(PolygonMesh& mesh, const SurfaceMesh& surface,
+                  const std::vector<BorderPoint>& border, const StopCheck& stop) {
+  Smoother(mesh, surface, border, stop).smooth();
 }
 
 }  // namespace majorant

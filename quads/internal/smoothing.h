@@ -2,21 +2,24 @@
 // nor turns: no step makes the worst corner around it worse than before, unless it stays good, or
 // more of its quads face away from the surface.
 //
-//   smooth_quads(polygons, mesh->positions(), mesh->faces(), stop);
+//   smooth_quads(polygons, mesh, extracted.border_points(), stop);
 //
-// Not for meshes with a border: all vertices move.
+// Vertices of the border slide along it, between their neighbours, but for its corners.
 #pragma once
 
+#include <vector>
+
 #include "majorant/framework/stop_check.h"
-#include "majorant/framework/types.h"
 #include "majorant/mesh/polygon_mesh.h"
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/quads/internal/border.h"
 
 namespace majorant {
 
-// mesh: of quads, a closed manifold. positions: #V by 3, faces: #F by 3, of the surface. Vertices
-// that move end on it. Throws Stopped.
-void smooth_quads(PolygonMesh& mesh, const Points3& positions, const Cells& faces,
-                  const StopCheck& stop = {});
+// mesh: of quads, a manifold, in the units and places of the file that the surface came from.
+// border: for every vertex of it. Vertices that move end on the surface. Throws Stopped.
+void smooth_quads(PolygonMesh& mesh, const SurfaceMesh& surface,
+                  const std::vector<BorderPoint>& border, const StopCheck& stop = {});
 
 }  // namespace majorant
 

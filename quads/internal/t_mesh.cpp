@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/quads/internal/border.h"
 
 namespace majorant {
 namespace {
@@ -35,6 +36,11 @@ struct Trace {
   std::int64_t on_distance = 0;
   int on_quarter = 0;  // its way back, in quarter turns from the direction of that line
   Index met = -1;      // the line that came towards it: both are one, from cone to cone
+  // On the border: the vertex where it ends, as the line of this order there.
+  Index end_vertex = -1;
+  int end_order = 0;
+
+  Side side() const { return end_vertex < 0 ? Side::Inside : Side::Border; }
 };
 
 // A leg of a trace, where its face lists it.
@@ -57,7 +63,10 @@ class Tracer {
       : lattice_(lattice),
         surface_(lattice.surface()),
         stop_(stop),
-        passages_(to_size(surface_.face_count())) {}
+        is_start_(border_corners(surface_)),
+        passages_(to_size(surface_.face_count())) {
+    for (Index v = 0; v < surface_.vertex_count(); ++v) is_start_[v] |= lattice.is_cone(v);
+  }
 
   // Throws InTheWay.
   std::vector<Trace> trace() {
@@ -86,18 +95,40 @@ class Tracer {
   }
 
  private:
-  bool is_start(Index vertex) const { return vertex == seed_ || lattice_.is_cone(vertex); }
+  bool is_start(Index vertex) const { return is_start_[vertex] != 0; }
 
   void start() {
-    std::vector<Index> leaving(to_size(surface_.vertex_count()), -1);
-    bool has_cones = false;
-    for (Index h = 0; h < surface_.half_edge_count(); ++h) {
-      leaving[surface_.from_vertex(h)] = h;
-      has_cones |= lattice_.is_cone(surface_.from_vertex(h));
-    }
-    if (!has_cones) seed_ = 0;
+    const bool is_closed = surface_.boundary_loops().empty();
+    if (is_closed && std::count(is_start_.begin(), is_start_.end(), 1) == 0) is_start_[0] = 1;
+    for (const auto& loop : boundary_half_edges(surface_.faces(), surface_.opposites()))
+      follow_border(loop);
     for (Index v = 0; v < surface_.vertex_count(); ++v)
-      if (is_start(v)) leave(v, leaving[v]);
+      if (is_start(v)) leave(v, lattice_.leaving(v));
+  }
+
+  // Lines along a loop of the border, from one start to the next.
+  void follow_border(std::vector<Index> loop) {
+    border_.resize(to_size(surface_.half_edge_count()), {-1, -1});
+    const auto starts = [&](Index h) { return is_start(surface_.from_vertex(h)); };
+    auto first = std::find_if(loop.begin(), loop.end(), starts);
+    if (first == loop.end()) {
+      first = loop.begin();
+      is_start_[surface_.from_vertex(*first)] = 1;
+    }
+    std::rotate(loop.begin(), first, loop.end());
+    for (const Index h : loop) {
+      const Index from = surface_.from_vertex(h), to = surface_.to_vertex(h);
+      if (starts(h)) traces_.push_back({.cone = from, .order = 0, .legs = {}, .has_ended = true});
+      Trace& trace = traces_.back();
+      const int direction = lattice_.direction_of(h);
+      const LatticePoint along = unit_vector(direction);
+      border_[h] = {static_cast<Index>(traces_.size()) - 1, static_cast<Index>(trace.legs.size())};
+      trace.legs.push_back({face_of(h), direction, lattice_.corner(h) - trace.length * along});
+      trace.length +=
+          static_cast<std::int64_t>(dot(lattice_.corner(next(h)) - lattice_.corner(h), along));
+      trace.end_vertex = to;
+      trace.end_order = lattice_.quarter_turns(to);
+    }
   }
 
   void leave(Index vertex, Index first) {
@@ -105,13 +136,17 @@ class Tracer {
     Index h = first;
     do {
       for (const int direction : leaving_directions(lattice_, h)) {
-        require_off(direction, h, next(h));
-        traces_.push_back({.cone = vertex,
-                           .order = order++,
-                           .legs = {{face_of(h), direction, lattice_.corner(h)}}});
+        // The first one of a border is that of the border.
+        if (order > 0 || !lattice_.is_on_border(vertex)) {
+          require_off(direction, h, next(h));
+          traces_.push_back({.cone = vertex,
+                             .order = order,
+                             .legs = {{face_of(h), direction, lattice_.corner(h)}}});
+        }
+        ++order;
       }
       h = surface_.opposite(previous(h));
-    } while (h != first);
+    } while (h >= 0 && h != first);
   }
 
   // The vertex at `other` is not on the line that leaves the corner of `half_edge`.
@@ -219,6 +254,10 @@ class Tracer {
       const int right = side_of(h), left = side_of(next(h));
       if (right == 0 && lattice_.corner(h) != leg.start) clear(surface_.from_vertex(h));
       if (right >= 0 || left <= 0) continue;
+      if (surface_.opposite(h) < 0) {
+        end_on_border(t, leg, h);
+        return;
+      }
       const LineLeg entered{face_of(surface_.opposite(h)),
                             lattice_.direction_beyond(h, leg.direction),
                             lattice_.beyond(h, leg.start)};
@@ -228,10 +267,21 @@ class Tracer {
     refuse_lines("one leaves its face through no edge");
   }
 
+  void end_on_border(Index t, const LineLeg& leg, Index half_edge) {
+    const Passage on = border_[half_edge];
+    const LineLeg& across = traces_[on.trace].legs[on.leg];
+    if ((across.direction - leg.direction) % 2 == 0)
+      refuse_lines("one runs into a border along it");
+    const LatticePoint p = leg.direction % 2 == 0 ? LatticePoint{across.start.u, leg.start.v}
+                                                  : LatticePoint{leg.start.u, across.start.v};
+    end(t, {distance_along(leg, p), on, distance_along(across, p)});
+  }
+
   const SeamlessLattice& lattice_;
   const SurfaceMesh& surface_;
   const StopCheck& stop_;
-  Index seed_ = -1;
+  std::vector<char> is_start_;   // by vertex
+  std::vector<Passage> border_;  // by half-edge of the border
   std::vector<Trace> traces_;
   std::vector<std::vector<Passage>> passages_;  // by face
 };
@@ -271,7 +321,7 @@ class TMeshBuilder {
       const auto line = static_cast<Index>(mesh_.lines.size());
       line_of_[t] = {line, false};
       first_trace_.push_back(t);
-      TraceLine joined{.legs = trace.legs, .length = trace.length};
+      TraceLine joined{.legs = trace.legs, .length = trace.length, .side = trace.side()};
       if (trace.met >= 0) {
         line_of_[trace.met] = {line, true};
         const std::vector<LineLeg>& back = traces_[trace.met].legs;
@@ -295,7 +345,9 @@ class TMeshBuilder {
     };
     const auto cone_node = [&](Index vertex) {
       const auto [found, is_new] = cones.try_emplace(vertex, -1);
-      if (is_new) found->second = new_node({vertex, lattice_.quarter_turns(vertex)});
+      if (is_new)
+        found->second = new_node({vertex, lattice_.quarter_turns(vertex),
+                                  lattice_.is_on_border(vertex) ? Side::Border : Side::Inside});
       return found->second;
     };
     for (const Trace& trace : traces_) {
@@ -303,7 +355,8 @@ class TMeshBuilder {
       if (trace.on < 0) continue;
       const LinePlace at = place(trace.on, trace.on_distance);
       const auto [found, is_new] = stops[at.line].try_emplace(at.distance, -1);
-      if (is_new) found->second = new_node({});
+      const Side side = traces_[trace.on].side();
+      if (is_new) found->second = new_node({-1, side == Side::Border ? 2 : 4, side});
     }
     const std::vector<std::map<std::int64_t, Index>> inner = stops;
     for (std::size_t l = 0; l < mesh_.lines.size(); ++l) {
@@ -312,6 +365,8 @@ class TMeshBuilder {
       Index end = -1;
       if (first.met >= 0) {
         end = cone_node(traces_[first.met].cone);
+      } else if (first.side() == Side::Border) {
+        end = cone_node(first.end_vertex);
       } else {
         const LinePlace at = place(first.on, first.on_distance);
         end = inner[at.line].at(at.distance);
@@ -333,6 +388,8 @@ class TMeshBuilder {
       if (end->first == first.length) {
         if (first.met >= 0)
           back = traces_[first.met].order;
+        else if (first.side() == Side::Border)
+          back = first.end_order;
         else
           back = quarter(first.on_quarter + place(first.on, first.on_distance).turned);
       }
@@ -354,6 +411,7 @@ class TMeshBuilder {
     const Leaving& around = leaving_[node];
     auto found = around.find(quarter_[back]);
     found = found == around.begin() ? std::prev(around.end()) : std::prev(found);
+    // On the border nothing follows the first line, which no half-arc with a patch leads back to.
     const int all = mesh_.nodes[node].turns;
     turns = ((quarter_[back] - found->first - 1) % all + all) % all + 1;
     return found->second;
@@ -361,6 +419,8 @@ class TMeshBuilder {
 
   void find_patches() {
     std::vector<char> seen(2 * mesh_.arcs.size(), 0);
+    for (Index a = 0; a < static_cast<Index>(mesh_.arcs.size()); ++a)
+      seen[2 * a + 1] = mesh_.is_on_border(a);
     for (Index first = 0; first < static_cast<Index>(seen.size()); ++first) {
       if (seen[first]) continue;
       std::vector<Index> cycle;

@@ -1,6 +1,6 @@
-// The motorcycle graph of a seamless map: lines along the axes from all cones, each as far as to
-// the first line in its way [EGKT08]. It cuts the surface into patches that are rectangles in the
-// map, with lines that end on their sides: a T-mesh.
+// The motorcycle graph of a seamless map: the border, and lines along the axes from all cones and
+// corners of the border, each as far as to the first line in its way [EGKT08]. It cuts the surface
+// into patches that are rectangles in the map, with lines that end on their sides: a T-mesh.
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice, stop);
@@ -31,19 +31,28 @@ struct LineLeg {
   LatticePoint at(std::int64_t distance) const { return start + distance * unit_vector(direction); }
 };
 
-// From a cone to where it ends, on another line or in another cone.
+// Where a line is.
+enum class Side { Inside, Border };
+
+// From a cone or corner to where it ends, on another line or in another of these. On the border
+// from one to the next, the surface on its left.
 struct TraceLine {
   std::vector<LineLeg> legs;  // in order; every point of the line lies in the face of a leg
   std::int64_t length = 0;
+  Side side = Side::Inside;
   std::vector<Index> arcs = {};  // from its start
 };
 
 struct TNode {
-  Index vertex = -1;  // of the surface, of a cone; -1: where a line ends on another
+  Index vertex = -1;  // of the surface, of a cone or corner; -1: where a line ends on another
   int turns = 4;      // its angles add up to this many quarter turns
+  Side side = Side::Inside;
+
+  bool is_cone() const { return vertex >= 0 && turns != (side == Side::Border ? 2 : 4); }
 };
 
-// Half-arc 2 a runs along arc a as its line does, 2 a + 1 against it.
+// Half-arc 2 a runs along arc a as its line does, 2 a + 1 against it; on the border that has no
+// patch.
 struct TArc {
   Index line;
   std::int64_t begin, end;    // distances along the line
@@ -69,10 +78,12 @@ struct TMesh {
 
   Index from_node(Index half_arc) const { return arcs[arc_of(half_arc)].node[half_arc % 2]; }
   Index to_node(Index half_arc) const { return from_node(reversed(half_arc)); }
+  bool is_on_border(Index arc) const { return lines[arcs[arc].line].side == Side::Border; }
 };
 
-// The surface is closed. Vertices of the lattice may be moved by a few steps. A surface without
-// cones has its first vertex for one. Throws Error(Infeasible) where lines could not be traced, or
+// Corners of the border are its cones and where it turns by kCornerTurn (border.h); a border
+// without any, and a closed surface without cones, have their first vertex for one. Vertices of the
+// lattice may be moved by a few steps. Throws Error(Infeasible) where lines could not be traced, or
 // anything above does not hold; Stopped.
 TMesh trace_t_mesh(SeamlessLattice& lattice, const StopCheck& stop = {});
 

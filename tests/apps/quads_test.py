@@ -6,6 +6,7 @@ tests/checker/quad_judge.py, too."""
 import json
 import math
 import os
+import re
 import sys
 import unittest
 
@@ -18,8 +19,8 @@ from quad_judge import judge, read_obj  # noqa: E402
 CLOSED = os.path.join(helpers.SHARED, 'data', 'public', 'closed')
 
 
-def torus(m, n):
-    points = [((3 + math.cos(b)) * math.cos(a), (3 + math.cos(b)) * math.sin(a), math.sin(b))
+def torus(m, n, radius=3):
+    points = [((radius + math.cos(b)) * math.cos(a), (radius + math.cos(b)) * math.sin(a), math.sin(b))
               for a in (2 * math.pi * i / m for i in range(m)) for b in (2 * math.pi * j / n for j in range(n))]
     faces = []
     for i in range(m):
@@ -82,22 +83,106 @@ class Quads(CommandTest):
         self.assertEqual(report['quads']['components'], 2)
         self.assertEqual(report['quads']['irregular'], 0)
 
+    def test_few_quads(self):
+        """A thin torus, which needs no edges anywhere, by itself and beside a cube, which does."""
+        points, faces = torus(40, 8, 10)
+        path = self.write('thin.obj', helpers.obj_text(points, faces))
+        for count in (1, 2):
+            quads = self.made(path, '--count', count)['quads']
+            self.assertLessEqual(quads['least_count'], quads['count'])
+        both = self.write('both.obj', helpers.obj_text(
+            points + [(x + 20, y, z) for x, y, z in Check.CUBE],
+            faces + [tuple(v + len(points) for v in half)
+                     for a, b, c, d in Check.SIDES for half in ((a, b, c), (a, c, d))]))
+        for count in (30, 100):
+            quads = self.made(both, '--count', count)['quads']
+            self.assertEqual(quads['asked'], count)
+            self.assertEqual(quads['least_count'] is not None, quads['count'] > 1.05 * count)
+            if quads['least_count'] is not None:
+                self.assertTrue(6 < quads['least_count'] <= quads['count'], quads)
+
+    def test_counts_that_are_not_met(self):
+        """Around the tube of a thin torus there is a whole number of quads: the closest is made, and it is said."""
+        points, faces = torus(40, 8, 10)
+        path = self.write('thin.obj', helpers.obj_text(points, faces))
+        off = 0
+        for count in (100, 300):
+            report = self.made(path, '--count', count)
+            made = report['quads']['count']
+            is_off = abs(made - count) > 0.05 * count
+            off += is_off
+            self.assertEqual([re.search('within 5 % of that was found', line) is not None
+                              for line in report['warnings']], [True] if is_off else [])
+        self.assertGreater(off, 0)
+
+    def test_edges_too_short(self):
+        cube = self.write('cube.obj', helpers.obj_text(Check.CUBE, [half for a, b, c, d in Check.SIDES
+                                                                    for half in ((a, b, c), (a, c, d))]))
+        for length in ('1e-6', '1e-9', '1e-200'):
+            self.refused(UNSUPPORTED, 'quads', cube, '-o', self.path('o.obj'), '--edge-length', length, says='too many')
+        self.assertEqual(self.made(cube, '--edge-length', '1e200')['quads']['asked'], 0)
+
     def test_refusals(self):
         buckle, out = helpers.generated('buckle'), self.path('o.obj')
         self.refused(USAGE, 'quads', buckle, '-o', out, '--count', 100, '--edge-length', 1, says='--edge-length')
         self.refused(USAGE, 'quads', buckle, '-o', self.path('o.svg'), says='.svg')
         self.refused(USAGE, 'quads', buckle, says='-o')
         self.refused(UNREADABLE, 'quads', self.path('none.obj'), '-o', out, says='none.obj')
-        self.refused(UNSUPPORTED, 'quads', helpers.generated('wavy_disk'), '-o', out, says='border')
+        cones = self.write('cones.json', '[]')
+        self.refused(UNSUPPORTED, 'quads', helpers.generated('wavy_disk'), '-o', out, '--cones', cones, says='border')
         points, faces = torus(12, 8)
         twice = self.write('twice.obj', helpers.obj_text(points, faces + faces[:1]))
         self.refused(UNSUPPORTED, 'quads', twice, '-o', out, '--strict', says='--strict')
-        self.assertEqual(self.files(), ['twice.obj'])
+        self.assertEqual(self.files(), ['cones.json', 'twice.obj'])
+
+    def test_borders(self):
+        """A plate with four holes, a tube and a wavy disk."""
+        points, number, faces = [], {}, []
+        for i in range(25):
+            for j in range(25):
+                if i // 5 % 2 and j // 5 % 2:
+                    continue
+                corners = []
+                for at in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                    if at not in number:
+                        number[at] = len(points)
+                        points.append((at[0] + 0.1 * math.sin(at[1]), at[1], 0.2 * math.sin(at[0])))
+                    corners.append(number[at])
+                faces += [(corners[0], corners[1], corners[2]), (corners[0], corners[2], corners[3])]
+        plate = self.write('plate.obj', helpers.obj_text(points, faces))
+        quads = self.made(plate, '--count', 1000)['quads']
+        self.assertEqual(quads['boundary_loops'], 5)
+        self.assertLessEqual(abs(quads['count'] - 1000), 50)
+        points, faces = torus(24, 16)
+        tube = self.write('tube.obj', helpers.obj_text(points, faces[:24 * 16]))
+        quads = self.made(tube, '--count', 500)['quads']
+        self.assertEqual((quads['boundary_loops'], quads['euler_characteristic']), (2, 0))
+        quads = self.made(helpers.generated('wavy_disk'), '--count', 500)['quads']
+        self.assertEqual((quads['boundary_loops'], quads['euler_characteristic']), (1, 1))
+
+    def test_borders_that_touch(self):
+        """Two holes whose corners are one point, of two vertices."""
+        points, number, faces = [], {}, []
+        for i in range(12):
+            for j in range(12):
+                if (i // 2, j // 2) in ((2, 2), (3, 3)):
+                    continue
+                corners = []
+                for at in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+                    key = at if at != (6, 6) else (at, i < j)
+                    if key not in number:
+                        number[key] = len(points)
+                        points.append((at[0], at[1], 0))
+                    corners.append(number[key])
+                faces += [(corners[0], corners[1], corners[2]), (corners[0], corners[2], corners[3])]
+        path = self.write('touching.obj', helpers.obj_text(points, faces))
+        self.assertEqual(self.made(path, '--count', 300)['quads']['boundary_loops'], 3)
 
     def test_time_limit(self):
-        outcome = majorant('quads', helpers.generated('buckle'), '-o', self.path('o.obj'), '--time-limit', 0)
-        self.assertIn(outcome.code, (helpers.LIMIT, INVALID), outcome.err)
-        self.assertEqual(os.path.exists(self.path('o.obj')), outcome.code == helpers.LIMIT)
+        """The limit ends the optimization of the map; quads of it take far less than the 10 s they have."""
+        buckle, quads = helpers.generated('buckle'), self.path('o.obj')
+        self.run_ok('quads', buckle, '-o', quads, '--time-limit', 0, code=helpers.LIMIT)
+        self.run_ok('check', quads, '--surface', buckle)
 
     @helpers.where(CLOSED)
     def test_public_closed_meshes(self):
@@ -135,7 +220,14 @@ class Check(CommandTest):
         points, faces = torus(8, 6)
         path = self.write('torus.obj', helpers.obj_text(points, faces))
         self.refused(UNSUPPORTED, 'check', path)
-        self.assertIn('no quads', self.run_ok('check', path, '--quads', code=INVALID).out)
+        said = self.run_ok('check', path, '--quads', '--report', self.path('r.json'), code=INVALID)
+        self.assertIn('no quads', said.out)
+        quads = json.loads(self.read('r.json'))['quads']
+        self.assertEqual(quads.pop('count'), len(faces))
+
+        def values(section):
+            return [v for x in section.values() for v in (values(x) if isinstance(x, dict) else [x])]
+        self.assertEqual({str(value) for value in values(quads)}, {'None'})  # nothing else is measured
 
     def test_flags_of_maps(self):
         path = self.write('cube.obj', helpers.obj_text(self.CUBE, self.SIDES))

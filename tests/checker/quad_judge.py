@@ -142,7 +142,8 @@ class Mesh:
                 return True
         return False
 
-    def components(self):
+    def component_names(self):
+        """Of every face one of the faces that it hangs together with, the same for all of them."""
         name = list(range(len(self.faces)))
 
         def find(f):
@@ -153,7 +154,14 @@ class Mesh:
         for (a, b), faces in self.sides.items():
             for f in faces + self.sides.get((b, a), []):
                 name[find(f)] = find(faces[0])
-        return len({find(f) for f in range(len(self.faces))})
+        return [find(f) for f in range(len(self.faces))]
+
+    def components(self):
+        """Of each its Euler characteristic and its number of border loops, sorted."""
+        names = self.component_names()
+        parts = [Mesh(self.positions, [face for face, of in zip(self.faces, names) if of == name])
+                 for name in set(names)]
+        return sorted((part.euler(), len(part.loops())) for part in parts)
 
     def loops(self):
         """Border loops as vertices, the faces on their left."""
@@ -181,24 +189,40 @@ def border_defects(quads, surface):
     theirs = surface.loops()
     edges = [(n, i, surface.positions[a], surface.positions[b]) for n, loop in enumerate(theirs)
              for i, (a, b) in enumerate(zip(loop, loop[1:] + loop[:1]))]
+    at = {}  # places of the vertices at one place
+    for n, loop in enumerate(theirs):
+        for i, v in enumerate(loop):
+            at.setdefault(tuple(surface.positions[v]), []).append((n, i))
+
+    def places_of(p):
+        distance, n, along = min((nearest_on_segment(p, a, b)[1], n, i + nearest_on_segment(p, a, b)[0])
+                                 for n, i, a, b in edges)
+        if distance > close:
+            found.add('off the border')
+        shared = [places for q, places in at.items() if len(places) > 1 and math.dist(p, q) <= close]
+        return shared[0] if shared else [(n, along)]
+
+    def follows(places, n):
+        """Whether one of every vertex' places leads once around a loop: all choices for the first of them."""
+        choices = [[along for m, along in of_vertex if m == n] for of_vertex in places]
+        if not all(choices):
+            return False
+        length = len(theirs[n])
+
+        def around(start):
+            here, sum_of_steps = start, 0.0
+            for there in choices[1:] + [[start]]:
+                step, here = min(((t - here) % length or length, t) for t in there)
+                sum_of_steps += step
+            return sum_of_steps
+        return min(around(start) for start in choices[0]) < 1.5 * length
+
     for loop in quads.loops():
-        places = []
-        for v in loop:
-            p = quads.positions[v]
-            distance, n, along = min((nearest_on_segment(p, a, b)[1], n, i + nearest_on_segment(p, a, b)[0])
-                                     for n, i, a, b in edges)
-            if distance > close:
-                found.add('off the border')
-            places.append((n, along))
-        n = places[0][0]
-        length, around = len(theirs[n]), 0.0
-        for (m, here), (_, there) in zip(places, places[1:] + places[:1]):
-            step = (there - here) % length
-            around += step if step > 0 else length
-            if m != n:
-                around = math.inf
-        if around > 1.5 * length or n in used:
+        places = [places_of(quads.positions[v]) for v in loop]
+        free = [m for m, _ in places[0] if m not in used and follows(places, m)]
+        if not free:
             found.add('border not followed')
+        n = free[0] if free else places[0][0][0]
         used.add(n)
         for a, b, c in zip(theirs[n][-1:] + theirs[n][:-1], theirs[n], theirs[n][1:] + theirs[n][:1]):
             into, out = (minus(surface.positions[b], surface.positions[a]),
@@ -224,14 +248,17 @@ def judge(quads, surface=None):
     if surface is None:
         return found
     surface = Mesh(*surface)
-    loops = len(quads.loops()), len(surface.loops())
-    if quads.euler() != surface.euler():
+    ours, theirs = quads.components(), surface.components()
+    loops = [sum(part[1] for part in parts) for parts in (ours, theirs)]
+    if sum(part[0] for part in ours) != sum(part[0] for part in theirs):
         found.add('Euler characteristic')
-    if quads.components() != surface.components():
+    if len(ours) != len(theirs):
         found.add('components')
     if loops[0] != loops[1]:
         found.add('border loops')
-    elif loops[0]:
+    if ours != theirs and not found & {'Euler characteristic', 'components', 'border loops'}:
+        found.add('other components')
+    if loops[0] == loops[1] > 0:
         found |= border_defects(quads, surface)
     nearest = Nearest(surface)
     for f in range(len(quads.faces)):

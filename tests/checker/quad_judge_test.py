@@ -23,7 +23,7 @@ COUNT = int(os.environ.get('MAJORANT_QUAD_MESHES', '60'))
 SAID = {'no quads': 'no quads? of four vertices|are no faces', 'crowded edge': 'more than two quads',
         'opposed edge': 'run the same way', 'touching vertex': 'merely touch', 'folded': 'folded', 'turned': 'turned',
         'Euler characteristic': 'Euler characteristic of the quads', 'components': 'components of the quads',
-        'border loops': 'border loops of the quads', 'off the border': "off the surface's border",
+        'border loops': 'border loops of the quads', 'other components': 'not component by component', 'off the border': "off the surface's border",
         'border not followed': 'not follow one', 'corner missed': "corners? of the surface's border"}
 
 
@@ -118,6 +118,69 @@ class Agreement(unittest.TestCase):
                 self.assertEqual(self.said(mesh, surface), expected)
             kinds |= expected
         self.assertGreaterEqual(len(kinds), 8, kinds)  # the trials are of many kinds
+
+    def agreed(self, quads, surface):
+        expected = judge(quads, surface)
+        self.assertEqual(self.said(quads, surface), expected)
+        return expected
+
+    def test_borders(self):
+        points, faces = plate(6, 6, False)
+        surface = halves((points, faces))
+        side = next(v for v, p in enumerate(points) if p[0] == 0.5 and p[1] == 0)
+        corner = next(v for v, p in enumerate(points) if p[:2] == (0, 0))
+
+        def moved(places):
+            return [places.get(v, p) for v, p in enumerate(points)], faces
+        x, y, z = points[side]
+        self.assertIn('off the border', self.agreed(moved({side: (x, y + 0.01, z)}), surface))
+        # A vertex of a side beyond the next one.
+        beyond = next(p for p in points if p[0] > 0.6 and p[1] == 0)
+        after = next(p for p in points if p[0] > 0.8 and p[1] == 0)
+        there = tuple((a + b) / 2 for a, b in zip(beyond, after))
+        self.assertIn('border not followed', self.agreed(moved({side: there}), surface))
+        # The vertex of a corner halfway along its side.
+        along = next(p for p in points if 0 < p[0] < 0.2 and p[1] == 0)
+        halfway = tuple((a + b) / 2 for a, b in zip(points[corner], along))
+        self.assertEqual(self.agreed(moved({corner: halfway}), surface), {'corner missed'})
+
+    def test_two_loops_on_one(self):
+        """A plate with a hole, and one whose hole's loop lies on its outer border."""
+        points, faces = plate(9, 6, True)
+        surface = halves((points, faces))
+        hole = {v for v, p in enumerate(points)
+                if 1 / 3 - 1e-9 <= p[0] <= 2 / 3 + 1e-9 and 1 / 3 - 1e-9 <= p[1] <= 2 / 3 + 1e-9}
+        outer = [points[v] for v in range(7)]  # the side x = 0
+        onto = {v: outer[k % 7] for k, v in enumerate(sorted(hole))}
+        quads = [onto.get(v, p) for v, p in enumerate(points)], faces
+        self.assertIn('border not followed', self.agreed(quads, surface))
+
+    def test_borders_that_touch(self):
+        """Two holes whose corners are one point, of two vertices."""
+        points = [(i, j, 0) for i in range(7) for j in range(7)] + [(3, 3, 0)]
+        faces = [[7 * i + j, 7 * i + j + 7, 7 * i + j + 8, 7 * i + j + 1] for i in range(6) for j in range(6)
+                 if (i, j) not in ((2, 2), (3, 3))]
+        one = next(face for face in faces if 24 in face)
+        one[one.index(24)] = 49
+        surface = halves((list(points), faces))
+        self.assertEqual(self.agreed((points, faces), surface), set())
+        points[16] = (2, 2.5, 0)  # of one of the holes, beyond the next one
+        points[17] = (2, 2.2, 0)
+        self.assertIn('border not followed', self.agreed((points, faces), surface))
+
+    def test_components_by_themselves(self):
+        """A cube and one without two opposite sides, or two without one: the same sums."""
+        def closed(n):
+            at = [(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+            sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+            return [(x + 3 * n, y, z) for x, y, z in at], [[v + 8 * n for v in side] for side in sides]
+
+        def both(first, second):
+            meshes = [closed(0), closed(1)]
+            return meshes[0][0] + meshes[1][0], meshes[0][1][first:] + meshes[1][1][second:]
+        self.assertEqual(self.agreed(both(0, 0), halves(both(0, 0))), set())
+        surface, quads = both(0, 2), both(1, 1)
+        self.assertIn('other components', self.agreed(quads, halves(surface)))
 
 
 if __name__ == '__main__':

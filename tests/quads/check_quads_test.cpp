@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/quads/exact_normals.h"
@@ -34,8 +37,8 @@ TEST(ExactNormals, SignsOfTheLastBit) {
     EXPECT_EQ(sign_of_normals({a, b}, {a, right}, {a, c}, {b, Vector3(0, 1, 0)}), -1) << y;
     EXPECT_EQ(sign_of_normals({a, b}, {a, on}, {a, c}, {b, Vector3(0, 1, 0)}), 0) << y;
   }
-  // 0.1, 0.2 and 0.3 are not on one line, as doubles; their multiples by 3 are where the sum
-  // rounds.
+  // On one line, as x = y; differences and products of their coordinates are rounded all the same.
+  // Then a last bit off it.
   const Vector3 p(0.1, 0.1, 0), q(0.2, 0.2, 0), r(0.3, 0.3, 0);
   EXPECT_EQ(sign_of_normals({p, q}, {p, r}, {a, b}, {a, Vector3(0, 1, 0)}), 0);
   const Vector3 above(0.3, std::nextafter(0.3, 1), 0);
@@ -93,12 +96,112 @@ TEST(CheckQuads, OtherSurface) {
             std::string::npos);
 }
 
+// Quads of the square [0, n]^2 but for its cells (i, j) with is_hole.
+template <class IsHole>
+PolygonMesh plate(int n, const IsHole& is_hole) {
+  PolygonMesh mesh;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) mesh.positions.emplace_back(i, j, 0);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const Index a = j * (n + 1) + i, b = a + n + 1;
+      if (!is_hole(i, j)) mesh.polygons.push_back({a, a + 1, b + 1, b});
+    }
+  return mesh;
+}
+
+SurfaceMesh surface_of(PolygonMesh quads) {
+  std::vector<std::vector<Index>> halves;
+  for (const auto& q : quads.polygons) {
+    halves.push_back({q[0], q[1], q[2]});
+    halves.push_back({q[0], q[2], q[3]});
+  }
+  quads.polygons = std::move(halves);
+  return SurfaceMesh::from_polygons(quads, {}, Components::Any);
+}
+
+bool says(const QuadCheck& check, const std::string& what) {
+  return std::any_of(check.defects.begin(), check.defects.end(), [&](const std::string& defect) {
+    return defect.find(what) != std::string::npos;
+  });
+}
+
+TEST(CheckQuads, BordersAreFollowed) {
+  const PolygonMesh sound = plate(4, [](int, int) { return false; });
+  const SurfaceMesh surface = surface_of(sound);
+  EXPECT_TRUE(check_quads(sound, &surface).is_valid());
+  PolygonMesh off = sound;
+  off.positions[2] = {2, 0.01, 0};
+  EXPECT_TRUE(says(check_quads(off, &surface), "border vertex is off the surface's border (3)"));
+  PolygonMesh unordered = sound;  // beyond the next vertex of its side
+  unordered.positions[2] = {3.5, 0, 0};
+  EXPECT_TRUE(says(check_quads(unordered, &surface), "does not follow one of the surface once"));
+  PolygonMesh skipped = sound;
+  skipped.positions[0] = {0.5, 0, 0};
+  const QuadCheck without_corner = check_quads(skipped, &surface);
+  ASSERT_EQ(without_corner.defects.size(), 1u);
+  EXPECT_TRUE(says(without_corner, "corner of the surface's border has no vertex"));
+}
+
+TEST(CheckQuads, TwoLoopsOnOneOfTheSurface) {
+  const auto middle = [](int i, int j) { return i == 2 && j == 2; };
+  PolygonMesh quads = plate(5, middle);
+  const SurfaceMesh surface = surface_of(quads);
+  EXPECT_TRUE(check_quads(quads, &surface).is_valid());
+  // The hole's four vertices onto the outer border, in order.
+  const Index corner = 2 * 6 + 2;
+  quads.positions[corner] = {0, 0.5, 0};
+  quads.positions[corner + 1] = {0.5, 0, 0};
+  quads.positions[corner + 7] = {5, 4.5, 0};
+  quads.positions[corner + 6] = {4.5, 5, 0};
+  EXPECT_TRUE(says(check_quads(quads, &surface), "does not follow one of the surface once"));
+}
+
+// Two holes whose corners are one point, of two vertices.
+TEST(CheckQuads, BordersThatTouch) {
+  PolygonMesh quads =
+      plate(6, [](int i, int j) { return (i == 2 && j == 2) || (i == 3 && j == 3); });
+  const Index corner = 3 * 7 + 3;
+  const auto one = std::find_if(
+      quads.polygons.begin(), quads.polygons.end(),
+      [&](const auto& quad) { return std::find(quad.begin(), quad.end(), corner) != quad.end(); });
+  std::replace(one->begin(), one->end(), corner, static_cast<Index>(quads.positions.size()));
+  quads.positions.push_back(Vector3(quads.positions[corner]));
+  const SurfaceMesh surface = surface_of(quads);
+  EXPECT_EQ(surface.topology().boundary_loops, 3);
+  const QuadCheck check = check_quads(quads, &surface);
+  EXPECT_TRUE(check.is_valid()) << check.defects.front();
+}
+
+// The same sums of Euler characteristics, components and loops: a closed cube and one without two
+// opposite sides, or two cubes without one side.
+TEST(CheckQuads, ComponentsAreComparedByThemselves) {
+  const auto cubes = [](std::size_t left_out_of_first, std::size_t left_out_of_second) {
+    PolygonMesh both = quads_of(cube(1));
+    const PolygonMesh one = both;
+    const auto count = static_cast<Index>(one.positions.size());
+    both.polygons.erase(both.polygons.begin(),
+                        both.polygons.begin() + static_cast<std::ptrdiff_t>(left_out_of_first));
+    for (const Vector3& p : one.positions) both.positions.push_back(p + Vector3(3, 0, 0));
+    for (std::size_t q = left_out_of_second; q < one.polygons.size(); ++q) {
+      both.polygons.push_back(one.polygons[q]);
+      for (Index& v : both.polygons.back()) v += count;
+    }
+    return both;
+  };
+  const SurfaceMesh surface = surface_of(cubes(0, 2));
+  EXPECT_TRUE(check_quads(cubes(0, 2), &surface).is_valid());
+  EXPECT_TRUE(says(check_quads(cubes(1, 1), &surface), "not component by component"));
+}
+
 TEST(CheckQuads, RefusesWhatIsNoMesh) {
   PolygonMesh quads = quads_of(cube(1));
   quads.polygons[0][0] = 99;
   EXPECT_THROW(check_quads(quads, nullptr), InvalidArgument);
   quads.polygons[0] = {0, 1, 2};
-  EXPECT_FALSE(check_quads(quads, nullptr).is_valid());
+  const QuadCheck check = check_quads(quads, nullptr);
+  EXPECT_FALSE(check.is_valid());
+  EXPECT_FALSE(check.is_surface);
 }
 
 }  // namespace

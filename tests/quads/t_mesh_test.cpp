@@ -124,6 +124,33 @@ TEST(QuadMesh, CountAndValidity) {
   }
 }
 
+// Around it ten times as long as across, and without cones: no arc needs an edge.
+SurfaceMesh thin_torus() {
+  PolygonMesh mesh = torus(40, 8, 0);
+  for (Vector3& p : mesh.positions) p += 8 * Vector3(p.x(), p.y(), 0).normalized();
+  return SurfaceMesh::from_polygons(mesh);
+}
+
+TEST(QuadMesh, FewQuadsOfASurfaceWithoutCones) {
+  const SurfaceMesh mesh = thin_torus();
+  for (const long count : {1, 2, 5, 20, 300}) {
+    SCOPED_TRACE(count);
+    RunRecord record;
+    QuadMeshOptions options;
+    options.count = count;
+    const QuadMesh made = quad_mesh(mesh, options, record);
+    EXPECT_TRUE(made.check.is_valid());
+    EXPECT_EQ(made.check.irregular, 0);
+    const bool is_more =
+        static_cast<double>(made.check.count) > (1 + kCountClose) * static_cast<double>(count);
+    EXPECT_EQ(made.least_count.has_value(), is_more);
+    if (is_more) {
+      EXPECT_GE(*made.least_count, 1);
+      EXPECT_LE(*made.least_count, made.check.count);
+    }
+  }
+}
+
 TEST(QuadMesh, RefusesWhatItCannot) {
   RunRecord record;
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(sphere(3));
@@ -131,11 +158,24 @@ TEST(QuadMesh, RefusesWhatItCannot) {
   both.count = 10;
   both.edge_length = 1;
   EXPECT_THROW(quad_mesh(mesh, both, record), InvalidArgument);
+  for (const double length : {1e-4, 1e-6, 1e-200}) {
+    QuadMeshOptions tiny;
+    tiny.edge_length = length;
+    try {
+      quad_mesh(mesh, tiny, record);
+      FAIL() << length;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::Unsupported) << error.what();
+      EXPECT_NE(std::string(error.what()).find("too many"), std::string::npos) << error.what();
+    }
+  }
   PolygonMesh open = sphere(3);
   open.polygons.pop_back();
   open.polygon_lines.clear();
+  QuadMeshOptions given;
+  given.map.cones.emplace();
   try {
-    quad_mesh(SurfaceMesh::from_polygons(open), {}, record);
+    quad_mesh(SurfaceMesh::from_polygons(open), given, record);
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::Unsupported);
