@@ -21,7 +21,6 @@
 #include "apps/within_memory.h"
 #include "majorant/energies/solid_energies.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/io/atomic_file.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/waiting_output.h"
 #include "majorant/results/volume_report.h"
@@ -45,8 +44,8 @@ struct MeshOptimizeRequest {
 
 constexpr std::string_view kSizeFrom = "size=";
 
-// Numbers with space between them: edge lengths.
-std::vector<double> read_sizes(const std::string& path, const StopCheck& stop) {
+// Numbers with space between them: edge lengths, of a mesh of so many dimensions.
+std::vector<double> read_sizes(const std::string& path, int dim, const StopCheck& stop) {
   std::string content = read_whole_file(path, stop);
   require_text(path, content);
   std::istringstream words(content);
@@ -54,9 +53,11 @@ std::vector<double> read_sizes(const std::string& path, const StopCheck& stop) {
   for (std::string word; words >> word;) {
     char* end = nullptr;
     sizes.push_back(std::strtod(word.c_str(), &end));
-    if (*end != '\0' || !(sizes.back() > 0) || !std::isfinite(sizes.back()))
-      throw Error(ErrorKind::Unreadable, fmt::format("{}: {} is no edge length, a positive number",
-                                                     path, in_quotes(word)));
+    if (*end != '\0' || !is_edge_length(sizes.back(), dim))
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: {} is no edge length, a positive number of which doubles hold "
+                              "the volume",
+                              path, in_quotes(word)));
   }
   if (sizes.empty()) throw Error(ErrorKind::Unreadable, path + ": no edge lengths");
   return sizes;
@@ -73,7 +74,7 @@ VolumeOptions options_of(const MeshOptimizeRequest& request, const VolumeMesh& m
   if (request.target.starts_with(kSizeFrom)) {
     options.target = VolumeTarget::Size;
     const std::string path = request.target.substr(kSizeFrom.size());
-    options.sizes = read_sizes(path, stop);
+    options.sizes = read_sizes(path, mesh.dimension(), stop);
     std::size_t cells = 0;
     for (const CellBlock& block : mesh.blocks)
       if (dimension(block.type.shape) == mesh.dimension()) cells += to_size(block.size());
@@ -86,25 +87,21 @@ VolumeOptions options_of(const MeshOptimizeRequest& request, const VolumeMesh& m
 }
 
 void require_usable(const MeshOptimizeRequest& request) {
-  const std::string &target = request.target, format = format_of(request.input);
+  const std::string& target = request.target;
   if (target != "ideal" && target != "initial" &&
       (!target.starts_with(kSizeFrom) || target.size() == kSizeFrom.size()))
     throw Error(ErrorKind::Usage,
                 fmt::format("--target {}: ideal, initial or size=FILE{}", in_quotes(target),
                             did_you_mean(target, {"ideal", "initial"})));
-  parse_energy(request.energy, named_energies());
-  if ((!request.msh_version.empty() || request.binary) && format != ".msh")
+  if ((!request.msh_version.empty() || request.binary) && format_of(request.output) != ".msh")
     throw Error(ErrorKind::Usage,
-                fmt::format("{}: --msh-version and --binary are of .msh", request.input));
+                fmt::format("{}: --msh-version and --binary are of .msh", request.output));
   std::vector<std::string> inputs{request.input};
   if (target.starts_with(kSizeFrom)) inputs.push_back(target.substr(kSizeFrom.size()));
   require_writable(request.common, {{{request.output}, {".msh", ".mesh", ".vtu"}}}, inputs);
-  if (format != format_of(request.output))
-    throw Error(ErrorKind::Usage, fmt::format("{}: the mesh is written in the format of {}, {}",
-                                              request.output, request.input, format));
 }
 
-// "part.msh: converged: 384 tetrahedra of degree 2; 25 elements were not valid, none is left; ..."
+// "part.msh: converged: 384 tetrahedra of degree 2; 25 were not valid, none is left; energy ..."
 std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh,
                        const VolumeResult& result) {
   const VolumeCheck &before = result.before, &after = result.after;
@@ -112,7 +109,7 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
   const Index bad = count - before.count(ProofStatus::Proven);
   std::string text =
       fmt::format("{}: {}: {}", request.input, status_name(result.status), elements_in_words(mesh));
-  if (result.status == Status::Infeasible || !after.is_valid())
+  if (!result.is_valid())
     return one_line(text + fmt::format("; {}; no mesh is written\n", result.message));
   if (bad > 0)
     text += fmt::format("; {} {} not valid, none is left", bad, bad == 1 ? "was" : "were");
@@ -153,26 +150,24 @@ Json report_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh,
   return report;
 }
 
-// Throws Error(Invalid) unless the bytes of the file are a mesh of valid elements.
-FileVerification proven(const std::string& path, const VolumeMesh& mesh) {
-  return [&path, &mesh](const std::string& temporary) {
-    const VolumeMesh written = read_volume_mesh(temporary);
-    if (written.points != mesh.points || !check_volume_mesh(written).is_valid())
-      throw Error(ErrorKind::Invalid, path + ": what would be written is not proven to be valid");
-  };
+GmshChoice choice_of(const MeshOptimizeRequest& request) {
+  GmshChoice choice;
+  if (!request.msh_version.empty())
+    choice.version = request.msh_version == "2.2" ? GmshVersion::Old : GmshVersion::New;
+  if (request.binary) choice.encoding = GmshEncoding::Binary;
+  return choice;
 }
 
-// What is written, in the version and encoding of the input unless others are asked for.
-std::string content_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh) {
-  if (request.msh_version.empty() && !request.binary) return volume_mesh_content(mesh);
-  GmshFormat format = gmsh_format_of(mesh);
-  if (!request.msh_version.empty())
-    format.version = request.msh_version == "2.2" ? GmshVersion::Old : GmshVersion::New;
-  if (request.binary) format.encoding = GmshEncoding::Binary;
+// Throws Error(Invalid) unless what was written, read back, is a mesh of valid elements.
+void write(const MeshOptimizeRequest& request, const VolumeMesh& mesh) {
   std::vector<std::string> left_out;
-  std::string content = gmsh_mesh_content(mesh, format, &left_out);
-  say_left_out(request.output, left_out);
-  return content;
+  write_volume_mesh(
+      request.output, mesh, choice_of(request), &left_out, [&](const VolumeMesh& written) {
+        if (!check_volume_mesh(written).is_valid())
+          throw Error(ErrorKind::Invalid,
+                      request.output + ": what would be written is not proven to be valid");
+      });
+  if (!request.common.quiet) say_left_out(request.output, left_out);
 }
 
 int mesh_optimize(const MeshOptimizeRequest& request) {
@@ -189,18 +184,18 @@ int mesh_optimize(const MeshOptimizeRequest& request) {
   };
   VolumeMesh mesh =
       guarded("reading", [&] { return read_volume_mesh(request.input, record.start_stop()); });
-  const VolumeOptions options = options_of(request, mesh, record.start_stop());
+  require_volume_format(request.output, mesh, choice_of(request));
+  const VolumeOptions options = or_interrupted(
+      "reading " + request.target.substr(std::min(kSizeFrom.size(), request.target.size())),
+      [&] { return options_of(request, mesh, record.start_stop()); });
   const VolumeResult result =
       guarded("optimizing", [&] { return optimize_volume_mesh(mesh, options, record); });
-  const bool is_valid = result.after.is_valid() && result.status != Status::Infeasible;
+  const bool is_valid = result.is_valid();
   WrittenFiles written;
   if (is_valid) {
     record.begin(Activity::Writing);
     mesh.points = result.points;
-    written.write(request.output, [&] {
-      write_file_atomically(request.output, content_of(request, mesh),
-                            proven(request.output, mesh));
-    });
+    written.write(request.output, [&] { write(request, mesh); });
   }
   progress.finish();
   if (!is_valid || !request.common.quiet) {
@@ -226,8 +221,10 @@ void add_mesh_optimize(CLI::App& mesh, Action* run) {
   verb.add_option("input", request->input,
                   "mesh of volumes or of the plane: .msh (2.2, 4.1), .mesh (MFEM, Medit), .vtu")
       ->required();
-  verb.add_option("-o,--output", request->output,
-                  "the mesh with moved nodes, in the format, order and numbers of the input")
+  verb.add_option(
+          "-o,--output", request->output,
+          "the mesh with moved nodes, in the format, order and numbers of the input; or .msh, "
+          ".vtu")
       ->type_name("FILE")
       ->required();
   verb.add_option("--msh-version", request->msh_version, "of a .msh that is written (the input's)")

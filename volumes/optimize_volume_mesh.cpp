@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -54,8 +55,16 @@ class VolumeOptimizer {
     if (!result_.impossible.empty()) return refused();
     targets_ = target_shapes(mesh_, *net_, options_);
     for (const RestShapes& rest : targets_) measure_ += rest.measure.sum();
-    if (!judge(checkers(ProofDepth::kStart), x_).feasible && !untangle()) return untouched();
-    optimize();
+    start_ = x_;
+    int depth = ProofDepth::kStart;
+    if (!is_proven(depth)) {
+      // Where the deepest proof holds, nothing is tangled.
+      if (is_proven(ProofDepth::kDeepest))
+        depth = ProofDepth::kDeepest;
+      else if (!untangle())
+        return untouched();
+    }
+    optimize(depth);
     finish();
     return std::move(result_);
   }
@@ -110,6 +119,8 @@ class VolumeOptimizer {
     }
     return all;
   }
+
+  bool is_proven(int depth) const { return judge(checkers(depth), x_).feasible; }
 
   static Quadrature rule_of(const BernsteinSpace& space) {
     const Quadrature rule = space.default_rule(RestJacobian::Constant);
@@ -169,7 +180,8 @@ class VolumeOptimizer {
     return builder.build();
   }
 
-  void optimize() {
+  // By proofs of that depth first, then by the deepest where these hold steps back.
+  void optimize(int first) {
     record_.begin(Activity::Solving);
     StepObserver noted([&](const TraceEntry& row, const Vec&) {
       TraceEntry entry = row;
@@ -177,7 +189,7 @@ class VolumeOptimizer {
       return record_.note(std::move(entry));
     });
     bool is_first = true;
-    for (const int depth : {ProofDepth::kStart, ProofDepth::kDeepest}) {
+    for (int depth = first;; depth = ProofDepth::kDeepest) {
       const Problem problem_here = problem(depth);
       result_.unknowns = problem_here.size();
       const Vec start = problem_here.reduce(x_);
@@ -192,15 +204,16 @@ class VolumeOptimizer {
       result_.status = solved.status;
       result_.message = solved.message;
       result_.value = solved.energy;
-      x_ = problem_here.expand(solved.y);
-      if (solved.status != Status::Stalled) break;
+      // Without a step the points are those they were, without rounding.
+      if (solved.y != start) x_ = problem_here.expand(solved.y);
+      if (solved.status != Status::Stalled || depth == ProofDepth::kDeepest) break;
     }
   }
 
   void finish() {
     record_.begin(Activity::Proving);
     VolumeMesh moved = mesh_;
-    moved.points = net_->nodes(x_, held_->held());
+    moved.points = net_->nodes(start_, x_, held_->held());
     for (Index k = 0; k < moved.points.rows(); ++k)
       if (moved.points.row(k) != mesh_.points.row(k)) ++result_.moved_nodes;
     result_.after = check_volume_mesh(moved);
@@ -218,7 +231,7 @@ class VolumeOptimizer {
   std::optional<HeldPoints> held_;
   std::vector<RestShapes> targets_;
   double measure_ = 0;
-  Vec x_;
+  Vec start_, x_;   // control points: of the mesh, and where they are now
   Index left_ = 0;  // elements that untangling leaves
 };
 
@@ -230,6 +243,11 @@ std::span<const NamedEnergy> volume_energies(int dim) {
 
 const NamedEnergy* find_volume_energy(std::string_view name, int dim) {
   return dim == 3 ? find_solid_energy(name) : find_energy(name);
+}
+
+bool is_edge_length(double x, int dim) {
+  const double square = std::pow(x, 2 * dim);
+  return x > 0 && std::isnormal(square) && std::isnormal(1 / square);
 }
 
 VolumeResult optimize_volume_mesh(const VolumeMesh& mesh, const VolumeOptions& options,

@@ -57,16 +57,23 @@ struct VolumeResult {
   Index held_sides = 0, curved_sides = 0;  // sides that do not move; of Slide: in no plane
   double initial_value = 0, value = 0;     // means of the density; the first after untangling
   int untangling_iterations = 0;
+
+  // Whether all elements are proven to be valid at `points`: what is written then.
+  bool is_valid() const { return after.is_valid() && status != Status::Infeasible; }
 };
 
 // The energies of meshes of so many dimensions, 2 or 3, and one of them by its name; null: none.
 std::span<const NamedEnergy> volume_energies(int dim);
 const NamedEnergy* find_volume_energy(std::string_view name, int dim);
 
+// Whether x may be the length of edges: positive, and doubles hold the square of its volume, of dim
+// dimensions, and the inverse of that.
+bool is_edge_length(double x, int dim);
+
 // The record has the limits, and gets the trace. Throws Error(Unsupported) for surfaces in space,
 // serendipity elements, meshes whose sides do not agree or that are turned around as a whole;
-// InvalidArgument for sizes that are not positive, or not as many as there are cells; Stopped
-// before there is anything to be optimized.
+// InvalidArgument for sizes that are no is_edge_length(), or not as many as there are cells;
+// Stopped before there is anything to be optimized.
 VolumeResult optimize_volume_mesh(const VolumeMesh& mesh, const VolumeOptions& options,
                                   RunRecord& record);
 

@@ -5,8 +5,11 @@
 #include <bit>
 #include <cstring>
 #include <iterator>
+#include <numeric>
+#include <span>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/atomic_file.h"
 #include "majorant/io/base64.h"
 #include "majorant/io/input_file.h"
 #include "majorant/volumes/internal/gmsh_document.h"
@@ -35,12 +38,29 @@ int vtk_number(const CellType& type) {
   return type.kind == NodeKind::Uniform ? kLagrange[shape] : kBezier[shape];
 }
 
-class VtuOfCells {
+class VtuText {
  public:
-  explicit VtuOfCells(const VolumeMesh& mesh) : mesh_(mesh) {}
+  void add_points(const Points3& points) {
+    points_.insert(points_.end(), points.data(), points.data() + points.size());
+  }
+  Index point_count() const { return static_cast<Index>(points_.size() / 3); }
 
-  std::string text(const std::vector<const CheckedCell*>& cells) {
-    for (const CheckedCell* cell : cells) add(*cell);
+  // nodes: rows of the points.
+  void add_cell(const CellBlock& block, Index cell, std::span<const Index> nodes) {
+    for (const Index node : nodes) connectivity_.push_back(node);
+    offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
+    types_.push_back(static_cast<std::uint8_t>(vtk_number(block.type)));
+    numbers_.push_back(block.numbers[to_size(cell)]);
+    regions_.push_back(block.regions[to_size(cell)]);
+  }
+  // Of the cell that was added last.
+  void add_check(const CheckedCell& cell) {
+    low_.push_back(cell.range.low);
+    high_.push_back(cell.range.high);
+    scaled_.push_back(cell.scaled_jacobian);
+  }
+
+  std::string take() {
     fmt::format_to(std::back_inserter(text_),
                    "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
                    "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
@@ -48,9 +68,11 @@ class VtuOfCells {
                    points_.size() / 3, types_.size());
     array("number", "Int64", 1, numbers_);
     array("region", "Int32", 1, regions_);
-    array("min_det_low", "Float64", 1, low_);
-    array("min_det_high", "Float64", 1, high_);
-    array("scaled_jacobian", "Float64", 1, scaled_);
+    if (!scaled_.empty()) {
+      array("min_det_low", "Float64", 1, low_);
+      array("min_det_high", "Float64", 1, high_);
+      array("scaled_jacobian", "Float64", 1, scaled_);
+    }
     text_ += "</CellData>\n<Points>\n";
     array("Points", "Float64", 3, points_);
     text_ += "</Points>\n<Cells>\n";
@@ -62,25 +84,6 @@ class VtuOfCells {
   }
 
  private:
-  void add(const CheckedCell& cell) {
-    const CellBlock& block = mesh_.blocks[to_size(cell.name.block)];
-    Points3 nodes(block.nodes.cols(), 3);
-    for (Index k = 0; k < nodes.rows(); ++k)
-      nodes.row(k) = mesh_.points.row(block.nodes(cell.name.cell, k));
-    if (block.type.kind == NodeKind::GaussLobatto)
-      nodes = ReferenceCell::of(block.type).control_points() * nodes;
-    for (Index k = 0; k < nodes.rows(); ++k)
-      connectivity_.push_back(static_cast<std::int64_t>(points_.size() / 3 + to_size(k)));
-    points_.insert(points_.end(), nodes.data(), nodes.data() + nodes.size());
-    offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
-    types_.push_back(static_cast<std::uint8_t>(vtk_number(block.type)));
-    numbers_.push_back(block.numbers[to_size(cell.name.cell)]);
-    regions_.push_back(block.regions[to_size(cell.name.cell)]);
-    low_.push_back(cell.range.low);
-    high_.push_back(cell.range.high);
-    scaled_.push_back(cell.scaled_jacobian);
-  }
-
   template <class T>
   void array(const char* name, const char* type, int components, const std::vector<T>& values) {
     const std::uint64_t bytes = values.size() * sizeof(T);
@@ -95,13 +98,36 @@ class VtuOfCells {
     text_ += "\n</DataArray>\n";
   }
 
-  const VolumeMesh& mesh_;
   std::vector<double> points_, low_, high_, scaled_;
   std::vector<std::int64_t> connectivity_, offsets_, numbers_;
   std::vector<std::int32_t> regions_;
   std::vector<std::uint8_t> types_;
   std::string text_;
 };
+
+std::string vtu_content(const VolumeMesh& mesh) {
+  VtuText out;
+  out.add_points(mesh.points);
+  for (const CellBlock& block : mesh.blocks)
+    for (Index cell = 0; cell < block.size(); ++cell)
+      out.add_cell(block, cell,
+                   {block.nodes.row(cell).data(), static_cast<std::size_t>(block.nodes.cols())});
+  return out.take();
+}
+
+// Of the .msh that was read, and as whose content.
+GmshFormat format_of_source(const VolumeMesh& mesh) {
+  return read_gmsh_format(mesh.file, mesh.source->with_points(mesh.points));
+}
+
+GmshFormat chosen(const GmshChoice& choice, GmshFormat format) {
+  return {choice.version.value_or(format.version), choice.encoding.value_or(format.encoding)};
+}
+
+// The extension of the file that was read; empty where there was none.
+std::string source_format(const VolumeMesh& mesh) {
+  return mesh.source ? format_of(mesh.file) : std::string();
+}
 
 }  // namespace
 
@@ -123,35 +149,83 @@ VolumeMesh read_volume_mesh(const std::string& path, const StopCheck& stop) {
                   : read_mfem_mesh(path, std::move(content), stop);
 }
 
-std::string volume_mesh_content(const VolumeMesh& mesh) {
-  if (!mesh.source) return gmsh_mesh_content(mesh, {GmshVersion::New, GmshEncoding::Text});
-  return mesh.source->with_points(mesh.points);
+void require_volume_format(const std::string& path, const VolumeMesh& mesh,
+                           const GmshChoice& choice) {
+  const auto refuse = [&](const std::string& what) {
+    throw Error(ErrorKind::Usage, fmt::format("{}: {}", path, what));
+  };
+  const std::string format = format_of(path), source = source_format(mesh);
+  if (path.ends_with(".gz")) refuse("meshes are not written compressed; leave out .gz");
+  if ((choice.version || choice.encoding) && format != ".msh")
+    refuse("versions and encodings are of .msh");
+  if (format == source) return;
+  if (format != ".msh" && format != ".vtu")
+    refuse(fmt::format("a mesh {} is written as {}.msh or .vtu",
+                       source.empty() ? "that was read from no file" : "of " + mesh.file,
+                       source.empty() ? "" : source + ", "));
+  for (const CellBlock& block : mesh.blocks) {
+    const bool is_lattice = block.type.kind == NodeKind::Uniform;
+    if (block.type.kind == NodeKind::GaussLobatto || (!is_lattice && format == ".msh"))
+      refuse(fmt::format(
+          "{} has no {} whose nodes are {}", format, describe(block.type),
+          block.type.kind == NodeKind::GaussLobatto ? "Gauss-Lobatto points" : "control points"));
+    if (block.vertices.rows() > 0)
+      refuse(
+          fmt::format("{} has no elements with nodes of their own beside the vertices that they "
+                      "share",
+                      format));
+  }
 }
 
-void write_volume_mesh(const std::string& path, const VolumeMesh& mesh,
-                       const FileVerification& verify) {
-  write_file_atomically(path, volume_mesh_content(mesh), verify);
+std::string volume_mesh_content(const std::string& path, const VolumeMesh& mesh,
+                                const GmshChoice& choice, std::vector<std::string>* left_out) {
+  require_volume_format(path, mesh, choice);
+  const std::string format = format_of(path), source = source_format(mesh);
+  if (format == source) {
+    if (!choice.version && !choice.encoding) return mesh.source->with_points(mesh.points);
+    const GmshFormat own = format_of_source(mesh), wanted = chosen(choice, own);
+    const std::string content = mesh.source->with_points(mesh.points);
+    if (own == wanted) return content;
+    return gmsh_content(read_gmsh_document(mesh.file, content, {}), wanted, left_out);
+  }
+  if (left_out != nullptr && !source.empty())
+    left_out->push_back(
+        fmt::format("what {} has beside nodes, elements and their regions", mesh.file));
+  if (format == ".vtu") return vtu_content(mesh);
+  return gmsh_content(gmsh_document_of(mesh),
+                      chosen(choice, {GmshVersion::New, GmshEncoding::Text}), nullptr);
 }
 
-GmshFormat gmsh_format_of(const VolumeMesh& mesh) {
-  if (!mesh.source) return {GmshVersion::New, GmshEncoding::Text};
-  const std::string content = volume_mesh_content(mesh);
-  if (first_word(mesh.file, content, {}) != "$MeshFormat")
-    refuse_mesh(mesh.file, "no .msh; versions and encodings are gmsh's");
-  return read_gmsh_format(mesh.file, content);
-}
-
-std::string gmsh_mesh_content(const VolumeMesh& mesh, const GmshFormat& format,
-                              std::vector<std::string>* left_out) {
-  if (!mesh.source) return gmsh_content(gmsh_document_of(mesh), format, left_out);
-  if (gmsh_format_of(mesh) == format) return volume_mesh_content(mesh);
-  return gmsh_content(read_gmsh_document(mesh.file, volume_mesh_content(mesh), {}), format,
-                      left_out);
+void write_volume_mesh(const std::string& path, const VolumeMesh& mesh, const GmshChoice& choice,
+                       std::vector<std::string>* left_out,
+                       const std::function<void(const VolumeMesh& written)>& verify) {
+  write_file_atomically(
+      path, volume_mesh_content(path, mesh, choice, left_out), [&](const std::string& temporary) {
+        const VolumeMesh written = read_volume_mesh(temporary);
+        if (written.points != mesh.points)
+          throw Error(ErrorKind::Invalid, path + ": what would be written has other points");
+        if (verify) verify(written);
+      });
 }
 
 void write_cells_vtu(const std::string& path, const VolumeMesh& mesh,
                      const std::vector<const CheckedCell*>& cells) {
-  write_file_atomically(path, VtuOfCells(mesh).text(cells));
+  VtuText out;
+  for (const CheckedCell* checked : cells) {
+    const CellBlock& block = mesh.blocks[to_size(checked->name.block)];
+    const auto count = static_cast<Index>(block.nodes.cols());
+    Points3 points(count, 3);
+    std::vector<Index> nodes(to_size(count));
+    std::iota(nodes.begin(), nodes.end(), out.point_count());
+    for (Index k = 0; k < count; ++k)
+      points.row(k) = mesh.points.row(block.nodes(checked->name.cell, k));
+    if (block.type.kind == NodeKind::GaussLobatto)
+      points = ReferenceCell::of(block.type).control_points() * points;
+    out.add_points(points);
+    out.add_cell(block, checked->name.cell, nodes);
+    out.add_check(*checked);
+  }
+  write_file_atomically(path, out.take());
 }
 
 }  // namespace majorant

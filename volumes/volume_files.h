@@ -5,17 +5,18 @@
 //   mesh.points.row(0) *= 2;
 //   write_volume_mesh("moved.msh", mesh);     // the same file, but for that point
 //
-// What is written is the file that was read with the moved coordinates in their places, so version,
-// encoding, numbers, order and tags are those of the input, and what nobody moved comes back bit by
-// bit. A .msh may be written in another version or encoding; to write a mesh in another format is
-// not for these functions.
+// In the format that was read, what is written is the file with the moved coordinates in their
+// places: version, encoding, numbers, order, tags and sections that nothing is known of are those
+// of the input, and what nobody moved comes back bit by bit. A .msh may be written in another
+// version or encoding; every mesh whose nodes the format has a place for as .msh and .vtu.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/io/atomic_file.h"
 #include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/volumes/volume_mesh.h"
 
@@ -26,29 +27,31 @@ namespace majorant {
 // not known, by name; Stopped.
 VolumeMesh read_volume_mesh(const std::string& path, const StopCheck& stop = {});
 
-// The text or bytes of the mesh's file with its points; of a mesh that no file was read for, that
-// of a .msh 4.1. Throws Error(Unsupported) where the file has no place for a coordinate, or holds
-// it compressed.
-std::string volume_mesh_content(const VolumeMesh& mesh);
-// The same, atomically; verify judges the file before it takes its name.
-void write_volume_mesh(const std::string& path, const VolumeMesh& mesh,
-                       const FileVerification& verify = {});
-
 enum class GmshVersion { Old, New };  // 2.2, 4.1
 enum class GmshEncoding { Text, Binary };
-struct GmshFormat {
-  GmshVersion version;
-  GmshEncoding encoding;
-  bool operator==(const GmshFormat&) const = default;
+// Of a .msh that is written; what is not given is as in the .msh that was read, else 4.1 and text.
+struct GmshChoice {
+  std::optional<GmshVersion> version;
+  std::optional<GmshEncoding> encoding;
 };
-// Of the mesh's file; 4.1, text where there is none. Throws Error(Unsupported) unless it is a .msh.
-GmshFormat gmsh_format_of(const VolumeMesh& mesh);
-// The mesh as a .msh of that version and encoding: nodes and elements in their order, with their
-// tags, entities and physical groups. Where it is the format of the file, as volume_mesh_content().
-// left_out: sections and groups that have no place there. Throws as gmsh_format_of(), and for
-// meshes without a file whose nodes are not those of a lattice.
-std::string gmsh_mesh_content(const VolumeMesh& mesh, const GmshFormat& format,
-                              std::vector<std::string>* left_out = nullptr);
+
+// Whether the mesh can be written under that name. Throws Error(Usage) for other extensions than
+// that of its file, .msh and .vtu, for a choice where it is no .msh, and for nodes that the format
+// has no cells for.
+void require_volume_format(const std::string& path, const VolumeMesh& mesh,
+                           const GmshChoice& choice = {});
+
+// What a file of that name has of the mesh. left_out: what its own file has beside that. Throws as
+// require_volume_format(), and Error(Unsupported) where a file of the same format has no place for
+// a coordinate, or holds it compressed, and for tags that MSH 2.2 cannot hold.
+std::string volume_mesh_content(const std::string& path, const VolumeMesh& mesh,
+                                const GmshChoice& choice = {},
+                                std::vector<std::string>* left_out = nullptr);
+// The same, atomically, once the file was read back with the same points; verify may judge what was
+// read. Throws Error(Invalid) for other points.
+void write_volume_mesh(const std::string& path, const VolumeMesh& mesh,
+                       const GmshChoice& choice = {}, std::vector<std::string>* left_out = nullptr,
+                       const std::function<void(const VolumeMesh& written)>& verify = {});
 
 // These cells of a mesh as a .vtu: each with all of its points, which none shares, CellData number,
 // region, min_det_low, min_det_high, scaled_jacobian. Nodes on a lattice make Lagrange cells,

@@ -10,7 +10,6 @@
 #include "arrays.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/io/atomic_file.h"
 #include "majorant/results/volume_report.h"
 #include "majorant/volumes/volume_files.h"
 #include "options.h"
@@ -100,27 +99,22 @@ py::tuple optimize_volume(const SharedVolume& mesh, const py::dict& keywords,
     const ThreadCount count(threads);
     return optimize_volume_mesh(*mesh, options, run.record());
   });
-  const bool is_valid = result.after.is_valid() && result.status != Status::Infeasible;
+  const bool is_valid = result.is_valid();
   const std::string report = json_text(optimized_mesh_report(*mesh, result, run.record(), kListed));
   return py::make_tuple(moved(std::move(result.points)), is_valid, report);
 }
 
-// version: "2.2", "4.1" or empty: in the format of the file.
-void write_volume(const SharedVolume& mesh, const std::string& path, const std::string& version,
-                  bool binary) {
+// version: "2.2", "4.1" or empty, that of the file. What the file has beside what is written.
+std::vector<std::string> write_volume(const SharedVolume& mesh, const std::string& path,
+                                      const std::string& version, bool binary) {
+  GmshChoice choice;
+  if (!version.empty()) choice.version = version == "2.2" ? GmshVersion::Old : GmshVersion::New;
+  if (binary) choice.encoding = GmshEncoding::Binary;
   Run run;
-  run([&] {
-    std::string content;
-    if (version.empty() && !binary) {
-      content = volume_mesh_content(*mesh);
-    } else {
-      GmshFormat format = gmsh_format_of(*mesh);
-      if (!version.empty()) format.version = version == "2.2" ? GmshVersion::Old : GmshVersion::New;
-      if (binary) format.encoding = GmshEncoding::Binary;
-      content = gmsh_mesh_content(*mesh, format);
-    }
-    write_file_atomically(path, content);
-    return true;
+  return run([&] {
+    std::vector<std::string> left_out;
+    write_volume_mesh(path, *mesh, choice, &left_out);
+    return left_out;
   });
 }
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import warnings
 from typing import Any, Mapping
 
 import numpy as np
@@ -90,11 +91,15 @@ class VolumeMesh:
         return {'status': status, **json.loads(section)}
 
     def save(self, path: str | os.PathLike, *, msh_version: str = '', binary: bool = False) -> None:
-        """The file that was read, but for the points that have moved; a .msh also in another version ('2.2', '4.1')
-        or as bytes. Meshes of arrays are written as .msh."""
-        _core.write_volume(self._volume, _arrays.path(path),
-                           _options.choice('msh_version', msh_version, ('', '2.2', '4.1')),
-                           _options.truth('binary', binary))
+        """As .msh, .vtu, or what the mesh was read from. In the format of its file it is that file, but for the
+        points that have moved; a .msh also in another version ('2.2', '4.1') or as bytes. A UserWarning says what
+        the file has beside what is written. Raises UsageError for other names, and nodes that the format has no
+        cells for."""
+        left_out = _core.write_volume(self._volume, _arrays.path(path),
+                                      _options.choice('msh_version', msh_version, ('', '2.2', '4.1')),
+                                      _options.truth('binary', binary))
+        if left_out:
+            warnings.warn(f'{os.fspath(path)}: does not hold {", ".join(left_out)}', stacklevel=2)
 
     def __repr__(self) -> str:
         cells = ', '.join(f'{len(block[2])} {block[0]} of degree {block[1]}' for block in self.blocks)

@@ -111,14 +111,17 @@ class Optimized(CommandTest):
         surface = self.write('s.mesh', 'MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n'
                                        '1 1 1 0\nTriangles 2\n1 2 3 0\n2 4 3 0\nEnd\n')
         mirrored = self.write('m.mesh', medit(1, lambda i, j, k: (-float(i), float(j), float(k))))
+        triangle = self.write('q.msh', '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n'
+                                     '$EndNodes\n$Elements\n1\n1 2 2 0 1 1 2 3\n$EndElements\n')
         few = self.write('few.txt', '1 2 3')
         wrong = self.write('wrong.txt', '1 -2')
         for code, words, says in (
                 (USAGE, (path,), '--output'),
-                (USAGE, (path, '-o', self.path('b.msh')), 'in the format of'),
+                (USAGE, (triangle, *out), '.msh or .vtu'),
                 (USAGE, (path, '-o', path), '--force'),
                 (USAGE, (path, *out, '--energy', 'mipps'), "did you mean 'mips'"),
                 (USAGE, (path, *out, '--energy', 'asap'), 'asap'),
+                (USAGE, (path, '-o', self.path('b.vtu'), '--msh-version', '2.2'), 'of .msh'),
                 (USAGE, (path, *out, '--target', 'idal'), "did you mean 'ideal'"),
                 (USAGE, (path, *out, '--target', 'size='), 'size=FILE'),
                 (USAGE, (path, *out, '--boundary', 'slid'), "did you mean 'slide'"),
@@ -154,18 +157,34 @@ class Optimized(CommandTest):
         self.assertEqual(sorted(os.listdir(os.path.dirname(path))), ['a.mesh'])
 
     def test_killed(self):
-        path = self.write('a.mesh', tangled(9))
-        for seconds in (0.05, 0.3, 1.0):
-            run = subprocess.Popen([helpers.BINARY, 'mesh', 'optimize', path, '-o', self.path('b.mesh')],
-                                   stderr=subprocess.PIPE, text=True)
-            time.sleep(seconds)
-            run.send_signal(signal.SIGINT)
-            err = run.communicate(timeout=120)[1]
-            self.assertIn(run.returncode, (OK, LIMIT, INVALID, 130, -signal.SIGINT), err)
-            if run.returncode in (OK, LIMIT):
-                self.run_ok('mesh', 'check', self.path('b.mesh'))
-                os.remove(self.path('b.mesh'))
-            self.assertEqual(sorted(os.listdir(os.path.dirname(path))), ['a.mesh'])
+        """Exit 4 with a mesh that is valid, 5 without one; once steps are made there is always one."""
+        path = self.write('a.mesh', tangled(13))
+        for line, codes in (('reading', (INVALID, LIMIT)), ('degree', (LIMIT, OK))):
+            with self.subTest(line=line):
+                run = subprocess.Popen([helpers.BINARY, 'mesh', 'optimize', path, '-o', self.path('b.mesh')],
+                                       stderr=subprocess.PIPE, text=True)
+                while not (said := run.stderr.readline()).startswith(line):
+                    self.assertTrue(said, 'it ended before')
+                run.send_signal(signal.SIGINT)
+                err = run.stderr.read()
+                run.stderr.close()
+                self.assertIn(run.wait(timeout=120), codes, err)
+                written = [] if run.returncode == INVALID else ['b.mesh']
+                self.assertEqual(sorted(os.listdir(os.path.dirname(path))), ['a.mesh'] + written)
+                if written:
+                    self.run_ok('mesh', 'check', self.path('b.mesh'))
+                    os.remove(self.path('b.mesh'))
+
+    def test_interrupted_while_it_waits_for_sizes(self):
+        path = self.write('a.mesh', tangled())
+        os.mkfifo(self.path('sizes'))
+        run = subprocess.Popen([helpers.BINARY, 'mesh', 'optimize', path, '-o', self.path('b.mesh'), '--target',
+                                'size=' + self.path('sizes')], stderr=subprocess.PIPE, text=True)
+        time.sleep(0.5)
+        run.send_signal(signal.SIGINT)
+        err = run.communicate(timeout=120)[1]
+        self.assertEqual(run.returncode, INVALID, err)
+        self.assertIn('interrupted while reading ' + self.path('sizes'), err)
 
 
 @unittest.skipIf(gmsh is None, 'no python3-gmsh')
@@ -245,6 +264,8 @@ class OfGmsh(CommandTest):
                 gmsh.plugin.setNumber('AnalyseMeshQuality', 'JacobianDeterminant', 1)
                 gmsh.plugin.setNumber('AnalyseMeshQuality', 'CreateView', 1)
                 gmsh.plugin.run('AnalyseMeshQuality')
+                least = min(gmsh.view.getModelData(gmsh.view.getTags()[-1], 0)[2])[0]
+                self.assertGreater(least, 0)
 
 
 class Public(CommandTest):

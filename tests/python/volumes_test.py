@@ -66,6 +66,23 @@ def test_optimized(tmp_path):
     helpers.command('mesh', 'check', tmp_path / 'b.msh')
 
 
+def test_saved_by_the_name(tmp_path):
+    """What the extension says, with the same points; what is lost is said."""
+    X, T = cube(2)
+    mesh = majorant.VolumeMesh(X + 0.1, {'tetrahedra': T})
+    mesh.save(tmp_path / 'a.vtu')
+    assert (tmp_path / 'a.vtu').read_text().startswith('<?xml')
+    with pytest.warns(UserWarning, match='beside nodes, elements'):
+        majorant.VolumeMesh.read(tmp_path / 'a.vtu').save(tmp_path / 'b.msh', msh_version='2.2', binary=True)
+    back = majorant.VolumeMesh.read(tmp_path / 'b.msh')
+    assert (back.points == mesh.points).all() and (back.blocks[0][2] == T).all()
+    for name, words, says in (('c.mesh', {}, '.msh or .vtu'), ('c.msh.gz', {}, '.gz'), ('c.obj', {}, '.msh or .vtu'),
+                              ('c.vtu', {'binary': True}, 'of .msh')):
+        with pytest.raises(majorant.UsageError, match=says):
+            back.save(tmp_path / name, **words)
+        assert not (tmp_path / name).exists()
+
+
 def test_curved_and_planar():
     X = np.array([[0, 0], [2, 0], [0, 2], [1, 0], [1, 1], [0, 1]], float)
     planar = majorant.VolumeMesh(X, {'triangles': [[0, 1, 2, 3, 4, 5]]})

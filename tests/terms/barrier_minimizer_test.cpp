@@ -317,7 +317,7 @@ struct Cap {
     ProblemBuilder builder(2);
     builder.add(make_term<2>("valley", Cells{{0, 1}},
                              [](Index, const auto& z) {
-                               const auto off = (z[1] - z[0] * z[0]).eval();
+                               const auto off = z[1] - z[0] * z[0];
                                return (1.0 - z[0]) * (1.0 - z[0]) + 100.0 * off * off;
                              }),
                 1);

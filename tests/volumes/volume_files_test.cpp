@@ -34,7 +34,7 @@ class VolumeFiles : public testing::Test {
   // Nothing moved: the bytes of the file. One coordinate moved: it alone.
   void expect_written_back(const std::string& path) const {
     VolumeMesh mesh = read_volume_mesh(path);
-    EXPECT_EQ(volume_mesh_content(mesh), read_whole_file(path)) << path;
+    EXPECT_EQ(volume_mesh_content(path, mesh), read_whole_file(path)) << path;
     const Points3 before = mesh.points;
     const Index moved = static_cast<Index>(mesh.points.rows()) / 2;
     mesh.points(moved, 0) = std::nextafter(mesh.points(moved, 0), 1e9);
@@ -50,7 +50,7 @@ class VolumeFiles : public testing::Test {
       EXPECT_EQ(back.blocks[b].regions, mesh.blocks[b].regions);
     }
     mesh.points = before;
-    EXPECT_EQ(volume_mesh_content(mesh), read_whole_file(path)) << path;
+    EXPECT_EQ(volume_mesh_content(path, mesh), read_whole_file(path)) << path;
   }
 
  private:
@@ -146,6 +146,78 @@ TEST_F(VolumeFiles, SurfacesInSpaceAreSeenFromTheirStraightCells) {
   EXPECT_TRUE(check.is_surface);
   EXPECT_TRUE(check.is_valid());
   EXPECT_NEAR(check.cells[0].range.high, 4, 1e-9);
+}
+
+// Two triangles whose nodes have parameters, in 4.1; in 2.2 with partitions.
+const std::string kParametric =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 1 4\n2 1 1 4\n1\n2\n3\n4\n0 0 0 0 0\n"
+    "1 0 0 1 0\n0 1 0 0 1\n1 1 0 1 1\n$EndNodes\n$Elements\n1 2 1 2\n2 1 2 2\n1 1 2 3\n2 2 4 3\n"
+    "$EndElements\n";
+const std::string kPartitioned =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n"
+    "$EndNodes\n$Elements\n2\n1 2 4 0 1 1 1 1 2 3\n2 2 4 0 1 1 2 2 4 3\n$EndElements\n";
+
+TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
+  const auto left_out = [&](const std::string& name, const std::string& content,
+                            const std::string& other, const GmshChoice& choice = {}) {
+    const VolumeMesh mesh = read_volume_mesh(write(name, content));
+    std::vector<std::string> out;
+    write_volume_mesh(file(other), mesh, choice, &out, [&](const VolumeMesh& written) {
+      ASSERT_EQ(written.blocks.size(), mesh.blocks.size());
+      for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+        EXPECT_EQ(written.blocks[b].type, mesh.blocks[b].type);
+        EXPECT_EQ(written.blocks[b].nodes, mesh.blocks[b].nodes);
+      }
+    });
+    return out;
+  };
+  using Names = std::vector<std::string>;
+  const GmshChoice old{GmshVersion::Old, {}}, binary{{}, GmshEncoding::Binary};
+  EXPECT_EQ(left_out("p.msh", kParametric, "q.msh"), Names());
+  EXPECT_EQ(left_out("p.msh", kParametric, "q.msh", old), Names{"parameters of nodes"});
+  EXPECT_EQ(left_out("p.msh", kPartitioned, "q.msh"), Names());
+  EXPECT_EQ(left_out("p.msh", kPartitioned, "q.msh", binary), Names{"partitions of elements"});
+  EXPECT_EQ(left_out("p.msh", kOldGmsh, "q.msh", binary), Names{"section $NodeData"});
+  for (const auto& [name, content] : kSmall)
+    for (const char* const other : {"q.vtu", "q.msh"})
+      if (fs::path(name).extension() != fs::path(other).extension()) {
+        EXPECT_EQ(left_out(name, content, other),
+                  Names{"what " + file(name) + " has beside nodes, elements and their regions"});
+      }
+  const auto refused = [&](const std::string& name, const std::string& content,
+                           const std::string& other, const std::string& says,
+                           const GmshChoice& choice = {}) {
+    SCOPED_TRACE(other + ": " + says);
+    try {
+      write_volume_mesh(file(other), read_volume_mesh(write(name, content)), choice);
+      ADD_FAILURE() << "written";
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::Usage);
+      EXPECT_NE(std::string(e.what()).find(says), std::string::npos) << e.what();
+    }
+    EXPECT_FALSE(fs::exists(file(other)));
+  };
+  // One quad with nodes at Gauss-Lobatto points, and one with control points, of degree 3.
+  const auto cubic = [&](const std::string& collection) {
+    std::string text =
+        "MFEM mesh v1.0\n\ndimension\n2\n\nelements\n1\n1 3 0 1 2 "
+        "3\n\nboundary\n0\n\nvertices\n4\n\n"
+        "nodes\nFiniteElementSpace\nFiniteElementCollection: " +
+        collection + "\nVDim: 2\nOrdering: 1\n\n";
+    const double at[4] = {0, (1 - std::sqrt(0.2)) / 2, (1 + std::sqrt(0.2)) / 2, 1};
+    const int nodes[16][2] = {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 0}, {2, 0}, {3, 1}, {3, 2},
+                              {1, 3}, {2, 3}, {0, 1}, {0, 2}, {1, 1}, {2, 1}, {1, 2}, {2, 2}};
+    for (const auto& node : nodes)
+      text += std::to_string(at[node[0]]) + " " + std::to_string(at[node[1]]) + "\n";
+    return text;
+  };
+  refused("r.mesh", cubic("H1_2D_P3"), "s.vtu", "Gauss-Lobatto");
+  refused("r.mesh", cubic("H1_2D_P3"), "s.msh", "Gauss-Lobatto");
+  refused("r.mesh", cubic("H1Pos_2D_P3"), "s.msh", "control points");
+  left_out("r.mesh", cubic("H1Pos_2D_P3"), "s2.vtu");
+  refused("r.msh", kOldGmsh, "s.mesh", ".msh or .vtu");
+  refused("r.msh", kOldGmsh, "s.msh.gz", ".gz");
+  refused("r.msh", kOldGmsh, "s.vtu", "of .msh", binary);
 }
 
 struct Refusal {

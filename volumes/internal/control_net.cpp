@@ -88,7 +88,8 @@ Vec ControlNet::control_points() const {
   return x;
 }
 
-Points3 ControlNet::nodes(VecIn x, const std::vector<char>& held) const {
+Points3 ControlNet::nodes(VecIn start, VecIn x, const std::vector<char>& held) const {
+  std::vector<char> is_kept(to_size(count_), 0);
   RowMatrix moved = RowMatrix::Zero(count_, dim_), control;
   for (const Part& part : parts_) {
     const CellType& type = mesh_.blocks[to_size(part.block)].type;
@@ -99,13 +100,20 @@ Points3 ControlNet::nodes(VecIn x, const std::vector<char>& held) const {
       for (Index k = 0; k < cells.cols(); ++k)
         control.row(k) = x.segment(dim_ * cells(e, k), dim_).transpose();
       const RowMatrix nodes = values * control;
-      for (Index k = 0; k < cells.cols(); ++k) moved.row(cells(e, k)) = nodes.row(k);
+      bool is_same = true;
+      for (Index k = 0; k < cells.cols(); ++k) {
+        const Index at = dim_ * cells(e, k);
+        is_same = is_same && x.segment(at, dim_) == start.segment(at, dim_);
+        moved.row(cells(e, k)) = nodes.row(k);
+      }
+      for (Index k = 0; is_same && k < cells.cols(); ++k) is_kept[to_size(cells(e, k))] = 1;
     }
   }
   Points3 out = mesh_.points;
   for (Index row = 0; row < out.rows(); ++row) {
     const Index point = point_of_[row];
-    for (int d = 0; point >= 0 && d < dim_; ++d)
+    if (point < 0 || is_kept[to_size(point)] != 0) continue;
+    for (int d = 0; d < dim_; ++d)
       if (held[to_size(dim_ * point + d)] == 0) out(row, d) = moved(point, d);
   }
   return out;

@@ -3,7 +3,8 @@
 //   const VolumeMesh cells = read_volume_mesh("ball.msh");
 //   const ControlNet net(cells, sides_of(cells));
 //   Vec x = net.control_points();                     // dim() numbers each
-//   const Points3 moved = net.nodes(x, {});           // the points of the mesh with that map
+//   const std::vector<char> held(x.size(), 0);
+//   const Points3 moved = net.nodes(x, 2 * x, held);  // the points of the mesh with that map
 //
 // Where a node stands on the lattice of its cell, there is a control point. Nodes that two cells
 // have at one place of a shared side, under numbers of their own, are one control point.
@@ -37,9 +38,10 @@ class ControlNet {
 
   // dim() numbers for each control point.
   Vec control_points() const;
-  // The points of the mesh where the map has the control points x. held: of every coordinate of a
-  // control point whether the nodes there keep it bit by bit.
-  Points3 nodes(VecIn x, const std::vector<char>& held) const;
+  // The points of the mesh where the map has the control points x, and had those of start. Bit by
+  // bit as they were: nodes of a cell all of whose control points are, and the coordinates of held
+  // ones. held: of every coordinate of a control point.
+  Points3 nodes(VecIn start, VecIn x, const std::vector<char>& held) const;
 
  private:
   const VolumeMesh& mesh_;

@@ -17,6 +17,12 @@
 
 namespace majorant {
 
+struct GmshFormat {
+  GmshVersion version;
+  GmshEncoding encoding;
+  bool operator==(const GmshFormat&) const = default;
+};
+
 struct GmshDocument {
   using EntityName = std::pair<int, int>;  // dimension, tag
 
@@ -43,7 +49,7 @@ struct GmshDocument {
   std::vector<std::int64_t> element_nodes;  // tags, from first_node on
   std::map<EntityName, Entity> entities;    // of 4.1
   std::string physical_names;               // the section as it is, or nothing
-  std::vector<std::string> others;          // names of other sections
+  std::vector<std::string> others;          // what else the file has, by name
 };
 
 // What a number of gmsh's is.

@@ -89,23 +89,59 @@ class HeldPoints::Planes {
     for (const SideNode& node : nodes) {
       OfPoint& at = of_point_[to_size(net_.point_of(node.second))];
       at.is_held = at.is_held || !normal || (at.is_on_side && at.region != region);
-      if (normal) add_normal(*normal, at);
+      if (normal) add_normal(*normal, at.oblique, at.is_axis);
       at.is_on_side = true;
       at.region = region;
     }
     return normal.has_value();
   }
 
+  // What is left to the points, once all sides are in: of normals that are oblique, the parts
+  // across the axes and each other.
+  void finish() {
+    for (OfPoint& at : of_point_) {
+      std::vector<Vector3> oblique;
+      for (const Vector3& normal : std::exchange(at.oblique, {})) {
+        Vector3 rest = normal;
+        const auto remove = [&] {
+          for (int d = 0; d < net_.dim(); ++d)
+            if (at.is_axis[to_size(d)]) rest[d] = 0;
+          for (const Vector3& other : oblique) rest -= rest.dot(other) * other;
+        };
+        remove();
+        remove();  // so that what is left is across all of them, of skew planes, too
+        const double sine = rest.norm();
+        if (sine <= kSamePlane) continue;
+        if (sine < kOtherPlane) at.is_held = true;
+        add_normal(rest / sine, oblique, at.is_axis);
+      }
+      at.oblique = std::move(oblique);
+      if (at.planes() >= net_.dim()) at.is_held = true;
+    }
+  }
+
   bool is_held(Index point) const { return of_point_[to_size(point)].is_held; }
-  const std::vector<Vector3>& normals(Index point) const {
-    return of_point_[to_size(point)].normals;
+  // How many planes, and which: coordinates that are constant there, and the normals of others,
+  // across these and each other.
+  int count(Index point) const { return of_point_[to_size(point)].planes(); }
+  bool is_axis(Index point, int axis) const {
+    return of_point_[to_size(point)].is_axis[to_size(axis)];
+  }
+  const std::vector<Vector3>& oblique(Index point) const {
+    return of_point_[to_size(point)].oblique;
   }
 
  private:
   struct OfPoint {
     bool is_held = false, is_on_side = false;
     int region = 0;
-    std::vector<Vector3> normals;
+    std::array<bool, 3> is_axis{};
+    std::vector<Vector3> oblique;
+
+    int planes() const {
+      return static_cast<int>(std::count(is_axis.begin(), is_axis.end(), true) +
+                              static_cast<std::ptrdiff_t>(oblique.size()));
+    }
   };
 
   // An axis where all nodes have one coordinate.
@@ -143,17 +179,14 @@ class HeldPoints::Planes {
     return normal;
   }
 
-  void add_normal(const Vector3& normal, OfPoint& at) const {
-    Vector3 rest = normal;
-    for (const Vector3& other : at.normals) rest -= rest.dot(other) * other;
-    // Of skew planes once more, so that what is left is across all of them.
-    for (const Vector3& other : at.normals) rest -= rest.dot(other) * other;
-    const double sine = rest.norm();
-    if (sine <= kSamePlane) return;
-    if (sine < kOtherPlane) at.is_held = true;
-    // Where the first ones were axes, so is what is left of another axis.
-    at.normals.push_back(rest / sine);
-    if (static_cast<int>(at.normals.size()) >= net_.dim()) at.is_held = true;
+  static void add_normal(const Vector3& normal, std::vector<Vector3>& oblique,
+                         std::array<bool, 3>& is_axis) {
+    for (int d = 0; d < 3; ++d)
+      if (normal.cwiseAbs() == Vector3::Unit(d)) {
+        is_axis[to_size(d)] = true;
+        return;
+      }
+    oblique.push_back(normal);
   }
 
   const VolumeMesh& mesh_;
@@ -183,6 +216,7 @@ void HeldPoints::hold_boundary(const VolumeMesh& mesh, const std::vector<CellSid
       ++curved_sides_;
     }
   });
+  planes.finish();
   // Cells of fewer dimensions: of curves, points in two planes may move along.
   for (const CellBlock& block : mesh.blocks) {
     const int dim = dimension(block.type.shape);
@@ -190,8 +224,7 @@ void HeldPoints::hold_boundary(const VolumeMesh& mesh, const std::vector<CellSid
     for (Index k = 0; k < block.nodes.size(); ++k) {
       const Index point = net_.point_of(block.nodes.data()[k]);
       if (point < 0) continue;
-      const auto needed = static_cast<std::size_t>(net_.dim() - dim);
-      if (boundary == VolumeBoundary::Fixed || planes.normals(point).size() < needed) hold(point);
+      if (boundary == VolumeBoundary::Fixed || planes.count(point) < net_.dim() - dim) hold(point);
     }
   }
   for (Index point = 0; boundary == VolumeBoundary::Slide && point < net_.count(); ++point) {
@@ -199,15 +232,9 @@ void HeldPoints::hold_boundary(const VolumeMesh& mesh, const std::vector<CellSid
       hold(point);
       continue;
     }
-    for (const Vector3& normal : planes.normals(point)) {
-      int axis = -1;
-      for (int d = 0; d < net_.dim(); ++d)
-        if (std::abs(normal[d]) == 1) axis = d;
-      if (axis >= 0)
-        held_[to_size(net_.dim() * point + axis)] = 1;
-      else
-        rows_.push_back({point, normal});
-    }
+    for (int d = 0; d < net_.dim(); ++d)
+      if (planes.is_axis(point, d)) held_[to_size(net_.dim() * point + d)] = 1;
+    for (const Vector3& normal : planes.oblique(point)) rows_.push_back({point, normal});
   }
 }
 
@@ -258,18 +285,6 @@ void HeldPoints::append_rows(ConstraintRows& rows) const {
     }
     rows.end_row(sum);
   }
-}
-
-Index HeldPoints::moving_points() const {
-  const int dim = net_.dim();
-  Index count = 0;
-  for (Index point = 0; point < net_.count(); ++point)
-    for (int d = 0; d < dim; ++d)
-      if (held_[to_size(dim * point + d)] == 0) {
-        ++count;
-        break;
-      }
-  return count;
 }
 
 std::vector<CellName> HeldPoints::impossible_cells(const VolumeMesh& mesh) const {

@@ -23,7 +23,6 @@ class HeldPoints final : public Constraint {
   const std::vector<char>& held() const { return held_; }
   Index sides() const { return sides_; }                // that are held
   Index curved_sides() const { return curved_sides_; }  // of these under Slide: in no plane
-  Index moving_points() const;                          // control points that may move
 
   // Cells with det J <= 0 at a point that no point which may move has any part in.
   std::vector<CellName> impossible_cells(const VolumeMesh& mesh) const;

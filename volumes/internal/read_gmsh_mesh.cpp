@@ -335,6 +335,13 @@ class GmshReader {
         {tags_.tag(k), {points_[3 * k], points_[3 * k + 1], points_[3 * k + 2]}, entity});
   }
 
+  // Once each.
+  void note_other(const char* what) {
+    if (document_ == nullptr) return;
+    std::vector<std::string>& others = document_->others;
+    if (std::find(others.begin(), others.end(), what) == others.end()) others.push_back(what);
+  }
+
   void finish_nodes() {
     if (!tags_.finish()) in_.fail("two nodes have one tag");
   }
@@ -364,6 +371,7 @@ class GmshReader {
     for (Index b = 0; b < blocks; ++b) {
       const std::int64_t dim = in_.small("a dimension"), entity = in_.small("a tag");
       const std::int64_t is_parametric = in_.small("whether nodes are parametric");
+      if (is_parametric != 0) note_other("parameters of nodes");
       const Index count = in_.count(in_.large("the number of nodes"), 7, "nodes");
       for (Index k = 0; k < count; ++k) tags_.add(in_.large("a node"));
       for (Index k = 0; k < count; ++k) {
@@ -457,6 +465,8 @@ class GmshReader {
         if (t == 0) region = tag;
         if (t == 1) entity = tag;
       }
+      // The third tag counts the partitions of the element, which follow.
+      if (tags > 2) note_other("partitions of elements");
       nodes_.clear();
       for (int i = 0; i < type.node_count(); ++i) add_node(in_.small("a node"));
       if (document_ != nullptr) add_element(element, number, region, entity);

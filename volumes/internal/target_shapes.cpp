@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
@@ -12,6 +13,9 @@
 
 namespace majorant {
 namespace {
+
+// Sums of determinants with signs below this part of the sum of their magnitudes are rounding.
+constexpr double kRounding = 1e-12;
 
 // d x / d reference coordinates, by columns, of the regular cell with edges of length 1.
 RowMatrix regular_tangents(CellShape shape, int dim) {
@@ -88,7 +92,8 @@ class TargetShapes {
       for (Index e = 0; e < block.size(); ++e, ++cell) {
         RowMatrix tangents = regular * length_of(part, e, cell);
         if (options_.target == VolumeTarget::Initial)
-          if (const RowMatrix own = straight(mesh_, block, e); own.determinant() > 0)
+          if (const RowMatrix own = straight(mesh_, block, e);
+              own.determinant() >= std::numeric_limits<double>::min())
             tangents = own;
         const RowMatrix inverse = tangents.inverse();
         rest.inverse.row(e) = Eigen::Map<const Eigen::RowVectorXd>(inverse.data(), inverse.size());
@@ -97,7 +102,7 @@ class TargetShapes {
         should_be += straight(mesh_, block, e).determinant() * part.space->reference_measure();
       }
     }
-    if (options_.target == VolumeTarget::Ideal && should_be > 0)
+    if (options_.target == VolumeTarget::Ideal && should_be > kRounding * is)
       for (RestShapes& rest : out) scale(std::pow(should_be / is, 1.0 / net_.dim()), rest);
     return out;
   }
@@ -109,11 +114,12 @@ class TargetShapes {
   }
 
   // Of each corner the mean det of the straight cells around it, with its sign: together they are
-  // the star of the corner, wherever that is.
+  // the star of the corner, wherever that is. Where that is not positive, the mean of all cells; of
+  // their magnitudes where these cancel; of the box of the mesh where all are flat.
   void measure_surroundings() {
     mean_.setZero(net_.count());
     Vec count = Vec::Zero(net_.count());
-    double sum = 0;
+    double sum = 0, magnitudes = 0;
     Index cells = 0;
     for (const ControlNet::Part& part : net_.parts()) {
       const CellBlock& block = mesh_.blocks[to_size(part.block)];
@@ -122,6 +128,7 @@ class TargetShapes {
       for (Index e = 0; e < block.size(); ++e) {
         const double size = straight(mesh_, block, e).determinant() / regular;
         sum += size;
+        magnitudes += std::abs(size);
         ++cells;
         for (int k = 0; k < corner_count(block.type.shape); ++k) {
           mean_[part.space->cells()(e, k)] += size;
@@ -129,7 +136,12 @@ class TargetShapes {
         }
       }
     }
-    const double mean = std::abs(sum) / cells;
+    double all = std::abs(sum) > kRounding * magnitudes ? std::abs(sum) : magnitudes;
+    if (!(all > 0)) {
+      const Vector3 box = mesh_.points.colwise().maxCoeff() - mesh_.points.colwise().minCoeff();
+      all = integer_power(box.norm(), net_.dim());
+    }
+    const double mean = all / cells;
     for (Index k = 0; k < mean_.size(); ++k) mean_[k] = mean_[k] > 0 ? mean_[k] / count[k] : mean;
   }
 
@@ -140,7 +152,13 @@ class TargetShapes {
     const int corners = corner_count(mesh_.blocks[to_size(part.block)].type.shape);
     double sum = 0;
     for (int k = 0; k < corners; ++k) sum += mean_[part.space->cells()(e, k)];
-    return std::pow(sum / corners, 1.0 / net_.dim());
+    const double length = std::pow(sum / corners, 1.0 / net_.dim());
+    if (!is_edge_length(length, net_.dim()))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: edges of a length of {} are beyond what doubles hold the "
+                              "volumes of; scale the mesh",
+                              mesh_.file, length));
+    return length;
   }
 
   const VolumeMesh& mesh_;
@@ -160,8 +178,9 @@ std::vector<RestShapes> target_shapes(const VolumeMesh& mesh, const ControlNet& 
       throw InvalidArgument(fmt::format("{} sizes for {} elements: one is needed, or one for each",
                                         options.sizes.size(), cells));
     for (const double size : options.sizes)
-      if (!(size > 0) || !std::isfinite(size))
-        throw InvalidArgument(fmt::format("a size of {}; finite and positive is needed", size));
+      if (!is_edge_length(size, net.dim()))
+        throw InvalidArgument(fmt::format(
+            "a size of {}; positive is needed, of which doubles hold the volume", size));
   }
   return TargetShapes(mesh, net, options).make();
 }
