@@ -49,7 +49,8 @@ def joined(curves: Doubles, ends: np.ndarray) -> list[Doubles]:
     paths: list[Doubles] = []
     for first in sorted(leaving, key=lambda start: start in arrived):
         while leaving[first]:
-            parts, at = [], first
+            parts: list[Doubles] = []
+            at = first
             while leaving.get(at):
                 edge = leaving[at].pop()
                 parts.append(curves[edge] if not parts else curves[edge][1:])
