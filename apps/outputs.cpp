@@ -249,7 +249,6 @@ bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
 }
 
 void FormatOptions::add_to(CLI::App& verb) {
-  verb_ = &verb;
   begin_group(verb, OptionGroup::Files);
   verb.add_option(
           "--refine", tessellation.refine,
@@ -275,7 +274,7 @@ void FormatOptions::add_to(CLI::App& verb) {
           "--grid",
           [this](const std::string& spacing) { svg.grid = png.grid = parse_spacing(spacing); },
           "SVG and PNG: draw lines of constant u and v this far apart in uv, with --view on the "
-          "surface (alone: a 32nd of the layout)")
+          "surface (alone: a round number, 20 to 40 along the layout)")
       ->type_name("SPACING")
       ->default_str(kAutomatic)  // what it is without a value
       ->expected(0, 1);
@@ -286,15 +285,16 @@ void FormatOptions::add_to(CLI::App& verb) {
            {"--vtu", {".vtu"}},
            {"--msh", {".msh"}},
            {"--grid", {".svg", ".png"}},
-           {"--color-range", {".svg", ".png", ".html"}},
-           {"--color-by", {".svg", ".png", ".html"}},
            {"--align", map_extensions()},
-           {"--size", {".svg", ".png"}},
-           {"--edges", {".svg", ".png"}},
-           {"--transparent", {".svg", ".png"}},
            {"--view", {".png"}},
            {"--image", {".png"}}})
     options_.push_back({verb.get_option(name), extensions});
+}
+
+std::string FormatOptions::first_given() const {
+  for (const auto& [option, extensions] : options_)
+    if (option->count() > 0) return option->get_name();
+  return {};
 }
 
 void FormatOptions::require_effect(const std::vector<std::string>& files) const {
@@ -317,7 +317,8 @@ std::string FormatOptions::other_meaning(const std::string& option) const {
   return is_texture ? " (that of a texture for the layout is --resolution)" : "";
 }
 
-void FormatOptions::add_pictures_to(CLI::App& verb) {
+void FormatOptions::add_drawing_to(CLI::App& verb) {
+  verb_ = &verb;
   begin_group(verb, OptionGroup::Pictures);
   verb.add_option_function<std::string>(
           "--color-range",
@@ -328,17 +329,11 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
           "isometry up)")
       ->type_name("A,B");
   verb.add_option_function<std::string>(
-          "--align",
-          [this](const std::string& answer) {
-            svg.alignment = png.alignment = answer == "yes" ? Alignment::Always : Alignment::Never;
-          },
-          "turn the layout until the longer side of the smallest rectangle around it lies, in "
-          "data, "
-          "too (default: in pictures and pages alone, where nothing holds it)")
-      ->type_name("yes|no")
-      ->default_str("yes")  // what it is without a value
-      ->expected(0, 1)
-      ->check(one_of({"yes", "no"}));
+          "--color-by",
+          [this](const std::string& name) { svg.quantity = png.quantity = parse_quantity(name); },
+          "pictures: colours of density, area, angle, sigma-max or sigma-min, at every pixel of a "
+          "PNG")
+      ->check(one_of(quantity_names()));
   verb.add_option_function<std::string>(
           "--size",
           [this](const std::string& text) {
@@ -357,9 +352,37 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
           },
           "SVG and PNG of layouts: the edges of triangles (yes), or the outline alone (no)")
       ->check(one_of({"yes", "no"}));
+  verb.add_option_function<std::string>(
+          "--legend",
+          [this](const std::string& answer) {
+            svg.legends = png.legends = answer == "yes" ? Legends::Drawn : Legends::Left;
+          },
+          "SVG and PNG: what colours and marks mean, below the drawing (yes), or the drawing alone "
+          "(no)")
+      ->check(one_of({"yes", "no"}));
   verb.add_flag_function(
       "--transparent", [this](std::int64_t) { svg.paper = png.paper = Paper::None; },
       "SVG and PNG: without the white paper behind the drawing");
+  for (const char* name : {"--color-range", "--color-by"})
+    options_.push_back({verb.get_option(name), {".svg", ".png", ".html"}});
+  for (const char* name : {"--size", "--edges", "--legend", "--transparent"})
+    options_.push_back({verb.get_option(name), {".svg", ".png"}});
+}
+
+void FormatOptions::add_pictures_to(CLI::App& verb) {
+  add_drawing_to(verb);
+  verb.add_option_function<std::string>(
+          "--align",
+          [this](const std::string& answer) {
+            svg.alignment = png.alignment = answer == "yes" ? Alignment::Always : Alignment::Never;
+          },
+          "turn the layout until the longer side of the smallest rectangle around it lies, in "
+          "data, "
+          "too (default: in pictures and pages alone, where nothing holds it)")
+      ->type_name("yes|no")
+      ->default_str("yes")  // what it is without a value
+      ->expected(0, 1)
+      ->check(one_of({"yes", "no"}));
   verb.add_option_function<std::string>(
           "--view",
           [this](const std::string& view) {
@@ -372,12 +395,6 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
       ->type_name("X,Y,Z")
       ->default_str(kAutomatic)  // what it is without a value
       ->expected(0, 1);
-  verb.add_option_function<std::string>(
-          "--color-by",
-          [this](const std::string& name) { svg.quantity = png.quantity = parse_quantity(name); },
-          "pictures: colours of density, area, angle, sigma-max or sigma-min, at every pixel of a "
-          "PNG")
-      ->check(one_of(quantity_names()));
   verb.add_option("--image", image, "PNG: lay this .png on the surface or the layout")
       ->type_name("FILE")
       ->check(CLI::ExistingFile);

@@ -78,6 +78,9 @@ struct FormatOptions : MapFormats {
   bool turns_map(const std::vector<std::string>& files) const;
 
   void add_to(CLI::App& verb);  // --refine --vtu --msh --grid --color-range ...
+  // What drawings look like alone: --color-range --color-by --size --edges --legend --transparent.
+  void add_drawing_to(CLI::App& verb);
+  std::string first_given() const;  // "--size"; empty: none was
   // Throws Error(Usage) for one of these that says something of formats that no file has.
   void require_effect(const std::vector<std::string>& files) const;
 

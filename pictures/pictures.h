@@ -55,6 +55,9 @@ enum class Paper { White, None };
 // Whether the edges of cells are drawn; without them the boundary of the layout is.
 enum class CellEdges { Drawn, Left };
 
+// Whether a picture has legends; without them it has no room for any.
+enum class Legends { Drawn, Left };
+
 // Of a vector drawing, px.
 struct SheetSize {
   int width = 1000, height = 800;  // PngOptions::kSmallest to kLargest
@@ -63,8 +66,8 @@ struct SheetSize {
 // The layout of a map as a vector drawing: what to look at, and to put into a paper.
 
 struct SvgOptions {
-  // Grid lines at integer multiples of this in u and v (uv units of the file); 0: a 32nd of the
-  // layout's larger side; none: no grid.
+  // Grid lines at integer multiples of this in u and v (uv units of the file); 0: the least of 1, 2
+  // and 5 times a power of ten that is at least a 40th of the layout's larger side; none: no grid.
   std::optional<double> grid = std::nullopt;
   // The space around the map (to_map_file of a BezierMesh), of its degree: drawn pale behind it, as
   // far as the drawing reaches.
@@ -82,6 +85,7 @@ struct SvgOptions {
   // in a column of 84 mm.
   std::optional<SheetSize> size = std::nullopt;
   CellEdges edges = CellEdges::Drawn;
+  Legends legends = Legends::Drawn;
 };
 
 // One <path> per colour, of the curved boundaries of its cells: lines for degree 1, quadratic and
@@ -105,11 +109,31 @@ struct SvgOptions {
 // chain, and dots on the cones, blue for index > 0 and green for index < 0; points and lines to
 // their targets; rings where boundary edges meet; a second legend. Throws Error(Invalid) if the map
 // is inconsistent or not finite, Error(Usage) if the file cannot be written, the grid cannot be
-// drawn, a side of the sheet is out of range or less than its legends take, or the range of colours
-// leaves out the isometry.
+// drawn, a side of the sheet is out of range or less than its legends take, whose lines are broken
+// to its width, or the range of colours leaves out the isometry.
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options = {});
 // The drawing as text, for who has a place for it already. Throws Error(Invalid) likewise.
 std::string svg_text(const MapFile& map, const SvgOptions& options = {});
+
+// Two maps of one surface side by side, for figures that compare: at one scale, that of the surface
+// (uv times layout_scale(), io/layout_scale.h), on one range of colours, with one legend of these;
+// below each its caption, its degree, and the smallest and the largest value on it.
+//
+//   const MapPair pair{{{read_map("a.vtu"), "a.vtu"}, {read_map("b.vtu"), "b.vtu"}}};
+//   write_svg("ab.svg", pair);
+
+struct CaptionedMap {
+  MapFile map;
+  std::string caption;                 // broken where it is too wide
+  std::vector<PagePoint> points = {};  // in place of SvgOptions::points
+};
+using MapPair = std::array<CaptionedMap, 2>;
+
+// Densities of both are of the energy that the first one names, whatever the second was made with.
+// No scaffold is drawn. Throws as for one map, and what to_bezier_map() does of a map whose density
+// the file does not have.
+void write_svg(const std::string& path, const MapPair& pair, const SvgOptions& options = {});
+std::string svg_text(const MapPair& pair, const SvgOptions& options = {});
 
 // A map as a picture of pixels: the layout, or the surface with what the map lays on it. A layout
 // has all that write_svg() draws, from one description, so that the two cannot differ; lines and
@@ -159,15 +183,16 @@ struct PngOptions {
   std::vector<PagePoint> points = {};    // likewise
   Paper paper = Paper::White;
   CellEdges edges = CellEdges::Drawn;  // of a layout
+  Legends legends = Legends::Drawn;
 };
 
 // Heat maps have a legend below, as SVG's, with the same smallest and largest value, those of the
 // whole map. Turned over cells have kFlippedColor but under an image, where they are turned over;
 // they lie over others, and are counted as in SVG. The bytes depend on the map and the options
 // alone, not on the number of threads. Throws Error(Invalid) if the map is inconsistent or not
-// finite, Error(Unreadable) for an image that is none, Error(Usage) for a size out of range, no
-// squares, a view that is no direction, a range without the isometry, a density whose energy is not
-// named, and where the file cannot be written.
+// finite, Error(Unreadable) for an image that is none, Error(Usage) for a size out of range or so
+// low that legends leave no room, no squares, a view that is no direction, a range without the
+// isometry, a density whose energy is not named, and where the file cannot be written.
 void write_png(const std::string& path, const MapFile& map, const PngOptions& options = {});
 
 // A map as a page for a browser: the surface in 3D and the layout side by side, exact, in one file.

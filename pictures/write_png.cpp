@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,6 +20,7 @@
 #include "majorant/pictures/internal/density_probe.h"
 #include "majorant/pictures/internal/layout_drawing.h"
 #include "majorant/pictures/internal/legend.h"
+#include "majorant/pictures/internal/legend_drawing.h"
 #include "majorant/pictures/internal/raster_scene.h"
 #include "majorant/pictures/internal/rasterizer.h"
 #include "majorant/pictures/pictures.h"
@@ -116,11 +118,7 @@ class CheckerPainter final : public TexturePainter {
       corner_ = square.middle.array() - 0.5 * square.side;
       return;
     }
-    const double wanted = square_around(map).side / kSquares;
-    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-    width_ = 10 * power;
-    for (const double digit : {5.0, 2.0, 1.0})
-      if (digit * power >= wanted) width_ = digit * power;
+    width_ = round_spacing(square_around(map).side / kSquares);
   }
 
  private:
@@ -375,17 +373,43 @@ std::unique_ptr<Painter> painter_of(const MapFile& map, const PngOptions& option
   };
   if (heat)
     return with_grid(heat_painter(map, *heat, claimed_energy(map).sum,
-                                  picture_scale(map, *heat, options.color_range)));
+                                  picture_scale(claimed_energy(map), *heat, options.color_range)));
   if (options.image)
     return with_grid(image_painter(map, pixels_of_png("the image", *options.image)));
   return options.view ? textured_painter(map, spacing, options.squares, marks.turned_over)
                       : plain_painter(map, marks.turned_over);
 }
 
-std::optional<Legend> legend_of(const MapFile& map, const PngOptions& options,
-                                const std::optional<Quantity>& heat, const ValueSummary& values) {
-  if (!heat) return {};
-  return make_legend(map, *heat, picture_scale(map, *heat, options.color_range), values, "samples");
+// A drawing, and the legend that says what was drawn.
+struct Drawn {
+  DrawnPixels of;
+  std::optional<Legend> legend;
+};
+
+// A legend takes room, and says what is drawn in the rest: drawn under one that says nothing of it
+// yet and, where what it has to say takes more lines, again under one with room for all it might.
+// draw: what is drawn under a legend.
+Drawn draw_under_legend(const MapFile& map, const PngOptions& options,
+                        const std::optional<Quantity>& heat,
+                        const std::function<DrawnPixels(const std::optional<Legend>&)>& draw) {
+  if (!heat) return {draw({}), {}};
+  const auto said_of = [](const Legend& legend, const ValueSummary& values) {
+    return with_values(legend, values, "samples");
+  };
+  Legend legend =
+      make_legend(map, *heat, picture_scale(claimed_energy(map), *heat, options.color_range));
+  const auto lines_with = [&](const ValueSummary& values) {
+    return note_lines(said_of(legend, values), LayoutSheet::kWidth);
+  };
+  legend.note_lines = note_lines(legend, LayoutSheet::kWidth);
+  DrawnPixels drawn = draw(legend);
+  if (lines_with(drawn.values) > legend.note_lines) {
+    const auto all = std::int64_t{options.width} * options.height * kSamplesPerPixel;
+    legend.note_lines = lines_with({all, all, all});
+    drawn = draw(legend);
+  }
+  const ValueSummary values = drawn.values;
+  return {std::move(drawn), said_of(legend, values)};
 }
 
 PixelImage surface_image(const MapFile& map, const PngOptions& options) {
@@ -394,21 +418,29 @@ PixelImage surface_image(const MapFile& map, const PngOptions& options) {
   LayoutMarks seen;
   seen.grid = options.grid;
   seen.turned_over = turned_over_cells(map);
-  const std::vector<Index>& over = seen.turned_over;
-  const double colors = heat ? LayoutSheet::kColorsHeight : 0;
-  const double marks = over.empty() ? 0 : LayoutSheet::kRowHeight;
+  const auto legends_with = [&](const std::optional<Legend>& legend) {
+    if (options.legends == Legends::Left) return DrawnLegends({}, {}, LayoutSheet::kWidth);
+    std::vector<LegendMark> marks;
+    if (!seen.turned_over.empty())
+      marks.push_back(turned_over_mark(seen.turned_over.size(),
+                                       heat ? LegendAbove::Colors : LegendAbove::Nothing));
+    return DrawnLegends(legend, std::move(marks), LayoutSheet::kWidth);
+  };
+  const auto painter = painter_of(map, options, heat, seen);
   PixelSize size{options.width, options.height};
-  size.height = std::max(1, size.height - static_cast<int>(std::lround(scale * (colors + marks))));
-  const auto triangles = surface_triangles(map, *options.view, size);
-  const DrawnPixels drawn = draw_triangles(triangles, *painter_of(map, options, heat, seen),
-                                           SurfaceShade(map, *options.view, triangles), size);
+  const Drawn drawn = draw_under_legend(map, options, heat, [&](const auto& legend) {
+    const DrawnLegends legends = legends_with(legend);
+    require_room(LayoutSheet::kWidth, options.height / scale,
+                 {legends.least_width(), legends.height()}, scale);
+    size.height = options.height - static_cast<int>(std::lround(scale * legends.height()));
+    const auto triangles = surface_triangles(map, *options.view, size);
+    return draw_triangles(triangles, *painter, SurfaceShade(map, *options.view, triangles), size);
+  });
   Canvas canvas({options.width, options.height}, scale, options.paper);
-  canvas.lay(drawn.pixels);
-  if (heat)
-    canvas.paint(color_legend(*legend_of(map, options, heat, drawn.values), size.height / scale));
-  if (!over.empty())
-    canvas.paint(turned_over_legend(over.size(), heat ? LegendOf::Colors : LegendOf::Nothing,
-                                    size.height / scale + colors));
+  canvas.lay(drawn.of.pixels);
+  const DrawnLegends legends = legends_with(drawn.legend);
+  const double top = size.height / scale;
+  canvas.paint(legends.items(top, top + legends.height()));
   return canvas.image();
 }
 
@@ -417,22 +449,25 @@ PixelImage layout_image(const MapFile& map, const LayoutMarks& marks, const PngO
   const std::optional<Quantity> heat = heat_of(map, options);
   const PixelSize size{options.width, options.height};
   const double scale = size.width / LayoutSheet::kWidth;
-  const LayoutSheet sheet(
-      map, marks,
-      {.legend = heat ? LegendOf::Colors : LegendOf::Nothing, .height = size.height / scale});
-  auto triangles = layout_triangles(map, scale * sheet.scale(), [&](const Vector2& uv) {
-    return Vector2(scale * sheet.place(uv));
+  const auto sheet_with = [&](const std::optional<Legend>& legend) {
+    return LayoutSheet(map, marks, {.colors = legend, .height = size.height / scale});
+  };
+  const auto painter = painter_of(map, options, heat, marks);
+  const Drawn drawn = draw_under_legend(map, options, heat, [&](const auto& legend) {
+    const LayoutSheet sheet = sheet_with(legend);
+    require_room(sheet.width(), sheet.height(), sheet.legend_room(), scale);
+    auto triangles = layout_triangles(map, scale * sheet.scale(), [&](const Vector2& uv) {
+      return Vector2(scale * sheet.place(uv));
+    });
+    for (RasterTriangle& t : triangles)  // those lie over all others
+      if (std::binary_search(marks.turned_over.begin(), marks.turned_over.end(), t.cell))
+        t.depth = {1, 1, 1};
+    return draw_triangles(triangles, *painter, {}, size);
   });
-  for (RasterTriangle& t : triangles)  // those lie over all others
-    if (std::binary_search(marks.turned_over.begin(), marks.turned_over.end(), t.cell))
-      t.depth = {1, 1, 1};
-  const DrawnPixels drawn =
-      draw_triangles(triangles, *painter_of(map, options, heat, marks), {}, size);
-  const LayoutDrawing drawing =
-      draw_layout(sheet, legend_of(map, options, heat, drawn.values), {}, CellFill::Nothing);
+  const LayoutDrawing drawing = draw_layout(sheet_with(drawn.legend), {}, CellFill::Nothing);
   Canvas canvas(size, scale, options.paper);
   canvas.paint(drawing.behind);
-  canvas.lay(drawn.pixels);
+  canvas.lay(drawn.of.pixels);
   if (!options.image) canvas.paint(drawing.cells);  // an image is to be seen as it is
   canvas.paint(drawing.over);
   return canvas.image();
@@ -450,6 +485,7 @@ void write_png(const std::string& path, const MapFile& map, const PngOptions& op
   const MapFile shown = turned(map, direction);
   LayoutMarks marks = marks_of(map, direction, options.grid, options.scaffold, options.points);
   marks.edges = options.edges;
+  marks.legends = options.legends;
   write_file_atomically(path, encode_png(layout_image(shown, marks, options)));
 }
 

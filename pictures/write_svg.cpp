@@ -1,18 +1,26 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/io/layout_scale.h"
 #include "majorant/io/map_check.h"
+#include "majorant/parametrization/maps/measure.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 #include "majorant/pictures/internal/layout_drawing.h"
 #include "majorant/pictures/internal/legend.h"
+#include "majorant/pictures/internal/legend_drawing.h"
 #include "majorant/pictures/page_text.h"
 #include "majorant/pictures/pictures.h"
 
@@ -147,10 +155,13 @@ class SvgWriter {
   fmt::memory_buffer buffer_;
 };
 
+// Colours of cells, and what legends say of their values.
 struct Heat {
-  Legend legend;
   CellColors colors;
+  ValueSummary values;
 };
+
+constexpr const char* kParts = "triangle means";
 
 // Means over the cells.
 Vec cell_values(const MapFile& map, Quantity quantity) {
@@ -163,34 +174,44 @@ Vec cell_values(const MapFile& map, Quantity quantity) {
   return faces.col(column);
 }
 
-// Cells that are turned over, as the marks have them, do not count.
-Heat heat_of(const MapFile& map, Quantity quantity, const Vec& cells, const LayoutMarks& marks,
-             const SvgOptions& options) {
-  const ColorScale scale = picture_scale(map, quantity, options.color_range);
-  ValueSummary values;
-  CellColors colors;
-  auto over = marks.turned_over.begin();
-  for (Index cell = 0; cell < cells.size(); ++cell) {
-    colors.push_back(scale.color(cells[cell]));
-    const bool is_over = over != marks.turned_over.end() && *over == cell;
-    if (is_over) ++over;
-    if (!is_over) values.add(scale, cells[cell]);
-  }
-  return {make_legend(map, quantity, scale, values, "triangle means"), colors};
+// Likewise of the density of an energy, which need not be that of the file.
+Vec cell_densities(const MapFile& map, const ClaimedEnergy& energy) {
+  const bool is_known = map.distortion.size() > 0 && claimed_energy(map).name == energy.name;
+  if (is_known) return map.distortion;
+  const BezierMap in_file = to_bezier_map(map, "layout");
+  const BezierMap in_model_units =
+      in_file.with(in_file.shared_space(), layout_scale(map) * in_file.control_points());
+  Vec densities;
+  mean_density(in_model_units, rest_shapes(in_file.mesh()), energy.sum, densities);
+  return densities;
 }
 
-// The heat map that was asked for; else the density, where the cells have one and something says of
+// Cells that are turned over, as the marks have them, do not count.
+Heat heat_of(const ColorScale& scale, const Vec& cells, const LayoutMarks& marks) {
+  Heat heat;
+  auto over = marks.turned_over.begin();
+  for (Index cell = 0; cell < cells.size(); ++cell) {
+    heat.colors.push_back(scale.color(cells[cell]));
+    const bool is_over = over != marks.turned_over.end() && *over == cell;
+    if (is_over) ++over;
+    if (!is_over) heat.values.add(scale, cells[cell]);
+  }
+  return heat;
+}
+
+Error no_density() {
+  return Error(ErrorKind::Usage,
+               "the map has no density: no energy is claimed that it could be of, or none was "
+               "measured");
+}
+
+// The quantity that was asked for; else the density, where the cells have one and something says of
 // which energy.
-std::optional<Heat> heat_of(const MapFile& map, const LayoutMarks& marks,
-                            const SvgOptions& options) {
-  if (options.quantity && options.quantity != Quantity::Density)
-    return heat_of(map, *options.quantity, cell_values(map, *options.quantity), marks, options);
+std::optional<Quantity> shown_quantity(const MapFile& map, const SvgOptions& options) {
+  if (options.quantity && options.quantity != Quantity::Density) return options.quantity;
   const bool is_known = map.distortion.size() > 0 && !claimed_energy(map).name.empty();
-  if (is_known) return heat_of(map, Quantity::Density, map.distortion, marks, options);
-  if (options.quantity)
-    throw Error(ErrorKind::Usage,
-                "the map has no density: no energy is claimed that it could be of, or none was "
-                "measured");
+  if (is_known) return Quantity::Density;
+  if (options.quantity) throw no_density();
   return {};
 }
 
@@ -202,15 +223,87 @@ void require_usable(const SheetSize& size) {
                               PngOptions::kSmallest, PngOptions::kLargest));
 }
 
-// Between the legends and the upper end of a sheet whose height was asked for.
-void require_room(const LayoutSheet& sheet) {
-  constexpr double kLeast = 4 * LayoutSheet::kMargin;
-  if (sheet.layout_height() >= kLeast) return;
-  throw Error(
-      ErrorKind::Usage,
-      fmt::format("a sheet {:g} px high: its legends are {:g} px high; take one of {:g} or more",
-                  sheet.height(), sheet.height() - sheet.layout_height(),
-                  sheet.height() - sheet.layout_height() + kLeast));
+LayoutMarks drawn_marks(const MapFile& map, const Vector2& direction, const SvgOptions& options) {
+  LayoutMarks marks = marks_of(map, direction, options.grid, options.scaffold, options.points);
+  marks.edges = options.edges;
+  marks.legends = options.legends;
+  return marks;
+}
+
+LayoutSheet::Format format_of(const SvgOptions& options) {
+  LayoutSheet::Format format;
+  if (!options.size) return format;
+  require_usable(*options.size);
+  format.width = options.size->width;
+  format.height = options.size->height;
+  return format;
+}
+
+void append(std::vector<DrawingItem>& items, LayoutDrawing parts) {
+  for (auto* more : {&parts.behind, &parts.cells, &parts.over})
+    items.insert(items.end(), std::make_move_iterator(more->begin()),
+                 std::make_move_iterator(more->end()));
+}
+
+std::string text_of(const Drawing& drawing) {
+  SvgWriter writer;
+  writer.write(drawing);
+  return writer.text();
+}
+
+// One of two maps beside each other.
+struct Half {
+  MapFile map;
+  LayoutMarks marks;
+  double unit = 1;  // of the surface, a unit of uv
+  std::optional<CellColors> colors = {};
+  std::vector<std::string> caption = {};
+
+  // height: of the layout; none, what it needs. scale: units of the drawing a unit of the surface.
+  LayoutSheet sheet(double width, const std::optional<double>& height, double scale) const {
+    LayoutSheet::Format format{.width = width, .scale = scale * unit};
+    if (height) format.height = *height + LayoutSheet(map, marks, format).legends().height();
+    return {map, marks, format};
+  }
+};
+
+Half half_of(const CaptionedMap& of, const SvgOptions& options) {
+  const Vector2 direction = picture_direction(of.map, options.alignment);
+  SvgOptions own = options;
+  own.points = of.points;
+  own.scaffold.reset();
+  return {turned(of.map, direction), drawn_marks(of.map, direction, own), layout_scale(of.map)};
+}
+
+// The halves coloured on the scale of the first map, and what their captions say of that; the
+// legend of both.
+std::optional<Legend> color(std::array<Half, 2>& halves, std::array<std::string, 2>& said,
+                            const SvgOptions& options) {
+  const ClaimedEnergy energy = claimed_energy(halves[0].map);
+  if (!options.quantity && energy.name.empty()) return {};
+  const Quantity quantity = options.quantity.value_or(Quantity::Density);
+  if (quantity == Quantity::Density && energy.name.empty()) throw no_density();
+  const ColorScale scale = picture_scale(energy, quantity, options.color_range);
+  Legend legend = scale_legend(quantity, scale, energy);
+  for (std::size_t k = 0; k < halves.size(); ++k) {
+    const MapFile& map = halves[k].map;
+    Heat heat = heat_of(
+        scale,
+        quantity == Quantity::Density ? cell_densities(map, energy) : cell_values(map, quantity),
+        halves[k].marks);
+    halves[k].colors = std::move(heat.colors);
+    said[k] = extremes_clause(map, quantity, energy) + beyond_clauses(scale, heat.values, kParts);
+    legend.goes_below |= heat.values.below > 0;
+    legend.goes_above |= heat.values.above > 0;
+  }
+  return legend;
+}
+
+// Two parts of one file have no clip of one name.
+DrawingItem renamed(DrawingItem item, std::size_t part) {
+  if (auto* clipped = std::get_if<Clipped>(&item); clipped && part > 0)
+    clipped->name += fmt::format("-{}", part + 1);
+  return item;
 }
 
 }  // namespace
@@ -220,41 +313,102 @@ std::string svg_text(const MapFile& map, const SvgOptions& options) {
   if (options.scaffold) require_sound("scaffold", *options.scaffold);
   const Vector2 direction = picture_direction(map, options.alignment);
   const MapFile shown = turned(map, direction);
-  LayoutMarks marks = marks_of(map, direction, options.grid, options.scaffold, options.points);
-  marks.edges = options.edges;
-  std::optional<Heat> heat = heat_of(shown, marks, options);
-  LayoutSheet::Format format;
-  if (options.size) {
-    require_usable(*options.size);
-    format.width = options.size->width;
-    format.height = options.size->height;
-  }
-  if (heat) {
-    if (options.size) heat->legend = wrapped(heat->legend, format.width);
-    format.legend = LegendOf::Colors;
-    format.notes = heat->legend.notes.size();
+  const LayoutMarks marks = drawn_marks(map, direction, options);
+  LayoutSheet::Format format = format_of(options);
+  std::optional<CellColors> colors;
+  if (const std::optional<Quantity> quantity = shown_quantity(shown, options)) {
+    const ColorScale scale = picture_scale(claimed_energy(map), *quantity, options.color_range);
+    Heat heat = heat_of(
+        scale, quantity == Quantity::Density ? shown.distortion : cell_values(shown, *quantity),
+        marks);
+    format.colors = with_values(make_legend(shown, *quantity, scale), heat.values, kParts);
+    colors = std::move(heat.colors);
   }
   const LayoutSheet sheet(shown, marks, format);
-  if (options.size) require_room(sheet);
-  LayoutDrawing parts =
-      draw_layout(sheet, heat ? std::optional(heat->legend) : std::nullopt,
-                  heat ? std::optional(heat->colors) : std::nullopt, CellFill::Colors);
+  if (options.size) require_room(sheet.width(), sheet.height(), sheet.legend_room(), 1);
+  LayoutDrawing parts = draw_layout(sheet, colors, CellFill::Colors);
   Drawing drawing{.width = sheet.width(),
                   .height = sheet.height(),
                   .paper = options.paper,
                   .title = "Layout of a surface in the plane",
                   .description = parts.description};
-  for (auto* items : {&parts.behind, &parts.cells, &parts.over})
-    drawing.items.insert(drawing.items.end(), std::make_move_iterator(items->begin()),
-                         std::make_move_iterator(items->end()));
-  SvgWriter writer;
-  writer.write(drawing);
-  return writer.text();
+  append(drawing.items, std::move(parts));
+  return text_of(drawing);
+}
+
+std::string svg_text(const MapPair& pair, const SvgOptions& options) {
+  for (const CaptionedMap& of : pair) require_sound(of.caption, of.map);
+  std::array<Half, 2> halves{half_of(pair[0], options), half_of(pair[1], options)};
+  std::array<std::string, 2> said;
+  const std::optional<Legend> colors = color(halves, said, options);
+  const LayoutSheet::Format format = format_of(options);
+  const bool has_legends = options.legends == Legends::Drawn;
+  const DrawnLegends legends(has_legends ? colors : std::nullopt, {}, format.width);
+  // What is below the layouts: legends of marks, captions, the legend of colours.
+  const double width = format.width / 2, room = width - 2 * kDrawingMargin;
+  double marks = 0, captions = 0, least_width = legends.least_width();
+  for (std::size_t k = 0; k < halves.size(); ++k) {
+    std::vector<std::string>& caption = halves[k].caption;
+    caption =
+        caption_lines(fmt::format("{}, degree {}", pair[k].caption, pair[k].map.degree), room);
+    const std::string clauses = has_legends && !said[k].empty() ? said[k].substr(2) : "";
+    for (const std::string& line : lines_of(clauses, kSmallLetters, room)) {
+      if (!line.empty()) caption.push_back(line);
+      least_width = std::max(least_width, 2 * (widest_word(line, kSmallLetters) + width - room));
+    }
+    captions =
+        std::max(captions, kDrawingMargin + kLineHeight * static_cast<double>(caption.size()));
+    const LayoutSheet sheet = halves[k].sheet(width, {}, 1);
+    marks = std::max(marks, sheet.legends().height());
+    least_width = std::max(least_width, 2 * sheet.legends().least_width());
+  }
+  const double below = marks + captions + legends.height();
+  std::optional<double> height;  // of the layouts
+  if (format.height) height = *format.height - below;
+  if (format.height) require_room(format.width, *format.height, {least_width, below}, 1);
+  double scale = std::numeric_limits<double>::infinity();
+  for (const Half& half : halves)
+    scale = std::min(scale, half.sheet(width, height, scale).scale() / half.unit);
+  if (!height)
+    height = std::max(halves[0].sheet(width, {}, scale).layout_height(),
+                      halves[1].sheet(width, {}, scale).layout_height());
+  Drawing drawing{.width = format.width,
+                  .height = format.height ? *format.height : std::round(*height + below),
+                  .paper = options.paper,
+                  .title = "Two layouts of a surface in the plane"};
+  for (std::size_t k = 0; k < halves.size(); ++k) {
+    const Half& half = halves[k];
+    LayoutDrawing parts =
+        draw_layout(half.sheet(width, height, scale), half.colors, CellFill::Colors);
+    drawing.description +=
+        fmt::format("{}{}: {}", k == 0 ? "" : "; ", pair[k].caption, parts.description);
+    const double left = static_cast<double>(k) * width;
+    std::vector<DrawingItem> items;
+    append(items, std::move(parts));
+    for (DrawingItem& item : items) drawing.items.push_back(renamed(moved(item, {left, 0}), k));
+    double foot = *height + marks + kSmallLetters;
+    for (const std::string& line : half.caption) {
+      drawing.items.emplace_back(Label{.at = {left + width / 2, foot},
+                                       .text = line,
+                                       .size = kSmallLetters,
+                                       .anchor = Label::Anchor::Middle});
+      foot += kLineHeight;
+    }
+  }
+  if (colors)
+    drawing.description += fmt::format("; coloured by {}: {}", colors->title, colors->note);
+  for (DrawingItem& item : legends.items(*height + marks + captions, drawing.height))
+    drawing.items.push_back(std::move(item));
+  return text_of(drawing);
 }
 
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options) {
   require_sound(path, map);
   write_file_atomically(path, svg_text(map, options));
+}
+
+void write_svg(const std::string& path, const MapPair& pair, const SvgOptions& options) {
+  write_file_atomically(path, svg_text(pair, options));
 }
 
 }  // namespace majorant

@@ -145,12 +145,20 @@ std::string about_extra(const CLI::App& app, const CLI::App& verb, const std::st
 std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::string> words) {
   const auto first = std::find_if_not(words.begin(), words.end(), is_option);
   const std::vector<std::string> verbs = verbs_of(app);
+  const std::vector<std::string> questions{"--help", "-h", "--version", "-V", "--licenses"};
   if (first == words.end()) {
-    for (const char* question : {"--help", "-h", "--version", "-V", "--licenses"})
+    for (const std::string& question : questions)
       if (contains(words, question)) return words;
     throw Error(ErrorKind::Usage, fmt::format("name a verb: one of {} (see majorant --help)",
                                               fmt::join(verbs, ", ")));
   }
+  const auto verb = std::find_if(words.begin(), words.end(),
+                                 [&](const std::string& word) { return contains(verbs, word); });
+  if (verb != words.end() && is_option(words.front()) && !contains(questions, words.front()))
+    throw Error(ErrorKind::Usage,
+                fmt::format("'{0}' comes after the verb: majorant {1} ... {0} (see majorant {1} "
+                            "--help)",
+                            words.front(), *verb));
   if (contains(verbs, *first)) return words;
   if (*first == "help") {
     const auto topic = std::find_if_not(first + 1, words.end(), is_option);

@@ -207,6 +207,7 @@ struct CompareRequest {
   MapRequest map;
   std::string other;  // a second result, or empty
   std::vector<std::string> outputs, methods, linear_solvers;
+  FormatOptions formats;
   int max_iterations = Contest().max_iterations;
   double tolerance = Contest().tolerance, time_limit = 60;
 };
@@ -497,7 +498,9 @@ int compare(const CompareRequest& request) {
 
 // Throws Error(Usage) for an option that says how a problem is solved.
 void require_no_problem(const CLI::App& verb) {
-  const std::set<std::string> usable{"output", "threads", "quiet", "verbose", "strict", "force"};
+  const std::set<std::string> usable{"output", "threads", "quiet",       "verbose",
+                                     "strict", "force",   "color-range", "color-by",
+                                     "size",   "edges",   "legend",      "transparent"};
   for (const CLI::Option* option : verb.get_options())
     if (option->count() > 0 && !option->get_positional() &&
         usable.count(option->get_single_name()) == 0)
@@ -516,21 +519,31 @@ MapPage page_of(const std::string& path, const MapFile& map) {
   return page;
 }
 
-// compare A.vtu B.vtu -o AB.html.
+// compare A.vtu B.vtu -o AB.html -o AB.svg.
 int compare_results(const CompareRequest& request) {
-  require_some_output(request.outputs, {".html"});
-  require_writable(request.common, {{request.outputs, {".html"}}},
+  const std::vector<std::string> extensions{".html", ".svg"};
+  require_some_output(request.outputs, extensions);
+  require_writable(request.common, {{request.outputs, extensions}},
                    {request.map.input, request.other});
+  request.formats.require_effect(request.outputs);
   const auto read = [&](const std::string& path) {
     return within_memory(path, [&] { return read_map(path, {}, request.common.strictness()); });
   };
   const MapFile map = read(request.map.input);
   MapPage page = page_of(request.map.input, map);
+  page.quantity = request.formats.svg.quantity;
+  page.color_range = request.formats.svg.color_range;
   page.other = std::make_shared<MapPage>(page_of(
       request.other, matched_to(map, request.map.input, read(request.other), request.other)));
   WrittenFiles written;
   for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_page(path, page); });
+    written.write(path, [&] {
+      if (extension(path) == ".html") return write_page(path, page);
+      const auto captioned = [](const MapPage& of) {
+        return CaptionedMap{of.map, of.title, of.points};
+      };
+      write_svg(path, MapPair{captioned(page), captioned(*page.other)}, request.formats.svg);
+    });
   if (!request.common.quiet) written.say_sizes();
   return written.conclude(kSuccess);
 }
@@ -549,7 +562,9 @@ void add_compare(CLI::App& app, Action* run) {
   const CLI::Option* other =
       verb.add_option("other", r.other,
                       "a second result: the first one is a result of the same surface, too, and "
-                      "-o OUT.html shows both with the difference of their densities");
+                      "-o OUT.html shows both with the difference of their densities, -o OUT.svg "
+                      "both layouts, for a figure");
+  r.formats.add_drawing_to(verb);
   begin_group(verb, OptionGroup::Solver);
   verb.add_option("--methods", r.methods, "names, comma separated (all that fit the energy)")
       ->type_name("NAMES")
@@ -561,7 +576,8 @@ void add_compare(CLI::App& app, Action* run) {
       ->type_name("NAMES")
       ->delimiter(',');
   begin_group(verb, OptionGroup::Files);
-  verb.add_option("-o,--output", r.outputs, "output: .csv .html .json, repeatable")
+  verb.add_option("-o,--output", r.outputs,
+                  "output: .csv .html .json, of two results .html .svg, repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   begin_group(verb, OptionGroup::Solver);
@@ -581,6 +597,11 @@ void add_compare(CLI::App& app, Action* run) {
               "Example: majorant compare bunny.obj --degree 2 --methods newton,lbfgs -o c.html");
   verb.callback([request, run, other, &verb] {
     if (other->count() > 0) require_no_problem(verb);
+    if (const std::string option = request->formats.first_given();
+        other->count() == 0 && !option.empty())
+      throw Error(ErrorKind::Usage, fmt::format("{} is of two results side by side; add the second "
+                                                "one, or leave it out",
+                                                option));
     *run = [request] {
       if (!request->other.empty()) return compare_results(*request);
       request->map.choose_degree({});

@@ -28,8 +28,9 @@ std::string excess_text(double energy, double best) {
 }
 
 ComparisonRow row_of(const MethodRun& run, double best) {
-  ComparisonRow row{run.method, run.status, run.message, kNothing, kNothing,
-                    kNothing,   kNothing,   kNothing,    {},       {}};
+  const std::string more = run.message == run.status ? "" : run.message;
+  ComparisonRow row{run.method, run.status, more,     kNothing, kNothing,
+                    kNothing,   kNothing,   kNothing, {},       {}};
   if (!run.points.empty()) {
     const ComparisonPoint& last = run.points.back();
     row.iterations = fmt::format("{}", last.iteration);

@@ -14,7 +14,7 @@ constexpr std::array<double, 2> kComparisonFractions = {1e-2, 1e-4};
 
 // The columns of a row; "-" stands for what does not exist or was never reached.
 struct ComparisonRow {
-  std::string method, status, message;
+  std::string method, status, message;               // message: empty where it is the status again
   std::string iterations, seconds, energy, min_det;  // of the last point
   std::string excess;                                // of the last energy, "1.3 %"
   std::array<std::string, kComparisonFractions.size()> iterations_to, seconds_to;

@@ -1,6 +1,7 @@
 #include "majorant/pictures/internal/drawing.h"
 
 #include <array>
+#include <utility>
 
 namespace majorant {
 
@@ -44,6 +45,40 @@ Path rectangle(const Vector2& corner, const Vector2& size) {
   path.line({corner.x(), corner.y() + size.y()});
   path.close();
   return path;
+}
+
+namespace {
+
+struct Mover {
+  Vector2 by;
+
+  Path moved(Path path) const {
+    for (Vector2& p : path.points) p += by;
+    return path;
+  }
+  DrawingItem operator()(Shape shape) const {
+    shape.path = moved(std::move(shape.path));
+    return shape;
+  }
+  DrawingItem operator()(Circle circle) const {
+    circle.center += by;
+    return circle;
+  }
+  DrawingItem operator()(Label label) const {
+    label.at += by;
+    return label;
+  }
+  DrawingItem operator()(Clipped clipped) const {
+    clipped.clip = moved(std::move(clipped.clip));
+    for (Shape& shape : clipped.shapes) shape.path = moved(std::move(shape.path));
+    return clipped;
+  }
+};
+
+}  // namespace
+
+DrawingItem moved(const DrawingItem& item, const Vector2& by) {
+  return std::visit(Mover{by}, item);
 }
 
 }  // namespace majorant

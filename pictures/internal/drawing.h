@@ -81,6 +81,7 @@ struct Clipped {
 };
 
 using DrawingItem = std::variant<Shape, Circle, Label, Clipped>;
+DrawingItem moved(const DrawingItem& item, const Vector2& by);
 
 struct Drawing {
   double width = 0, height = 0;

@@ -26,24 +26,14 @@ namespace {
 constexpr double kTallest = 4000;
 constexpr int kPiecesPerEdge = 4;  // Hermite cubics of degrees above 3
 
-// The legend of colours.
-constexpr double kBarLeft = 26;
-constexpr double kBarHeight = 20;
-constexpr double kPoint = 14;                        // of an end that values are beyond
-constexpr double kLetters = 24, kSmallLetters = 20;  // to be read at a quarter of the size
-constexpr int kSteps = 72;
-
 // Marks.
 constexpr double kMostLines = 4000;  // of grids, in each direction; nothing could be seen of more
-constexpr double kGridLines = 32;    // along the larger side, unless said otherwise
 constexpr double kSquareWidth = 1.2, kOutlineWidth = 1.5, kSeamWidth = 2.5, kTargetWidth = 1.8;
 constexpr double kConeRadius = 5, kHeldRadius = 5, kTargetRadius = 8, kMeetingRadius = 10;
 constexpr double kNameShare = 0.3;  // of the side of a square as large as the chart
 constexpr double kSmallestName = 8, kLargestName = 22;
-constexpr double kTint = 0.25;   // how much of a chart's colour its cells have
-constexpr double kColumn = 245;  // of the legend of marks
-constexpr int kAllColumns = 1000;
-constexpr Color kInk{51, 51, 51}, kWhite{255, 255, 255}, kGrey{221, 221, 221};
+constexpr double kTint = 0.25;  // how much of a chart's colour its cells have
+constexpr Color kWhite{255, 255, 255}, kGrey{221, 221, 221};
 constexpr Color kPinColor{28, 31, 36}, kHandleColor{213, 94, 0};
 constexpr Color kMeetingColor{230, 0, 122}, kSquareColor{120, 120, 120};
 constexpr Color kScaffoldFill{246, 246, 246}, kScaffoldEdge{208, 208, 208};
@@ -377,31 +367,17 @@ void add_meeting(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
                               .stroke = Stroke{kMeetingColor, kSeamWidth}});
 }
 
-// An entry of the legend of marks: what is drawn around a place, and what it is.
-struct Entry {
-  std::vector<DrawingItem> sign;
-  std::string text;
-  int columns = 1;
-};
-
 constexpr double kHalfSign = 7;
 
-// What legends of colours name are numbers of the others.
-Entry turned_over_entry(std::size_t count, LegendOf above) {
-  const bool has_numbers = above == LegendOf::Colors;
-  return {{Shape{.path = rectangle({-kHalfSign, -kHalfSign}, {2 * kHalfSign, 2 * kHalfSign}),
-                 .fill = kFlippedColor}},
-          turned_over_words(count) + (has_numbers ? ", not counted in the numbers above" : ""),
-          has_numbers ? 3 : 1};
-}
-
 // Signs, each with its middle in the origin.
-std::vector<Entry> legend_entries(const MapFile& map, const LayoutMarks& marks, double spacing,
-                                  LegendOf above) {
+std::vector<LegendMark> legend_marks(const LayoutSheet& sheet) {
+  const MapFile& map = sheet.map();
+  const LayoutMarks& marks = sheet.marks();
+  const double spacing = sheet.grid_spacing();
   const auto line = [&](const Color& color) {
     return std::vector<DrawingItem>{segment({-kHalfSign, 0}, {kHalfSign, 0}, {color, kSeamWidth})};
   };
-  std::vector<Entry> entries;
+  std::vector<LegendMark> entries;
   const auto [positive, negative] = count_cones(map);
   for (const auto& [count, turns, text] :
        {std::tuple{positive, 3, "index > 0"}, std::tuple{negative, 5, "index < 0"}})
@@ -424,86 +400,28 @@ std::vector<Entry> legend_entries(const MapFile& map, const LayoutMarks& marks, 
                                            hold == PagePoint::Hold::Handle ? ", targets" : "")});
   }
   if (marks.scaffold)
-    entries.push_back({{Shape{.path = rectangle({-kHalfSign, -kHalfSign}, {14, 14}),
-                              .fill = kScaffoldFill,
-                              .stroke = Stroke{kScaffoldEdge, 1}}},
-                       "space around"});
+    entries.push_back(
+        {{Shape{.path = rectangle({-kHalfSign, -kHalfSign}, {2 * kHalfSign, 2 * kHalfSign}),
+                .fill = kScaffoldFill,
+                .stroke = Stroke{kScaffoldEdge, 1}}},
+         "space around"});
   if (!marks.turned_over.empty())
-    entries.push_back(turned_over_entry(marks.turned_over.size(), above));
+    entries.push_back(turned_over_mark(
+        marks.turned_over.size(), sheet.colors() ? LegendAbove::Colors : LegendAbove::Nothing));
   if (!marks.meeting.words.empty())
     entries.push_back({{Circle{.center = {0, 0},
                                .radius = kMeetingRadius,
                                .stroke = Stroke{kMeetingColor, kSeamWidth}}},
-                       marks.meeting.words,
-                       kAllColumns});
+                       marks.meeting.words});
   return entries;
 }
 
-// Row and column of each entry on a drawing of this width, and the number of rows.
-std::pair<std::vector<std::pair<int, int>>, int> legend_places(const std::vector<Entry>& entries,
-                                                               double width) {
-  const int columns = static_cast<int>((width - LayoutSheet::kMargin) / kColumn);
-  std::vector<std::pair<int, int>> places;
-  int row = 0, column = 0;
-  for (const Entry& entry : entries) {
-    if (column > 0 && column + entry.columns > columns) ++row, column = 0;
-    places.emplace_back(row, column);
-    column += entry.columns;
-  }
-  return {places, entries.empty() ? 0 : row + 1};
-}
-
-struct Moved {
-  Vector2 by;
-
-  Path moved(Path path) const {
-    for (Vector2& p : path.points) p += by;
-    return path;
-  }
-  DrawingItem operator()(Shape shape) const {
-    shape.path = moved(std::move(shape.path));
-    return shape;
-  }
-  DrawingItem operator()(Circle circle) const {
-    circle.center += by;
-    return circle;
-  }
-  DrawingItem operator()(Label label) const {
-    label.at += by;
-    return label;
-  }
-  DrawingItem operator()(Clipped clipped) const {
-    clipped.clip = moved(std::move(clipped.clip));
-    for (Shape& shape : clipped.shapes) shape.path = moved(std::move(shape.path));
-    return clipped;
-  }
-};
-
-// From this height on.
-void add_marks_legend(const std::vector<Entry>& entries, double top, double width,
-                      std::vector<DrawingItem>& items) {
-  constexpr double kSign = 10, kText = 28, kFoot = 7;
-  const auto places = legend_places(entries, width).first;
-  for (std::size_t k = 0; k < entries.size(); ++k) {
-    const Vector2 at(LayoutSheet::kMargin + places[k].second * kColumn,
-                     top + (places[k].first + 0.5) * LayoutSheet::kRowHeight);
-    for (const DrawingItem& item : entries[k].sign)
-      items.push_back(std::visit(Moved{at + Vector2(kSign, 0)}, item));
-    items.emplace_back(
-        Label{.at = at + Vector2(kText, kFoot), .text = entries[k].text, .size = kSmallLetters});
-  }
-}
-
-std::vector<Entry> entries_of(const LayoutSheet& sheet) {
-  return legend_entries(sheet.map(), sheet.marks(), sheet.grid_spacing(), sheet.legend());
-}
-
-std::string description_of(const LayoutSheet& sheet, const std::optional<Legend>& legend) {
+std::string description_of(const LayoutSheet& sheet) {
   const MapFile& map = sheet.map();
   std::string text = fmt::format("{} triangles of degree {}", map.cells.rows(), map.degree);
-  if (legend)
-    text += fmt::format(", coloured by {}: {}", legend->title, fmt::join(legend->notes, " "));
-  for (const Entry& entry : entries_of(sheet)) text += "; " + entry.text;
+  if (const std::optional<Legend>& legend = sheet.colors())
+    text += fmt::format(", coloured by {}: {}", legend->title, legend->note);
+  for (const LegendMark& mark : legend_marks(sheet)) text += "; " + mark.text;
   return text;
 }
 
@@ -554,8 +472,16 @@ LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
   return marks;
 }
 
+double round_spacing(double least) {
+  if (!(least > 0)) return 0;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double digit : {1.0, 2.0, 5.0})
+    if (digit * power >= least) return digit * power;
+  return 10 * power;
+}
+
 LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, const Format& format)
-    : map_(map), marks_(marks), legend_(format.legend), width_(format.width) {
+    : map_(map), marks_(marks), width_(format.width) {
   low_ = map.uv.colwise().minCoeff().transpose();
   high_ = map.uv.colwise().maxCoeff().transpose();
   for (const Vector2& corner : marks.unit_square) {
@@ -566,7 +492,7 @@ LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, const For
     low_ = low_.cwiseMin(point.target);
     high_ = high_.cwiseMax(point.target);
   }
-  if (marks.grid) grid_spacing_ = *marks.grid != 0 ? *marks.grid : half_size() / (kGridLines / 2);
+  if (marks.grid) grid_spacing_ = *marks.grid != 0 ? *marks.grid : round_spacing(half_size() / 20);
   if (grid_spacing_ != 0) {
     const auto [first, last] = grid_range(*this);
     if (!(grid_spacing_ > 0) || !((last - first).maxCoeff() <= kMostLines))
@@ -575,19 +501,20 @@ LayoutSheet::LayoutSheet(const MapFile& map, const LayoutMarks& marks, const For
                               "take a spacing between them",
                               grid_spacing_, 2 * half_size()));
   }
-  marks_height_ =
-      kRowHeight * legend_places(legend_entries(map, marks, grid_spacing_, legend_), width_).second;
-  const double colors = kColorsHeight + kNoteHeight * (static_cast<double>(format.notes) - 1);
-  const double legends = marks_height_ + (legend_ == LegendOf::Colors ? colors : 0);
+  colors_ = format.colors;
+  if (marks.legends == Legends::Drawn)
+    legends_ = DrawnLegends(colors_, legend_marks(*this), width_);
+  const double legends = legends_.height();
   const std::optional<double>& height = format.height;
   // Halves: the extent of two finite numbers may overflow.
   const Vector2 extent = (0.5 * high_ - 0.5 * low_).cwiseMax(1e-300);
   const double tallest = height ? std::max(*height - legends - 2 * kMargin, kMargin) : kTallest;
   scale_ = std::min(std::max(width_ - 2 * kMargin, kMargin) / extent[0], tallest / extent[1]);
+  if (format.scale) scale_ = std::min(scale_, 2 * *format.scale);
   layout_height_ = height ? *height - legends : scale_ * extent[1] + 2 * kMargin;
   height_ = height ? *height : std::round(layout_height_ + legends);
   corner_ = {kMargin, kMargin};
-  if (height) corner_ = 0.5 * (Vector2(width_, layout_height_) - scale_ * extent);
+  if (height || format.scale) corner_ = 0.5 * (Vector2(width_, layout_height_) - scale_ * extent);
   for (int edge = 0; edge < 3; ++edge) edges_[to_size(edge)] = bezier_edge_points(map.degree, edge);
 }
 
@@ -618,95 +545,8 @@ void LayoutSheet::add_cell(Path& path, const MapFile& map, Index cell) const {
   path.close();
 }
 
-Legend wrapped(const Legend& legend, double width) {
-  constexpr double kWidest = 1.15;  // letters of readers are up to as much wider than ours
-  constexpr std::string_view kBetween = "; ";
-  Legend broken = legend;
-  broken.notes.clear();
-  for (std::string_view rest : legend.notes)
-    while (!rest.empty()) {
-      const std::string_view part = rest.substr(0, rest.find(kBetween));
-      const bool has_more = part.size() < rest.size();
-      const std::string piece = std::string(part) + (has_more ? ";" : "");
-      rest.remove_prefix(part.size() + (has_more ? kBetween.size() : 0));
-      const std::string joined = broken.notes.empty() ? piece : broken.notes.back() + " " + piece;
-      const bool fits =
-          kWidest * kSmallLetters * text_width(joined) <= width - 2 * LayoutSheet::kMargin;
-      if (fits && !broken.notes.empty())
-        broken.notes.back() = joined;
-      else
-        broken.notes.push_back(piece);
-    }
-  return broken;
-}
-
-namespace {
-
-// Those whose labels have room beside each other on a bar of this width; both ends have.
-std::vector<ColorScale::Tick> ticks_with_room(const ColorScale& scale, double width) {
-  constexpr double kSpace = 0.4 * kLetters;
-  const std::vector<ColorScale::Tick> all = scale.ticks();
-  const auto half = [](const ColorScale::Tick& t) { return 0.5 * kLetters * text_width(t.label); };
-  const auto have_room = [&](const ColorScale::Tick& a, const ColorScale::Tick& b) {
-    return width * (b.position - a.position) >= half(a) + half(b) + kSpace;
-  };
-  std::vector<ColorScale::Tick> shown;
-  for (const ColorScale::Tick& tick : all) {
-    const bool is_end = &tick == &all.front() || &tick == &all.back();
-    if (is_end || (have_room(shown.back(), tick) && have_room(tick, all.back())))
-      shown.push_back(tick);
-  }
-  return shown;
-}
-
-}  // namespace
-
-std::vector<DrawingItem> color_legend(const Legend& legend, double top, double width) {
-  const double y = top + 12 + kLetters, below = y + kBarHeight;
-  const double bar = std::max(width - 2 * kBarLeft, kBarLeft);
-  std::vector<DrawingItem> items;
-  items.emplace_back(
-      Label{.at = {LayoutSheet::kMargin, y - 12}, .text = legend.title, .size = kLetters});
-  for (int k = 0; k < kSteps; ++k) {  // each to the end of the bar: no hairlines between them
-    const double from = k * bar / kSteps;
-    items.emplace_back(Shape{.path = rectangle({kBarLeft + from, y}, {bar - from, kBarHeight}),
-                             .fill = legend.scale.color_at((k + 0.5) / kSteps)});
-  }
-  const auto add_end = [&](double x, double way, const Color& color) {
-    Shape end{.fill = color};
-    end.path.move({x, y});
-    end.path.line({x + way * kPoint, y + kBarHeight / 2});
-    end.path.line({x, y + kBarHeight});
-    end.path.close();
-    items.emplace_back(std::move(end));
-  };
-  if (legend.goes_below) add_end(kBarLeft, -1, legend.scale.colors().front());
-  if (legend.goes_above) add_end(kBarLeft + bar, 1, legend.scale.colors().back());
-  for (const ColorScale::Tick& tick : ticks_with_room(legend.scale, bar)) {
-    const double x = kBarLeft + tick.position * bar;
-    items.emplace_back(Shape{.path = rectangle({x - 1, below}, {2, 5}), .fill = kInk});
-    items.emplace_back(Label{.at = {x, below + 5 + kLetters},
-                             .text = tick.label,
-                             .size = kLetters,
-                             .anchor = Label::Anchor::Middle});
-  }
-  double foot = below + 16 + kLetters + kSmallLetters;
-  for (const std::string& note : legend.notes) {
-    items.emplace_back(
-        Label{.at = {LayoutSheet::kMargin, foot}, .text = note, .size = kSmallLetters});
-    foot += LayoutSheet::kNoteHeight;
-  }
-  return items;
-}
-
-std::vector<DrawingItem> turned_over_legend(std::size_t count, LegendOf above, double top) {
-  std::vector<DrawingItem> items;
-  add_marks_legend({turned_over_entry(count, above)}, top, LayoutSheet::kWidth, items);
-  return items;
-}
-
-LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<Legend>& legend,
-                          const std::optional<CellColors>& colors, CellFill fill) {
+LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<CellColors>& colors,
+                          CellFill fill) {
   LayoutDrawing drawing;
   drawing.behind = draw_scaffold(sheet);
   add_unit_square(sheet, drawing.behind);
@@ -721,11 +561,9 @@ LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<Legend>&
   add_points(sheet, drawing.over);
   add_meeting(sheet, drawing.over);
   add_chart_names(sheet, drawing.over);
-  if (legend)
-    for (DrawingItem& item : color_legend(*legend, sheet.layout_height(), sheet.width()))
-      drawing.over.push_back(std::move(item));
-  add_marks_legend(entries_of(sheet), sheet.marks_top(), sheet.width(), drawing.over);
-  drawing.description = description_of(sheet, legend);
+  for (DrawingItem& item : sheet.legends().items(sheet.layout_height(), sheet.height()))
+    drawing.over.push_back(std::move(item));
+  drawing.description = description_of(sheet);
   return drawing;
 }
 

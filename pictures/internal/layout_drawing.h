@@ -1,8 +1,8 @@
 // The layout of a map as a drawing, with its legends.
 //
-//  const LayoutSheet sheet(map, marks, {.legend = LegendOf::Colors});
+//  const LayoutSheet sheet(map, marks, {.colors = legend});
 //  sheet.place(uv);                                     // in units of the drawing
-//  const LayoutDrawing drawing = draw_layout(sheet, legend, &colors);
+//  const LayoutDrawing drawing = draw_layout(sheet, colors, CellFill::Colors);
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 #include "majorant/parametrization/maps/map_file.h"
 #include "majorant/pictures/internal/drawing.h"
 #include "majorant/pictures/internal/legend.h"
+#include "majorant/pictures/internal/legend_drawing.h"
 #include "majorant/pictures/pictures.h"
 
 namespace majorant {
@@ -36,6 +37,7 @@ struct LayoutMarks {
   std::vector<PagePoint> points = {};
   LayoutMeeting meeting = {};
   CellEdges edges = CellEdges::Drawn;
+  Legends legends = Legends::Drawn;
   std::vector<Index> turned_over = {};  // cells, rising: kFlippedColor, over all others
 };
 
@@ -45,11 +47,8 @@ LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
                      const std::optional<double>& grid, const std::optional<MapFile>& scaffold,
                      const std::vector<PagePoint>& points);
 
-enum class LegendOf { Nothing, Colors };
-
-// The lines of a legend of colours broken where there is not room for them on a drawing of this
-// width.
-Legend wrapped(const Legend& legend, double width);
+// 1, 2 or 5 times a power of ten, at least `least`; 0 where that is not positive.
+double round_spacing(double least);
 
 inline constexpr Color kGridColor{20, 50, 122};
 
@@ -57,15 +56,13 @@ inline constexpr Color kGridColor{20, 50, 122};
 class LayoutSheet {
  public:
   static constexpr double kWidth = 1000;
-  static constexpr double kMargin = 10;
-  // What the legend of colours takes, and a row of that of marks.
-  static constexpr double kColorsHeight = 130, kNoteHeight = 26, kRowHeight = 40;
+  static constexpr double kMargin = kDrawingMargin;
 
   struct Format {
-    LegendOf legend = LegendOf::Nothing;
+    std::optional<Legend> colors = {};  // what cells are coloured by
     double width = kWidth;
     std::optional<double> height = {};  // none: what it needs
-    std::size_t notes = 1;              // lines of the legend of colours
+    std::optional<double> scale = {};   // scale(), at most what fits; none: that
   };
 
   // Map and marks must outlive it. Throws Error(Usage) for a grid that cannot be drawn.
@@ -76,8 +73,9 @@ class LayoutSheet {
   double width() const { return width_; }
   double height() const { return height_; }
   double layout_height() const { return layout_height_; }  // with margins
-  double marks_top() const { return height_ - marks_height_; }
-  LegendOf legend() const { return legend_; }
+  const std::optional<Legend>& colors() const { return colors_; }
+  const DrawnLegends& legends() const { return legends_; }
+  LegendRoom legend_room() const { return {legends_.least_width(), legends_.height()}; }
   // Corners of the box around the layout and the targets of points, and half its larger side: the
   // extent of two finite numbers may overflow.
   const Vector2& low() const { return low_; }
@@ -102,10 +100,11 @@ class LayoutSheet {
  private:
   const MapFile& map_;
   const LayoutMarks& marks_;
-  LegendOf legend_;
+  std::optional<Legend> colors_;
+  DrawnLegends legends_{{}, {}, kWidth};
   Vector2 low_, high_, corner_;  // corner_: where the box is placed
   double scale_ = 1;             // units of the drawing a half unit of uv
-  double width_ = kWidth, height_ = 0, layout_height_ = 0, marks_height_ = 0, grid_spacing_ = 0;
+  double width_ = kWidth, height_ = 0, layout_height_ = 0, grid_spacing_ = 0;
   std::array<std::vector<int>, 3> edges_;  // local control points
 };
 
@@ -124,14 +123,8 @@ CellColors plain_colors(const MapFile& map);
 // What fills cells in a drawing: their colours, or nothing, where pixels lie below their edges.
 enum class CellFill { Colors, Nothing };
 
-LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<Legend>& legend,
-                          const std::optional<CellColors>& colors, CellFill fill);
-
-// The legend of colours from this height on: title, bar, ticks, notes.
-std::vector<DrawingItem> color_legend(const Legend& legend, double top,
-                                      double width = LayoutSheet::kWidth);
-// A row of the legend of marks from this height on: so many cells are turned over.
-std::vector<DrawingItem> turned_over_legend(std::size_t count, LegendOf above, double top);
+LayoutDrawing draw_layout(const LayoutSheet& sheet, const std::optional<CellColors>& colors,
+                          CellFill fill);
 
 }  // namespace majorant
 

@@ -35,9 +35,10 @@ std::string how_sampled(int degree) {
 }
 
 // None where no face counts.
-std::optional<Extremes> extremes_of(const MapFile& map, Quantity quantity) {
+std::optional<Extremes> extremes_of(const MapFile& map, Quantity quantity,
+                                    const ClaimedEnergy& energy) {
   const BezierImage image(map, layout_scale(map));
-  const DensityProbe probe(quantity == Quantity::Density ? claimed_energy(map).sum : EnergySum());
+  const DensityProbe probe(quantity == Quantity::Density ? energy.sum : EnergySum());
   const std::vector<Barycentric> points = extreme_samples(map.degree);
   const auto faces = static_cast<Index>(map.cells.rows());
   std::vector<Extremes> blocks(to_size(faces / kBlock + 1));
@@ -64,9 +65,9 @@ std::optional<Extremes> extremes_of(const MapFile& map, Quantity quantity) {
 
 }  // namespace
 
-ColorScale picture_scale(const MapFile& map, Quantity quantity,
+ColorScale picture_scale(const ClaimedEnergy& energy, Quantity quantity,
                          const std::optional<ColorRange>& range) {
-  const ColorScale fixed = color_scale(quantity, claimed_energy(map).sum);
+  const ColorScale fixed = color_scale(quantity, energy.sum);
   if (!range) return fixed;
   try {
     return fixed.with_range(range->low, range->high);
@@ -88,23 +89,44 @@ void ValueSummary::add(const ValueSummary& other) {
   above += other.above;
 }
 
-Legend make_legend(const MapFile& map, Quantity quantity, const ColorScale& scale,
-                   const ValueSummary& values, const std::string& parts) {
-  Legend legend{scale, scale.label(), {}, values.below > 0, values.above > 0};
-  if (const std::string energy = claimed_energy(map).name; quantity == Quantity::Density)
-    legend.title = fmt::format("{} density", energy);
-  legend.title += fmt::format(", degree {}", map.degree);
-  std::string note = fmt::format("isometry {:.4g}", scale.neutral());
-  const std::optional<Extremes> e = extremes_of(map, quantity);
-  if (e && std::isfinite(e->smallest) && std::isfinite(e->largest))  // else the uv overflow
-    note += fmt::format("; smallest {:.4g}, largest {:.4g}{}", e->smallest, e->largest,
-                        how_sampled(map.degree));
+std::string extremes_clause(const MapFile& map, Quantity quantity, const ClaimedEnergy& energy) {
+  const std::optional<Extremes> e = extremes_of(map, quantity, energy);
+  const bool is_finite = e && std::isfinite(e->smallest) && std::isfinite(e->largest);
+  if (!is_finite) return {};  // no face counts, or the uv overflow
+  return fmt::format("; smallest {:.4g}, largest {:.4g}{}", e->smallest, e->largest,
+                     how_sampled(map.degree));
+}
+
+std::string beyond_clauses(const ColorScale& scale, const ValueSummary& values,
+                           const std::string& parts) {
+  std::string text;
   for (const auto& [count, where, end] :
        {std::tuple{values.below, "below", scale.low()}, {values.above, "above", scale.high()}})
     if (count > 0)
-      note += fmt::format("; {} of {} {} {} {:.4g}", count, values.count, parts, where, end);
-  legend.notes = {note};
+      text += fmt::format("; {} of {} {} {} {:.4g}", count, values.count, parts, where, end);
+  return text;
+}
+
+Legend scale_legend(Quantity quantity, const ColorScale& scale, const ClaimedEnergy& energy) {
+  Legend legend{scale, scale.label(), fmt::format("isometry {:.4g}", scale.neutral())};
+  if (quantity == Quantity::Density) legend.title = fmt::format("{} density", energy.name);
   return legend;
+}
+
+Legend make_legend(const MapFile& map, Quantity quantity, const ColorScale& scale) {
+  const ClaimedEnergy energy = claimed_energy(map);
+  Legend legend = scale_legend(quantity, scale, energy);
+  legend.title += fmt::format(", degree {}", map.degree);
+  legend.note += extremes_clause(map, quantity, energy);
+  return legend;
+}
+
+Legend with_values(const Legend& legend, const ValueSummary& values, const std::string& parts) {
+  Legend said = legend;
+  said.goes_below = values.below > 0;
+  said.goes_above = values.above > 0;
+  said.note += beyond_clauses(legend.scale, values, parts);
+  return said;
 }
 
 }  // namespace majorant

@@ -246,7 +246,7 @@ class Map:
         return _core.svg_text(self._file, choice('quantity', quantity, QUANTITIES))
 
     def plot(self, ax: Any = None, values: ArrayLike | None = None, *, cmap: Any = None, vmin: float | None = None,
-             vmax: float | None = None, linewidth: float = 0.3, edges: bool = True, align: bool = False) -> Any:
+             vmax: float | None = None, linewidth: float | None = None, edges: bool = True, align: bool = False) -> Any:
         """The layout in matplotlib: curved faces, the boundary in black, seams in red. Returns the axes.
 
             ax = r.plot(plt.subplot(), r.distortion)
@@ -256,8 +256,8 @@ class Map:
         where there are several, else `distortion`. Curves are drawn of short straight pieces.
         cmap, vmin, vmax: as of matplotlib. None: `distortion` has the colours of svg() and all pictures of
         this program, from vmin to vmax where these are given; other values have 'viridis' and their own range.
-        linewidth: of edges, points; those of the boundary and of seams are at least 1. edges: whether edges
-        inside are drawn. align: turns the layout until its longer side lies, as pictures of free ones are.
+        linewidth: of all lines, points; None: 0.3 of edges, 1 of the boundary and of seams. edges: whether
+        edges inside are drawn. align: turns the layout until its longer side lies, as pictures of free ones are.
         Faces that are turned over are magenta, over all others, and have a label for legends.
         """
         from ._plots import plot

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 # Straight pieces of a curved edge: those of degree 8 still look smooth on a page.
 _PIECES = 12
+_EDGES, _OUTLINE = 0.3, 1.0  # widths of lines, points
 _CHART_COLORS = 'Set3'
 _TURNED_OVER = '#d600be'  # kFlippedColor of pictures/color_scale.h
 
@@ -39,6 +40,25 @@ def outer_edges(map: 'Map') -> tuple[np.ndarray, np.ndarray]:
     return is_boundary, is_outer & ~is_boundary
 
 
+def joined(curves: Doubles, ends: np.ndarray) -> list[Doubles]:
+    """Curves that follow each other as one, open ones first: (#E, #, 2), from and to points ends, (#E, 2)."""
+    leaving: dict[int, list[int]] = {}
+    for edge, (start, _) in enumerate(ends.tolist()):
+        leaving.setdefault(start, []).append(edge)
+    arrived = set(ends[:, 1].tolist())
+    paths: list[Doubles] = []
+    for first in sorted(leaving, key=lambda start: start in arrived):
+        while leaving[first]:
+            parts: list[Doubles] = []
+            at = first
+            while leaving.get(at):
+                edge = leaving[at].pop()
+                parts.append(curves[edge] if not parts else curves[edge][1:])
+                at = int(ends[edge, 1])
+            paths.append(np.concatenate(parts))
+    return paths
+
+
 def density_norm(scale: Any, low: float, high: float) -> Any:
     """Positions on a scale of densities (pictures/color_scale.h), from 0 at low to 1 at high."""
     from matplotlib.colors import FuncNorm
@@ -59,7 +79,7 @@ def _turned(curves: Doubles, direction: tuple[float, float]) -> Doubles:
     return curves @ np.array([[c, -s], [s, c]])
 
 
-def plot(map: 'Map', ax: Any, values: Any, cmap: Any, vmin: float | None, vmax: float | None, linewidth: float,
+def plot(map: 'Map', ax: Any, values: Any, cmap: Any, vmin: float | None, vmax: float | None, linewidth: float | None,
          edges: bool, align: bool) -> Any:
     try:
         import matplotlib.pyplot as plt
@@ -73,7 +93,7 @@ def plot(map: 'Map', ax: Any, values: Any, cmap: Any, vmin: float | None, vmax: 
         curves = _turned(curves, _core.layout_direction(map._file))
     outlines = curves[:, :, :-1].reshape(len(curves), -1, 2)
     # Without edges, those of a face's own colour close the gaps between faces.
-    look = {'edgecolors': '0.35' if edges else 'face', 'linewidths': linewidth}
+    look = {'edgecolors': '0.35' if edges else 'face', 'linewidths': _EDGES if linewidth is None else linewidth}
     faces = PolyCollection(outlines, **look)
     over = _core.turned_over_cells(map._file)
     if values is None and map.charts.any():
@@ -98,10 +118,12 @@ def plot(map: 'Map', ax: Any, values: Any, cmap: Any, vmin: float | None, vmax: 
     if len(over):
         label = f'{len(over)} triangle{"" if len(over) == 1 else "s"} turned over'
         ax.add_collection(PolyCollection(outlines[over], facecolors=_TURNED_OVER, label=label, **look))
+    ends = np.stack([map.cells[:, :3], np.roll(map.cells[:, :3], -1, axis=1)], axis=-1)
     for label, chosen, color in zip(('boundary', 'seams'), outer_edges(map), ('black', 'tab:red')):
         if chosen.any():
-            ax.add_collection(LineCollection(list(curves[chosen]), colors=color, linewidths=max(1, linewidth),
-                                             label=label))
+            ax.add_collection(LineCollection(joined(curves[chosen], ends[chosen]), colors=color,
+                                             linewidths=_OUTLINE if linewidth is None else linewidth,
+                                             capstyle='round', joinstyle='round', label=label))
     ax.set_aspect('equal')
     ax.autoscale_view()
     return ax

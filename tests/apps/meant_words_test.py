@@ -19,6 +19,9 @@ class MeantWords(CommandTest):
         self.assertRegex(self.said('frobnicate', 'x'), 'use one of parametrize, unwrap, seamless, .*info')
         self.assertRegex(self.said('flatten', 'x.obj'), "no verb is called 'flatten'")
         self.assertRegex(self.said('--quiet'), 'name a verb: one of parametrize, ')
+        for option in (['-q'], ['--quiet'], ['--threads', '2'], ['-o', 'x.obj']):
+            self.assertIn("'%s' comes after the verb: majorant unwrap ... %s (see majorant unwrap --help)"
+                          % (option[0], option[0]), self.said(*option, 'unwrap', 'x.obj'))
 
     def test_options(self):
         mesh = generated('cap')

@@ -38,6 +38,7 @@ CASES = {
     '--msh': (['--msh', 'surface'], ['.vtu'], 'add -o OUT.msh'),
     '--grid': (['--grid', '0.1'], ['.vtu', '.html'], 'add -o OUT.svg'),
     '--edges': (['--edges', 'no'], ['.vtu', '.html'], 'add -o OUT.svg'),
+    '--legend': (['--legend', 'no'], ['.vtu', '.html'], 'add -o OUT.svg'),
     '--color-range': (['--color-range', '4,5'], ['.vtu'], 'add -o OUT.svg'),
     '--color-by': (['--color-by', 'area'], ['.vtu'], 'add -o OUT.svg'),
     '--transparent': (['--transparent'], ['.vtu', '.html'], 'add -o OUT.svg'),

@@ -373,6 +373,44 @@ TEST(WritePng, LettersGrowWithTheSize) {
   EXPECT_LT(difference / (60 * 500), 4);
 }
 
+// Lines of legends are broken where they are wider than the picture, which has the room for them.
+TEST(WritePng, LegendsStayInThePicture) {
+  MapFile map = square_map();
+  map.uv(3, 1) = 0.56;  // densities 8.5 and 7.8
+  PngOptions options;
+  options.color_range = ColorRange{8, 8.2};
+  options.quantity = Quantity::Density;
+  for (const bool surface : {false, true}) {
+    if (surface) options.view = Vector3(0, 0, 1);
+    const PixelImage image = picture_of(map, options);
+    const auto inked = [&](int first, int last) {
+      std::vector<int> rows;
+      for (int y = 500; y < 800; ++y)
+        for (int x = first; x < last; ++x)
+          if (image.at(x, y).green < 128) {
+            rows.push_back(y);
+            break;
+          }
+      return rows;
+    };
+    EXPECT_TRUE(inked(980, 1000).empty()) << surface;
+    // Two lines of the note below the labels of the bar, whole.
+    const std::vector<int> note = inked(10, 300);
+    EXPECT_LT(note.back(), 797) << surface;
+    int lines = 0;
+    for (std::size_t k = 1; k < note.size(); ++k) lines += note[k] > note[k - 1] + 1 ? 1 : 0;
+    EXPECT_GE(lines, 4) << surface;
+    options.height = 100;
+    expect_contains(error_message(ErrorKind::Usage, [&] { picture_of(map, options); }),
+                    {"a sheet 100 px high: its legends are ", "or leave the legends out"});
+    options.legends = Legends::Left;
+    const PixelImage bare = picture_of(map, options);
+    EXPECT_EQ(bare.height, 100);
+    options.legends = Legends::Drawn;
+    options.height = 800;
+  }
+}
+
 TEST(WritePng, TransparentOnesHaveNoPaper) {
   const TemporaryFolder folder;
   PngOptions options;

@@ -9,6 +9,7 @@
 #include "majorant/io/xml_tree.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/pictures/color_scale.h"
+#include "majorant/pictures/internal/letters.h"
 #include "majorant/pictures/pictures.h"
 
 namespace majorant {
@@ -418,7 +419,7 @@ TEST(WriteSvg, SheetsOfAnySize) {
     EXPECT_LT(std::stod(path.substr(1)), width);
     EXPECT_EQ(parse_xml("a.svg", text).name, "svg");
   }
-  EXPECT_LT(count(drawing_of(map, {.size = SheetSize{150, 600}}), "text-anchor"),
+  EXPECT_LT(count(drawing_of(map, {.size = SheetSize{250, 600}}), "text-anchor"),
             count(drawing_of(map), "text-anchor"));  // ticks without room
   expect_contains(error_message(ErrorKind::Usage,
                                 [&] {
@@ -429,7 +430,82 @@ TEST(WriteSvg, SheetsOfAnySize) {
                                 [&] {
                                   drawing_of(map, {.size = SheetSize{700, 100}});
                                 }),
-                  {"a sheet 100 px high: its legends are 156 px high; take one of 196 or more"});
+                  {"a sheet 100 px high: its legends are 156 px high; take one of 196 or more, or "
+                   "leave the legends out"});
+}
+
+// A line of text on a sheet, and where it may reach in letters of readers.
+struct WrittenLine {
+  double left, right, foot;
+  std::string text;
+};
+
+std::vector<WrittenLine> written_lines(const std::string& drawing) {
+  constexpr double kWidest = 1.15;  // letters of readers, times ours
+  std::vector<WrittenLine> lines;
+  for (std::size_t at = drawing.find("<text"); at != std::string::npos;
+       at = drawing.find("<text", at + 1)) {
+    const std::string tag = drawing.substr(at, drawing.find("</text>", at) - at);
+    const auto number = [&](const std::string& name) {
+      return std::stod(tag.substr(tag.find(" " + name + "=\"") + name.size() + 3));
+    };
+    const std::string text = tag.substr(tag.find('>') + 1);
+    const double width = kWidest * number("font-size") * text_width(text);
+    const double left = number("x") - (count(tag, "middle") > 0 ? width / 2 : 0);
+    lines.push_back({left, left + width, number("y"), text});
+  }
+  return lines;
+}
+
+// Nothing is cut off, nor lies on another line, on sheets of any width; where that cannot be, the
+// least width is said.
+TEST(WriteSvg, LegendsStayOnTheSheet) {
+  MapFile map = two_triangles(400);
+  map.degree = 1;
+  map.claims.replace(map.claims.find("symmetric-dirichlet"), 19,
+                     "symmetric-dirichlet + 0.125*conformal-amips + 1e-05*arap");
+  const std::string said =
+      "symmetric-dirichlet + 0.125*conformal-amips + 1e-05*arap density, degree 1";
+  for (const int width : {0, 1000, 700, 350, 240}) {
+    SvgOptions options{.color_range = ColorRange{4.875, 12345.5}, .grid = 0.123456};
+    if (width > 0) options.size = SheetSize{width, 900};
+    const std::string text = drawing_of(map, options);
+    const double side = width > 0 ? width : 1000;
+    std::string all, tight;
+    std::vector<WrittenLine> lines = written_lines(text);
+    for (const WrittenLine& line : lines) {
+      EXPECT_GE(line.left, -1e-3) << line.text;
+      EXPECT_LE(line.right, side + 1e-3) << line.text;
+      all += line.text + " ";
+      tight += line.text;
+      for (const WrittenLine& other : lines)
+        EXPECT_TRUE(&line == &other || std::abs(line.foot - other.foot) > 20 ||
+                    line.right <= other.left || other.right <= line.left)
+            << line.text << other.text;
+    }
+    std::erase(tight, ' ');
+    std::string bare = said;
+    std::erase(bare, ' ');
+    EXPECT_NE(tight.find(bare), std::string::npos) << all;
+    expect_contains(all, {"isometry 4", "grid 0.123456", "12345.5"});
+    EXPECT_EQ(all.find("1e- 05"), std::string::npos);
+  }
+  const std::string refused = error_message(ErrorKind::Usage, [&] {
+    drawing_of(map, {.size = SheetSize{120, 900}});
+  });
+  expect_contains(refused, {"a sheet 120 px wide: its legends are ", "or leave the legends out"});
+  const int least = std::stoi(refused.substr(refused.find("take one of ") + 12));
+  drawing_of(map, {.size = SheetSize{least, 900}});
+  error_message(ErrorKind::Usage, [&] { drawing_of(map, {.size = SheetSize{least - 1, 900}}); });
+}
+
+TEST(WriteSvg, WithoutLegendsTheSheetHasNoRoomForThem) {
+  const MapFile map = two_triangles(400);
+  const std::string text = drawing_of(map, {.grid = 0.5, .legends = Legends::Left});
+  expect_contains(text, {"viewBox=\"0 0 1000 510\"", "coloured by symmetric-dirichlet"});
+  EXPECT_EQ(count(text, "<text"), 0u);
+  EXPECT_EQ(fills(text), fills(drawing_of(map)));
+  drawing_of(map, {.size = SheetSize{60, 60}, .legends = Legends::Left});
 }
 
 TEST(WriteSvg, WithoutEdgesTheOutlineStays) {

@@ -77,6 +77,13 @@ TEST(ComparisonTable, SaysWhenEachMethodCameNear) {
   for (std::size_t i = 0; i < lines.size(); ++i) EXPECT_EQ(lines[i], expected[i]);
 }
 
+TEST(ComparisonTable, SaysAStatusOnce) {
+  const Comparison all{"t", "m", {{"slow", "time_limit", "time_limit", {}}}};
+  EXPECT_EQ(comparison_rows(all).front().message, "");
+  const std::string text = comparison_table(all);
+  EXPECT_EQ(text.find("time_limit"), text.rfind("time_limit"));
+}
+
 TEST(ComparisonTable, IsAsciiWithALinePerMethod) {
   auto all = odd_comparisons();
   all.emplace_back("usual", usual_comparison());

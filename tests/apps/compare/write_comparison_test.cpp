@@ -130,6 +130,16 @@ TEST(WriteComparisonHtml, IsOneSelfContainedPage) {
   }
 }
 
+// The columns that methods are compared by are the first ones.
+TEST(WriteComparisonHtml, WhatIsComparedComesFirst) {
+  const std::string page = page_of(usual_comparison());
+  const std::string head = page.substr(page.find("<thead>"), page.find("</thead>"));
+  EXPECT_LT(head.find(">method<"), head.find("to within 1&nbsp;%"));
+  EXPECT_LT(head.find("to within 0.01&nbsp;%"), head.find(">status<"));
+  const std::string row = page.substr(page.find("<th scope=\"row\">"));
+  EXPECT_LT(row.find("<td class=\"group\">"), row.find("<td class=\"text group\">"));
+}
+
 TEST(WriteComparisonHtml, DataReadsBack) {
   const Comparison comparison = usual_comparison();
   const Json data = data_of(page_of(comparison));

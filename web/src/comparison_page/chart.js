@@ -16,11 +16,14 @@ const markers = [
   'M-1.6 -4.4H1.6V-1.6H4.4V1.6H1.6V4.4H-1.6V1.6H-4.4V-1.6H-1.6z',  // cross
 ];
 
-// Colour, line and marker change at different rates: no two of the first 49 runs look the same.
+const colors = 14;  // of comparison_page.css
+
+// Colour, line and marker change at different rates: the first 14 runs have colours of their own, no
+// two of the first 98 look the same.
 export function styleOf(index) {
   const shift = Math.floor(index / 7);
   return {
-    color: `var(--color${index % 7})`,
+    color: `var(--color${index % colors})`,
     dash: dashes[(index + shift) % 7],
     marker: markers[(index + 2 * shift) % 7],
   };
