@@ -119,7 +119,7 @@ def files(folder, program, out):
         name = os.path.basename(source)[:-4]
         path = os.path.join(out, name + '.obj')
         angle = 20 if '_500' in name else 45
-        done = subprocess.run([program, 'unwrap', source, '-o', path, '--quiet', '--threads', '1', '--seams',
+        done = subprocess.run([program, 'unwrap', source, '-o', path, '--quiet', '--threads', '1', '--weld', 'no', '--seams',
                                'sharp=%d' % angle], stderr=subprocess.PIPE, text=True)
         if done.returncode == 0:
             yield name, path
