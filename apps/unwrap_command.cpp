@@ -594,24 +594,27 @@ void write_reports(const FinishedUnwrap& run, double write_seconds, WrittenFiles
   }
 }
 
-std::string chart_name(const FinishedUnwrap& run, std::size_t k) {
-  const Chart& chart = run.job.atlas.charts[k];
-  return fmt::format("{}: chart {} (face {} and {} more)", run.map.input, k + 1,
-                     run.job.surface.mesh->input_face(chart.faces.front()) + 1,
-                     chart.faces.size() - 1);
+std::string chart_name(const AtlasJob& job, std::size_t k) {
+  const Chart& chart = job.atlas.charts[k];
+  return fmt::format("{}: chart {} (face {} and {} more)", job.polygons->file, k + 1,
+                     job.surface.mesh->input_face(chart.faces.front()) + 1, chart.faces.size() - 1);
 }
 
 // Charts that did not converge, by their first faces, and those that stretch more than they may.
-void name_charts(const FinishedUnwrap& run) {
-  for (std::size_t k = 0; k < run.job.atlas.charts.size(); ++k) {
-    const Chart& chart = run.job.atlas.charts[k];
+std::vector<std::string> lines_of_charts(const AtlasJob& job) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < job.atlas.charts.size(); ++k) {
+    const Chart& chart = job.atlas.charts[k];
     if (chart.status != Status::Converged)
-      say("majorant: {}: {}{}\n", chart_name(run, k), status_name(chart.status),
-          chart.message.empty() ? "" : ": " + chart.message);
-    if (const std::string why = why_stretched(run.job.options, chart); !why.empty())
-      say("majorant: {}: stretch {:.4f}, more than --max-stretch {:g}: {}\n", chart_name(run, k),
-          chart.stretch.l2, run.job.options.cuts.max_stretch, why);
+      lines.push_back(fmt::format("majorant: {}: {}{}\n", chart_name(job, k),
+                                  status_name(chart.status),
+                                  chart.message.empty() ? "" : ": " + chart.message));
+    if (const std::string why = why_stretched(job.options, chart); !why.empty())
+      lines.push_back(
+          fmt::format("majorant: {}: stretch {:.4f}, more than --max-stretch {:g}: {}\n",
+                      chart_name(job, k), chart.stretch.l2, job.options.cuts.max_stretch, why));
   }
+  return lines;
 }
 
 // Why charts were not divided further; `nothing` where that would have helped nothing.
@@ -628,27 +631,37 @@ std::string_view why_undivided(Status division, std::string_view nothing) {
   }
 }
 
-// What was asked of the layout and could not be had.
-void say_missed(const FinishedUnwrap& run) {
-  const Atlas& atlas = run.job.atlas;
-  const UnwrapOptions& asked = run.job.options;
+// What was repaired, and what was asked of the layout and could not be had.
+std::vector<std::string> remarks(const AtlasJob& job) {
+  std::vector<std::string> lines;
+  const std::string& input = job.polygons->file;
+  for (const Repair& r : job.surface.repairs)
+    lines.push_back(fmt::format("{}: {}\n", input, describe(r)));
+  const Atlas& atlas = job.atlas;
+  const UnwrapOptions& asked = job.options;
   const auto count = static_cast<Index>(atlas.charts.size());
   if (asked.least_charts > 0 && count != asked.least_charts)
-    say("{}: {} charts, not --charts {}: {}\n", run.map.input, count, asked.least_charts,
+    lines.push_back(fmt::format(
+        "{}: {} charts, not --charts {}: {}\n", input, count, asked.least_charts,
         count > asked.least_charts ? "fewer would stretch more than --max-stretch, or join pieces"
-                                   : why_undivided(atlas.division, "none can be divided further"));
+                                   : why_undivided(atlas.division, "none can be divided further")));
   if (asked.least_fill > 0 && atlas.packing && atlas.packing->fill < asked.least_fill)
-    say("{}: fill {:.3f}, not --fill {:g}: {}\n", run.map.input, atlas.packing->fill,
-        asked.least_fill, why_undivided(atlas.division, "dividing charts gains no more"));
+    lines.push_back(fmt::format("{}: fill {:.3f}, not --fill {:g}: {}\n", input,
+                                atlas.packing->fill, asked.least_fill,
+                                why_undivided(atlas.division, "dividing charts gains no more")));
+  return lines;
+}
+
+void say_all(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) say("{}", line);
 }
 
 void summarize(const FinishedUnwrap& run, const WrittenFiles& written) {
   const Atlas& atlas = run.job.atlas;
-  name_charts(run);
+  say_all(lines_of_charts(run.job));
   if (run.common.quiet || atlas.status() == Status::Failed) return;
-  for (const Repair& r : run.job.surface.repairs) say("{}: {}\n", run.map.input, describe(r));
+  say_all(remarks(run.job));
   say_untextured(run.map.input, atlas.cuts);
-  say_missed(run);
   written.say_sizes();
   const std::string fill = atlas.packing ? fmt::format(", fill {:.2f}", atlas.packing->fill) : "";
   const auto stacked = std::count_if(atlas.charts.begin(), atlas.charts.end(),
@@ -738,6 +751,8 @@ class ObjectsRun {
       Json& section = sections_.emplace_back(Json{{"name", name}});
       for (const char* const key : {"status", "input", "repairs", "result", "charts"})
         section[key] = report[key];
+      append(lines_of_charts_, lines_of_charts(job));
+      append(lines_, remarks(job));
       lines_.push_back(fmt::format(
           "{}: {}, {}, {} {:.6f}, stretch {:.4f}, fill {:.2f}, {}\n", object.mesh.file,
           status_name(status), count_text(static_cast<Index>(job.atlas.charts.size()), "chart"),
@@ -756,9 +771,10 @@ class ObjectsRun {
     if (worst_ != Status::Failed) write_maps(written);
     write_reports(before, start, written);
     progress.finish();
+    say_all(lines_of_charts_);
     if (!request_.common.quiet && worst_ != Status::Failed) {
       written.say_sizes();
-      for (const std::string& line : lines_) say_text(line);
+      say_all(lines_);
       for (const std::string& path : request_.outputs.files)
         if (is_map_data(path) && written.has(path))
           say("proof: majorant check {} --certify --objects separate\n", path);
@@ -767,6 +783,10 @@ class ObjectsRun {
   }
 
  private:
+  static void append(std::vector<std::string>& lines, const std::vector<std::string>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+  }
+
   void write_maps(WrittenFiles& written) {
     const MapFile file = map_of_objects(std::move(layouts_));
     PolygonMesh grouped;
@@ -812,7 +832,7 @@ class ObjectsRun {
   LinearSolvers& solvers_;
   RunRecord& record_;
   std::vector<ObjectLayout> layouts_;
-  std::vector<std::string> lines_;  // that sum up, by object
+  std::vector<std::string> lines_of_charts_, lines_;  // those that sum up, by object
   Json sections_ = Json::array(), asked_;
   Status worst_ = Status::Converged;
 };

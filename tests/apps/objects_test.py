@@ -92,6 +92,21 @@ class Objects(UnwrapTest):
         self.separate('--time-limit', 0, code=LIMIT)
         self.run_ok('check', self.out, '--certify', '--objects', 'separate', '--surface', self.room)
 
+    def test_repairs_are_said_of_each(self):
+        text, count = '', 0
+        for name, turned in (('whole', False), ('broken', True)):
+            points, faces = cube(1)
+            faces[0] = faces[0][::-1] if turned else faces[0]
+            text += 'o %s\n' % name + ''.join('v %d %d %d\n' % (p[0] + count, p[1], p[2]) for p in points)
+            text += ''.join('f ' + ' '.join(str(v + 1 + count) for v in f) + '\n' for f in faces)
+            count += len(points)
+        broken = self.write('b.obj', text)
+        said = self.run_ok('unwrap', broken, '-o', self.out, '--objects', 'separate')
+        lines = [line for line in said.err.splitlines() if 'turned' in line and 'fill' not in line]
+        self.assertEqual(len(lines), 1, said.err)
+        self.assertIn("object 'broken'", lines[0])
+        self.run_ok('check', self.out, '--certify', '--objects', 'separate', '--surface', broken)
+
     def test_refusals(self):
         pins = self.write('p.json', '{"handles": [{"vertex": 0, "target": [0, 0]}]}')
         for words, says in ((['--pins', pins], '--pins'), (['--udim', 2], '--udim'), (['--no-pack'], '--no-pack'),

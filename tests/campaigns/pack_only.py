@@ -1,9 +1,10 @@
+#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """majorant unwrap --seams uv --keep-shape on twenty textured files, beside xatlas's packing of the same islands.
 
     npm install watlas@1.0.1
-    python3 tests/campaigns/pack_only.py build/release/apps/majorant --watlas node_modules/watlas [--meshes FOLDER]
+    tests/campaigns/pack_only.py build/release/apps/majorant --watlas node_modules/watlas [--meshes FOLDER]
 
 The files: layouts of other meshes, whose islands are put back at random places and turns. Of every file: the
 largest deviation of a point of an island from a motion of the plane, at one scale for all islands and in sides of the
@@ -119,7 +120,7 @@ def files(folder, program, out):
         name = os.path.basename(source)[:-4]
         path = os.path.join(out, name + '.obj')
         angle = 20 if '_500' in name else 45
-        done = subprocess.run([program, 'unwrap', source, '-o', path, '--quiet', '--threads', '1', '--seams',
+        done = subprocess.run([program, 'unwrap', source, '-o', path, '--quiet', '--threads', '1', '--weld', 'no', '--seams',
                                'sharp=%d' % angle], stderr=subprocess.PIPE, text=True)
         if done.returncode == 0:
             yield name, path

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kRoom =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
-    "o chair \nv 5 0 0\nv 6 0 0\nv 5 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\nf 4/1 5/2 6/3\n"
+    "o chair\nv 5 0 0\nv 6 0 0\nv 5 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl red\nf 4/1 5/2 6/3\n"
     "o table\nl 1 2\nf 3 2 1\n"
     "o chair\nv 6 1 0\nvt 1 1\ng back\nf 6/3 5/2 7/4\n";
 
@@ -29,7 +29,7 @@ TEST(MeshObjects, LinesOfAnObj) {
   EXPECT_EQ(chair.mesh.positions.back(), Vector3(6, 1, 0));
   EXPECT_EQ(chair.mesh.texcoords.back(), Vector2(1, 1));
   const std::vector<std::pair<Index, std::string>> lines{
-      {0, "o chair "}, {0, "usemtl red"}, {1, "o table"}, {1, "o chair"}, {1, "g back"}};
+      {0, "o chair"}, {0, "usemtl red"}, {1, "o table"}, {1, "o chair"}, {1, "g back"}};
   EXPECT_EQ(chair.mesh.directives, lines);
   const ObjectMesh table = object_mesh(mesh, objects, 2);
   EXPECT_EQ(table.vertices, (std::vector<Index>{0, 1, 2}));
