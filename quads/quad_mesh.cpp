@@ -50,7 +50,7 @@ class ArcNumbers {
   // Numbers with more and more edges, up to a bound, until no quad has a vertex twice.
   template <class Numbers>
   std::vector<Index> without_bad_quads(const Numbers& numbers) {
-    constexpr int kRounds = 50;
+    constexpr int kRounds = 20;
     for (int round = 0;; ++round) {
       std::vector<Index> edges = numbers();
       const std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).arcs_of_bad_quads();
