@@ -12,6 +12,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/solve/parametrize.h"
@@ -50,7 +51,7 @@ class ArcNumbers {
   // Numbers with more and more edges, up to a bound, until no quad has a vertex twice.
   template <class Numbers>
   std::vector<Index> without_bad_quads(const Numbers& numbers) {
-    constexpr int kRounds = 50;
+    constexpr int kRounds = 20;
     for (int round = 0;; ++round) {
       std::vector<Index> edges = numbers();
       const std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).arcs_of_bad_quads();
@@ -108,10 +109,6 @@ class ArcNumbers {
   std::vector<Index> least_;  // by arc
 };
 
-std::string file_of(const SurfaceMesh& mesh) {
-  return mesh.file().empty() ? "" : mesh.file() + ": ";
-}
-
 double asked_of(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
   if (options.edge_length) return mesh.area() / *options.edge_length / *options.edge_length;
   return static_cast<double>(options.count.value_or(std::max(mesh.face_count() / 2, 1)));
@@ -128,12 +125,21 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
     throw InvalidArgument("quad_mesh: the surface has several components");
   if (mesh.topology().boundary_loops > 0 && options.map.cones)
     throw Error(ErrorKind::Unsupported,
-                file_of(mesh) +
+                message_prefix(mesh) +
                     "the surface has a border, where cones are those of the field that follows it; "
                     "leave them out");
   if (const double asked = asked_of(mesh, options); asked > kMostQuads)
     throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
-                                                    file_of(mesh), asked, kMostQuads));
+                                                    message_prefix(mesh), asked, kMostQuads));
+}
+
+// One quad around a vertex would meet itself along an edge.
+void require_turns(const SurfaceMesh& mesh, Index vertex, int quarter_turns) {
+  if (quarter_turns == 1)
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("{}vertex {}: a cone of one quarter turn, around which there are no "
+                            "quads; refine the mesh there",
+                            message_prefix(mesh), user_vertex(mesh, vertex)));
 }
 
 // Cones of a surface with a border cannot be chosen, and none may have a map.
@@ -156,7 +162,12 @@ BezierMap seamless_map(const SurfaceMesh& mesh, const QuadMeshOptions& options, 
     if (mesh.opposite(h) < 0) optimize.map.aligned.push_back(h);
   if (!optimize.map.aligned.empty()) how.field.aligned = border_flags(mesh);
   record.begin(Activity::Starting);
+  if (how.cones)
+    for (const Cone& cone : *how.cones) require_turns(mesh, cone.vertex, cone.quarter_turns);
   const Start start = seamless_start(mesh, how, record);
+  const std::vector<int>& turns = start.map.seams().quarter_turns();
+  for (std::size_t v = 0; v < turns.size(); ++v)
+    require_turns(mesh, static_cast<Index>(v), turns[v]);
   optimize.map.degree = 1;
   optimize.solve.threads = options.threads;
   const ParametrizationResult result = parametrize(start.map, optimize, record);
@@ -257,8 +268,8 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
     attempt_for(Arcs::Joined, part);
   if (result.check.count == 0)
     throw Error(ErrorKind::Infeasible,
-                fmt::format("{}no valid quads were made: {}; ask for more of them", file_of(mesh),
-                            why.value_or("")));
+                fmt::format("{}no valid quads were made: {}; ask for more of them",
+                            message_prefix(mesh), why.value_or("")));
   return result;
 }
 

@@ -51,8 +51,9 @@ inline constexpr Index kMostQuads = 100'000'000;
 
 // mesh: connected. Throws Error(Unsupported) for cones given on a surface with a border and for
 // more than kMostQuads; InvalidArgument for options out of range or that exclude each other;
-// Error(Infeasible) where no whole numbers or no valid quads were found, or no map with the border
-// along its axes; else as make_seamless(); Stopped when the record's start_stop() says so.
+// Error(Infeasible) for cones of one quarter turn, and where no whole numbers or no valid quads
+// were found, or no map with the border along its axes; else as make_seamless(); Stopped when the
+// record's start_stop() says so.
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record);
 
 }  // namespace majorant

@@ -344,7 +344,7 @@ Start make_seamless(const SurfaceMesh& mesh, const SeamlessOptions& options,
     throw Refusal(ErrorKind::Usage, mesh.file(),
                   message_prefix(mesh) +
                       "a conformal start needs a sphere or a disk, where cones alone determine the "
-                      "transitions; use ",
+                      "transitions, and no edges to follow; use ",
                   Hint::ScaledField);
   if (options.threads < 0) throw InvalidArgument("the number of threads must not be negative");
   const ThreadCount threads(options.threads);

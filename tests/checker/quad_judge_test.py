@@ -156,7 +156,7 @@ class Agreement(unittest.TestCase):
         self.assertIn('border not followed', self.agreed(quads, surface))
 
     def test_borders_that_touch(self):
-        """Two holes whose corners are one point, of two vertices."""
+        """Two square holes that are one, since the corner where they meet is two vertices at one place."""
         points = [(i, j, 0) for i in range(7) for j in range(7)] + [(3, 3, 0)]
         faces = [[7 * i + j, 7 * i + j + 7, 7 * i + j + 8, 7 * i + j + 1] for i in range(6) for j in range(6)
                  if (i, j) not in ((2, 2), (3, 3))]

@@ -143,6 +143,17 @@ BezierMap aligned_start(const SurfaceMesh& roomy) {
   return make_seamless(roomy, options, RunRecord()).map;
 }
 
+TEST(Border, FollowedEdgesExcludeGivenCones) {
+  const SurfaceMesh mesh = sheet(4, 4, kFlat, kWhole);
+  SeamlessOptions options;
+  options.field.aligned = border_flags(mesh);
+  options.cones.emplace();
+  EXPECT_THROW(make_seamless(mesh, options, RunRecord()), InvalidArgument);
+  options.cones.reset();
+  options.method = SeamlessMethod::Conformal;
+  EXPECT_THROW(make_seamless(mesh, options, RunRecord()), Error);
+}
+
 TEST(Border, LatticeAndPatchesEndOnIt) {
   for (const auto& [name, mesh] : bordered_surfaces()) {
     SCOPED_TRACE(name);

@@ -169,6 +169,15 @@ TEST(QuadMesh, RefusesWhatItCannot) {
       EXPECT_NE(std::string(error.what()).find("too many"), std::string::npos) << error.what();
     }
   }
+  QuadMeshOptions sharp;
+  sharp.map.cones = std::vector<Cone>{{0, 1}, {5, 1}, {9, 3}, {12, 3}};
+  try {
+    quad_mesh(mesh, sharp, record);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::Infeasible);
+    EXPECT_NE(std::string(error.what()).find("one quarter turn"), std::string::npos);
+  }
   PolygonMesh open = sphere(3);
   open.polygons.pop_back();
   open.polygon_lines.clear();

@@ -1,0 +1,189 @@
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""majorant quads on surfaces with and without borders, every result judged by check and by tests/checker/quad_judge.py.
+
+    python3 tests/campaigns/quad_meshes.py build/release/apps/majorant [--meshes FOLDER] [--counts 500 2500]
+
+The surfaces: plates with 1 to 50 round holes; uneven sheets that lose random squares, some of which touch; spheres
+that lose random caps; a tube, a comb, a triangle, a needle, a star; and of FOLDER (data/public) closed/ and disks/.
+A line each: exit code, quads made of those asked, the least count, irregular vertices, border loops, the least and the
+mean scaled Jacobian, the deviation of angles, CPU seconds; or why there are none. Then how many were made, and with a
+count within 5 %. Exit 1 where one that was written is not valid, or one was not made with another code than 3 or 5.
+"""
+import argparse
+import glob
+import json
+import math
+import os
+import random
+import resource
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'checker'))
+from quad_judge import judge, read_obj  # noqa: E402
+
+JUDGED = 3000  # quads at most: the judge looks for nearest faces one by one
+
+
+class Faces:
+    """Triangles of quads of points, equal ones once."""
+
+    def __init__(self):
+        self.points, self.faces, self.number = [], [], {}
+
+    def vertex(self, p):
+        key = tuple(round(x * 1e9) for x in p)
+        if key not in self.number:
+            self.number[key] = len(self.points)
+            self.points.append(p)
+        return self.number[key]
+
+    def quad(self, corners):
+        a, b, c, d = [self.vertex(p) for p in corners]
+        self.faces += [(a, b, c), (a, c, d)]
+
+
+def sheet(n, m, place, is_hole=lambda i, j: False):
+    out = Faces()
+    for i in range(n):
+        for j in range(m):
+            if not is_hole(i, j):
+                out.quad([place(x, y) for x, y in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))])
+    return out
+
+
+def plate(nx, ny, holes, m=6, rings=3, radius=0.3):
+    """nx by ny tiles; those of holes are squares around circles."""
+    out = Faces()
+    for i in range(nx):
+        for j in range(ny):
+            if (i, j) not in holes:
+                for a in range(m):
+                    for b in range(m):
+                        out.quad([(i + (a + s) / m, j + (b + t) / m, 0.0) for s, t in ((0, 0), (1, 0), (1, 1), (0, 1))])
+                continue
+            square = [(s / m, 0) for s in range(m)] + [(1, s / m) for s in range(m)]
+            square += [(1 - x, 1 - y) for x, y in square]
+
+            def point(k, t):
+                x, y = square[k % len(square)]
+                angle = -3 * math.pi / 4 + 2 * math.pi * (k % len(square)) / len(square)
+                return (i + (1 - t) * x + t * (0.5 + radius * math.cos(angle)),
+                        j + (1 - t) * y + t * (0.5 + radius * math.sin(angle)), 0.0)
+            for k in range(len(square)):
+                for t in range(rings):
+                    out.quad([point(k, t / rings), point(k + 1, t / rings), point(k + 1, (t + 1) / rings),
+                              point(k, (t + 1) / rings)])
+    return out
+
+
+def triangle(a, b, c, n):
+    """A triangle cut into n by n."""
+    out = Faces()
+
+    def at(i, j):
+        return out.vertex(tuple(p + (q - p) * i / n + (r - p) * j / n for p, q, r in zip(a, b, c)))
+    for i in range(n):
+        for j in range(n - i):
+            out.faces.append((at(i, j), at(i + 1, j), at(i, j + 1)))
+            if i + j + 1 < n:
+                out.faces.append((at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)))
+    return out
+
+
+def sphere_without(caps, around=30, rings=15):
+    def place(i, j):
+        polar = math.pi * (j + 1) / (rings + 1)
+        a = 2 * math.pi * (i % around) / around
+        return math.sin(polar) * math.cos(a), math.sin(polar) * math.sin(a), math.cos(polar)
+
+    def is_hole(i, j):
+        middle = place(i + 0.5 if i + 0.5 < around else 0.5, j + 0.5)
+        return any(math.dist(middle, place(*cap)) < 0.35 for cap in caps)
+    out = sheet(around, rings - 1, lambda i, j: place(i, j), is_hole)
+    out.faces = [face[::-1] for face in out.faces]
+    return out
+
+
+def family():
+    for holes, (nx, ny, where) in {
+            1: (1, 1, lambda i, j: True), 2: (3, 2, lambda i, j: (i, j) in ((0, 0), (2, 1))),
+            6: (4, 3, lambda i, j: (i + j) % 2 == 0), 12: (6, 4, lambda i, j: (i + j) % 2),
+            50: (10, 10, lambda i, j: (i + j) % 2)}.items():
+        yield 'plate %d' % holes, plate(nx, ny, {(i, j) for i in range(nx) for j in range(ny) if where(i, j)})
+    for seed in range(12):
+        rng = random.Random(seed)
+        gone = {(rng.randrange(1, 14), rng.randrange(1, 14)) for _ in range(12)}
+        yield 'sheet %d' % seed, sheet(
+            15, 15, lambda i, j: (i / 15 + 0.02 * math.sin(4 * j / 3), j / 15, 0.1 * math.sin(7 * i * j / 225)),
+            lambda i, j: (i, j) in gone)
+    for seed in range(12):
+        rng = random.Random(seed)
+        yield 'sphere %d' % seed, sphere_without([(rng.randrange(30), rng.randrange(14)) for _ in range(3)])
+    yield 'tube', sheet(24, 12, lambda i, j: (math.cos(math.pi * (i % 24) / 12), math.sin(math.pi * (i % 24) / 12), j / 4))
+    yield 'comb', sheet(36, 16, lambda i, j: (i / 12, j / 12, 0.0), lambda i, j: j > 5 and i // 3 % 2)
+    yield 'triangle', triangle((0, 0, 0), (2, 0, 0), (0, 0.6, 0), 20)
+    yield 'needle', triangle((0, 0, 0), (3, 0, 0), (0, 0.3, 0), 24)
+    star = Faces()
+    for k in range(10):
+        tips = [(r * math.cos(math.pi * j / 5), r * math.sin(math.pi * j / 5), 0.0)
+                for j, r in ((k, 1 - 0.6 * (k % 2)), (k + 1, 0.4 + 0.6 * (k % 2)))]
+        part = triangle((0, 0, 0), *tips, 8)
+        star.faces += [tuple(star.vertex(part.points[v]) for v in face) for face in part.faces]
+    yield 'star', star
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('binary')
+    parser.add_argument('--meshes')
+    parser.add_argument('--counts', type=int, nargs='+', default=[500, 2500])
+    asked = parser.parse_args()
+    made = close = tried = wrong = 0
+    with tempfile.TemporaryDirectory() as folder:
+        sources = []
+        for name, mesh in family():
+            path = os.path.join(folder, name.replace(' ', '_') + '.obj')
+            with open(path, 'w') as file:
+                file.writelines('v %r %r %r\n' % p for p in mesh.points)
+                file.writelines('f %d %d %d\n' % tuple(v + 1 for v in face) for face in mesh.faces)
+            sources.append((name, path))
+        for kind in ('closed', 'disks') if asked.meshes else ():
+            sources += [(os.path.basename(path)[:-4], path)
+                        for path in sorted(glob.glob(os.path.join(asked.meshes, kind, '*.obj')))]
+        quads, report = os.path.join(folder, 'q.obj'), os.path.join(folder, 'q.json')
+        for name, path in sources:
+            for count in asked.counts:
+                tried += 1
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                run = subprocess.run([asked.binary, 'quads', path, '-o', quads, '--force', '--count', str(count),
+                                      '--report', report, '--quiet'], capture_output=True, text=True)
+                seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+                line = '%-18s %5d  exit %d  %5.2f s  ' % (name, count, run.returncode, seconds)
+                if run.returncode not in (0, 4):
+                    wrong += run.returncode not in (3, 5)
+                    print(line + run.stderr.strip().split('\n')[-1][:200], flush=True)
+                    continue
+                with open(report) as file:
+                    q = json.load(file)['quads']
+                check = subprocess.run([asked.binary, 'check', quads, '--surface', path], capture_output=True, text=True)
+                found = set()
+                is_plain = check.returncode == 0 and q['count'] <= JUDGED and 'repair' not in check.stdout
+                if is_plain and name.split()[0] in ('plate', 'tube', 'comb', 'triangle', 'needle', 'star'):
+                    found = judge(read_obj(quads), read_obj(path))
+                made += 1
+                close += abs(q['count'] - count) <= 0.05 * count
+                wrong += check.returncode != 0 or bool(found)
+                print(line + '%d quads, least %s, %d irregular, %d borders, J %.2f %.3f, %.1f degrees%s%s' % (
+                    q['count'], q['least_count'], q['irregular'], q['boundary_loops'], q['scaled_jacobian']['min'],
+                    q['scaled_jacobian']['mean'], q['angle_deviation'],
+                    '' if check.returncode == 0 else ' CHECK ' + check.stdout.strip(), ' JUDGE %s' % found if found else ''),
+                    flush=True)
+    print('%d of %d made, %d with a count within 5 %%, %d wrong' % (made, tried, close, wrong))
+    return 1 if wrong else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
