@@ -19,6 +19,7 @@
 #include "majorant/framework/newton.h"
 #include "majorant/volumes/internal/control_net.h"
 #include "majorant/volumes/internal/held_points.h"
+#include "majorant/volumes/internal/straight_points.h"
 #include "majorant/volumes/internal/target_shapes.h"
 
 namespace majorant {
@@ -128,9 +129,24 @@ class VolumeOptimizer {
     return is_affine ? rule : guarded_rule(rule, space.degree(), kLatticePart);
   }
 
-  // Whether x_ is valid then.
+  // Whether x_ is valid then. A curved mesh that does not come free is untangled as a straight one,
+  // as far as nothing is held, and from there once more.
   bool untangle() {
     record_.announce("untangling");
+    UntangledPoint point = descended(x_, nullptr);
+    const bool is_curved = std::any_of(net_->parts().begin(), net_->parts().end(),
+                                       [](const auto& part) { return part.space->degree() > 1; });
+    if (!point.verdict.feasible && is_curved && record_.stop()() == Directive::Continue) {
+      const StraightPoints straight(mesh_, *net_, *held_);
+      point = descended(x_, &straight);
+      if (!point.verdict.feasible) point = descended(point.x, nullptr);
+    }
+    left_ = static_cast<Index>(point.verdict.blocking.size());
+    if (point.verdict.feasible) x_ = std::move(point.x);
+    return point.verdict.feasible;
+  }
+
+  UntangledPoint descended(VecIn x, const StraightPoints* straight) {
     const EnergyFactory energy = untangling_energy(net_->dim());
     ProblemBuilder builder(static_cast<Index>(x_.size()));
     std::vector<TermId> energies;
@@ -139,16 +155,15 @@ class VolumeOptimizer {
       energies.push_back(builder.add(energy(space, targets_[k], {rule_of(*space)}), 1 / measure_));
     }
     builder.add(*held_);
+    if (straight != nullptr) builder.add(*straight);
     const Problem problem = builder.build();
     const Checkers all = checkers(ProofDepth::kStart);
     const bool is_held = options_.boundary != VolumeBoundary::Free;
     UntangledPoint point = descend_untangling(
-        problem, energies, [&](VecIn x) { return judge(all, x); }, problem.reduce(x_),
+        problem, energies, [&](VecIn at) { return judge(all, at); }, problem.reduce(x),
         is_held ? kFirstEpsHeld : kFirstEps, record_.stop());
-    result_.untangling_iterations = point.iterations;
-    left_ = static_cast<Index>(point.verdict.blocking.size());
-    if (point.verdict.feasible) x_ = std::move(point.x);
-    return point.verdict.feasible;
+    result_.untangling_iterations += point.iterations;
+    return point;
   }
 
   // Nothing was found that is better than the mesh as it is.

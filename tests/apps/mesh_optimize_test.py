@@ -89,6 +89,18 @@ class Optimized(CommandTest):
                 self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), *words)
                 self.run_ok('mesh', 'check', self.path('b.mesh'))
 
+    def test_a_worse_worst_element_is_said(self):
+        """Energies are means: the worst element may become worse. The line has a word of it, and what keeps it."""
+        path = self.write('a.mesh', medit(4, lambda i, j, k: (0.7 * i + 0.1, j + 0.1, k + 0.25 * i + 0.1)))
+        words = ('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--boundary', 'slide')
+        ideal = self.run_ok(*words, '--report', self.path('r.json'))
+        with open(self.path('r.json')) as f:
+            report = json.load(f)
+        self.assertLess(report['mesh']['min_scaled_jacobian'], report['input']['min_scaled_jacobian'])
+        self.assertIn('; the least one fell, --target initial', ideal.err)
+        initial = self.run_ok(*words, '--target', 'initial')
+        self.assertNotIn('fell', initial.err)
+
     def test_impossible_elements(self):
         """A corner of the boundary that is pulled through its cell: no file, the elements by name."""
         path = self.write('a.mesh', medit(2, lambda i, j, k: (1.4, 0.8, 0.2) if (i, j, k) == (2, 0, 0) else
@@ -263,6 +275,7 @@ class OfGmsh(CommandTest):
                 gmsh.open(self.path('b.msh'))
                 gmsh.plugin.setNumber('AnalyseMeshQuality', 'JacobianDeterminant', 1)
                 gmsh.plugin.setNumber('AnalyseMeshQuality', 'CreateView', 1)
+                gmsh.plugin.setNumber('AnalyseMeshQuality', 'Recompute', 1)
                 gmsh.plugin.run('AnalyseMeshQuality')
                 least = min(gmsh.view.getModelData(gmsh.view.getTags()[-1], 0)[2])[0]
                 self.assertGreater(least, 0)

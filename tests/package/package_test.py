@@ -51,6 +51,20 @@ class Package(unittest.TestCase):
             # Inline code of the headers is compiled with other flags: the last digits may differ.
             self.assertAlmostEqual(value / expected, 1, delta=1e-9)
 
+    def test_volumes(self):
+        """Four tetrahedra around a point that stands outside of them: made valid, as the command does it."""
+        mesh, report = (os.path.join(self.folder, name) for name in ('a.mesh', 'report.json'))
+        with open(mesh, 'w') as f:
+            f.write('MeshVersionFormatted 2\nDimension 3\nVertices 5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n'
+                    '-0.1 0.2 0.2 0\nTetrahedra 4\n5 2 3 4 1\n1 5 3 4 1\n1 2 5 4 1\n1 2 3 5 1\nEnd\n')
+        self.do(BINARY, 'mesh', 'optimize', mesh, '-o', os.path.join(self.folder, 'b.mesh'), '--report', report)
+        with open(report) as f:
+            expected = json.load(f)
+        invalid, least = self.do(os.path.join(self.build, 'volumes'), mesh).split()
+        self.assertEqual(int(invalid), expected['input']['invalid'])
+        self.assertGreater(int(invalid), 0)
+        self.assertAlmostEqual(float(least) / expected['mesh']['min_scaled_jacobian'], 1, delta=1e-9)
+
     def test_errors_cross_the_border(self):
         done = subprocess.run([os.path.join(self.build, 'consumer'), '/nonexistent/mesh.obj'], text=True,
                               stderr=subprocess.PIPE)

@@ -287,6 +287,16 @@ void HeldPoints::append_rows(ConstraintRows& rows) const {
   }
 }
 
+bool HeldPoints::is_free(Index point) const {
+  const int dim = net_.dim();
+  for (int d = 0; d < dim; ++d)
+    if (held_[to_size(dim * point + d)] != 0) return false;
+  // Rows are sorted by their points.
+  const auto row = std::lower_bound(rows_.begin(), rows_.end(), point,
+                                    [](const PlaneRow& r, Index p) { return r.point < p; });
+  return row == rows_.end() || row->point != point;
+}
+
 std::vector<CellName> HeldPoints::impossible_cells(const VolumeMesh& mesh) const {
   const int dim = net_.dim();
   std::vector<char> may_move(to_size(net_.count()), 0);

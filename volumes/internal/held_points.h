@@ -21,6 +21,8 @@ class HeldPoints final : public Constraint {
 
   // Of each coordinate of a control point, whether it stays.
   const std::vector<char>& held() const { return held_; }
+  // Whether nothing of a control point stays, in no plane either.
+  bool is_free(Index point) const;
   Index sides() const { return sides_; }                // that are held
   Index curved_sides() const { return curved_sides_; }  // of these under Slide: in no plane
 

@@ -15,7 +15,7 @@ namespace majorant {
 namespace {
 
 // Sums of determinants with signs below this part of the sum of their magnitudes are rounding.
-constexpr double kRounding = 1e-12;
+constexpr double kCancelled = 1e-12;
 
 // d x / d reference coordinates, by columns, of the regular cell with edges of length 1.
 RowMatrix regular_tangents(CellShape shape, int dim) {
@@ -102,7 +102,7 @@ class TargetShapes {
         should_be += straight(mesh_, block, e).determinant() * part.space->reference_measure();
       }
     }
-    if (options_.target == VolumeTarget::Ideal && should_be > kRounding * is)
+    if (options_.target == VolumeTarget::Ideal && should_be > kCancelled * is)
       for (RestShapes& rest : out) scale(std::pow(should_be / is, 1.0 / net_.dim()), rest);
     return out;
   }
@@ -136,7 +136,7 @@ class TargetShapes {
         }
       }
     }
-    double all = std::abs(sum) > kRounding * magnitudes ? std::abs(sum) : magnitudes;
+    double all = std::abs(sum) > kCancelled * magnitudes ? std::abs(sum) : magnitudes;
     if (!(all > 0)) {
       const Vector3 box = mesh_.points.colwise().maxCoeff() - mesh_.points.colwise().minCoeff();
       all = integer_power(box.norm(), net_.dim());
