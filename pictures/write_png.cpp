@@ -178,7 +178,7 @@ class HeatPainter final : public Painter {
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (samples[k].cell < 0) continue;
       const bool is_flipped = !(sigma[k][1] > 0);
-      if (!is_flipped) values.add(scale_, value[k]);
+      if (!is_flipped && !samples[k].is_line) values.add(scale_, value[k]);
       colors[k] = as_float(is_flipped ? kFlippedColor : scale_.color(value[k]));
     }
   }
@@ -206,7 +206,8 @@ class TurnedOverPainter final : public Painter {
              ValueSummary& values) const override {
     others_->paint(samples, colors, values);
     for (std::size_t k = 0; k < samples.size(); ++k) {
-      const auto& [cell, xi] = samples[k];
+      const Index cell = samples[k].cell;
+      const Barycentric& xi = samples[k].xi;
       if (cell >= 0 && is_over_[to_size(cell)] && !(image_.at(cell, xi).distortion.sigma_2 > 0))
         colors[k] = as_float(kFlippedColor);
     }
@@ -272,7 +273,6 @@ std::unique_ptr<Painter> heat_painter(const MapFile& map, Quantity quantity,
 
 constexpr double kDarkest = 0.72;  // of what is seen edge-on
 const FloatColor kCut(194, 24, 91);
-constexpr double kCutWidth = 0.9;  // pixels, on either side of a cut
 
 void require_usable(const PngOptions& options) {
   for (const int side : {options.width, options.height})
@@ -301,33 +301,20 @@ std::optional<Quantity> heat_of(const MapFile& map, const PngOptions& options) {
   return Quantity::Density;
 }
 
-// Light, and lines along cuts, on the surface.
+// Light on the surface, and the colour of lines.
 class SurfaceShade {
  public:
-  SurfaceShade(const MapFile& map, const Vector3& view,
-               const std::vector<RasterTriangle>& triangles)
-      : normals_(map), eye_(view.stableNormalized()), cut_(cut_edges(map)) {
-    for (const RasterTriangle& t : triangles) {
-      const auto& p = t.corners;
-      const double area = std::abs(cross(p[1] - p[0], p[2] - p[0]));
-      height_.push_back(
-          {area / (p[2] - p[1]).norm(), area / (p[0] - p[2]).norm(), area / (p[1] - p[0]).norm()});
-    }
-  }
+  SurfaceShade(const MapFile& map, const Vector3& view)
+      : normals_(map), eye_(view.stableNormalized()) {}
 
   FloatColor operator()(const Fragment& sample, const FloatColor& color) const {
-    FloatColor shown = color;
-    for (Index k = 0; k < 3; ++k)
-      if (cut_[sample.cell][k] && sample.xi[k] * height_[sample.cell][k] < kCutWidth) shown = kCut;
     const double light = std::abs(normals_.at(sample.cell, sample.xi).dot(eye_));
-    return (kDarkest + (1 - kDarkest) * light) * shown;
+    return (kDarkest + (1 - kDarkest) * light) * (sample.is_line ? kCut : color);
   }
 
  private:
   SmoothNormals normals_;
   Vector3 eye_;
-  std::vector<std::array<bool, 3>> cut_;
-  std::vector<Vector3> height_;  // of cells on the screen, above the edge across from each corner
 };
 
 // One row of pixels: the mean of the colours of those of their samples that a cell has.
@@ -434,7 +421,7 @@ PixelImage surface_image(const MapFile& map, const PngOptions& options) {
                  {legends.least_width(), legends.height()}, scale);
     size.height = options.height - static_cast<int>(std::lround(scale * legends.height()));
     const auto triangles = surface_triangles(map, *options.view, size);
-    return draw_triangles(triangles, *painter, SurfaceShade(map, *options.view, triangles), size);
+    return draw_triangles(triangles, *painter, SurfaceShade(map, *options.view), size);
   });
   Canvas canvas({options.width, options.height}, scale, options.paper);
   canvas.lay(drawn.of.pixels);

@@ -367,8 +367,6 @@ void add_meeting(const LayoutSheet& sheet, std::vector<DrawingItem>& items) {
                               .stroke = Stroke{kMeetingColor, kSeamWidth}});
 }
 
-constexpr double kHalfSign = 7;
-
 // Signs, each with its middle in the origin.
 std::vector<LegendMark> legend_marks(const LayoutSheet& sheet) {
   const MapFile& map = sheet.map();

@@ -23,7 +23,7 @@ constexpr int kSteps = 72;
 
 // The legend of marks.
 constexpr double kRowHeight = 40, kColumn = 245;
-constexpr double kHalfSign = 7, kSign = 10, kText = 28, kFoot = 7;
+constexpr double kSign = 10, kText = 28, kFoot = 7;
 
 // What the layout is to have on a sheet of a given height.
 constexpr double kLeastLayout = 4 * kDrawingMargin;

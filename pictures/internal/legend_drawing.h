@@ -34,6 +34,9 @@ inline constexpr double kWidestLetters = 1.15;
 // The lines that the note of a legend takes on a drawing of this width.
 std::size_t note_lines(const Legend& legend, double width);
 
+// Half the side of a sign.
+inline constexpr double kHalfSign = 7;
+
 // An entry of the legend of marks: what is drawn around a place, the origin, and what it is.
 struct LegendMark {
   std::vector<DrawingItem> sign;

@@ -200,7 +200,7 @@ Json scales_of(const MapPage& page, const Json& claims) {
     if (energy || quantity != Quantity::Density)
       scales.push_back(
           scale_of(quantity,
-                   picture_scale(page.map, quantity,
+                   picture_scale(claimed_energy(page.map), quantity,
                                  quantity == shown_first(page) ? page.color_range : std::nullopt)));
   return scales;
 }

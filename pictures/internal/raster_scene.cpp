@@ -17,6 +17,8 @@ constexpr double kSceneMargin = 0.02;  // around what is shown
 constexpr double kChord = 0.1;         // pixels from the curve
 constexpr int kMostPieces = 64;        // along an edge
 constexpr double kMostTriangles = 4e6;
+constexpr double kCutWidth = 0.9;  // pixels, on either side of a cut
+constexpr double kCutLift = 2.5;   // pixels, towards the eye
 
 // Rows: right, up, towards the eye.
 Eigen::Matrix3d view_axes(const Vector3& view) {
@@ -79,6 +81,58 @@ Place place_of(const MapFile& map, Index c, Index k) {
   return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 is 0
 }
 
+// Edges that the map cuts. Flag k of a cell: its edge across from corner k.
+std::vector<std::array<bool, 3>> cut_edges(const MapFile& map) {
+  std::map<std::pair<Place, Place>, std::vector<std::pair<Index, Index>>> sides;  // from, to
+  const auto ends = [&](Index c, Index k) -> std::pair<Place, Place> {  // across from corner k
+    return std::minmax(place_of(map, c, next(k)), place_of(map, c, previous(k)));
+  };
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (Index k = 0; k < 3; ++k)
+      sides[ends(c, k)].emplace_back(std::minmax(map.cells(c, next(k)), map.cells(c, previous(k))));
+  std::vector<std::array<bool, 3>> cut(majorant::to_size(static_cast<Index>(map.cells.rows())));
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (Index k = 0; k < 3; ++k) {
+      const auto& same = sides.at(ends(c, k));
+      cut[majorant::to_size(c)][majorant::to_size(k)] =
+          std::any_of(same.begin(), same.end(), [&](const auto& side) { return side != same[0]; });
+    }
+  return cut;
+}
+
+// Lines along cuts, of two triangles for each side, between the sides' corners on the screen. They
+// lie in front of their edges by as much as faces beside them that are seen at a steep angle rise
+// within their width. depth: of a pixel.
+void add_cut_lines(const MapFile& map, double depth, std::vector<RasterTriangle>& triangles) {
+  const auto cut = cut_edges(map);
+  for (Index c = 0; c < map.cells.rows(); ++c)
+    for (Index k = 0; k < 3; ++k) {
+      if (!cut[majorant::to_size(c)][majorant::to_size(k)]) continue;
+      const RasterTriangle& face = triangles[majorant::to_size(c)];
+      const auto from = majorant::to_size(next(k)), to = majorant::to_size(previous(k));
+      const Vector2 along = face.corners[to] - face.corners[from];
+      if (!(along.norm() > 0)) continue;
+      const Vector2 way = kCutWidth * along.normalized(), side(-way.y(), way.x());
+      const auto corner = [&](RasterTriangle& t, std::size_t at, std::size_t end, double sign) {
+        t.corners[at] = face.corners[end] + (end == from ? -way : way) + sign * side;
+        t.depth[at] = face.depth[end] + kCutLift * depth;
+        t.xi[at] = face.xi[end];
+      };
+      RasterTriangle left;
+      left.cell = c;
+      left.is_line = true;
+      RasterTriangle right = left;
+      corner(left, 0, from, -1);
+      corner(left, 1, to, -1);
+      corner(left, 2, to, 1);
+      corner(right, 0, from, -1);
+      corner(right, 1, to, 1);
+      corner(right, 2, from, 1);
+      triangles.push_back(left);
+      triangles.push_back(right);
+    }
+}
+
 }  // namespace
 
 std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3& view,
@@ -105,6 +159,7 @@ std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3&
   const Frame frame(left_low, right_high, size);
   for (RasterTriangle& t : triangles)
     for (Vector2& corner : t.corners) corner = frame(corner);
+  add_cut_lines(map, 1 / frame.scale, triangles);
   return triangles;
 }
 
@@ -148,24 +203,6 @@ SmoothNormals::SmoothNormals(const MapFile& map) : normals_(3 * map.cells.rows()
   for (Index c = 0; c < map.cells.rows(); ++c)
     for (Index k = 0; k < 3; ++k)
       normals_.row(3 * c + k) = at_place.at(place_of(map, c, k)).stableNormalized();
-}
-
-std::vector<std::array<bool, 3>> cut_edges(const MapFile& map) {
-  std::map<std::pair<Place, Place>, std::vector<std::pair<Index, Index>>> sides;  // from, to
-  const auto ends = [&](Index c, Index k) -> std::pair<Place, Place> {  // across from corner k
-    return std::minmax(place_of(map, c, next(k)), place_of(map, c, previous(k)));
-  };
-  for (Index c = 0; c < map.cells.rows(); ++c)
-    for (Index k = 0; k < 3; ++k)
-      sides[ends(c, k)].emplace_back(std::minmax(map.cells(c, next(k)), map.cells(c, previous(k))));
-  std::vector<std::array<bool, 3>> cut(majorant::to_size(static_cast<Index>(map.cells.rows())));
-  for (Index c = 0; c < map.cells.rows(); ++c)
-    for (Index k = 0; k < 3; ++k) {
-      const auto& same = sides.at(ends(c, k));
-      cut[majorant::to_size(c)][majorant::to_size(k)] =
-          std::any_of(same.begin(), same.end(), [&](const auto& side) { return side != same[0]; });
-    }
-  return cut;
 }
 
 Vector3 SmoothNormals::at(Index cell, const Barycentric& xi) const {

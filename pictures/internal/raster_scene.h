@@ -9,7 +9,9 @@
 
 namespace majorant {
 
-// The triangles of the surface seen from `view` (pictures.h has the camera), one a cell.
+// The triangles of the surface seen from `view` (pictures.h has the camera), one a cell, and then
+// those of lines along edges that the map cuts (faces on both sides on the surface, not in the
+// plane): as wide whichever of the faces beside them is seen.
 std::vector<RasterTriangle> surface_triangles(const MapFile& map, const Vector3& view,
                                               PixelSize size);
 
@@ -27,10 +29,6 @@ class SmoothNormals {
  private:
   Points3 normals_;  // 3 #F, cell by cell
 };
-
-// Edges that the map cuts: faces on both sides on the surface, not in the plane. Flag k of a cell:
-// its edge across from corner k.
-std::vector<std::array<bool, 3>> cut_edges(const MapFile& map);
 
 }  // namespace majorant
 

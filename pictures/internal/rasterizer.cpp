@@ -41,7 +41,7 @@ class Band {
         const std::size_t k = place(x, y);
         if (!(depth > depth_[k])) continue;
         depth_[k] = depth;
-        fragments_[k] = {t.cell, w[0] * t.xi[0] + w[1] * t.xi[1] + w[2] * t.xi[2]};
+        fragments_[k] = {t.cell, w[0] * t.xi[0] + w[1] * t.xi[1] + w[2] * t.xi[2], t.is_line};
       }
   }
 

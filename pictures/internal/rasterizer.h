@@ -25,11 +25,13 @@ struct RasterTriangle {
   std::array<double, 3> depth{};   // larger is nearer; linear between corners
   Index cell = 0;
   std::array<Barycentric, 3> xi;  // of the corners in the cell; linear between them
+  bool is_line = false;           // along an edge of the cell, not a part of it
 };
 
 struct Fragment {
   Index cell = -1;  // none: the paper
   Barycentric xi;
+  bool is_line = false;  // as of its triangle
 };
 
 // The samples of a pixel, at the middles of as many squares.

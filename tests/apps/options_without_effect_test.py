@@ -37,11 +37,6 @@ CASES = {
     '--vtu': (['--vtu', 'lagrange'], ['.obj', '.html'], 'add -o OUT.vtu'),
     '--msh': (['--msh', 'surface'], ['.vtu'], 'add -o OUT.msh'),
     '--grid': (['--grid', '0.1'], ['.vtu', '.html'], 'add -o OUT.svg'),
-    '--edges': (['--edges', 'no'], ['.vtu', '.html'], 'add -o OUT.svg'),
-    '--legend': (['--legend', 'no'], ['.vtu', '.html'], 'add -o OUT.svg'),
-    '--color-range': (['--color-range', '4,5'], ['.vtu'], 'add -o OUT.svg'),
-    '--color-by': (['--color-by', 'area'], ['.vtu'], 'add -o OUT.svg'),
-    '--transparent': (['--transparent'], ['.vtu', '.html'], 'add -o OUT.svg'),
     '--squares': (['--squares', '9'], ['.png'], '--squares requires --view'),
     '--view': (['--view', '1,0,0'], ['.svg'], 'add -o OUT.png'),
     '--resolution': (['--no-pack', '--resolution', '300'], ['.vtu'], '--resolution excludes --no-pack'),
@@ -54,10 +49,22 @@ CASES = {
                               '--cones excludes --curvature-alignment'),
 }
 PICTURED = ['parametrize', 'unwrap', 'seamless', 'deform', 'convert']
+
+
+def of_drawings(*words, outputs):
+    return {**{verb: (words, outputs, 'add -o OUT.svg') for verb in PICTURED},
+            'compare': (words, [], words[0] + ' is of two results side by side')}
+
+
 # option -> verb -> the same
 OF_VERBS = {
+    '--edges': of_drawings('--edges', 'no', outputs=['.vtu', '.html']),
+    '--legend': of_drawings('--legend', 'no', outputs=['.vtu', '.html']),
+    '--color-range': of_drawings('--color-range', '4,5', outputs=['.vtu']),
+    '--color-by': of_drawings('--color-by', 'area', outputs=['.vtu']),
+    '--transparent': of_drawings('--transparent', outputs=['.vtu', '.html']),
     '--bake': {'unwrap': (['--bake'], ['.vtu'], '-o OUT.obj')},
-    '--size': {**{verb: (['--size', '99,99'], ['.vtu'], 'add -o OUT.svg') for verb in PICTURED}, 'bake': None},
+    '--size': {**of_drawings('--size', '99,99', outputs=['.vtu']), 'bake': None},
     '--image': {**{verb: (['--image', 'PICTURE'], ['.svg'], 'add -o OUT.png') for verb in PICTURED}, 'bake': None},
     '--padding': {'unwrap': (['--no-pack', '--padding', '3'], ['.vtu'], '--padding excludes --no-pack'), 'bake': None},
     '--align': {**{verb: (['--align'], ['.csv'], 'add -o OUT.vtu') for verb in ('parametrize', 'seamless', 'deform')},

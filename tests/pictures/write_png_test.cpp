@@ -152,6 +152,36 @@ void expect_near(const Color& found, const Color& wanted) {
     EXPECT_NEAR(a, b, 6);
 }
 
+// A cut below the edge of a table, on the far side of a face that is seen nearly from its side, of
+// less than a pixel: the line along it is as wide as others.
+TEST(WritePng, CutsAreWholeLines) {
+  MapFile map;
+  map.points.resize(10, 3);
+  map.uv.resize(10, 2);
+  const std::array<Vector2, 5> profile{Vector2(-1, 0), Vector2(0, 0), Vector2(0.001, -0.005),
+                                       Vector2(0.001, -0.005), Vector2(-0.5, -1)};
+  for (Index k = 0; k < 5; ++k)
+    for (Index side = 0; side < 2; ++side) {
+      map.points.row(2 * k + side) << side, profile[k].x(), profile[k].y();
+      map.uv.row(2 * k + side) << side, k;
+    }
+  map.cells = Cells{{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}, {6, 7, 9}, {6, 9, 8}};
+  map.input_vertex = Eigen::VectorXi::LinSpaced(10, 0, 9);
+  map.input_face = Eigen::VectorXi::LinSpaced(6, 0, 5);
+  map.claims = R"({"energy": "symmetric-dirichlet"})";
+  PngOptions options;
+  options.view = Vector3(0, 0, 1);
+  options.quantity = Quantity::Area;
+  options.width = options.height = 300;
+  options.legends = Legends::Left;
+  const PixelImage image = picture_of(map, options);
+  for (int x = 20; x < 280; ++x) {
+    int least = 255;
+    for (int y = 0; y < 30; ++y) least = std::min(least, int{image.at(x, y).green});
+    EXPECT_LT(least, 100) << x;
+  }
+}
+
 TEST(WritePng, ImagesLieOnTheSquareOfTheLayout) {
   const PixelImage quarters{2, 2, {{250, 0, 0}, {0, 250, 0}, {0, 0, 250}, {250, 250, 0}}};
   MapFile map = square_map();

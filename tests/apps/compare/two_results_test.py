@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""majorant compare A.vtu B.vtu -o AB.html: two results of one surface, face by face."""
+"""majorant compare A.vtu B.vtu -o AB.html -o AB.svg: two results of one surface, face by face."""
 import base64
 import json
 import os
@@ -70,6 +70,54 @@ class TwoResults(CommandTest):
             cells = np.frombuffer(base64.b64decode(data['cells']), '<u4').reshape(-1, size)
             return np.frombuffer(base64.b64decode(data['uv']), '<f8').reshape(-1, 2)[cells]
         self.assertTrue(np.array_equal(uv(data['other']), uv(straight['other'])))
+
+    def drawing(self, *flags):
+        self.run_ok('compare', self.path('a.vtu'), self.path('b.vtu'), '-o', self.path('ab.svg'), '--force', *flags)
+        return self.read('ab.svg').decode()
+
+    def test_a_drawing_of_both(self):
+        """One scale, one range of colours, one legend; the densities are those of the first one's energy."""
+        self.make('a.vtu', '--degree', 2)
+        self.make('b.vtu', '--degree', 3, '--energy', 'mips', '--normalize')
+        text = self.drawing('--color-range', '4,4.5')
+        said = re.findall(r'<text[^>]*>([^<]*)</text>', text)
+        for line in ('a.vtu, degree 2', 'b.vtu, degree 3', 'symmetric-dirichlet density', 'isometry 4', '4.5'):
+            self.assertEqual(said.count(line), 1, (line, said))
+        report = self.path('b.json')
+        self.run_ok('check', self.path('a.vtu'), '--report', report, '--quiet')
+        with open(report) as f:
+            largest = json.load(f)['result']['max_density']
+        self.assertIn('smallest', ' '.join(said))
+        self.assertIn('largest %.4g' % largest, ' '.join(said))
+        self.assertNotIn(self.folder, text)
+        # One beside the other.
+        fills = re.findall(r'<path fill="#[0-9a-f]{6}" stroke="[^"]*" stroke-width="[^"]*" d="([^"]*)"', text)
+        self.assertGreater(len(fills), 4)
+        firsts = [float(re.match(r'M([\d.]+)', fill)[1]) for fill in fills]
+        self.assertTrue(min(firsts) < 500 < max(firsts))
+        self.assertEqual(len(set(re.findall(r'<clipPath id="([^"]*)"', text))), text.count('<clipPath'))
+        # One scale: the layout of a map beside itself has twice the same paths, moved.
+        self.run_ok('compare', self.path('a.vtu'), self.path('a.vtu'), '-o', self.path('aa.svg'))
+        fills = re.findall(r'<path fill="#[0-9a-f]{6}" stroke="[^"]*" stroke-width="[^"]*" d="M([^a-z]*)([^"]*)"',
+                           self.read('aa.svg').decode())
+        half = len(fills) // 2
+        self.assertEqual([d for _, d in fills[:half]], [d for _, d in fills[half:]])
+
+    def test_a_drawing_obeys_the_options_of_drawings(self):
+        self.make('a.vtu', '--degree', 2)
+        self.make('b.vtu', '--degree', 1)
+        small = self.drawing('--size', '700,500', '--edges', 'no', '--color-by', 'area', '--transparent')
+        self.assertIn('width="700" height="500"', small)
+        self.assertIn('>area distortion<', small)
+        self.assertNotIn('<rect', small)
+        bare = self.drawing('--legend', 'no')
+        self.assertEqual(re.findall(r'<text[^>]*>([^<]*)</text>', bare), ['a.vtu, degree 2', 'b.vtu, degree 1'])
+        outcome = majorant('compare', self.path('a.vtu'), self.path('b.vtu'), '-o', self.path('x.svg'), '--size', '300,100')
+        self.assertEqual(outcome.code, USAGE)
+        self.assertIn('its legends are', outcome.err)
+        outcome = majorant('compare', self.path('a.vtu'), self.path('b.vtu'), '-o', self.path('x.html'), '--size', '300')
+        self.assertEqual(outcome.code, USAGE)
+        self.assertIn('add -o OUT.svg', outcome.err)
 
     def test_results_of_different_surfaces_are_refused(self):
         self.make('a.vtu')
