@@ -1,7 +1,7 @@
 // What the border of a surface asks for before quads are made of it: room for the lines that leave
 // it, and a vertex at its corners.
 //
-//   const SurfaceMesh roomy = with_room_at_border(mesh);
+//   const SurfaceMesh roomy = with_room_at_border(*mesh);
 //   const std::vector<char> is_corner = border_corners(roomy);
 //
 // Vertices of `mesh` keep their numbers.

@@ -2,7 +2,8 @@
 // nor turns: no step makes the worst corner around it worse than before, unless it stays good, or
 // more of its quads face away from the surface.
 //
-//   smooth_quads(polygons, mesh, extracted.border_points(), stop);
+//   const std::vector<BorderPoint> border(polygons.positions.size());   // no vertex on the border
+//   smooth_quads(polygons, *mesh, border, stop);
 //
 // Vertices of the border slide along it, between their neighbours, but for its corners.
 #pragma once
