@@ -30,7 +30,8 @@ class Shortening {
         cuts_at_(to_size(mesh.vertex_count()), 0),
         distance_(to_size(mesh.vertex_count()), kFar),
         entered_(to_size(mesh.vertex_count()), -1),
-        side_(to_size(mesh.half_edge_count()), kNoSide) {
+        is_from_(to_size(mesh.half_edge_count()), 0),
+        rank_(to_size(mesh.half_edge_count()), -1) {
     for (Index h = 0; h < mesh.half_edge_count(); ++h) {
       if (mesh.opposite(h) >= 0) leaving_[mesh.from_vertex(h)].push_back(h);
       if (is_cut[h]) ++cuts_at_[mesh.from_vertex(h)];
@@ -63,8 +64,6 @@ class Shortening {
   }
 
  private:
-  static constexpr char kNoSide = 2;
-
   bool is_node(Index v) const { return is_terminal_[v] || is_boundary_[v] || cuts_at_[v] != 2; }
   // A vertex of the boundary of the surface cut so far; terminals are holes without size.
   bool is_barrier(Index v) const { return is_terminal_[v] || is_boundary_[v] || cuts_at_[v] > 0; }
@@ -102,57 +101,85 @@ class Shortening {
       set_cut(h, 0);
       length += length_[h];
     }
-    const Index ends[2] = {mesh_.from_vertex(chain.front()), mesh_.to_vertex(chain.back())};
-    std::vector<Index> path;
-    if (label_sides(ends) == 2) path = shortest_path(length * (1 - kWorthwhile));
-    for (const Index h : labelled_) side_[h] = kNoSide;
-    labelled_.clear();
+    const Index last = mesh_.opposite(chain.back());
+    Boundary one = boundary_at(chain.front()), other = boundary_at(last);
+    const std::vector<Index> path = shortest_path(smaller(one, other), length * (1 - kWorthwhile));
     for (const Index h : path.empty() ? chain : path) set_cut(h, 1);
     if (path.empty()) return false;
-    for (const Index h : path) sides_.insert(sides_.end(), {h, mesh_.opposite(h)});
-    for (const Index v : ends) prune_from(v);
+    for (const Index h : path) {
+      add_side(h);
+      add_side(mesh_.opposite(h));
+    }
+    for (const Index h : {chain.front(), last}) prune_from(mesh_.from_vertex(h));
     return true;
-  }
-
-  void label(Index h, char side) {
-    side_[h] = side;
-    labelled_.push_back(h);
   }
 
   void list_sides() {
     sides_.clear();
+    std::fill(rank_.begin(), rank_.end(), -1);
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-      if (is_side(h)) sides_.push_back(h);
+      if (is_side(h)) add_side(h);
+  }
+  void add_side(Index h) {
+    if (rank_[h] < 0) rank_[h] = static_cast<Index>(sides_.size());
+    sides_.push_back(h);
   }
 
-  // Gives every half-edge that leaves the boundary of the cut surface into its inside the number of
-  // the boundary component there. Returns the number of components.
-  int label_sides(const Index (&ends)[2]) {
-    int count = 0;
-    for (const Index start : sides_) {
-      if (!is_side(start) || side_[start] != kNoSide || count > 2) continue;
-      for (Index h = start; side_[h] == kNoSide;) {
-        label(h, static_cast<char>(count));
-        Index g = next(h);
-        for (; !is_side(g); g = next(mesh_.opposite(g))) label(g, static_cast<char>(count));
-        h = g;
-      }
-      ++count;
+  // A boundary component of the cut surface: the half-edges that leave it into the inside, in the
+  // order along it; of a terminal that no cut meets all that leave it.
+  struct Boundary {
+    std::vector<Index> leaving = {};
+    Index start = -1, side = -1;  // of the walk along it: the first half-edge, and the last one met
+    Index rank = std::numeric_limits<Index>::max();  // the least of its sides
+    std::size_t first = 0;                           // where that is in `leaving`
+    bool is_whole = false;
+  };
+
+  // The component around the vertex, where h, which is no side, leaves it.
+  Boundary boundary_at(Index h) const {
+    const Index v = mesh_.from_vertex(h);
+    Boundary boundary;
+    if (is_boundary_[v] || cuts_at_[v] > 0) {
+      Index g = h;
+      while (!is_side(g)) g = next(mesh_.opposite(g));
+      boundary.start = boundary.side = g;
+    } else {
+      if (is_terminal_[v]) boundary.leaving = leaving_[v];
+      boundary.is_whole = true;
     }
-    for (const Index v : ends)  // terminals that no other cut meets
-      if (is_terminal_[v] && cuts_at_[v] == 0 && count < 3) {
-        for (const Index h : leaving_[v]) label(h, static_cast<char>(count));
-        ++count;
-      }
-    return count;
+    return boundary;
   }
 
-  // Half-edges from one component to the other through the inside, empty if none is shorter.
-  std::vector<Index> shortest_path(double limit) {
-    // From the one with fewer half-edges, often a single vertex.
-    const auto zeros =
-        std::count_if(labelled_.begin(), labelled_.end(), [&](Index h) { return side_[h] == 0; });
-    const char start = 2 * zeros <= static_cast<std::ptrdiff_t>(labelled_.size()) ? 0 : 1;
+  // Walks along the component to the next side.
+  void walk_on(Boundary& boundary) const {
+    if (rank_[boundary.side] < boundary.rank) {
+      boundary.rank = rank_[boundary.side];
+      boundary.first = boundary.leaving.size();
+    }
+    boundary.leaving.push_back(boundary.side);
+    Index g = next(boundary.side);
+    for (; !is_side(g); g = next(mesh_.opposite(g))) boundary.leaving.push_back(g);
+    boundary.side = g;
+    boundary.is_whole = g == boundary.start;
+  }
+
+  // The one of two components that has fewer half-edges, or else that of the first side. As many
+  // steps as it takes to walk along that one.
+  Boundary& smaller(Boundary& one, Boundary& other) const {
+    for (;;) {
+      if (one.is_whole && one.leaving.size() < other.leaving.size()) return one;
+      if (other.is_whole && other.leaving.size() < one.leaving.size()) return other;
+      if (one.is_whole && other.is_whole) return other.rank < one.rank ? other : one;
+      const bool is_one =
+          other.is_whole || (!one.is_whole && one.leaving.size() <= other.leaving.size());
+      walk_on(is_one ? one : other);
+    }
+  }
+
+  // Half-edges from this boundary component to the other one through the inside, empty if none is
+  // shorter.
+  std::vector<Index> shortest_path(const Boundary& from, double limit) {
+    for (const Index h : from.leaving) is_from_[h] = 1;
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     std::vector<Index> touched;
@@ -160,7 +187,7 @@ class Shortening {
     const auto reach = [&](Index h, double d) {
       const Index w = mesh_.to_vertex(h);
       if (is_barrier(w)) {
-        if (d < limit && side_[mesh_.opposite(h)] == 1 - start) limit = d, last = h;
+        if (d < limit && !is_from_[mesh_.opposite(h)]) limit = d, last = h;
       } else if (d < limit && d < distance_[w]) {
         if (distance_[w] == kFar) touched.push_back(w);
         distance_[w] = d;
@@ -168,14 +195,18 @@ class Shortening {
         front.emplace(d, w);
       }
     };
-    for (const Index h : labelled_)
-      if (side_[h] == start && !is_side(h)) reach(h, length_[h]);
+    const std::size_t count = from.leaving.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const Index h = from.leaving[(from.first + k) % count];
+      if (!is_side(h)) reach(h, length_[h]);
+    }
     while (!front.empty() && front.top().first < limit) {
       const auto [d, v] = front.top();
       front.pop();
       if (d > distance_[v]) continue;
       for (const Index h : leaving_[v]) reach(h, d + length_[h]);
     }
+    for (const Index h : from.leaving) is_from_[h] = 0;
     std::vector<Index> path;
     for (Index h = last; h >= 0; h = entered_[mesh_.from_vertex(h)]) path.push_back(h);
     for (const Index v : touched) distance_[v] = kFar, entered_[v] = -1;
@@ -191,9 +222,9 @@ class Shortening {
   std::vector<int> cuts_at_;                 // per vertex, cut edges
   std::vector<double> distance_;             // from where the search starts
   std::vector<Index> entered_;               // half-edge over which a vertex was reached
-  std::vector<char> side_;
-  std::vector<Index> labelled_;
-  std::vector<Index> sides_;  // all half-edges with is_side(), and some that were
+  std::vector<char> is_from_;                // half-edges
+  std::vector<Index> sides_;                 // all half-edges with is_side(), and some that were
+  std::vector<Index> rank_;                  // where a half-edge is in sides_ first, or -1
 };
 
 }  // namespace

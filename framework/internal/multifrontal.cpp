@@ -247,12 +247,18 @@ void MultifrontalFactor::extend_add(Index child, const Scratch& scratch) {
 void MultifrontalFactor::forward(Index f, double* x) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
   const std::span<const Index> below = tree_.rows_below(f);
-  std::copy_n(permuted_.data() + front.first, front.columns, x);
+  const std::size_t inside = to_size(inside_[f]);
+  double* const own = permuted_.data() + front.first;
+  // Of right-hand sides with few entries, all but the fronts above these.
+  if (std::all_of(own, own + front.columns, [](double value) { return value == 0; })) {
+    std::fill_n(outside_.data() + outside_places_[f], below.size() - inside, 0.0);
+    return;
+  }
+  std::copy_n(own, front.columns, x);
   std::fill(x + front.columns, x + front.stride, 0.0);
   kernels_.forward(panel(f), front.stride, front.columns, x);
-  std::copy_n(x, front.columns, permuted_.data() + front.first);
+  std::copy_n(x, front.columns, own);
   x += front.columns;
-  const std::size_t inside = to_size(inside_[f]);
   for (std::size_t k = 0; k < inside; ++k) permuted_[below[k]] += x[k];
   if (inside < below.size())
     std::copy(x + inside, x + below.size(), outside_.data() + outside_places_[f]);

@@ -125,8 +125,7 @@ double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,
 // Returns whether the chart lies in the plane as it is, edge for edge, but for overlaps: there is
 // no curvature inside.
 bool unfolds(const SurfaceMesh& chart);
-// Returns whether it does, and is bent at creases: flat
-// panels between creases, and no curvature inside.
+// Returns whether it does, and is of flat panels: one, or several between creases.
 bool unfolds_at_creases(const SurfaceMesh& chart, const CutPreferences& wanted);
 // The estimated stretch of the chart as it is.
 double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop = {});

@@ -174,6 +174,27 @@ TEST(Multifrontal, TheSameBitsFromAnyNumberOfThreads) {
   }
 }
 
+// Fronts below them are left out: nothing of the right-hand side before is left.
+TEST(Multifrontal, RightHandSidesWithFewEntries) {
+  const ThreadCount two(2);
+  const SparsePattern pattern = grid(150);
+  Random random(4);
+  Vec values = random.vector(pattern.nonzeros());
+  for (Index c = 0; c < pattern.size; ++c) values[pattern.diagonal_slot(c)] += 12;
+  const auto solver = make_direct_solver(Ordering::Amd);
+  solver->analyze(pattern);
+  ASSERT_EQ(solver->factorize(values, 0), FactorStatus::Ok);
+  const Vec r = random.vector(pattern.size);
+  for (const Index k : {0, pattern.size / 3, pattern.size - 1}) {
+    const Vec few = Vec::Unit(pattern.size, k);
+    Vec p, with, without;
+    solver->solve(r + few, with);
+    solver->solve(r, without);
+    solver->solve(few, p);
+    EXPECT_LT((p - (with - without)).norm(), 1e-12) << k;
+  }
+}
+
 // Threads share the memory of updates that wait: each has a stack that is as large as its largest
 // task needs, and tasks leave no more than the updates of their roots.
 TEST(Multifrontal, ThreadsTakeLittleMemory) {

@@ -114,9 +114,11 @@ void ChartSolver::try_texture(RunRecord& record) {
 }
 
 void ChartSolver::try_tutte(RunRecord& record) {
-  if (!try_many_resolutions(record) && !attempt(tutte(), MapInjectivity::Local, record) &&
-      !try_unfolded(record))
-    attempt(tutte(), MapInjectivity::Global, record);
+  is_overlapping_ = false;
+  if (try_many_resolutions(record)) return;
+  // Where the minimum overlaps itself, Tutte's map leads to the same.
+  if (!is_overlapping_ && attempt(tutte(), MapInjectivity::Local, record)) return;
+  if (!try_unfolded(record)) attempt(tutte(), MapInjectivity::Global, record);
 }
 
 // The start of a map that may overlap itself, where that is another one than Tutte's.
@@ -195,7 +197,9 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
     return false;
   }
   const bool has_map = result.map && result.status != Status::Failed;
-  if (!has_map || !has_boundary_margin(*result.map) || !has_area_margin(*result.map)) {
+  const bool is_apart = has_map && has_boundary_margin(*result.map);
+  is_overlapping_ = result.status == Status::Converged && !is_apart;
+  if (!is_apart || !has_area_margin(*result.map)) {
     chart_.message = result.message;
     return false;
   }

@@ -67,6 +67,7 @@ class ChartSolver {
   std::optional<Vec> tutte_;
   Chart chart_;
   bool is_done_ = false;
+  bool is_overlapping_ = false;  // the last attempt ended at a minimum that overlaps itself
 };
 
 struct PreparedTexture {

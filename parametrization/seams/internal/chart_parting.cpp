@@ -390,6 +390,7 @@ bool unfolds(const SurfaceMesh& chart) {
 
 bool unfolds_at_creases(const SurfaceMesh& chart, const CutPreferences& wanted) {
   if (!unfolds(chart)) return false;
+  if (dihedral_angles(chart).maxCoeff() <= kCurved) return true;
   const Vec sharp = sharpness(chart, wanted.creases);
   for (Index h = 0; h < chart.half_edge_count(); ++h)
     if (sharp[h] > 0 && chart.opposite(h) >= 0) return true;

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "majorant/parametrization/seams/internal/flattening_strain.h"
@@ -175,7 +176,7 @@ void CutTree::grow(const std::vector<char>& is_terminal, double length) {
 
 void CutTree::hold(const StopCheck& stop) {
   const SurfaceMesh base = mesh_.cut_along(is_root_cut_, nullptr);
-  const FlatteningStrain sheet(base, base.from_vertex(outer_), stop);
+  const FlatteningStrain sheet(base, base.from_vertex(outer_), stop, Ordering::Metis);
   std::vector<FlatteningStrain::Functional> held;
   const auto add = [&](Branch& branch, const FlatteningStrain::Functional& functional) {
     if (sheet.is_zero(functional)) return;
@@ -205,6 +206,9 @@ void CutTree::hold(const StopCheck& stop) {
                Eigen::MatrixXd(g.ldlt().solve(Eigen::MatrixXd::Identity(count, count))) *
                scale.asDiagonal();
   pull_ = precision_ * values;
+  held_ = count;
+  place_.resize(to_size(count));
+  std::iota(place_.begin(), place_.end(), 0);
 }
 
 // The branches from this one, an end, down to the next place where others hang on.
@@ -215,28 +219,40 @@ std::vector<Index> CutTree::peelable(Index branch) const {
   return path;
 }
 
-std::vector<Index> CutTree::rows_of(const std::vector<Index>& branches) const {
-  std::vector<Index> rows;
+// In P and x, of their rows.
+std::vector<Index> CutTree::places_of(const std::vector<Index>& branches) const {
+  std::vector<Index> places;
   for (const Index t : branches)
-    for (Index r = 0; r < twigs_[t].rows; ++r) rows.push_back(twigs_[t].first_row + r);
-  return rows;
+    for (Index r = 0; r < twigs_[t].rows; ++r) places.push_back(place_[twigs_[t].first_row + r]);
+  return places;
 }
 
-double CutTree::added_strain(const std::vector<Index>& rows) const {
-  const Vec x = pull_(rows);
-  return x.dot(precision_(rows, rows).ldlt().solve(x));
+double CutTree::added_strain(const std::vector<Index>& places) const {
+  const Vec x = pull_(places);
+  return x.dot(precision_(places, places).ldlt().solve(x));
 }
 
 void CutTree::let_go(const std::vector<Index>& branches) {
-  const std::vector<Index> rows = rows_of(branches);
-  const Eigen::MatrixXd columns = precision_(Eigen::all, rows);
-  const auto block = Eigen::MatrixXd(precision_(rows, rows)).ldlt();
-  pull_ -= columns * block.solve(Vec(pull_(rows)));
-  precision_ -= columns * block.solve(columns.transpose());
+  const std::vector<Index> places = places_of(branches);
+  const Eigen::MatrixXd columns = precision_(Eigen::seqN(0, held_), places);
+  const auto block = Eigen::MatrixXd(precision_(places, places)).ldlt();
+  pull_.head(held_) -= columns * block.solve(Vec(pull_(places)));
+  precision_.topLeftCorner(held_, held_) -= columns * block.solve(columns.transpose());
   for (const Index t : branches) {
+    for (Index r = 0; r < twigs_[t].rows; ++r) drop(twigs_[t].first_row + r);
     twigs_[t].peeled = true;
     if (const Index p = twigs_[t].parent; p >= 0) --twigs_[p].children;
   }
+}
+
+// Puts the last row that is held in the place of this one.
+void CutTree::drop(Index row) {
+  const Index place = place_[row], last = --held_;
+  const auto moved = std::find(place_.begin(), place_.end(), last);
+  precision_.row(place).swap(precision_.row(last));
+  precision_.col(place).swap(precision_.col(last));
+  std::swap(pull_[place], pull_[last]);
+  std::swap(*moved, place_[row]);
 }
 
 // The best way to shorten each end of the cut, the best of all first.
@@ -248,7 +264,7 @@ std::vector<CutTree::Offer> CutTree::offers(double most_added) const {
     Offer best{std::numeric_limits<double>::infinity(), {}};
     for (std::size_t count = 1;; count = std::min(2 * count, path.size())) {
       const std::vector<Index> part(path.begin(), path.begin() + static_cast<long>(count));
-      const double added = added_strain(rows_of(part));
+      const double added = added_strain(places_of(part));
       double cost = 0;
       for (const Index p : part) cost += twigs_[p].cost;
       if (added <= most_added && added < best.price * cost) best = {added / cost, part};
@@ -268,7 +284,7 @@ void CutTree::peel(double strain, double limit, const StopCheck& stop) {
     if (offers.empty()) return;
     offers.resize(1 + offers.size() / kOffersPerStep);
     for (Offer& offer : offers) {
-      const double added = added_strain(rows_of(offer.branches));  // after the others
+      const double added = added_strain(places_of(offer.branches));  // after the others
       if (strain + added > limit) continue;
       strain += added;
       let_go(offer.branches);

@@ -52,7 +52,7 @@ class CutTree {
     Index parent = -1;              // branch that it hangs from, -1: the root
     std::vector<Index> half_edges;  // away from the root
     double cost = 0;
-    Index first_row = 0, rows = 0;  // what its far end holds
+    Index first_row = 0, rows = 0;  // what its far end holds: numbers of place_
     Index children = 0;             // not peeled
     bool peeled = false;
   };
@@ -75,9 +75,10 @@ class CutTree {
   void grow(const std::vector<char>& is_terminal, double length);
   void hold(const StopCheck& stop);
   std::vector<Index> peelable(Index branch) const;
-  std::vector<Index> rows_of(const std::vector<Index>& branches) const;
-  double added_strain(const std::vector<Index>& rows) const;
+  std::vector<Index> places_of(const std::vector<Index>& branches) const;
+  double added_strain(const std::vector<Index>& places) const;
   void let_go(const std::vector<Index>& branches);
+  void drop(Index row);
   std::vector<Offer> offers(double most_added) const;
 
   const SurfaceMesh& mesh_;
@@ -88,6 +89,8 @@ class CutTree {
   Index outer_ = -1;                        // a half-edge that leaves a vertex of the root
   std::vector<Branch> twigs_;
   std::vector<Step> steps_;
+  std::vector<Index> place_;   // of every row in P and x
+  Index held_ = 0;             // rows in P and x that are not let go of: the first ones
   Eigen::MatrixXd precision_;  // P
   Vec pull_;                   // x
 };

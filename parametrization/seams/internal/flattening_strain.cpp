@@ -56,10 +56,11 @@ std::size_t outer_loop(const SurfaceMesh& mesh, Index outer) {
 
 }  // namespace
 
-FlatteningStrain::FlatteningStrain(const SurfaceMesh& piece, Index outer, const StopCheck& stop) {
+FlatteningStrain::FlatteningStrain(const SurfaceMesh& piece, Index outer, const StopCheck& stop,
+                                   Ordering ordering) {
   measure(piece);
   number_unknowns(piece, outer);
-  if (unknowns_ > 0) factorize(piece, stop);
+  if (unknowns_ > 0) factorize(piece, ordering, stop);
 }
 
 // Angles, areas, cotangents of the surface scaled to area 1.
@@ -99,7 +100,8 @@ void FlatteningStrain::number_unknowns(const SurfaceMesh& piece, Index outer) {
     if (!is_boundary[v]) row_[v] = unknowns_++;
 }
 
-void FlatteningStrain::factorize(const SurfaceMesh& piece, const StopCheck& stop) {
+void FlatteningStrain::factorize(const SurfaceMesh& piece, Ordering ordering,
+                                 const StopCheck& stop) {
   std::vector<Row> rows(to_size(piece.vertex_count()));  // of L, in the unknowns
   for (Index h = 0; h < piece.half_edge_count(); ++h) {
     const Index a = piece.from_vertex(h), b = piece.to_vertex(h), r = row_[a], s = row_[b];
@@ -123,7 +125,7 @@ void FlatteningStrain::factorize(const SurfaceMesh& piece, const StopCheck& stop
           values[pattern_->slot(y.unknown, x.unknown)] +=
               x.value * y.value / area_[static_cast<Index>(v)];
   stop.poll();
-  solver_ = make_direct_solver(Ordering::Metis);
+  solver_ = make_direct_solver(ordering);
   solver_->analyze(*pattern_);
   if (factorize_shifted(*solver_, *pattern_, values, kSmallestShift, stop).status !=
       FactorStatus::Ok) {

@@ -31,8 +31,9 @@ namespace majorant {
 class FlatteningStrain {
  public:
   // piece: connected, with a boundary. outer: a vertex of the loop around the image, -1: of the
-  // longest one. Stopped.
-  explicit FlatteningStrain(const SurfaceMesh& piece, Index outer = -1, const StopCheck& stop = {});
+  // longest one. ordering: Metis, where many responses are asked for. Stopped.
+  explicit FlatteningStrain(const SurfaceMesh& piece, Index outer = -1, const StopCheck& stop = {},
+                            Ordering ordering = Ordering::Amd);
 
   // mean |e|^2; +inf where the mesh spoils the system.
   double strain() const { return strain_; }
@@ -49,7 +50,7 @@ class FlatteningStrain {
   void measure(const SurfaceMesh& piece);
   void number_unknowns(const SurfaceMesh& piece, Index outer);
   Vec load_of(const Functional& functional) const;
-  void factorize(const SurfaceMesh& piece, const StopCheck& stop);
+  void factorize(const SurfaceMesh& piece, Ordering ordering, const StopCheck& stop);
 
   Vec area_, load_;         // #V
   Vec cotangent_;           // 3 #F: of the angle opposite the half-edge

@@ -2,6 +2,7 @@
 #include "majorant/parametrization/seams/visibility.h"
 
 #include "majorant/framework/parallel.h"
+#include "majorant/mesh/repair.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "parametrization/seams/cut_checks.h"
 
@@ -42,7 +43,7 @@ TEST(Visibility, OfEveryComponent) {
     mesh.positions.push_back(p);
   mesh.polygons.push_back({first, first + 1, first + 2});
   mesh.polygon_lines.clear();
-  const Vec seen = ambient_visibility(SurfaceMesh::from_polygons(mesh));
+  const Vec seen = ambient_visibility(*repair(mesh).mesh);
   EXPECT_LT(seen.tail<3>().maxCoeff(), 0.1);
 }
 
@@ -54,7 +55,7 @@ TEST(Visibility, FromADirectionBehindOtherParts) {
     mesh.positions.emplace_back(x, y, 0.5);
   mesh.polygons.push_back({first, first + 1, first + 2, first + 3});
   mesh.polygon_lines.clear();
-  const SurfaceMesh surface = SurfaceMesh::from_polygons(mesh);
+  const SurfaceMesh surface = *repair(mesh).mesh;
   const Vec above = visibility_from(surface, {0, 0, 1});
   for (Index v = 0; v < surface.vertex_count(); ++v) {
     const Vector3 p = surface.positions().row(v);
