@@ -467,7 +467,9 @@ TEST(WriteSvg, LegendsStayOnTheSheet) {
   const std::string said =
       "symmetric-dirichlet + 0.125*conformal-amips + 1e-05*arap density, degree 1";
   for (const int width : {0, 1000, 700, 350, 240}) {
-    SvgOptions options{.color_range = ColorRange{4.875, 12345.5}, .grid = 0.123456};
+    SvgOptions options;
+    options.color_range = ColorRange{4.875, 12345.5};
+    options.grid = 0.123456;
     if (width > 0) options.size = SheetSize{width, 900};
     const std::string text = drawing_of(map, options);
     const double side = width > 0 ? width : 1000;
