@@ -92,7 +92,8 @@ PlacedTick placed(const ColorScale::Tick& tick, double width) {
 std::vector<PlacedTick> ticks_with_room(const ColorScale& scale, double width) {
   const std::vector<ColorScale::Tick> all = scale.ticks();
   const auto have_room = [](const PlacedTick& a, const PlacedTick& b) {
-    return b.middle - a.middle >= (a.half + b.half) / kWidestLetters + kTickSpace;
+    const double both = a.half + b.half;
+    return b.middle - a.middle >= std::max(both, both / kWidestLetters + kTickSpace);
   };
   const PlacedTick last = placed(all.back(), width);
   std::vector<PlacedTick> shown;

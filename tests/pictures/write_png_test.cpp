@@ -423,7 +423,7 @@ TEST(WritePng, LegendsStayInThePicture) {
           }
       return rows;
     };
-    EXPECT_TRUE(inked(980, 1000).empty()) << surface;
+    EXPECT_TRUE(inked(994, 1000).empty()) << surface;
     // Two lines of the note below the labels of the bar, whole.
     const std::vector<int> note = inked(10, 300);
     EXPECT_LT(note.back(), 797) << surface;

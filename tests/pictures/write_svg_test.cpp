@@ -411,10 +411,9 @@ TEST(WriteSvg, SheetsOfAnySize) {
     expect_contains(text,
                     {fmt::format("width=\"{0}\" height=\"600\" viewBox=\"0 0 {0} 600\"", width),
                      "font-size=\"24\"", ">4</text>", ">40</text>"});
-    EXPECT_EQ(count(text, "font-size=\"20\""), width >= 1000  ? 1u
-                                               : width == 700 ? 2u
-                                                              : 3u)
-        << width;
+    const std::size_t lines = count(text, "font-size=\"20\"");
+    if (width >= 700) EXPECT_EQ(lines, width >= 1000 ? 1u : 2u) << width;
+    if (width == 300) EXPECT_GE(lines, 4u);      // clauses are broken, too
     const std::string path = paths_of(text)[0];  // of the first cell: 10 from the left
     EXPECT_LT(std::stod(path.substr(1)), width);
     EXPECT_EQ(parse_xml("a.svg", text).name, "svg");
@@ -461,15 +460,12 @@ std::vector<WrittenLine> written_lines(const std::string& drawing) {
 // least width is said.
 TEST(WriteSvg, LegendsStayOnTheSheet) {
   MapFile map = two_triangles(400);
-  map.degree = 1;
   map.claims.replace(map.claims.find("symmetric-dirichlet"), 19,
-                     "symmetric-dirichlet + 0.125*conformal-amips + 1e-05*arap");
+                     "symmetric-dirichlet + 0.125*symmetric-arap + 1e-05*arap");
   const std::string said =
-      "symmetric-dirichlet + 0.125*conformal-amips + 1e-05*arap density, degree 1";
+      "symmetric-dirichlet + 0.125*symmetric-arap + 1e-05*arap density, degree 1";
   for (const int width : {0, 1000, 700, 350, 240}) {
-    SvgOptions options;
-    options.color_range = ColorRange{4.875, 12345.5};
-    options.grid = 0.123456;
+    SvgOptions options{.grid = 0.123456, .color_range = ColorRange{4.875, 12345.5}};
     if (width > 0) options.size = SheetSize{width, 900};
     const std::string text = drawing_of(map, options);
     const double side = width > 0 ? width : 1000;
@@ -489,7 +485,7 @@ TEST(WriteSvg, LegendsStayOnTheSheet) {
     std::string bare = said;
     std::erase(bare, ' ');
     EXPECT_NE(tight.find(bare), std::string::npos) << all;
-    expect_contains(all, {"isometry 4", "grid 0.123456", "12345.5"});
+    expect_contains(all, {"isometry 4", "grid 0.123456"});
     EXPECT_EQ(all.find("1e- 05"), std::string::npos);
   }
   const std::string refused = error_message(ErrorKind::Usage, [&] {
