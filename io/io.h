@@ -41,8 +41,8 @@ using FileVerification = std::function<void(const std::string& temporary_path)>;
 // place when it is not.
 FileVerification certification(std::string path, ProofRequest wanted,
                                const MapFile* image_of = nullptr);
-// The same of an OBJ or glTF whose objects (mesh_objects.h) have layouts of their own, which may
-// lie on each other.
+// The same of an OBJ or glTF whose objects (`o` of an OBJ, a mesh of glTF) have layouts of their
+// own, which may lie on each other.
 FileVerification certification_of_objects(std::string path, ProofRequest wanted);
 
 // The full result as a VTK XML UnstructuredGrid, lossless: read_vtu(write_vtu(map)) gives the same

@@ -116,7 +116,7 @@ void write_svg(const std::string& path, const MapFile& map, const SvgOptions& op
 std::string svg_text(const MapFile& map, const SvgOptions& options = {});
 
 // Two maps of one surface side by side, for figures that compare: at one scale, that of the surface
-// (uv times layout_scale(), io/layout_scale.h), on one range of colours, with one legend of these;
+// (uv over the claimed layout_scale), on one range of colours, with one legend of these;
 // below each its caption, its degree, and the smallest and the largest value on it.
 //
 //   const MapPair pair{{{read_map("a.vtu"), "a.vtu"}, {read_map("b.vtu"), "b.vtu"}}};

@@ -1,8 +1,9 @@
 // The legends of a drawing as they are painted: that of colours, and below it that of marks.
 //
-//   const DrawnLegends legends(colors, marks, 1000);      // broken where lines are wider than that
-//   legends.height();                                     // what they take
-//   for (DrawingItem& item : legends.items(top, bottom)) ...
+//   const LegendMark turned = turned_over_mark(2, LegendAbove::Nothing);
+//   const DrawnLegends legends(std::nullopt, {turned}, 1000);  // lines wider than that are broken
+//   const double bottom = 20 + legends.height();
+//   for (const DrawingItem& item : legends.items(20, bottom)) static_cast<void>(item);
 #pragma once
 
 #include <optional>
