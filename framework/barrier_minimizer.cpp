@@ -217,7 +217,8 @@ class Phases {
                          held_back_by(violated), kNoProof));
     }
     result_.energy = measure().energy;
-    if (const BarrierChecker* const violated = bounds_.violated(point()))
+    const BarrierChecker* const violated = bounds_.violated(point());
+    if (violated && entry != Entry::Outside)
       result_.message += fmt::format("; the point violates '{}'", violated->name());
     return false;
   }

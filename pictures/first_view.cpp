@@ -38,11 +38,11 @@ double entropy(const MapFile& map, const Vector3& view) {
   constexpr PixelSize kSize{kSide, kSide};
   constexpr std::size_t kRow = kSide * kSamplesPerPixel;
   std::vector<Index> shown(kRow * kSide, -1);
-  rasterize(surface_triangles(map, view, kSize), kSize,
-            [&](int y, std::span<const Fragment> samples) {
-              for (std::size_t k = 0; k < samples.size(); ++k)
-                shown[to_size(y) * kRow + k] = samples[k].cell;
-            });
+  std::vector<RasterTriangle> triangles = surface_triangles(map, view, kSize);
+  std::erase_if(triangles, [](const RasterTriangle& t) { return t.is_line; });
+  rasterize(triangles, kSize, [&](int y, std::span<const Fragment> samples) {
+    for (std::size_t k = 0; k < samples.size(); ++k) shown[to_size(y) * kRow + k] = samples[k].cell;
+  });
   std::vector<double> samples(to_size(static_cast<Index>(map.cells.rows())));
   double all = 0;
   for (const Index cell : shown)
