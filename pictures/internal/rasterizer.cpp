@@ -40,6 +40,7 @@ class Band {
         const double depth = w[0] * t.depth[0] + w[1] * t.depth[1] + w[2] * t.depth[2];
         const std::size_t k = place(x, y);
         if (!(depth > depth_[k])) continue;
+        if (t.is_line && fragments_[k].cell < 0) continue;  // beyond the surface's outline
         depth_[k] = depth;
         fragments_[k] = {t.cell, w[0] * t.xi[0] + w[1] * t.xi[1] + w[2] * t.xi[2], t.is_line};
       }

@@ -25,7 +25,7 @@ struct RasterTriangle {
   std::array<double, 3> depth{};   // larger is nearer; linear between corners
   Index cell = 0;
   std::array<Barycentric, 3> xi;  // of the corners in the cell; linear between them
-  bool is_line = false;           // along an edge of the cell, not a part of it
+  bool is_line = false;  // along an edge of the cell, not a part of it: shown on those before it
 };
 
 struct Fragment {
