@@ -752,14 +752,15 @@ class ObjectsRun {
       for (const char* const key : {"status", "input", "repairs", "result", "charts"})
         section[key] = report[key];
       append(lines_of_charts_, lines_of_charts(job));
+      asked_ = job.asked;
+      if (status == Status::Failed) continue;  // there is no layout to sum up
       append(lines_, remarks(job));
       lines_.push_back(fmt::format(
           "{}: {}, {}, {} {:.6f}, stretch {:.4f}, fill {:.2f}, {}\n", object.mesh.file,
           status_name(status), count_text(static_cast<Index>(job.atlas.charts.size()), "chart"),
           request_.map.energy, job.atlas.value(), job.atlas.stretch().l2, job.atlas.packing->fill,
           overlap_words(job.boundary, ImageOf::Charts)));
-      asked_ = job.asked;
-      if (status != Status::Failed) layouts_.push_back({atlas_file(job), std::move(object)});
+      layouts_.push_back({atlas_file(job), std::move(object)});
     }
   }
 

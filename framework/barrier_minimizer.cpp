@@ -152,7 +152,8 @@ class Phases {
     });
   }
 
-  // By minima of the violation of all bounds that are not met. Those that are hold on the way.
+  // By minima of the violation of all bounds that have a measure, also of those that are met: a
+  // barrier of little weight lets a point creep along its bound. Others hold on the way.
   bool minimize_violation() {
     const double scale = this->scale(), mu = options_.first_gap * scale / m_;
     double before = std::numeric_limits<double>::infinity();

@@ -49,10 +49,14 @@ MapFile joined(const std::vector<MapFile>& charts) {
   all.chart.resize(all.cells.rows());
   Eigen::Index cell = 0;
   Index point = 0;
+  int first_chart = 0;
   for (std::size_t k = 0; k < charts.size(); ++k) {
     const Eigen::Index cells = charts[k].cells.rows();
     all.cells.middleRows(cell, cells).array() += point;
-    all.chart.segment(cell, cells).setConstant(static_cast<int>(k));
+    auto chart = all.chart.segment(cell, cells);
+    chart.setConstant(first_chart);
+    if (charts[k].chart.size() > 0) chart += charts[k].chart;
+    if (cells > 0) first_chart = chart.maxCoeff() + 1;
     cell += cells;
     point += static_cast<Index>(charts[k].points.rows());
   }

@@ -224,8 +224,8 @@ bool drops_tangents(const PolygonMesh& input);
 
 // charts: of one degree; each with all of the optional arrays or none, as every other. Points in
 // the order of the charts; cells in the order of their input_face, as a mesh of the input's faces
-// has them; `chart` says which cell belongs to which. No claims. Throws InvalidArgument for
-// different degrees, or none.
+// has them; `chart` says which cell belongs to which, numbered on where one has several. No claims.
+// Throws InvalidArgument for different degrees, or none.
 MapFile joined(const std::vector<MapFile>& charts);
 
 // Distortion of the map that a file holds, and as a table.

@@ -10,18 +10,6 @@
 namespace majorant {
 namespace {
 
-constexpr std::string_view kSpaces = " \t\r";
-
-// The first word of a line, and the rest without spaces around it.
-std::pair<std::string_view, std::string_view> word_and_rest(std::string_view line) {
-  const std::size_t end = std::min(line.find_first_of(kSpaces), line.size());
-  const std::string_view rest = line.substr(end);
-  const std::size_t first = std::min(rest.find_first_not_of(kSpaces), rest.size());
-  const std::size_t last = rest.find_last_not_of(kSpaces);
-  return {line.substr(0, end),
-          last == std::string_view::npos ? "" : rest.substr(first, last + 1 - first)};
-}
-
 class Naming {
  public:
   // Key: what tells objects apart.
@@ -101,6 +89,18 @@ std::vector<Index> take_lists(const std::vector<std::vector<Index>>& all, std::s
 
 }  // namespace
 
+std::pair<std::string_view, std::string_view> directive_words(std::string_view line) {
+  constexpr std::string_view kSpaces = " \t\r";
+  const auto from = [](std::string_view text, std::size_t at) {
+    return at == std::string_view::npos ? std::string_view() : text.substr(at);
+  };
+  line = from(line, line.find_first_not_of(kSpaces));
+  const std::size_t end = std::min(line.find_first_of(kSpaces), line.size());
+  std::string_view rest = line.substr(end);
+  rest = from(rest, rest.find_first_not_of(kSpaces));
+  return {line.substr(0, end), rest.substr(0, rest.find_last_not_of(kSpaces) + 1)};
+}
+
 MeshObjects objects_of(const PolygonMesh& mesh) {
   if (mesh.gltf) return objects_of_gltf(mesh);
   Naming naming;
@@ -108,7 +108,7 @@ MeshObjects objects_of(const PolygonMesh& mesh) {
   auto directive = mesh.directives.begin();
   for (std::size_t p = 0; p < mesh.polygons.size(); ++p) {
     for (; directive != mesh.directives.end() && to_size(directive->first) <= p; ++directive)
-      if (const auto [word, rest] = word_and_rest(directive->second); word == "o") name = rest;
+      if (const auto [word, rest] = directive_words(directive->second); word == "o") name = rest;
     naming.add(name, name);
   }
   return naming.take();
@@ -142,7 +142,7 @@ ObjectMesh object_mesh(const PolygonMesh& mesh, const MeshObjects& objects, Inde
   out.normals = taken(mesh.normals, take_lists(mesh.polygon_normals, mesh.normals.size(),
                                                part.polygons, out.polygon_normals));
   for (const auto& [polygon, line] : mesh.directives) {
-    const std::string_view word = word_and_rest(line).first;
+    const std::string_view word = directive_words(line).first;
     if (word == "p" || word == "l" || word == "v") continue;  // of numbers of vertices
     out.directives.emplace_back(
         before[to_size(std::min<Index>(polygon, static_cast<Index>(mesh.polygons.size())))], line);

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "majorant/mesh/polygon_mesh.h"
@@ -21,6 +23,9 @@ struct MeshObjects {
 
   Index count() const { return static_cast<Index>(names.size()); }
 };
+
+// The first word of a line of PolygonMesh::directives, and the rest, without spaces around it.
+std::pair<std::string_view, std::string_view> directive_words(std::string_view line);
 
 // Lines `o` of one name are one object, as are the polygons before the first of them.
 MeshObjects objects_of(const PolygonMesh& mesh);

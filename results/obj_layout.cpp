@@ -8,24 +8,11 @@
 #include <string_view>
 #include <utility>
 
+#include "majorant/io/mesh_objects.h"
 #include "majorant/parametrization/packing/pack.h"
 
 namespace majorant {
 namespace {
-
-constexpr std::string_view kLineSpaces = " \t\r";
-
-// The first word of a line, and the rest.
-std::pair<std::string_view, std::string_view> keyword_and_rest(std::string_view line) {
-  const auto from = [](std::string_view text, std::size_t at) {
-    return at == std::string_view::npos ? std::string_view() : text.substr(at);
-  };
-  line = from(line, line.find_first_not_of(kLineSpaces));
-  const std::size_t end = std::min(line.find_first_of(kLineSpaces), line.size());
-  std::string_view rest = line.substr(end);
-  rest = from(rest, rest.find_first_not_of(kLineSpaces));
-  return {line.substr(0, end), rest.substr(0, rest.find_last_not_of(kLineSpaces) + 1)};
-}
 
 using Line = std::pair<Index, std::string>;
 
@@ -61,7 +48,7 @@ std::vector<int> chart_of_polygons(const MapFile& file, const PolygonMesh& polyg
 
 PolygonMesh with_tile_materials(PolygonMesh polygons, const std::vector<int>& tile) {
   const auto keep = [](const Line& directive) {
-    const std::string_view word = keyword_and_rest(directive.second).first;
+    const std::string_view word = directive_words(directive.second).first;
     return word != "usemtl" && word != "mtllib";
   };
   int current = -1;
@@ -76,7 +63,7 @@ PolygonMesh with_tile_materials(PolygonMesh polygons, const std::vector<int>& ti
 PolygonMesh with_chart_groups(PolygonMesh polygons, const std::vector<int>& chart) {
   std::string names, written = " ";  // of groups of the input; the line before
   const auto keep = [&](const Line& directive) {
-    const auto [word, rest] = keyword_and_rest(directive.second);
+    const auto [word, rest] = directive_words(directive.second);
     if (word != "g") return true;
     names = rest;
     return false;
@@ -100,7 +87,7 @@ std::vector<std::string> material_of_polygons(const PolygonMesh& polygons) {
   auto directive = polygons.directives.begin();
   for (std::size_t p = 0; p < polygons.polygons.size(); ++p) {
     for (; directive != polygons.directives.end() && to_size(directive->first) <= p; ++directive)
-      if (const auto [word, rest] = keyword_and_rest(directive->second); word == "usemtl")
+      if (const auto [word, rest] = directive_words(directive->second); word == "usemtl")
         material = rest;
     materials.push_back(material);
   }
