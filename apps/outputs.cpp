@@ -274,7 +274,7 @@ void FormatOptions::add_to(CLI::App& verb) {
           "--grid",
           [this](const std::string& spacing) { svg.grid = png.grid = parse_spacing(spacing); },
           "SVG and PNG: draw lines of constant u and v this far apart in uv, with --view on the "
-          "surface (alone: a round number, 20 to 40 along the layout)")
+          "surface (alone: a round number, 16 to 40 along the layout)")
       ->type_name("SPACING")
       ->default_str(kAutomatic)  // what it is without a value
       ->expected(0, 1);
@@ -400,7 +400,7 @@ void FormatOptions::add_pictures_to(CLI::App& verb) {
       ->check(CLI::ExistingFile);
   verb.add_option("--squares", png.squares,
                   "PNG with --view: squares of the checkerboard along the side of what a texture "
-                  "fills (default: round widths, some 20 to 40 along the layout)")
+                  "fills (default: round widths, some 16 to 40 along the layout)")
       ->type_name("N")
       ->check(whole_number(1, kMostSquares))
       ->needs("--view")

@@ -37,6 +37,28 @@ TEST(MeshObjects, LinesOfAnObj) {
   EXPECT_TRUE(table.mesh.texcoords.empty() && table.mesh.polygon_texcoords.empty());
 }
 
+TEST(MeshObjects, ChartsOfJoinedMapsAreNumberedOn) {
+  const auto map = [](int face, std::vector<int> charts) {
+    MapFile file;
+    file.degree = 1;
+    file.points = Points3::Zero(3, 3);
+    file.uv = Points2::Zero(3, 2);
+    const auto cells = static_cast<Index>(std::max<std::size_t>(charts.size(), 1));
+    file.cells.resize(cells, 3);
+    file.input_face.resize(cells);
+    for (Index c = 0; c < cells; ++c) {
+      file.cells.row(c) << 0, 1, 2;
+      file.input_face[c] = face + static_cast<int>(c);
+    }
+    file.chart.resize(static_cast<Index>(charts.size()));
+    for (std::size_t c = 0; c < charts.size(); ++c) file.chart[static_cast<Index>(c)] = charts[c];
+    return file;
+  };
+  const MapFile all = joined({map(3, {}), map(4, {1, 0, 1}), map(0, {0, 1}), map(2, {})});
+  const std::vector<int> numbers(all.chart.begin(), all.chart.end());
+  EXPECT_EQ(numbers, (std::vector<int>{3, 4, 5, 0, 2, 1, 2}));  // by faces 0 to 6
+}
+
 TEST(MeshObjects, CellsOfAPolygonAreOfItsObject) {
   PolygonMesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}};

@@ -283,6 +283,19 @@ TEST(WriteSvg, LayoutsThatNothingHoldsLieAlongTheirLongerSide) {
   EXPECT_EQ(with_grid.substr(with_grid.find("viewBox"), 15), height(lying).substr(0, 15));
 }
 
+TEST(WriteSvg, GridsOfTheirOwnAreRound) {
+  const double sizes[] = {1, 1.7, 3, 4.2, 9.9};
+  const char* const spacings[] = {"0.05", "0.05", "0.1", "0.2", "0.5"};  // 16 to 40 along the side
+  for (std::size_t k = 0; k < 5; ++k) {
+    MapFile map = two_triangles(4);
+    map.uv *= sizes[k] / (map.uv.colwise().maxCoeff() - map.uv.colwise().minCoeff()).maxCoeff();
+    const std::string text = drawing_of(map, {.grid = 0.0});
+    const std::size_t at = text.find(">grid ");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_EQ(text.substr(at + 6, text.find('<', at) - at - 6), spacings[k]) << sizes[k];
+  }
+}
+
 TEST(WriteSvg, TheUnitSquareIsAroundLayoutsMadeForIt) {
   const std::string square = "<path stroke=\"#787878\" stroke-width=\"1.2\" d=\"M10 990l980 0";
   MapFile map = two_triangles(4);

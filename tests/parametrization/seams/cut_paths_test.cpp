@@ -55,21 +55,33 @@ TEST(CutPaths, StaircasesBecomeStraight) {
   EXPECT_EQ(mesh.cut_along(is_cut, nullptr).topology().boundary_loops, 2);
 }
 
-// A ring around a tube, and a cut from one of its vertices to the border.
-TEST(CutPaths, LoopsWithOneNodeStayLoops) {
-  constexpr int m = 16, n = 8;
-  const SurfaceMesh mesh = SurfaceMesh::from_polygons(tube(m, n));
+// Of a tube of m by n quads: a ring around it, and a cut from one of its vertices to the border.
+std::vector<char> ring_and_branch(const SurfaceMesh& mesh, int m, int n) {
   std::vector<Index> ring, branch;
   for (int i = 0; i <= m; ++i) ring.push_back(n / 2 * m + i % m);
   for (int j = 0; j <= n / 2; ++j) branch.push_back(j * m);
   std::vector<char> is_cut = path_through(mesh, ring);
   const std::vector<char> down = path_through(mesh, branch);
   for (std::size_t h = 0; h < is_cut.size(); ++h) is_cut[h] |= down[h];
+  return is_cut;
+}
+
+TEST(CutPaths, LoopsWithOneNodeStayLoops) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(tube(16, 8));
+  const std::vector<char> is_cut = ring_and_branch(mesh, 16, 8);
   const CutTurning turning = turning_of_cuts(mesh, is_cut);
   EXPECT_NEAR(turning.shortest, turning.cuts, 1e-9);
   std::vector<char> smooth = is_cut;
   smooth_cuts(mesh, {}, Vec::Ones(mesh.half_edge_count()), smooth);
   EXPECT_EQ(smooth, is_cut);
+}
+
+// Its halves have one edge and two: the longer one does not fall on the other.
+TEST(CutPaths, LoopsOfThreeEdgesDivide) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(tube(3, 8));
+  std::vector<char> is_cut = ring_and_branch(mesh, 3, 8);
+  smooth_cuts(mesh, {}, Vec::Ones(mesh.half_edge_count()), is_cut);
+  EXPECT_EQ(mesh.cut_along(is_cut, nullptr).topology().components, 2);
 }
 
 TEST(CutPaths, NoneTurnsNothing) {
