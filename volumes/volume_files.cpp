@@ -162,7 +162,7 @@ void require_volume_format(const std::string& path, const VolumeMesh& mesh,
   if (format != ".msh" && format != ".vtu")
     refuse(fmt::format("a mesh {} is written as {}.msh or .vtu",
                        source.empty() ? "that was read from no file" : "of " + mesh.file,
-                       source.empty() ? "" : source + ", "));
+                       source == ".mesh" ? source + ", " : ""));
   for (const CellBlock& block : mesh.blocks) {
     const bool is_lattice = block.type.kind == NodeKind::Uniform;
     if (block.type.kind == NodeKind::GaussLobatto || (!is_lattice && format == ".msh"))

@@ -215,7 +215,7 @@ TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
   refused("r.mesh", cubic("H1_2D_P3"), "s.msh", "Gauss-Lobatto");
   refused("r.mesh", cubic("H1Pos_2D_P3"), "s.msh", "control points");
   left_out("r.mesh", cubic("H1Pos_2D_P3"), "s2.vtu");
-  refused("r.msh", kOldGmsh, "s.mesh", ".msh or .vtu");
+  refused("r.msh", kOldGmsh, "s.mesh", "is written as .msh or .vtu");
   refused("r.msh", kOldGmsh, "s.msh.gz", ".gz");
   refused("r.msh", kOldGmsh, "s.vtu", "of .msh", binary);
 }
