@@ -18,6 +18,7 @@
 #include "apps/streams.h"
 #include "apps/within_memory.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/io/waiting_output.h"
@@ -29,7 +30,7 @@ namespace {
 
 struct QuadsRequest {
   CommonOptions common;
-  std::string input, positional_output, cones;
+  std::string input, positional_output, cones, features;
   std::vector<std::string> outputs;
   std::optional<long> count;
   std::optional<double> edge_length;
@@ -40,7 +41,7 @@ void require_usable(QuadsRequest& request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   require_some_output(request.outputs, quad_extensions());
   require_writable(request.common, {{request.outputs, quad_extensions()}},
-                   {request.input, request.cones});
+                   {request.input, request.cones, feature_file(request.features)});
 }
 
 void open(const QuadsRequest& request, QuadJob& job) {
@@ -58,6 +59,9 @@ void open(const QuadsRequest& request, QuadJob& job) {
       job.options.map.cones =
           read_cones(request.cones, static_cast<Index>(job.polygons.positions.size()),
                      job.record.start_stop());
+    if (!request.features.empty())
+      job.options.features =
+          features_of(request.features, job.polygons, job.surface, job.record.start_stop());
   });
 }
 
@@ -69,8 +73,16 @@ void summarize(const QuadsRequest& request, const QuadJob& job, const WrittenFil
   say("{}: {}, {}; {} asked{}, {:.2f} s\n", request.input, status_name(job.status),
       describe(job.check, QuadsComparedWith::Surface), job.asked_count,
       job.least_count ? fmt::format(", {} at least", *job.least_count) : "", seconds);
+  // Relaxed features are not covered; what else is proven is.
+  const std::string features =
+      job.feature_lines > 0 && job.relaxed.empty()
+          ? " --features " +
+                (request.features.empty() ? fmt::format("{}", kCornerTurn) : request.features)
+          : "";
   for (const std::string& path : request.outputs)
-    if (written.has(path)) say("proof: majorant check {} --surface {}\n", path, request.input);
+    if (written.has(path))
+      say("proof: majorant check {} --surface {}{}{}\n", path, request.input,
+          format_of(path) == ".vtu" ? " --quads" : "", features);
 }
 
 int make_quads(QuadsRequest request) {
@@ -91,6 +103,7 @@ int make_quads(QuadsRequest request) {
   job.asked = {{"count", request.count ? Json(*request.count) : Json()},
                {"edge_length", request.edge_length ? Json(*request.edge_length) : Json()},
                {"cones", request.cones},
+               {"features", request.features.empty() ? Json() : Json(request.features)},
                {"strict", request.common.strict}};
   or_interrupted("making quads of " + request.input, [&] { job.solve(request.cones); });
   say_warnings(job.warnings);
@@ -98,7 +111,8 @@ int make_quads(QuadsRequest request) {
   const double before = seconds_since(start);
   WrittenFiles written;
   for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_quads(path, job.quads, *job.surface.mesh); });
+    written.write(
+        path, [&] { write_quads(path, job.quads, *job.surface.mesh, job.features, job.patch_of); });
   if (const std::string& path = request.common.report; !path.empty()) {
     Json report = quad_report(job);
     report["outputs"] = written.to_json();
@@ -133,6 +147,12 @@ void add_quads(CLI::App& app, Action* run) {
   verb.add_option("--cones", r.cones,
                   "the irregular vertices, JSON (default: the cones of a smooth cross field)")
       ->type_name("FILE");
+  verb.add_option(
+          "--features", r.features,
+          "edges that edges of quads cover: those inside with so many degrees between the "
+          "normals of their faces (35; none where --cones is given), those of a file, JSON, "
+          "or none")
+      ->type_name("DEG|FILE|none");
   verb.add_option("--time-limit", r.time_limit,
                   "seconds; the map is left as it is then, and nothing is written where there is "
                   "none")

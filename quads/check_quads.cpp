@@ -16,6 +16,7 @@
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/baking/nearest_point.h"
 #include "majorant/quads/exact_normals.h"
@@ -75,8 +76,9 @@ Components components_of(Index faces, Index corners, Index vertices, const From&
 
 class QuadJudge {
  public:
-  QuadJudge(const PolygonMesh& quads, const SurfaceMesh* surface, const StopCheck& stop)
-      : quads_(quads), surface_(surface), stop_(stop) {
+  QuadJudge(const PolygonMesh& quads, const SurfaceMesh* surface, const std::vector<char>& features,
+            const StopCheck& stop)
+      : quads_(quads), surface_(surface), features_(features), stop_(stop) {
     const auto vertices = static_cast<Index>(quads.positions.size());
     for (const Vector3& p : quads.positions)
       if (!p.allFinite()) throw InvalidArgument("check_quads: a position is not finite");
@@ -254,6 +256,7 @@ class QuadJudge {
           "by component");
     compare_positions();
     if (t.boundary_loops == s.boundary_loops && t.boundary_loops > 0) compare_borders();
+    if (!features_.empty()) compare_features();
   }
 
   bool are_other_components() const {
@@ -465,6 +468,134 @@ class QuadJudge {
                    "corners of the surface's border have no vertex (of the surface)", missing_));
   }
 
+  // Vertices of quads on feature lines, with how far along these they are: edges, and the part of
+  // the last one.
+  struct OnLine {
+    Index line;
+    double along;
+  };
+
+  void compare_features() {
+    const FeatureLines features = feature_lines(*surface_, features_);
+    check_.feature_lines = static_cast<Index>(features.lines.size());
+    if (features.lines.empty()) return;
+    const Points3 positions = surface_points();
+    const double close = kBorderClose * diagonal(positions);
+    const std::vector<std::vector<OnLine>> on_lines = places_on_lines(features, positions, close);
+    std::vector<std::vector<Index>> neighbours(quads_.positions.size());
+    for (Index h = 0; h < half_edge_count(); ++h) {
+      neighbours[from(h)].push_back(to(h));
+      if (opposite_[h] < 0) neighbours[to(h)].push_back(from(h));
+    }
+    std::vector<std::vector<std::pair<Index, double>>> of_line(features.lines.size());
+    for (std::size_t v = 0; v < on_lines.size(); ++v)
+      for (const OnLine& place : on_lines[v])
+        of_line[place.line].emplace_back(static_cast<Index>(v), place.along);
+    for (std::size_t l = 0; l < of_line.size(); ++l)
+      if (!is_covered(features, static_cast<Index>(l), of_line[l], on_lines, neighbours))
+        check_.uncovered.push_back({surface_->from_vertex(features.lines[l].half_edges.front()),
+                                    surface_->to_vertex(features.lines[l].half_edges.back())});
+    blame_uncovered();
+  }
+
+  void blame_uncovered() {
+    if (check_.uncovered.empty()) return;
+    std::vector<std::string> ends;
+    for (const LineEnds& line : check_.uncovered) {
+      if (ends.size() == kNamed) break;
+      ends.push_back(fmt::format("{} to {}", surface_->input_vertex(line.from) + 1,
+                                 surface_->input_vertex(line.to) + 1));
+    }
+    const bool is_one = check_.uncovered.size() == 1;
+    blame(
+        fmt::format("{} of {} feature lines {} not covered by edges of quads (vertices of the "
+                    "surface {}{})",
+                    check_.uncovered.size(), check_.feature_lines, is_one ? "is" : "are",
+                    fmt::join(ends, ", "), check_.uncovered.size() > kNamed ? ", ..." : ""));
+  }
+
+  // By vertex of the quads. Those at ends of lines are on all of these.
+  std::vector<std::vector<OnLine>> places_on_lines(const FeatureLines& features,
+                                                   const Points3& positions, double close) const {
+    std::vector<OnLine> begins;  // of edges
+    std::vector<std::array<Index, 3>> edges;
+    std::vector<std::vector<OnLine>> at_vertex(to_size(surface_->vertex_count()));
+    for (std::size_t l = 0; l < features.lines.size(); ++l) {
+      const std::vector<Index>& half_edges = features.lines[l].half_edges;
+      for (std::size_t i = 0; i < half_edges.size(); ++i) {
+        const Index a = surface_->from_vertex(half_edges[i]),
+                    b = surface_->to_vertex(half_edges[i]);
+        begins.push_back({static_cast<Index>(l), static_cast<double>(i)});
+        edges.push_back({a, b, b});
+        at_vertex[a].push_back(begins.back());
+        if (i + 1 == half_edges.size())
+          at_vertex[b].push_back({static_cast<Index>(l), static_cast<double>(i + 1)});
+      }
+    }
+    Cells segments(static_cast<Index>(edges.size()), 3);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      segments.row(static_cast<Index>(e)) << edges[e][0], edges[e][1], edges[e][2];
+    const SurfaceTree tree(positions, segments);
+    std::vector<std::vector<OnLine>> places(quads_.positions.size());
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      if (corners_[v] == 0) continue;
+      stop_.poll_at(v);
+      const NearestPoint nearest = tree.nearest(quads_.positions[v]);
+      if (!(nearest.distance <= close)) continue;
+      const auto& [a, b, last] = edges[nearest.face];
+      for (const Index end : {a, b})
+        if ((surface_->input_position(end) - quads_.positions[v]).norm() <= close &&
+            places[v].empty())
+          places[v] = at_vertex[end];
+      if (!places[v].empty()) continue;
+      OnLine place = begins[nearest.face];
+      place.along += std::clamp(1 - nearest.barycentric[0], 0.0, 1.0);
+      places[v] = {place};
+    }
+    return places;
+  }
+
+  // Whether edges lead along a line, each from a vertex on it to the next of its neighbours there.
+  bool is_covered(const FeatureLines& features, Index l,
+                  const std::vector<std::pair<Index, double>>& on_it,
+                  const std::vector<std::vector<OnLine>>& on_lines,
+                  const std::vector<std::vector<Index>>& neighbours) const {
+    const FeatureLine& line = features.lines[l];
+    const auto length = static_cast<double>(line.half_edges.size());
+    const Index first_vertex = surface_->from_vertex(line.half_edges.front());
+    const bool is_loop = line.is_closed && !features.is_corner[first_vertex];
+    const auto goes_on = [&](Index start, double begin) {
+      Index here = start;
+      double along = begin;
+      for (std::size_t step = 0; step <= on_it.size(); ++step) {
+        Index best = -1;
+        double least = std::numeric_limits<double>::infinity();
+        for (const Index next : neighbours[here])
+          for (const OnLine& place : on_lines[next]) {
+            if (place.line != l) continue;
+            double on = place.along;
+            if (is_loop && on <= begin) on += length;
+            if (on > along && on < least) {
+              least = on;
+              best = next;
+            }
+          }
+        if (best < 0) return false;
+        if (least >= begin + length || (is_loop && best == start))
+          return step >= 2 || !line.is_closed;
+        here = best;
+        along = least;
+      }
+      return false;
+    };
+    for (const auto& [v, along] : on_it) {
+      stop_.poll();
+      if (is_loop ? goes_on(v, along) : along == 0 && goes_on(v, 0)) return true;
+      if (is_loop) return false;  // it leads through all of its vertices, from any
+    }
+    return false;
+  }
+
   // Corners of the surface's border where no vertex of the quads' is.
   void missing_corners(const std::vector<char>& is_corner, const std::vector<Index>& border,
                        const std::vector<Index>& loop, double close) {
@@ -480,6 +611,7 @@ class QuadJudge {
 
   const PolygonMesh& quads_;
   const SurfaceMesh* const surface_;
+  const std::vector<char>& features_;  // of the surface, or empty
   const StopCheck& stop_;
   QuadCheck check_;
   std::vector<Index> opposite_, corners_;  // by half-edge; quads of every vertex
@@ -494,8 +626,11 @@ class QuadJudge {
 
 }  // namespace
 
-QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface, const StopCheck& stop) {
-  return QuadJudge(quads, surface, stop).judge();
+QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface,
+                      const std::vector<char>& features, const StopCheck& stop) {
+  if (surface && !features.empty() && features.size() != to_size(surface->half_edge_count()))
+    throw InvalidArgument("check_quads: features must have 3 #F entries");
+  return QuadJudge(quads, surface, features, stop).judge();
 }
 
 }  // namespace majorant

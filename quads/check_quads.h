@@ -21,20 +21,23 @@
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/quads/features.h"
 
 namespace majorant {
 
 // A border vertex of a quad mesh lies on the surface's border up to this part of its diagonal.
 inline constexpr double kBorderClose = kTenDigits;
-// A turn of the border, in degrees, from which on its vertex is a corner, where quads have one.
-// Chosen: a sharp edge is one of this angle, too.
-inline constexpr double kCornerTurn = 35;
 
 // Distances between a quad mesh and a surface, the largest of samples, in model units.
 struct QuadDistance {
   double to_surface = 0;    // of vertices, middles of edges and centroids of quads
   double from_surface = 0;  // of vertices and centroids of the surface's faces, to the quads, which
                             // are cut along their first diagonals
+};
+
+// A feature line by its ends: vertices of the surface.
+struct LineEnds {
+  Index from, to;
 };
 
 struct QuadCheck {
@@ -51,6 +54,8 @@ struct QuadCheck {
   double mean_scaled_jacobian = 0;  // the mean over quads of the least one of each
   double angle_deviation = 0;       // mean over corners of |angle - 90|, degrees
   QuadDistance hausdorff;           // where there is a surface
+  Index feature_lines = 0;          // of the surface, those asked about
+  std::vector<LineEnds> uncovered;  // that no chain of edges of quads covers
 
   bool is_valid() const { return defects.empty(); }
 };
@@ -60,10 +65,12 @@ struct QuadCheck {
 // Compared are the numbers of components and border loops and the Euler characteristics, also of
 // the components by themselves, whichever is which; every border loop of the surface is followed by
 // one of the quads, whose vertices lie on it, in order, once around, one at each of its corners.
+// features: 3 #F flags of the surface (features.h), or empty: every line of them is covered by one
+// chain of edges of quads, from corner to corner, whose vertices lie on it, in order.
 // Throws InvalidArgument for vertices that do not exist or
 // are not finite; Stopped.
 QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface,
-                      const StopCheck& stop = {});
+                      const std::vector<char>& features = {}, const StopCheck& stop = {});
 
 }  // namespace majorant
 

@@ -109,6 +109,10 @@ class ArcNumbers {
   std::vector<Index> least_;  // by arc
 };
 
+bool has_any(const std::vector<char>& flags) {
+  return std::count(flags.begin(), flags.end(), 0) < static_cast<std::ptrdiff_t>(flags.size());
+}
+
 double asked_of(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
   if (options.edge_length) return mesh.area() / *options.edge_length / *options.edge_length;
   return static_cast<double>(options.count.value_or(std::max(mesh.face_count() / 2, 1)));
@@ -128,6 +132,14 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
                 message_prefix(mesh) +
                     "the surface has a border, where cones are those of the field that follows it; "
                     "leave them out");
+  if (options.features && !options.features->empty() &&
+      options.features->size() != to_size(mesh.half_edge_count()))
+    throw InvalidArgument("quad_mesh: features must have 3 #F entries");
+  if (options.features && options.map.cones && has_any(*options.features))
+    throw Error(ErrorKind::Unsupported,
+                message_prefix(mesh) +
+                    "there are features, where cones are those of the field that "
+                    "follows them; leave one of both out");
   if (const double asked = asked_of(mesh, options); asked > kMostQuads)
     throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
                                                     message_prefix(mesh), asked, kMostQuads));
@@ -142,25 +154,28 @@ void require_turns(const SurfaceMesh& mesh, Index vertex, int quarter_turns) {
                             message_prefix(mesh), user_vertex(mesh, vertex)));
 }
 
-// Cones of a surface with a border cannot be chosen, and none may have a map.
+// Cones of a surface with held edges cannot be chosen, and none may have a map.
 Start seamless_start(const SurfaceMesh& mesh, const SeamlessOptions& how, const RunRecord& record) {
   try {
     return make_seamless(mesh, how, record);
   } catch (const Refusal& refusal) {
-    if (refusal.kind() != ErrorKind::Invalid || mesh.boundary_loops().empty()) throw;
+    if (refusal.kind() != ErrorKind::Invalid || how.field.aligned.empty()) throw;
     throw Error(ErrorKind::Infeasible, refusal.problem() + "; refine the mesh there");
   }
 }
 
 // status receives how the optimization ended.
-BezierMap seamless_map(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record,
-                       Status& status) {
+BezierMap seamless_map(const RoomySurface& surface, const QuadMeshOptions& options,
+                       RunRecord& record, Status& status) {
+  const SurfaceMesh& mesh = surface.mesh;
   SeamlessOptions how = options.map;
   how.threads = options.threads;
   ParametrizationOptions optimize;
+  const std::vector<char> is_held = held_flags(mesh, surface.is_feature);
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (mesh.opposite(h) < 0) optimize.map.aligned.push_back(h);
-  if (!optimize.map.aligned.empty()) how.field.aligned = border_flags(mesh);
+    if (is_held[h] && (mesh.opposite(h) < 0 || h < mesh.opposite(h)))
+      optimize.map.aligned.push_back(h);
+  if (!optimize.map.aligned.empty()) how.field.aligned = is_held;
   record.begin(Activity::Starting);
   if (how.cones)
     for (const Cone& cone : *how.cones) require_turns(mesh, cone.vertex, cone.quarter_turns);
@@ -178,22 +193,24 @@ BezierMap seamless_map(const SurfaceMesh& mesh, const QuadMeshOptions& options, 
 // Quads, not smoothed and not judged any further where they make no surface.
 struct JudgedQuads {
   PolygonMesh quads;
+  std::vector<Index> patch_of;
   QuadCheck check;
 };
 
-JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const SeamlessLattice& lattice,
-                           const TMesh& t_mesh, const std::vector<Index>& edges,
-                           const RunRecord& record) {
+// features: of `mesh`.
+JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const std::vector<char>& features,
+                           const SeamlessLattice& lattice, const TMesh& t_mesh,
+                           const std::vector<Index>& edges, const RunRecord& record) {
   const StopCheck& stop = record.start_stop();
   ExtractedQuads extracted(lattice, t_mesh, edges);
   PolygonMesh quads = extracted.polygons();
-  QuadCheck check = check_quads(quads, nullptr, stop);
+  QuadCheck check = check_quads(quads, nullptr, {}, stop);
   if (check.is_surface) {
-    smooth_quads(quads, lattice.surface(), extracted.border_points(), stop);
+    smooth_quads(quads, lattice.surface(), extracted.held_vertices(), stop);
     record.begin(Activity::Proving);
-    check = check_quads(quads, &mesh, stop);
+    check = check_quads(quads, &mesh, features, stop);
   }
-  return {std::move(quads), std::move(check)};
+  return {std::move(quads), extracted.patches(), std::move(check)};
 }
 
 // work(), or what it says where it finds that it is not possible.
@@ -208,20 +225,19 @@ std::optional<std::string> why_infeasible(const Work& work) {
   return std::nullopt;
 }
 
-}  // namespace
-
-QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record) {
-  require_usable(mesh, options);
-  const ThreadCount threads(options.threads);
+// Returns the quads of a surface with these features (3 #F, or empty: none). Throws
+// Error(Infeasible) where there are none.
+QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
+                    const QuadMeshOptions& options, RunRecord& record) {
   const StopCheck& stop = record.start_stop();
   QuadMesh result;
-  const SurfaceMesh roomy = with_room_at_border(mesh);
+  const RoomySurface roomy = with_room(mesh, features);
   const BezierMap map = seamless_map(roomy, options, record, result.status);
-  SeamlessLattice lattice(roomy, map);
+  SeamlessLattice lattice(roomy.mesh, map, roomy.is_feature);
   const TMesh t_mesh = trace_t_mesh(lattice, stop);
   result.patches = static_cast<Index>(t_mesh.patches.size());
   for (const TNode& node : t_mesh.nodes)
-    result.cones += node.is_cone() && node.side == Side::Inside;
+    result.cones += node.is_cone() && node.side != Side::Border;
   const double asked = asked_of(mesh, options);
   result.asked = std::lround(asked);
   // Arcs without edges leave the best angles; other numbers of quads are other meshes, of which one
@@ -239,10 +255,11 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
                             : numbers.for_count(part * asked);
     const double off = std::abs(static_cast<double>(quad_count(t_mesh, edges)) / asked - 1);
     if (result.check.count > 0 && off >= least_off) return;
-    JudgedQuads made = smoothed_quads(mesh, lattice, t_mesh, edges, record);
+    JudgedQuads made = smoothed_quads(mesh, features, lattice, t_mesh, edges, record);
     if (!made.check.is_valid()) throw Error(ErrorKind::Infeasible, made.check.defects.front());
     least_off = off;
     result.quads = std::move(made.quads);
+    result.patch_of = std::move(made.patch_of);
     result.check = std::move(made.check);
     result.least_count.reset();
     if (static_cast<double>(result.check.count) <= (1 + kCountClose) * asked) return;
@@ -266,11 +283,59 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   const double most = std::max(kMostTimes, kFew / std::max(asked, 1.0));
   for (double part = kGrowth; result.check.count == 0 && part <= most; part *= kGrowth)
     attempt_for(Arcs::Joined, part);
-  if (result.check.count == 0)
-    throw Error(ErrorKind::Infeasible,
-                fmt::format("{}no valid quads were made: {}; ask for more of them",
-                            message_prefix(mesh), why.value_or("")));
-  return result;
+  if (result.check.count > 0) return result;
+  // How many would do. With features fewer of these are tried next.
+  constexpr double kMostTried = 64;
+  std::string remedy = "ask for more of them";
+  for (double part = 2 * most; features.empty() && part <= kMostTried * most; part *= 2) {
+    if (part * asked > kMostQuads || !attempt_for(Arcs::Joined, part)) continue;
+    remedy =
+        fmt::format("there are with {:.4g} times as many, {}", part, std::lround(part * asked));
+    break;
+  }
+  throw Error(ErrorKind::Infeasible, fmt::format("{}no valid quads were made: {}; {}",
+                                                 message_prefix(mesh), why.value_or(""), remedy));
+}
+
+std::vector<char> asked_features(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
+  if (options.features) return *options.features;
+  return options.map.cones ? std::vector<char>() : sharp_edges(mesh, kCornerTurn);
+}
+
+}  // namespace
+
+QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record) {
+  require_usable(mesh, options);
+  const ThreadCount threads(options.threads);
+  const std::vector<char> asked = asked_features(mesh, options);
+  const auto made_with = [&](const std::vector<char>& features) {
+    return quads_with(mesh, has_any(features) ? features : std::vector<char>(), options, record);
+  };
+  if (!has_any(asked)) return made_with({});
+  const double length = std::sqrt(mesh.area() / std::max(asked_of(mesh, options), 1.0));
+  std::optional<QuadMesh> made;
+  std::vector<char> features, tried;
+  double shortest = length;
+  for (;; shortest *= 2) {
+    features = without_short_lines(mesh, asked, shortest);
+    if (features == tried) continue;
+    tried = features;
+    if (!has_any(features)) {
+      made = made_with(features);
+      break;
+    }
+    const std::optional<std::string> failed = why_infeasible([&] { made = made_with(features); });
+    if (!failed && (options.features || !made->least_count)) break;
+  }
+  const FeatureLines lines = feature_lines(mesh, asked);
+  made->feature_lines = static_cast<Index>(lines.lines.size());
+  for (const FeatureLine& line : lines.lines)
+    if (!features[line.half_edges.front()])
+      made->relaxed.push_back(
+          {mesh.from_vertex(line.half_edges.front()), mesh.to_vertex(line.half_edges.back())});
+  made->features = std::move(features);
+  made->shortest_feature = shortest;
+  return *std::move(made);
 }
 
 }  // namespace majorant

@@ -8,13 +8,12 @@
 // A seamless map (start.h), optimized at degree 1, on integers; its motorcycle graph, which cuts
 // the surface into rectangles; whole numbers of edges for their sides; quads from these alone, so
 // that they are a manifold of the same topology before any is placed; places on the surface by the
-// map; smoothing. Borders are covered by edges of quads, with a vertex at every corner.
-// docs/quads.md. What is returned has been judged by check_quads() and is valid.
-//
-// Not for sharp features: quads cut across them.
+// map; smoothing. Borders and features are covered by edges of quads, with a vertex at every
+// corner. docs/quads.md. What is returned has been judged by check_quads() and is valid.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "majorant/framework/run_record.h"
 #include "majorant/mesh/surface_mesh.h"
@@ -28,18 +27,28 @@ struct QuadMeshOptions {
   // Neither: half as many quads as the surface has faces.
   std::optional<long> count = {};
   std::optional<double> edge_length = {};
+  // 3 #F flags of edges that edges of quads cover (features.h), both sides; an empty list: none.
+  // Nothing: sharp_edges() of kCornerTurn, none where cones are given.
+  std::optional<std::vector<char>> features = {};
   SeamlessOptions map = {};  // cones and how the map is found
   int threads = 0;           // as SolveOptions has it
 };
 
 struct QuadMesh {
   PolygonMesh quads;
-  QuadCheck check;  // of these, with the surface: valid
+  QuadCheck check;  // of these, with the surface and `features`: valid
+  // 3 #F: of the features asked for those that are covered; the others were relaxed.
+  std::vector<char> features;
+  Index feature_lines = 0;  // of those asked for
+  std::vector<LineEnds> relaxed;
+  // Model units: shorter lines were relaxed (without_short_lines() in features.h).
+  double shortest_feature = 0;
   long asked = 0;
   // The number of quads with as few edges on every arc as the cones allow; where more than
   // kCountClose above the count asked for were made.
   std::optional<long> least_count;
   Index cones = 0, patches = 0;
+  std::vector<Index> patch_of;  // by quad: the rectangle of the motorcycle graph that it is in
   Status status = Status::Converged;  // of the map's optimization, which a limit may have ended
 };
 
@@ -49,11 +58,14 @@ inline constexpr double kCountClose = 0.05;
 // Numbers of quads, and of their half-edges, are Index.
 inline constexpr Index kMostQuads = 100'000'000;
 
-// mesh: connected. Throws Error(Unsupported) for cones given on a surface with a border and for
-// more than kMostQuads; InvalidArgument for options out of range or that exclude each other;
-// Error(Infeasible) for cones of one quarter turn, and where no whole numbers or no valid quads
-// were found, or no map with the border along its axes; else as make_seamless(); Stopped when the
-// record's start_stop() says so.
+// mesh: connected. Features that edges of the length asked for cannot follow are relaxed; where
+// there is no map with the others, or none with valid quads, also those that edges of twice that
+// length cannot, four times, and so on, until there is one; of features that were not given
+// (nothing) also where more quads than asked for would be made. Throws Error(Unsupported) for cones
+// given on a surface with a border or with features and for more than kMostQuads; InvalidArgument
+// for options out of range or that exclude each other; Error(Infeasible) for cones of one quarter
+// turn, and where no whole numbers or no valid quads were found, or no map with the border along
+// its axes; else as make_seamless(); Stopped when the record's start_stop() says so.
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record);
 
 }  // namespace majorant

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <utility>
 
 #include "majorant/framework/error.h"
@@ -15,8 +17,11 @@
 #include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/io/read_vertex_lists.h"
+#include "majorant/parametrization/seams/edge_flags.h"
 #include "majorant/results/input_points.h"
 #include "majorant/results/quad_report.h"
+#include "majorant/volumes/volume_files.h"
 
 namespace majorant {
 namespace {
@@ -27,6 +32,8 @@ void append(const T& value, std::string& text) {
   std::memcpy(bytes, &value, sizeof(T));
   text.append(bytes, sizeof(T));
 }
+
+constexpr int kOnBorder = -1;  // in place of a number of quads
 
 std::string ply_of_quads(const PolygonMesh& quads) {
   std::string text = fmt::format(
@@ -42,6 +49,57 @@ std::string ply_of_quads(const PolygonMesh& quads) {
   return text;
 }
 
+// Irregular vertices are cells, too.
+VolumeMesh cells_of(const PolygonMesh& quads, const std::vector<Index>& patch_of) {
+  VolumeMesh mesh;
+  mesh.points.resize(static_cast<Index>(quads.positions.size()), 3);
+  std::vector<int> around(quads.positions.size(), 0);
+  std::map<std::pair<Index, Index>, int> sides;  // of edges
+  CellBlock faces, irregular;
+  faces.type.shape = CellShape::Quad;
+  faces.nodes.resize(static_cast<Index>(quads.polygons.size()), 4);
+  for (std::size_t v = 0; v < around.size(); ++v)
+    mesh.points.row(static_cast<Index>(v)) = quads.positions[v];
+  for (std::size_t q = 0; q < quads.polygons.size(); ++q) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Index a = quads.polygons[q][k], b = quads.polygons[q][(k + 1) % 4];
+      faces.nodes(static_cast<Index>(q), static_cast<Index>(k)) = a;
+      ++around[a];
+      ++sides[std::minmax(a, b)];
+    }
+    faces.numbers.push_back(static_cast<std::int64_t>(q));
+    faces.regions.push_back(patch_of.empty() ? 0 : patch_of[q]);
+  }
+  for (const auto& [edge, count] : sides)
+    if (count == 1) around[edge.first] = around[edge.second] = kOnBorder;
+  for (std::size_t v = 0; v < around.size(); ++v) {
+    if (around[v] == 4 || around[v] < 1) continue;
+    irregular.numbers.push_back(static_cast<std::int64_t>(v));
+    irregular.regions.push_back(around[v]);
+  }
+  irregular.nodes.resize(static_cast<Index>(irregular.numbers.size()), 1);
+  for (std::size_t i = 0; i < irregular.numbers.size(); ++i)
+    irregular.nodes(static_cast<Index>(i), 0) = static_cast<Index>(irregular.numbers[i]);
+  mesh.blocks = {std::move(faces)};
+  if (irregular.size() > 0) mesh.blocks.push_back(std::move(irregular));
+  return mesh;
+}
+
+PolygonMesh quads_of(const std::string& path, const VolumeMesh& mesh) {
+  PolygonMesh quads;
+  quads.file = path;
+  for (const auto& p : mesh.points.rowwise()) quads.positions.emplace_back(p);
+  for (const CellBlock& block : mesh.blocks) {
+    if (block.type.shape == CellShape::Point) continue;
+    if (block.type.shape != CellShape::Quad || block.type.degree != 1)
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: {}, no straight quads", path, describe(block.type)));
+    for (const auto& nodes : block.nodes.rowwise())
+      quads.polygons.emplace_back(nodes.begin(), nodes.end());
+  }
+  return quads;
+}
+
 // The cones of a piece, of those that name vertices of the input.
 std::vector<Cone> cones_on(const SurfaceMesh& piece, const std::vector<Cone>& cones,
                            const std::vector<Index>& names) {
@@ -52,6 +110,25 @@ std::vector<Cone> cones_on(const SurfaceMesh& piece, const std::vector<Cone>& co
   return found;
 }
 
+// 3 #F of a piece, of flags of the whole surface.
+std::vector<char> features_on(const SurfacePiece& piece, const std::vector<char>& all) {
+  std::vector<char> found;
+  for (const Index f : piece.face)
+    for (Index k = 0; k < 3; ++k) found.push_back(all[3 * f + k]);
+  return found;
+}
+
+std::optional<double> number_in(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [after, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || after != end) return std::nullopt;
+  return number;
+}
+
+// More than rounding, less than a doubling of lengths.
+constexpr double kDoubled = 1.5;
+
 void append_mesh(const PolygonMesh& part, PolygonMesh& all) {
   const auto first = static_cast<Index>(all.positions.size());
   all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
@@ -59,6 +136,39 @@ void append_mesh(const PolygonMesh& part, PolygonMesh& all) {
     for (Index& v : polygon) v += first;
     all.polygons.push_back(std::move(polygon));
   }
+}
+
+// made: of that piece.
+void add_features(const QuadMesh& made, const SurfacePiece& piece, QuadJob& job) {
+  job.feature_lines += made.feature_lines;
+  for (const LineEnds& line : made.relaxed)
+    job.relaxed.push_back({piece.mesh->input_vertex(line.from), piece.mesh->input_vertex(line.to)});
+  if (!made.relaxed.empty())
+    job.shortest_feature = std::max(job.shortest_feature, made.shortest_feature);
+  if (made.features.empty()) return;
+  job.features.resize(to_size(job.surface.mesh->half_edge_count()), 0);
+  for (std::size_t f = 0; f < piece.face.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      job.features[3 * to_size(piece.face[f]) + k] = made.features[3 * f + k];
+}
+
+// Lines shorter than two edges of quads are relaxed anyway.
+std::string relaxed_features(const QuadJob& job) {
+  const double length = std::sqrt(job.surface.mesh->area() / std::max<double>(job.asked_count, 1));
+  const bool are_short = job.shortest_feature <= kDoubled * length;
+  std::vector<std::string> ends;
+  for (const auto& [from, to] : job.relaxed) {
+    if (ends.size() == kNamedPlaces) break;
+    ends.push_back(fmt::format("{} to {}", from + 1, to + 1));
+  }
+  return fmt::format(
+      "{}: {} of {} feature lines relaxed, quads cross them: those shorter than "
+      "{:.3g}, {} (vertices {}{})",
+      job.polygons.file, job.relaxed.size(), job.feature_lines, 2 * job.shortest_feature,
+      are_short ? "two edges of so many quads"
+                : "with which there is no map, or there are no valid quads, or not so "
+                  "few of them",
+      fmt::join(ends, ", "), job.relaxed.size() > kNamedPlaces ? ", ..." : "");
 }
 
 }  // namespace
@@ -83,15 +193,19 @@ void QuadJob::solve(const std::string& source) {
           1L, std::lround(static_cast<double>(*options.count) * piece.mesh->area() / mesh.area()));
     if (options.map.cones)
       of_piece.map.cones = cones_on(*piece.mesh, *options.map.cones, surface.welded);
+    if (options.features && !options.features->empty())
+      of_piece.features = features_on(piece, *options.features);
     const QuadMesh made = quad_mesh(*piece.mesh, of_piece, record);
     append_mesh(made.quads, quads);
+    for (const Index patch : made.patch_of) patch_of.push_back(patches + patch);
+    add_features(made, piece, *this);
     asked_count += made.asked;
     patches += made.patches;
     least += made.least_count.value_or(made.check.count);
     if (made.status != Status::Converged) status = made.status;
   }
   record.begin(Activity::Proving);
-  check = check_quads(quads, &mesh, record.start_stop());
+  check = check_quads(quads, &mesh, features, record.start_stop());
   if (!check.is_valid())
     throw Error(ErrorKind::Infeasible,
                 fmt::format("{}: its components do not make valid quads together: {}",
@@ -102,14 +216,18 @@ void QuadJob::solve(const std::string& source) {
     warnings.push_back(
         fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found",
                     polygons.file, check.count, asked_count, 100 * kCountClose));
+  if (!relaxed.empty()) warnings.push_back(relaxed_features(*this));
   solve_seconds = record.seconds() - before;
 }
 
 Json quad_report(const QuadJob& job) {
-  Json section = quads_section(job.check, QuadsComparedWith::Surface);
+  Json section = quads_section(job.check, QuadsComparedWith::Surface, QuadsFeatures::Asked);
   section["asked"] = job.asked_count;
   section["least_count"] = job.least_count ? Json(*job.least_count) : Json();
   section["patches"] = job.patches;
+  section["features"] = {{"asked", job.feature_lines},
+                         {"covered", job.feature_lines - job.relaxed.size()},
+                         {"relaxed", job.relaxed.size()}};
   section["degree"] = 1;
   Json input = input_section(job.polygons, *job.surface.mesh);
   for (const Repair& repair : job.surface.repairs) input["repairs"].push_back(describe(repair));
@@ -131,15 +249,53 @@ Json quad_report(const QuadJob& job) {
   return report;
 }
 
-std::vector<std::string> quad_extensions() { return {".obj", ".ply"}; }
+std::vector<std::string> quad_extensions() { return {".obj", ".ply", ".vtu"}; }
 
-void write_quads(const std::string& path, const PolygonMesh& quads, const SurfaceMesh& surface) {
-  const std::string text = format_of(path) == ".ply" ? ply_of_quads(quads) : obj_text(quads);
-  write_file_atomically(path, text, [&](const std::string& temporary) {
-    const QuadCheck check = check_quads(read_mesh(temporary), &surface);
+void write_quads(const std::string& path, const PolygonMesh& quads, const SurfaceMesh& surface,
+                 const std::vector<char>& features, const std::vector<Index>& patch_of) {
+  const auto judge = [&](const PolygonMesh& written) {
+    const QuadCheck check = check_quads(written, &surface, features);
     if (!check.is_valid())
       throw Error(ErrorKind::Invalid, fmt::format("{}: {}", path, fmt::join(check.defects, "; ")));
-  });
+  };
+  const std::string format = format_of(path);
+  if (format == ".vtu") {
+    write_volume_mesh(path, cells_of(quads, patch_of), {}, nullptr,
+                      [&](const VolumeMesh& written) { judge(quads_of(path, written)); });
+    return;
+  }
+  write_file_atomically(path, format == ".ply" ? ply_of_quads(quads) : obj_text(quads),
+                        [&](const std::string& temporary) { judge(read_mesh(temporary)); });
+}
+
+PolygonMesh read_quads(const std::string& path, const StopCheck& stop, Strictness strictness) {
+  if (format_of(path) == ".vtu") return quads_of(path, read_volume_mesh(path, stop));
+  return read_mesh(path, stop, strictness);
+}
+
+std::string feature_file(const std::string& said) {
+  return said == "none" || number_in(said) ? "" : said;
+}
+
+std::vector<char> features_of(const std::string& said, const PolygonMesh& polygons,
+                              const RepairedSurface& surface, const StopCheck& stop) {
+  constexpr double kMost = 180;
+  if (said == "none") return {};
+  if (const std::optional<double> degrees = number_in(said)) {
+    if (!(*degrees > 0 && *degrees <= kMost))
+      throw Error(ErrorKind::Usage,
+                  fmt::format("--features {}: degrees are above 0, to {:.0f}", said, kMost));
+    return sharp_edges(*surface.mesh, *degrees);
+  }
+  return features_of(read_seams(said, static_cast<Index>(polygons.positions.size()), stop), said,
+                     surface);
+}
+
+std::vector<char> features_of(const std::vector<std::array<Index, 2>>& edges,
+                              const std::string& source, const RepairedSurface& surface) {
+  std::vector<std::array<Index, 2>> names;
+  for (const auto& [a, b] : edges) names.push_back({surface.welded[a], surface.welded[b]});
+  return flags_of_edges(*surface.mesh, names, source);
 }
 
 }  // namespace majorant

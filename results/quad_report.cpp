@@ -5,10 +5,13 @@
 
 namespace majorant {
 
-Json quads_section(const QuadCheck& check, QuadsComparedWith surface) {
+Json quads_section(const QuadCheck& check, QuadsComparedWith surface, QuadsFeatures features) {
   const bool compared = check.is_surface && surface == QuadsComparedWith::Surface;
   const auto if_surface = [&](auto value) { return check.is_surface ? Json(value) : Json(); };
   const auto if_compared = [&](auto value) { return compared ? Json(value) : Json(); };
+  const auto if_features = [&](auto value) {
+    return compared && features == QuadsFeatures::Asked ? Json(value) : Json();
+  };
   return {{"count", check.count},
           {"irregular", if_surface(check.irregular)},
           {"euler_characteristic", if_surface(check.topology.euler_characteristic())},
@@ -20,6 +23,10 @@ Json quads_section(const QuadCheck& check, QuadsComparedWith surface) {
           {"angle_deviation", if_surface(check.angle_deviation)},
           {"folded", if_surface(check.folded.size())},
           {"turned", if_compared(check.turned.size())},
+          {"features",
+           {{"asked", if_features(check.feature_lines)},
+            {"covered", if_features(check.feature_lines - check.uncovered.size())},
+            {"relaxed", Json()}}},
           {"hausdorff",
            {{"to_surface", if_compared(check.hausdorff.to_surface)},
             {"from_surface", if_compared(check.hausdorff.from_surface)}}}};
@@ -38,10 +45,15 @@ std::string describe(const QuadCheck& check, QuadsComparedWith surface) {
                   t.euler_characteristic(), t.boundary_loops, t.boundary_loops == 1 ? "" : "s");
   if (surface == QuadsComparedWith::Nothing)
     return fmt::format("{}, none folded; {}; not compared with a surface", counts, measured);
+  const std::string covered =
+      check.feature_lines > 0
+          ? fmt::format("{} feature line{} covered, ", check.feature_lines - check.uncovered.size(),
+                        check.feature_lines == 1 ? "" : "s")
+          : "";
   return fmt::format(
-      "{} as the surface, none folded or turned; {}; {:.3g} to the surface, {:.3g} "
+      "{} as the surface, {}none folded or turned; {}; {:.3g} to the surface, {:.3g} "
       "from it",
-      counts, measured, check.hausdorff.to_surface, check.hausdorff.from_surface);
+      counts, covered, measured, check.hausdorff.to_surface, check.hausdorff.from_surface);
 }
 
 }  // namespace majorant

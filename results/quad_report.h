@@ -16,7 +16,10 @@ namespace majorant {
 // the faces make no surface.
 enum class QuadsComparedWith { Nothing, Surface };
 
-Json quads_section(const QuadCheck& check, QuadsComparedWith surface);
+// NotAsked: whether features are covered is unknown, null in reports.
+enum class QuadsFeatures { NotAsked, Asked };
+
+Json quads_section(const QuadCheck& check, QuadsComparedWith surface, QuadsFeatures features);
 
 // Where it is valid what is proven and measured, else what is wrong: one line.
 std::string describe(const QuadCheck& check, QuadsComparedWith surface);

@@ -31,6 +31,7 @@
 #include "majorant/mesh/repair.h"
 #include "majorant/quads/check_quads.h"
 #include "majorant/results/check_map.h"
+#include "majorant/results/quad_job.h"
 #include "majorant/results/quad_report.h"
 
 namespace majorant::app {
@@ -38,7 +39,7 @@ namespace {
 
 struct Request {
   CommonOptions common;
-  std::string result, surface, distortion;
+  std::string result, surface, distortion, features;
   std::string cuts = "auto", objects = "together";
   std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
@@ -136,9 +137,13 @@ int check_as_quads(const Request& request, const PolygonMesh& quads, const Polyg
   record.begin(Activity::Proving);
   const auto with = polygons ? QuadsComparedWith::Surface : QuadsComparedWith::Nothing;
   const QuadCheck check = or_interrupted("checking " + request.result, [&] {
-    std::optional<RepairedSurface> surface;
-    if (polygons) surface = repair(*polygons, {.welding = Welding::EqualPlaces}, record.stop());
-    return check_quads(quads, surface ? surface->mesh.get() : nullptr, record.stop());
+    if (!polygons) return check_quads(quads, nullptr, {}, record.stop());
+    const RepairedSurface surface =
+        repair(*polygons, {.welding = Welding::EqualPlaces}, record.stop());
+    std::vector<char> features;
+    if (!request.features.empty())
+      features = features_of(request.features, *polygons, surface, record.stop());
+    return check_quads(quads, surface.mesh.get(), features, record.stop());
   });
   progress.finish();
   const std::string_view status = check.is_valid() ? "valid" : "invalid";
@@ -157,7 +162,9 @@ int check_as_quads(const Request& request, const PolygonMesh& quads, const Polyg
                         {"status", status},
                         {"message", message},
                         {"warnings", quads.warnings},
-                        {"quads", quads_section(check, with)}});
+                        {"quads", quads_section(check, with,
+                                                request.features.empty() ? QuadsFeatures::NotAsked
+                                                                         : QuadsFeatures::Asked)}});
     });
   return written.conclude(check.is_valid() ? kSuccess : kInvalid);
 }
@@ -173,7 +180,7 @@ std::vector<Index> layers_of(const Request& request, const PolygonMesh* mesh, co
 
 int check(const Request& request) {
   require_writable(request.common, {{request.outputs, {".html"}}, {{request.distortion}, {".csv"}}},
-                   {request.result, request.surface});
+                   {request.result, request.surface, feature_file(request.features)});
   const ThreadCount threads(usable_threads(request.common.threads));
   Progress progress(request.common, {Activity::Reading, Activity::Proving, Activity::Measuring});
   const RunRecord record(request.time_limit, 0, interruption_flag(), &progress);
@@ -193,15 +200,23 @@ int check(const Request& request) {
   };
   std::optional<PolygonMesh> mesh;
   if (may_be_quads(request))
-    mesh = read(request.result, [](const std::string& path, const StopCheck& asked, Strictness s) {
-      return read_mesh(path, asked, std::max(s, Strictness::Texcoords));
+    mesh = read(request.result, [&](const std::string& path, const StopCheck& asked, Strictness s) {
+      const Strictness strictness = std::max(s, Strictness::Texcoords);
+      return request.quads ? read_quads(path, asked, strictness)
+                           : read_mesh(path, asked, strictness);
     });
   if (mesh && (request.quads || is_of_quads(*mesh))) {
+    if (!request.features.empty() && request.surface.empty())
+      throw Error(ErrorKind::Usage, "--features: are those of --surface; give both");
     require_of_maps(request);
     say_warnings(mesh->warnings);
     read_surface();
     return check_as_quads(request, *mesh, surface ? &*surface : nullptr, record, progress);
   }
+  if (!request.features.empty())
+    throw Error(ErrorKind::Usage, fmt::format("--features: is of meshes of quads, and {} is none; "
+                                              "leave it out",
+                                              request.result));
   const MapFile file = mesh ? to_map_file(*mesh) : read(request.result, read_map);
   const std::vector<Index> layers = layers_of(request, mesh ? &*mesh : nullptr, file);
   mesh.reset();
@@ -264,6 +279,11 @@ void add_check(CLI::App& app, Action* run) {
                 "a mesh of quads (implied where a file has nothing but quads, and no texture "
                 "coordinates): oriented manifold, none folded; with --surface none turned, Euler "
                 "characteristic and border of the surface");
+  verb.add_option(
+          "--features", request->features,
+          "of meshes of quads: feature lines of --surface that edges of quads must cover, as "
+          "`quads` has them")
+      ->type_name("DEG|FILE|none");
   verb.add_flag("--certify", request->certify, "prove global injectivity as well");
   request->common.add_to(verb);
   verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/fields/internal/cone_potential.h"
 #include "majorant/parametrization/fields/internal/field_connection.h"
@@ -86,37 +87,117 @@ std::vector<std::complex<double>> principal_directions(const SurfaceMesh& mesh,
 // Chosen, not tuned.
 constexpr int kLargestMeanAngle = 120;
 const std::vector<char> kNoneFixed;
+// Quarter turns of an inner vertex, at least. Of fields that follow edges quads are made, and one
+// quad around a vertex would meet itself along an edge.
+constexpr int kLeastTurns = 1, kLeastTurnsOfAligned = 2;
 
-// Border vertices whose two border edges the field follows, which hold a number of quarter turns as
-// inner vertices do: what the angles between these edges add up to in a map. Elsewhere 0.
-struct AlignedBorder {
-  std::vector<int> turns, wanted;  // #V: of the field; of the surface's angles, rounded
+// Around a vertex the edges that the field follows bound sectors, each of which holds a number of
+// quarter turns as inner vertices do: what its angles add up to in a map. At the border they do
+// where both border edges are followed.
+struct AlignedSectors {
+  std::vector<char> is_bound;          // 3 #F: followed by the faces on both sides
+  std::vector<Index> of;               // 3 #F: of the corner where a half-edge starts, or -1
+  std::vector<int> turns, wanted;      // by sector: of the field; of its angles, rounded
+  std::vector<int> faces;              // by sector
+  std::vector<std::vector<Index>> at;  // #V: sectors
+  std::vector<Index> vertex;           // by sector
 };
 
-// is_aligned: 3 #F, of faces that are fixed to the direction of that border edge.
-AlignedBorder aligned_border(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-                             const std::vector<char>& is_aligned, const Vec& rotation) {
-  const auto size = to_size(mesh.vertex_count());
-  std::vector<int> edges(size, 0);
-  Vec left = geometry.angle_sum;
-  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    left[mesh.to_vertex(h)] -= rotation[h];
-    if (mesh.opposite(h) >= 0 || is_aligned.empty() || !is_aligned[h]) continue;
-    ++edges[mesh.from_vertex(h)];
-    ++edges[mesh.to_vertex(h)];
+class SectorFinder {
+ public:
+  // is_aligned: 3 #F, or empty: no sectors. fixed: #F, the directions of faces that follow an edge.
+  SectorFinder(const SurfaceMesh& mesh, const FieldGeometry& geometry,
+               const std::vector<char>& is_aligned, const Vec& fixed)
+      : mesh_(mesh), geometry_(geometry), is_aligned_(is_aligned), fixed_(fixed) {}
+
+  AlignedSectors find(const Vec& rotation) {
+    const auto corners = to_size(mesh_.half_edge_count());
+    sectors_.of.assign(corners, -1);
+    sectors_.at.resize(to_size(mesh_.vertex_count()));
+    sectors_.is_bound.assign(corners, 0);
+    if (is_aligned_.empty()) return sectors_;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) sectors_.is_bound[h] = is_bound(h);
+    for (const Index h : first_bounds())
+      if (h >= 0) go_around(h);
+    count_turns(rotation);
+    return sectors_;
   }
-  AlignedBorder border{std::vector<int>(size, 0), std::vector<int>(size, 0)};
-  for (Index v = 0; v < mesh.vertex_count(); ++v) {
-    if (edges[v] < 2) continue;
-    border.turns[v] = static_cast<int>(std::lround(left[v] / kQuarter));
-    // Halfway a border is straight rather than a corner.
-    constexpr double kTie = 1e-3;
-    const double turns = geometry.angle_sum[v] / kQuarter;
-    border.wanted[v] =
-        std::abs(turns - 2) < 0.5 + kTie ? 2 : std::max(1, static_cast<int>(std::lround(turns)));
+
+ private:
+  bool follows(Index h) const {
+    constexpr double kParallel = 1e-6;
+    const double off = fixed_[face_of(h)] - geometry_.edge_direction[h];
+    return std::abs(std::remainder(off, kQuarter)) < kParallel;
   }
-  return border;
-}
+
+  bool is_bound(Index h) const {
+    const Index o = mesh_.opposite(h);
+    if (o < 0) return is_aligned_[h] != 0;
+    return (is_aligned_[h] || is_aligned_[o]) && follows(h) && follows(o);
+  }
+
+  // #V: a half-edge that starts there, on the border that of the border, or -1.
+  std::vector<Index> first_bounds() const {
+    const auto size = to_size(mesh_.vertex_count());
+    std::vector<int> border_edges(size, 0);
+    std::vector<Index> first(size, -1);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      if (!sectors_.is_bound[h]) continue;
+      Index& of_vertex = first[mesh_.from_vertex(h)];
+      if (mesh_.opposite(h) < 0) {
+        ++border_edges[mesh_.from_vertex(h)];
+        ++border_edges[mesh_.to_vertex(h)];
+        of_vertex = h;
+      } else if (!geometry_.is_boundary[mesh_.from_vertex(h)]) {
+        of_vertex = h;
+      }
+    }
+    for (std::size_t v = 0; v < size; ++v)
+      if (geometry_.is_boundary[v] && border_edges[v] < 2) first[v] = -1;
+    return first;
+  }
+
+  void go_around(Index first) {
+    Index h = first;
+    do {
+      if (h == first || sectors_.is_bound[h]) {
+        sectors_.at[mesh_.from_vertex(h)].push_back(static_cast<Index>(sectors_.faces.size()));
+        sectors_.vertex.push_back(mesh_.from_vertex(h));
+        sectors_.faces.push_back(0);
+      }
+      sectors_.of[h] = static_cast<Index>(sectors_.faces.size()) - 1;
+      ++sectors_.faces.back();
+      h = mesh_.opposite(previous(h));
+    } while (h >= 0 && h != first);
+  }
+
+  void count_turns(const Vec& rotation) {
+    Vec angle = Vec::Zero(static_cast<Index>(sectors_.faces.size()));
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (const Index s = sectors_.of[h]; s >= 0) angle[s] += corner_angle(mesh_, h).radians();
+    Vec left = angle;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      const Index o = mesh_.opposite(h);
+      if (o >= 0 && sectors_.of[o] >= 0 && !sectors_.is_bound[h])
+        left[sectors_.of[o]] -= rotation[h];
+    }
+    for (Index s = 0; s < static_cast<Index>(left.size()); ++s) {
+      sectors_.turns.push_back(static_cast<int>(std::lround(left[s] / kQuarter)));
+      // Halfway an edge goes on straight rather than around a corner.
+      constexpr double kTie = 1e-3;
+      const double turns = angle[s] / kQuarter;
+      sectors_.wanted.push_back(
+          std::abs(turns - 2) < 0.5 + kTie ? 2 : std::max(1, static_cast<int>(std::lround(turns))));
+    }
+  }
+
+  const SurfaceMesh& mesh_;
+  const FieldGeometry& geometry_;
+  const std::vector<char>& is_aligned_;
+  const Vec& fixed_;
+  AlignedSectors sectors_;
+};
+
 // Cones move one edge a sweep; the smoothest field has them nearly in place; chosen, not
 // tuned.
 constexpr int kMostConeSweeps = 20;
@@ -126,19 +207,27 @@ constexpr Index kMostCones = 1000;
 // rounding of the solves, far below the gain of a move that matters.
 constexpr double kLeastConeGain = 1e-6;
 
+// Quarter turns pass along edges from node to node: these are the sectors of followed edges, and
+// the vertices that have none.
 class Cleanup {
  public:
-  // border: no entries where it is free.
   Cleanup(const SurfaceMesh& mesh, const FieldGeometry& geometry, const std::vector<char>& is_fixed,
-          AlignedBorder border, FieldConnection& field)
+          AlignedSectors sectors, int least_turns, FieldConnection& field)
       : mesh_(mesh),
         geometry_(geometry),
         is_fixed_(is_fixed),
-        border_(std::move(border)),
+        sectors_(std::move(sectors)),
+        least_turns_(least_turns),
         field_(field),
-        leaving_(to_size(mesh.vertex_count())) {
+        leaving_(to_size(mesh.vertex_count()) + sectors_.faces.size()) {
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      const bool has_sectors = !sectors_.at.empty() && !sectors_.at[v].empty();
+      if (!has_sectors) nodes_.push_back(v);
+      if (has_sectors)
+        for (const Index s : sectors_.at[v]) nodes_.push_back(mesh.vertex_count() + s);
+    }
     for (Index h = 0; h < mesh.half_edge_count(); ++h)
-      if (movable(h)) leaving_[mesh.from_vertex(h)].push_back(h);
+      if (movable(h)) leaving_[node_at(h)].push_back(h);
   }
 
   void lower_energy(double cone_cost, const StopCheck& stop) {
@@ -156,36 +245,45 @@ class Cleanup {
     // A pass can make room for the next one; each of them leaves fewer cones.
     while (cancel_neighbours()) {
     }
-    for (Index v = 0; v < mesh_.vertex_count(); ++v)
+    for (const Index v : nodes_)
       while (excess(v) != 0) level(v);
   }
 
  private:
-  bool on_aligned_border(Index v) const { return !border_.wanted.empty() && border_.wanted[v] > 0; }
-  int turns(Index v) const {
-    return on_aligned_border(v) ? border_.turns[v] : field_.quarter_turns[v];
+  // Of the corner where a half-edge starts.
+  Index node_at(Index h) const {
+    const bool in_sector = !sectors_.of.empty() && sectors_.of[h] >= 0;
+    return in_sector ? mesh_.vertex_count() + sectors_.of[h] : mesh_.from_vertex(h);
   }
-  // Of a vertex that is no cone, and of the border as the surface has it.
-  int regular(Index v) const { return on_aligned_border(v) ? border_.wanted[v] : 4; }
+  Index node_beyond(Index h) const { return node_at(mesh_.opposite(h)); }
+  // A node's sector, negative for a vertex.
+  Index sector(Index v) const { return v - mesh_.vertex_count(); }
+  int turns(Index v) const {
+    return sector(v) >= 0 ? sectors_.turns[sector(v)] : field_.quarter_turns[v];
+  }
+  // Of a vertex that is no cone, and of a sector as the surface has it.
+  int regular(Index v) const { return sector(v) >= 0 ? sectors_.wanted[sector(v)] : 4; }
   // Any number of turns is welcome there.
-  bool boundary(Index v) const { return geometry_.is_boundary[v] && !on_aligned_border(v); }
+  bool boundary(Index v) const { return sector(v) < 0 && geometry_.is_boundary[v]; }
   bool movable(Index h) const {
     const Index o = mesh_.opposite(h);
-    if (o < 0) return false;
+    if (o < 0 || (!sectors_.is_bound.empty() && sectors_.is_bound[h])) return false;
     return is_fixed_.empty() || !is_fixed_[face_of(h)] || !is_fixed_[face_of(o)] ||
-           on_aligned_border(mesh_.from_vertex(h)) || on_aligned_border(mesh_.to_vertex(h));
+           sector(node_at(h)) >= 0 || sector(node_beyond(h)) >= 0;
   }
+  int least_turns(Index v) const { return sector(v) >= 0 ? 1 : least_turns_; }
   int most_turns(Index v) const {
     // Faces of less than two quarter turns each.
-    if (on_aligned_border(v))
-      return std::max(geometry_.valence[v] * kLargestMeanAngle / 90,
-                      std::min(regular(v), 2 * geometry_.valence[v] - 1));
+    if (sector(v) >= 0)
+      return std::max(sectors_.faces[sector(v)] * kLargestMeanAngle / 90,
+                      std::min(regular(v), 2 * sectors_.faces[sector(v)] - 1));
     return std::max(4, geometry_.valence[v] * kLargestMeanAngle / 90);
   }
   // Quarter turns that v has to give away (> 0) or to receive (< 0).
   int excess(Index v) const {
     if (boundary(v)) return 0;
-    return turns(v) < 1 ? turns(v) - 1 : std::max(0, turns(v) - most_turns(v));
+    const int least = least_turns(v);
+    return turns(v) < least ? turns(v) - least : std::max(0, turns(v) - most_turns(v));
   }
   // The change of the number of cones by a quarter turn less at `from` and one more at `to`.
   int change(Index from, Index to) const {
@@ -197,16 +295,14 @@ class Cleanup {
   }
   void move(Index h) {
     move_quarter(mesh_, geometry_, h, field_);
-    const Index from = mesh_.from_vertex(h), to = mesh_.to_vertex(h);
-    if (on_aligned_border(from)) --border_.turns[from];
-    if (on_aligned_border(to)) ++border_.turns[to];
+    if (const Index s = sector(node_at(h)); s >= 0) --sectors_.turns[s];
+    if (const Index s = sector(node_beyond(h)); s >= 0) ++sectors_.turns[s];
   }
 
   bool cancel_neighbours() {
     bool any = false;
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
-      const Index a = mesh_.from_vertex(h), b = mesh_.to_vertex(h);
-      if (!movable(h) || change(a, b) >= 0) continue;
+      if (!movable(h) || change(node_at(h), node_beyond(h)) >= 0) continue;
       move(h);
       any = true;
     }
@@ -253,7 +349,8 @@ class Cleanup {
       double least = 0;
       for (const Index h : leaving_[v]) {
         const Index w = mesh_.to_vertex(h);
-        if (boundary(w) || turns(w) + step < 1 || turns(w) + step > most_turns(w)) continue;
+        if (boundary(w) || turns(w) + step < least_turns(w) || turns(w) + step > most_turns(w))
+          continue;
         const double estimate = potential.estimated_change(v, w, step);
         if (best < 0 || estimate < least) best = h, least = estimate;
       }
@@ -276,28 +373,30 @@ class Cleanup {
   void level(Index v) {
     const int step = excess(v) > 0 ? 1 : -1;  // what the receiver gets
     const bool found = send(v, step, [&](Index w) {
-      return boundary(w) || (turns(w) + step >= 1 && turns(w) + step <= most_turns(w) &&
-                             turns(w) * step <= regular(w) * step);
+      return boundary(w) ||
+             (turns(w) + step >= least_turns(w) && turns(w) + step <= most_turns(w) &&
+              turns(w) * step <= regular(w) * step);
     });
     if (!found)
       throw Error(ErrorKind::Infeasible,
                   fmt::format("{}vertex {}: the mesh is too coarse for the cones of a cross "
                               "field; refine it or align fewer edges",
-                              message_prefix(mesh_), user_vertex(mesh_, v)));
+                              message_prefix(mesh_),
+                              user_vertex(mesh_, sector(v) < 0 ? v : sectors_.vertex[sector(v)])));
   }
 
   // Moves a quarter turn from v to the nearest vertex that is a goal (step = 1), or from there to v
   // (-1), over as few edges as possible. False when there is none, never if no face is fixed.
   template <class Goal>
   bool send(Index v, int step, const Goal& is_goal) {
-    std::vector<Index> entered(to_size(mesh_.vertex_count()), -1), queue{v};
+    std::vector<Index> entered(leaving_.size(), -1), queue{v};
     for (std::size_t next = 0; next < queue.size(); ++next)
       for (const Index h : leaving_[queue[next]]) {
-        const Index w = mesh_.to_vertex(h);
+        const Index w = node_beyond(h);
         if (w == v || entered[w] >= 0) continue;
         entered[w] = h;
         if (is_goal(w)) {
-          for (Index u = w; u != v; u = mesh_.from_vertex(entered[u]))
+          for (Index u = w; u != v; u = node_at(entered[u]))
             move(step > 0 ? entered[u] : mesh_.opposite(entered[u]));
           return true;
         }
@@ -309,22 +408,24 @@ class Cleanup {
   const SurfaceMesh& mesh_;
   const FieldGeometry& geometry_;
   const std::vector<char>& is_fixed_;
-  AlignedBorder border_;
+  AlignedSectors sectors_;
+  const int least_turns_;
   FieldConnection& field_;
-  std::vector<std::vector<Index>> leaving_;  // per vertex, half-edges that may be matched anew
+  std::vector<Index> nodes_;                 // vertices, or #V + sector, by vertex
+  std::vector<std::vector<Index>> leaving_;  // by node, half-edges that may be matched anew
 };
 
 // Cancels cones of opposite sign on adjacent vertices, and moves cones next to the boundary into
 // it; then moves quarter turns away from vertices that would have none, or triangles with a mean
 // angle above 120 degrees. The matching changes on the way, the angles stay: relax afterwards.
 // Edges with is_fixed faces on both sides keep their matching (#F, or empty), but for those that
-// end on a border that the field follows (border, or no entries): its vertices are brought to the
-// turns of the surface's angles, where that lets cones go, and to one at least. Throws
+// end in a sector of followed edges (sectors, or no entries): these are brought to the turns of the
+// surface's angles, where that lets cones go, and to one at least. Throws
 // Error(Infeasible) when no place is found for a quarter turn.
 void optimize_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-                    const std::vector<char>& is_fixed, AlignedBorder border,
+                    const std::vector<char>& is_fixed, AlignedSectors sectors, int least_turns,
                     FieldConnection& field) {
-  Cleanup(mesh, geometry, is_fixed, std::move(border), field).run();
+  Cleanup(mesh, geometry, is_fixed, std::move(sectors), least_turns, field).run();
 }
 
 // Lowers energy (cone_potential.h) + cone_cost * sum |quarter_turns - 4| by moves of single quarter
@@ -332,9 +433,10 @@ void optimize_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
 // apart, the best first; and moves cones along edges. After optimize_cones, whose bounds it keeps.
 // Takes a solve and a vector of #V for every cone: surfaces with more than 1000 are left alone.
 // Relax afterwards. Throws Stopped.
-void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry, double cone_cost,
-                       FieldConnection& field, const StopCheck& stop) {
-  Cleanup(mesh, geometry, kNoneFixed, {}, field).lower_energy(cone_cost, stop);
+void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry,
+                       const CrossFieldOptions& options, FieldConnection& field) {
+  Cleanup(mesh, geometry, kNoneFixed, {}, kLeastTurns, field)
+      .lower_energy(options.cone_cost, options.stop);
 }
 
 using Complex = std::complex<double>;
@@ -524,10 +626,11 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
   }
   options.stop.poll();
   optimize_cones(mesh, geometry, is_fixed,
-                 aligned_border(mesh, geometry, options.aligned, field.rotation), field);
+                 SectorFinder(mesh, geometry, options.aligned, fixed).find(field.rotation),
+                 options.aligned.empty() ? kLeastTurns : kLeastTurnsOfAligned, field);
   options.stop.poll();
   if (pull == 0 && !system.has_fixed()) {
-    lower_cone_energy(mesh, geometry, options.cone_cost, field, options.stop);
+    lower_cone_energy(mesh, geometry, options, field);
     relax_and_round_turning(mesh, geometry, field);
   } else {
     Relaxation(mesh, geometry, hold).apply(field.angle, field.rotation);

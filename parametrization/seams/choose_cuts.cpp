@@ -28,6 +28,7 @@
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/seams/cut_paths.h"
+#include "majorant/parametrization/seams/edge_flags.h"
 #include "majorant/parametrization/seams/internal/cut_costs.h"
 #include "majorant/parametrization/seams/internal/cut_tree.h"
 #include "majorant/parametrization/seams/internal/flattening_strain.h"
@@ -46,37 +47,6 @@ enum class Found { Nothing, InnerEdge, Edge };
       ErrorKind::Usage,
       fmt::format("{}{}vertices {} and {} (counting from 0) are joined {}; correct the list",
                   source, source.empty() ? "" : ": ", edge.first, edge.second, what));
-}
-
-// 3 #F flags, both sides, of the edges between these vertices of the file (from 0); all copies of
-// an edge where the surface has several. Edges of the boundary are cut already. source:
-// for messages, may be empty. Throws Error(Usage) naming a pair that is no edge of the file, or
-// that runs inside one of its polygons.
-std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
-                                 const std::vector<std::array<Index, 2>>& edges,
-                                 const std::string& source) {
-  std::map<std::pair<Index, Index>, Found> wanted;
-  for (const auto& [a, b] : edges) wanted[std::minmax(a, b)] = Found::Nothing;
-  std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
-  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
-    const Index o = mesh.opposite(h);
-    const auto edge = wanted.find(
-        std::minmax(mesh.input_vertex(mesh.from_vertex(h)), mesh.input_vertex(mesh.to_vertex(h))));
-    if (edge == wanted.end()) continue;
-    if (o >= 0 && mesh.input_face(face_of(h)) == mesh.input_face(face_of(o))) {
-      edge->second = std::max(edge->second, Found::InnerEdge);
-    } else {
-      edge->second = Found::Edge;
-      is_cut[h] = o >= 0;
-    }
-  }
-  for (const auto& [edge, found] : wanted) {
-    if (found == Found::Nothing)
-      refuse(source, edge, "by no edge of " + (mesh.file().empty() ? "the mesh" : mesh.file()));
-    if (found == Found::InnerEdge)
-      refuse(source, edge, "inside a polygon only, along whose edges one can cut");
-  }
-  return is_cut;
 }
 
 // Charts between sharp edges.
@@ -697,6 +667,33 @@ void require_usable_sizes(const SurfaceMesh& mesh, const StopCheck& stop) {
   }
   const double area = mesh.area();
   for (const SurfacePiece& part : mesh.split(stop)) require_usable_size(part, area);
+}
+
+std::vector<char> flags_of_edges(const SurfaceMesh& mesh,
+                                 const std::vector<std::array<Index, 2>>& edges,
+                                 const std::string& source) {
+  std::map<std::pair<Index, Index>, Found> wanted;
+  for (const auto& [a, b] : edges) wanted[std::minmax(a, b)] = Found::Nothing;
+  std::vector<char> is_cut(to_size(mesh.half_edge_count()), 0);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    const Index o = mesh.opposite(h);
+    const auto edge = wanted.find(
+        std::minmax(mesh.input_vertex(mesh.from_vertex(h)), mesh.input_vertex(mesh.to_vertex(h))));
+    if (edge == wanted.end()) continue;
+    if (o >= 0 && mesh.input_face(face_of(h)) == mesh.input_face(face_of(o))) {
+      edge->second = std::max(edge->second, Found::InnerEdge);
+    } else {
+      edge->second = Found::Edge;
+      is_cut[h] = o >= 0;
+    }
+  }
+  for (const auto& [edge, found] : wanted) {
+    if (found == Found::Nothing)
+      refuse(source, edge, "by no edge of " + (mesh.file().empty() ? "the mesh" : mesh.file()));
+    if (found == Found::InnerEdge)
+      refuse(source, edge, "inside a polygon only, of which edges alone count");
+  }
+  return is_cut;
 }
 
 SurfaceCuts choose_cuts(const SurfaceMesh& mesh, const CutOptions& options, const StopCheck& stop) {

@@ -16,6 +16,7 @@
 #include "mesh.h"
 #include "places.h"
 #include "problem.h"
+#include "quads.h"
 #include "run.h"
 #include "solve.h"
 #include "space.h"
@@ -79,6 +80,7 @@ PYBIND11_MODULE(_core, module) {
   bind_terms(module);
   bind_problems(module);
   bind_volumes(module);
+  bind_quads(module);
   module.def("energies", &energies);
   module.def("split_energy", &split_energy, py::arg("text"));
   module.def("vector_instructions", &majorant::vector_instructions);

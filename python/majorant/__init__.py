@@ -25,15 +25,16 @@ from ._functions import (Verdict, check, deform, energies, flatten, kernels, par
                          seamless, unwrap)
 from ._maps import Map
 from ._places import InverseMap, NearestPoints, Places, Preimages, SurfaceTree
+from ._quads import QuadMesh, quad_mesh
 from ._terms import Inequality, Term, element_term, least_squares, linear_term, parameter_blocks, penalty
 from ._volumes import VolumeMesh, optimize
 
 __version__ = _core.version
 __all__ = [
     'Density', 'Error', 'Inequality', 'InfeasibleError', 'InternalError', 'InvalidError', 'InverseMap', 'Map',
-    'NearestPoints', 'Places', 'Preimages', 'Problem', 'ReadError', 'Solution', 'Space', 'Step',
+    'NearestPoints', 'Places', 'Preimages', 'Problem', 'QuadMesh', 'ReadError', 'Solution', 'Space', 'Step',
     'StoppedError', 'SurfaceTree', 'Term', 'UnsupportedError', 'UsageError', 'Verdict', 'VolumeMesh',
     'check', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',
-    'mesh_arrays', 'optimize', 'parameter_blocks', 'parametrize', 'penalty', 'read', 'read_mesh', 'seamless',
-    'unwrap',
+    'mesh_arrays', 'optimize', 'parameter_blocks', 'parametrize', 'penalty', 'quad_mesh', 'read', 'read_mesh',
+    'seamless', 'unwrap',
 ]

@@ -110,7 +110,7 @@ def seamless(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'symme
     if cones is not None and curvature_alignment:
         raise UsageError('curvature_alignment is of the field that finds cones; leave out cones or it')
     extra = {
-        'cones': None if cones is None else _cones(cones, len(mesh.positions)),
+        'cones': None if cones is None else _options.cones(cones, len(mesh.positions)),
         'start': _options.choice('start', start, ('automatic', 'field', 'scaled-field', 'conformal')),
         'curvature_alignment': _options.number('curvature_alignment', curvature_alignment, 0,
                                                _options.LARGEST, zero=True),
@@ -328,13 +328,6 @@ def _solve(solver: Callable[..., tuple], mesh: _core.Mesh, said: dict[str, Any],
            extra: dict[str, Any] | None = None) -> Map:
     callback = _options.callback(said.pop('callback'))
     return Map(*solver(mesh, {**_options.keywords(mesh, said), **(extra or {})}, callback))
-
-
-def _cones(cones: Any, vertices: int) -> list[tuple[int, int]]:
-    if not hasattr(cones, 'items'):
-        raise UsageError('cones is no dictionary {vertex: quarter turns}')
-    return [(_options.integer('vertex of a cone', v, 0, vertices - 1),
-             _options.integer(f'cones[{v}]', turns, 1, 2**20)) for v, turns in cones.items()]
 
 
 def _cuts(seams: Any, uv: Any, vertices: int) -> dict[str, Any]:

@@ -55,6 +55,13 @@ def callback(value: Any) -> Callable[..., Any] | None:
     return value
 
 
+def cones(value: Any, vertices: int) -> list[tuple[int, int]]:
+    if not hasattr(value, 'items'):
+        raise UsageError('cones is no dictionary {vertex: quarter turns}')
+    return [(integer('vertex of a cone', v, 0, vertices - 1),
+             integer(f'cones[{v}]', turns, 1, 2**20)) for v, turns in value.items()]
+
+
 def energies(energy: Any) -> tuple[list[tuple[Any, float]], str]:
     """The summands of an energy, and its name; empty where it has none that others know."""
     if isinstance(energy, str):

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <set>
+#include <utility>
 
-#include "majorant/quads/check_quads.h"
+#include "majorant/quads/features.h"
 
 namespace majorant {
 namespace {
@@ -15,7 +17,8 @@ namespace {
 // Cuts faces into smaller ones, whose numbers and corners it collects.
 class Divider {
  public:
-  explicit Divider(const SurfaceMesh& mesh) : mesh_(mesh), parts_(mesh.parts()) {
+  Divider(const SurfaceMesh& mesh, const std::vector<char>& is_feature)
+      : mesh_(mesh), is_held_(held_flags(mesh, is_feature)), parts_(mesh.parts()) {
     is_kept_.assign(to_size(mesh.face_count()), 0);
     for (const RestTriangle& rest : mesh.rest_triangles()) is_kept_[rest.face] = 1;
     for (const auto& p : parts_.positions.rowwise()) points_.emplace_back(p);
@@ -51,11 +54,13 @@ class Divider {
   }
 
   void place_middles() {
-    const std::vector<char> is_border = mesh_.boundary_flags();
+    std::vector<char> is_on_held(to_size(mesh_.vertex_count()), 0);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (is_held_[h]) is_on_held[mesh_.from_vertex(h)] = is_on_held[mesh_.to_vertex(h)] = 1;
     middle_.assign(to_size(mesh_.half_edge_count()), -1);
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
       const Index o = mesh_.opposite(h), a = mesh_.from_vertex(h), b = mesh_.to_vertex(h);
-      if (o < h || !is_border[a] || !is_border[b]) continue;
+      if (o < h || is_held_[h] || !is_on_held[a] || !is_on_held[b]) continue;
       if (is_kept_[face_of(h)] || is_kept_[face_of(o)]) continue;
       middle_[h] = middle_[o] = new_vertex((points_[a] + points_[b]) / 2, a);
     }
@@ -63,15 +68,15 @@ class Divider {
 
   void divide(Index f) {
     std::vector<Index> around;  // corners and middles
-    bool is_all_border = true;
+    bool is_all_held = true;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       around.push_back(mesh_.from_vertex(h));
       if (middle_[h] >= 0) around.push_back(middle_[h]);
-      is_all_border &= mesh_.opposite(h) < 0;
+      is_all_held &= is_held_[h] != 0;
     }
-    if (around.size() == 3 && (!is_all_border || is_kept_[f])) {
+    if (around.size() == 3 && (!is_all_held || is_kept_[f])) {
       add(f, {around[0], around[1], around[2]});
-    } else if (is_all_border || around.size() == 6) {
+    } else if (is_all_held || around.size() == 6) {
       const Vector3 sum = points_[mesh_.faces()(f, 0)] + points_[mesh_.faces()(f, 1)] +
                           points_[mesh_.faces()(f, 2)];
       const Index center = new_vertex(sum / 3, around[0]);
@@ -97,6 +102,7 @@ class Divider {
   }
 
   const SurfaceMesh& mesh_;
+  const std::vector<char> is_held_;  // by half-edge
   SurfaceParts parts_;
   std::vector<char> is_kept_;  // by face
   std::vector<Index> middle_;  // by half-edge
@@ -107,7 +113,18 @@ class Divider {
 
 }  // namespace
 
-SurfaceMesh with_room_at_border(const SurfaceMesh& mesh) { return Divider(mesh).divided(); }
+RoomySurface with_room(const SurfaceMesh& mesh, const std::vector<char>& is_feature) {
+  RoomySurface roomy{Divider(mesh, is_feature).divided(), {}};
+  if (is_feature.empty()) return roomy;
+  // No feature is cut.
+  std::set<std::pair<Index, Index>> edges;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_feature[h]) edges.emplace(mesh.from_vertex(h), mesh.to_vertex(h));
+  for (Index h = 0; h < roomy.mesh.half_edge_count(); ++h)
+    roomy.is_feature.push_back(edges.count({roomy.mesh.from_vertex(h), roomy.mesh.to_vertex(h)}) >
+                               0);
+  return roomy;
+}
 
 std::vector<char> border_corners(const SurfaceMesh& mesh) {
   std::vector<char> is_corner(to_size(mesh.vertex_count()), 0);
@@ -122,21 +139,34 @@ std::vector<char> border_corners(const SurfaceMesh& mesh) {
   return is_corner;
 }
 
-BorderLengths::BorderLengths(const SurfaceMesh& mesh)
+std::vector<char> held_corners(const SurfaceMesh& mesh, const std::vector<char>& is_feature) {
+  std::vector<char> is_corner = border_corners(mesh);
+  if (is_feature.empty()) return is_corner;
+  const std::vector<char> of_features = feature_lines(mesh, is_feature).is_corner;
+  for (std::size_t v = 0; v < is_corner.size(); ++v) is_corner[v] |= of_features[v];
+  return is_corner;
+}
+
+BorderLengths::BorderLengths(const SurfaceMesh& mesh, const std::vector<char>& is_feature)
     : mesh_(mesh),
       loop_of_(to_size(mesh.half_edge_count()), -1),
       begin_(to_size(mesh.half_edge_count()), 0) {
-  for (const auto& loop : boundary_half_edges(mesh.faces(), mesh.opposites())) {
-    double length = 0;
-    std::map<double, Index>& by_length = loops_.emplace_back();
-    for (const Index h : loop) {
-      loop_of_[h] = static_cast<Index>(loops_.size()) - 1;
-      begin_[h] = length;
-      by_length.emplace(length, h);
-      length += mesh.edge_length(h);
-    }
-    loop_length_.push_back(length);
+  for (const auto& loop : boundary_half_edges(mesh.faces(), mesh.opposites())) add_loop(loop, true);
+  for (const FeatureLine& line : feature_lines(mesh, is_feature).lines)
+    add_loop(line.half_edges, line.is_closed);
+}
+
+void BorderLengths::add_loop(const std::vector<Index>& half_edges, bool is_closed) {
+  double length = 0;
+  std::map<double, Index>& by_length = loops_.emplace_back();
+  for (const Index h : half_edges) {
+    loop_of_[h] = static_cast<Index>(loops_.size()) - 1;
+    begin_[h] = length;
+    by_length.emplace(length, h);
+    length += mesh_.edge_length(h);
   }
+  loop_length_.push_back(length);
+  is_closed_.push_back(is_closed);
 }
 
 double BorderLengths::loop_length(Index half_edge) const {
@@ -149,7 +179,8 @@ double BorderLengths::length_at(const BorderPoint& point) const {
 
 BorderPoint BorderLengths::point_at(Index half_edge, double length) const {
   const double all = loop_length(half_edge);
-  length -= all * std::floor(length / all);
+  length =
+      is_closed(half_edge) ? length - all * std::floor(length / all) : std::clamp(length, 0.0, all);
   const std::map<double, Index>& loop = loops_[loop_of_[half_edge]];
   const auto [begin, h] = *std::prev(loop.upper_bound(std::max(length, 0.0)));
   return {h, std::clamp((length - begin) / mesh_.edge_length(h), 0.0, 1.0)};
@@ -161,10 +192,11 @@ Vector3 BorderLengths::position(const BorderPoint& point) const {
   return (1 - point.along) * a + point.along * b;
 }
 
-std::vector<char> border_flags(const SurfaceMesh& mesh) {
-  std::vector<char> is_border;
-  for (const Index opposite : mesh.opposites()) is_border.push_back(opposite < 0);
-  return is_border;
+std::vector<char> held_flags(const SurfaceMesh& mesh, const std::vector<char>& is_feature) {
+  std::vector<char> is_held;
+  for (std::size_t h = 0; h < mesh.opposites().size(); ++h)
+    is_held.push_back(mesh.opposites()[h] < 0 || (!is_feature.empty() && is_feature[h]));
+  return is_held;
 }
 
 }  // namespace majorant

@@ -1,8 +1,8 @@
-// What the border of a surface asks for before quads are made of it: room for the lines that leave
-// it, and a vertex at its corners.
+// What the border and the features of a surface, its held edges, ask for before quads are made of
+// it: room for the lines that leave them, and a vertex at their corners.
 //
-//   const SurfaceMesh roomy = with_room_at_border(*mesh);
-//   const std::vector<char> is_corner = border_corners(roomy);
+//   const RoomySurface roomy = with_room(*mesh, sharp_edges(*mesh, kCornerTurn));
+//   const std::vector<char> is_corner = held_corners(roomy.mesh, roomy.is_feature);
 //
 // Vertices of `mesh` keep their numbers.
 #pragma once
@@ -14,46 +14,60 @@
 
 namespace majorant {
 
-// The same surface, where every edge inside that joins two vertices of the border has one more in
-// its middle, and a face that is all border one at its centroid: no face has two border edges, so
-// that a border may be straight in a map at every vertex. Faces with a rest triangle stay as they
-// are.
-SurfaceMesh with_room_at_border(const SurfaceMesh& mesh);
+struct RoomySurface {
+  SurfaceMesh mesh;
+  std::vector<char> is_feature;  // 3 #F, both sides; empty where there are none
+};
 
-// #V: 1 at vertices of the border where it turns by kCornerTurn or more (check_quads.h).
+// The same surface, where every other edge that joins two vertices of held ones has one more in its
+// middle, and a face with three held edges one at its centroid: no face has two held edges, so that
+// these may be straight in a map at every vertex. Faces with a rest triangle stay as they are.
+// is_feature: as feature_lines() has it (features.h).
+RoomySurface with_room(const SurfaceMesh& mesh, const std::vector<char>& is_feature = {});
+
+// #V: 1 at vertices of the border where it turns by kCornerTurn or more (features.h).
 std::vector<char> border_corners(const SurfaceMesh& mesh);
+// And at those of features.
+std::vector<char> held_corners(const SurfaceMesh& mesh, const std::vector<char>& is_feature);
 
-// A point of the border: this part of the way along one of its half-edges, -1 for other points.
+// A point of the border or of a feature line: this part of the way along one of its half-edges, -1
+// for other points.
 struct BorderPoint {
   Index half_edge = -1;
   double along = 0;
 };
 
-// The loops of a border by lengths along them.
+// The loops of a border, and the lines of features, by lengths along them. Half-edges of features
+// are those of feature_lines().
 class BorderLengths {
  public:
   // The surface outlives this.
-  explicit BorderLengths(const SurfaceMesh& mesh);
+  explicit BorderLengths(const SurfaceMesh& mesh, const std::vector<char>& is_feature = {});
 
-  // Of the loop of a half-edge.
+  // Of the loop or line of a half-edge.
+  Index loop_of(Index half_edge) const { return loop_of_[half_edge]; }
   double loop_length(Index half_edge) const;
+  bool is_closed(Index half_edge) const { return is_closed_[loop_of_[half_edge]] != 0; }
   // From where its loop begins, below the loop's length.
   double length_at(const BorderPoint& point) const;
-  // On the loop of that half-edge, at any length.
+  // On the loop of that half-edge, at any length; on a line between its ends.
   BorderPoint point_at(Index half_edge, double length) const;
   // In the file that the surface came from.
   Vector3 position(const BorderPoint& point) const;
 
  private:
+  void add_loop(const std::vector<Index>& half_edges, bool is_closed);
+
   const SurfaceMesh& mesh_;
   std::vector<std::map<double, Index>> loops_;  // half-edges by the lengths at which they begin
   std::vector<double> loop_length_;
-  std::vector<Index> loop_of_;  // by half-edge
-  std::vector<double> begin_;   // by half-edge
+  std::vector<char> is_closed_;  // by loop
+  std::vector<Index> loop_of_;   // by half-edge
+  std::vector<double> begin_;    // by half-edge
 };
 
-// 3 #F: 1 for half-edges of the border.
-std::vector<char> border_flags(const SurfaceMesh& mesh);
+// 3 #F: 1 for half-edges of the border, and of features.
+std::vector<char> held_flags(const SurfaceMesh& mesh, const std::vector<char>& is_feature = {});
 
 }  // namespace majorant
 

@@ -44,7 +44,7 @@ std::vector<std::int64_t> cut_points(const TMesh& mesh, const std::vector<Index>
 
 ExtractedQuads::ExtractedQuads(const SeamlessLattice& lattice, const TMesh& mesh,
                                const std::vector<Index>& edges)
-    : lattice_(lattice), mesh_(mesh), edges_(edges), same_(0), same_on_border_(0) {
+    : lattice_(lattice), mesh_(mesh), edges_(edges), same_(0), same_on_held_(0) {
   vertex_count_ = static_cast<Index>(mesh.nodes.size());
   for (const Index count : edges) {
     first_on_arc_.push_back(vertex_count_);
@@ -55,7 +55,7 @@ ExtractedQuads::ExtractedQuads(const SeamlessLattice& lattice, const TMesh& mesh
     vertex_count_ += std::max(sum_of(patch.sides[0], edges) - 1, 0) *
                      std::max(sum_of(patch.sides[1], edges) - 1, 0);
   }
-  same_ = same_on_border_ = UnionFind(vertex_count_);
+  same_ = same_on_held_ = UnionFind(vertex_count_);
   join();
 }
 
@@ -80,7 +80,7 @@ void ExtractedQuads::join() {
     if (edges_[a] > 0) continue;
     const auto& [from, to] = mesh_.arcs[a].node;
     same_.join(from, to);
-    if (mesh_.is_on_border(a)) same_on_border_.join(from, to);
+    if (mesh_.is_held(a)) same_on_held_.join(from, to);
   }
   for (const TPatch& patch : mesh_.patches)
     for (std::size_t s = 0; s < 2; ++s) {
@@ -92,15 +92,15 @@ void ExtractedQuads::join() {
     }
 }
 
-std::vector<Index> ExtractedQuads::vertices_of_border() const {
+std::vector<Index> ExtractedQuads::vertices_of_held() const {
   std::vector<Index> vertices;
   for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a)
-    if (mesh_.is_on_border(a))
+    if (mesh_.is_held(a))
       for (Index k = 0; k <= edges_[a]; ++k) vertices.push_back(vertex_on(2 * a, k));
   return vertices;
 }
 
-// By name in same_: whether two cones, corners or stretches of the border are one vertex.
+// By name in same_: whether two cones, corners or stretches of held lines are one vertex.
 std::vector<char> ExtractedQuads::joins_too_much() {
   std::vector<char> is_joined(to_size(vertex_count_), 0);
   std::vector<Index> cone = std::vector<Index>(is_joined.size(), -1), stretch = cone;
@@ -110,8 +110,8 @@ std::vector<char> ExtractedQuads::joins_too_much() {
     if (cone[name] >= 0) is_joined[name] = 1;
     cone[name] = static_cast<Index>(n);
   }
-  for (const Index v : vertices_of_border()) {
-    const Index name = same_.find(v), own = same_on_border_.find(v);
+  for (const Index v : vertices_of_held()) {
+    const Index name = same_.find(v), own = same_on_held_.find(v);
     if (stretch[name] >= 0 && stretch[name] != own) is_joined[name] = 1;
     stretch[name] = own;
     // A cone from the inside.
@@ -191,21 +191,31 @@ std::vector<Index> ExtractedQuads::arcs_that_join(const std::vector<char>& is_jo
   return arcs;
 }
 
-// Loops of the border that would have fewer edges than a quad: of each the arc with the longest
-// ones.
+// Loops of the border, and feature lines around, that would have fewer edges than a quad: of each
+// the arc with the longest ones.
 std::vector<Index> ExtractedQuads::arcs_of_short_borders() const {
   constexpr Index kLeast = 4;
   UnionFind loops(static_cast<Index>(mesh_.nodes.size()));
+  // Others than those around are held apart at their ends.
+  std::vector<char> is_around(edges_.size(), 0);
+  for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a) {
+    const std::vector<Index>& of_line = mesh_.lines[mesh_.arcs[a].line].arcs;
+    is_around[a] = mesh_.is_on_border(a) ||
+                   (mesh_.is_on_feature(a) &&
+                    mesh_.arcs[of_line.front()].node[0] == mesh_.arcs[of_line.back()].node[1]);
+  }
   for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a)
     if (mesh_.is_on_border(a)) loops.join(mesh_.arcs[a].node[0], mesh_.arcs[a].node[1]);
   struct Loop {
     Index edges = 0, arc = -1;
     double longest = 0;
   };
-  std::map<Index, Loop> found;
+  std::map<std::pair<Index, Index>, Loop> found;  // by node, and line of features
   for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a) {
-    if (!mesh_.is_on_border(a)) continue;
-    Loop& loop = found[loops.find(mesh_.arcs[a].node[0])];
+    if (!is_around[a]) continue;
+    const bool is_border = mesh_.is_on_border(a);
+    Loop& loop = found[{is_border ? loops.find(mesh_.arcs[a].node[0]) : -1,
+                        is_border ? -1 : mesh_.arcs[a].line}];
     loop.edges += edges_[a];
     const double length = static_cast<double>(mesh_.arcs[a].length()) / (edges_[a] + 1);
     if (length > loop.longest) {
@@ -239,7 +249,10 @@ void ExtractedQuads::place_arcs() {
         places_[a].push_back(place);
         const Index vertex = k == intervals ? arc.node[1] : vertex_on(2 * a, k);
         positions_[vertex] = position(place);
-        if (line.side == Side::Border) on_border_[vertex] = border_point(place);
+        // Where a feature ends on the border the vertex is one of the border.
+        const bool is_first = on_held_[vertex].half_edge < 0;
+        if (line.side == Side::Border || (line.side == Side::Feature && is_first))
+          on_held_[vertex] = held_point(place);
       }
     }
   }
@@ -248,10 +261,10 @@ void ExtractedQuads::place_arcs() {
       positions_[n] = lattice_.surface().input_position(v);
 }
 
-// A face has one edge of the border at most.
-BorderPoint ExtractedQuads::border_point(const Place& place) const {
+// A face has one held edge at most.
+BorderPoint ExtractedQuads::held_point(const Place& place) const {
   Index h = 3 * place.face;
-  while (lattice_.surface().opposite(h) >= 0) ++h;
+  while (lattice_.surface().opposite(h) >= 0 && !lattice_.is_feature(h)) ++h;
   const LatticePoint edge = lattice_.corner(next(h)) - lattice_.corner(h);
   const double along = static_cast<double>(dot(place.at - lattice_.corner(h), edge)) /
                        static_cast<double>(dot(edge, edge));
@@ -348,7 +361,7 @@ std::vector<std::array<Index, 4>> ExtractedQuads::quads_of(std::size_t patch) co
 
 PolygonMesh ExtractedQuads::polygons() {
   positions_.assign(to_size(vertex_count_), Vector3::Zero());
-  on_border_.assign(to_size(vertex_count_), {});
+  on_held_.assign(to_size(vertex_count_), {});
   place_arcs();
   PolygonMesh mesh;
   std::vector<std::array<Index, 4>> quads;
@@ -356,39 +369,54 @@ PolygonMesh ExtractedQuads::polygons() {
     const std::vector<std::array<Index, 4>> more = quads_of(i);
     if (!more.empty()) place_inside(mesh_.patches[i], first_in_patch_[i]);
     quads.insert(quads.end(), more.begin(), more.end());
+    patch_of_.resize(quads.size(), static_cast<Index>(i));
   }
-  // Joined vertices lie at their cone, else where one of the border was, else in the middle of
+  // Joined vertices lie at their cone, else where one of a held line was, else in the middle of
   // where they were.
   std::vector<Vector3> sum(to_size(vertex_count_), Vector3::Zero());
-  std::vector<Index> count(to_size(vertex_count_), 0), number(to_size(vertex_count_), -1);
+  std::vector<Index> count(to_size(vertex_count_), 0);
+  number_.assign(to_size(vertex_count_), -1);
   for (Index v = 0; v < vertex_count_; ++v) {
     const Index name = same_.find(v);
     sum[name] += positions_[v];
     ++count[name];
   }
-  std::vector<BorderPoint> on_border(to_size(vertex_count_));
+  std::vector<BorderPoint> on_held(to_size(vertex_count_));
   const auto hold = [&](Index v) {
     sum[same_.find(v)] = positions_[v];
     count[same_.find(v)] = 1;
-    on_border[same_.find(v)] = on_border_[v];
+    on_held[same_.find(v)] = on_held_[v];
   };
-  for (const Index v : vertices_of_border()) hold(v);
+  for (const Index v : vertices_of_held()) hold(v);
   for (Index v = 0; v < static_cast<Index>(mesh_.nodes.size()); ++v)
     if (mesh_.nodes[v].vertex >= 0) hold(v);
   for (const auto& quad : quads) {
     std::vector<Index> corners;
     for (const Index v : quad) {
       const Index name = same_.find(v);
-      if (number[name] < 0) {
-        number[name] = static_cast<Index>(mesh.positions.size());
+      if (number_[name] < 0) {
+        number_[name] = static_cast<Index>(mesh.positions.size());
         mesh.positions.push_back(sum[name] / count[name]);
-        border_points_.push_back(on_border[name]);
+        held_points_.push_back(on_held[name]);
       }
-      corners.push_back(number[name]);
+      corners.push_back(number_[name]);
     }
     mesh.polygons.push_back(std::move(corners));
   }
   return mesh;
+}
+
+HeldVertices ExtractedQuads::held_vertices() {
+  HeldVertices held{held_points_, lattice_.features(), {}};
+  for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a) {
+    if (!mesh_.is_on_feature(a)) continue;
+    for (Index k = 0; k < edges_[a]; ++k) {
+      const Index from = number_[same_.find(vertex_on(2 * a, k))],
+                  to = number_[same_.find(vertex_on(2 * a, k + 1))];
+      if (from >= 0 && to >= 0) held.feature_edges.push_back({from, to});
+    }
+  }
+  return held;
 }
 
 }  // namespace majorant

@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "majorant/constraints/constraints.h"
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
+#include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/random_steps.h"
 
 namespace majorant {
@@ -18,23 +20,25 @@ namespace {
 constexpr int kLatticeBits = 40;
 // The largest coordinate: a layout far from the origin loses nothing up to there.
 constexpr double kLargestCoordinate = 0x1p56;
-// Steps by which unknowns are off on a surface with a border: 1e-9 of the layout at most.
+// Steps by which unknowns are off on a surface with held edges: 1e-9 of the layout at most.
 constexpr int kLargestOffset = 1000;
 
 [[noreturn]] void refuse_map(const std::string& what) {
   throw Error(ErrorKind::Infeasible, "the seamless map, rounded to integers, " + what);
 }
 
-// Edges of the surface's border, and the coordinate of the map that they hold.
-std::vector<AlignedEdge> border_of(const SurfaceMesh& surface, const BezierMap& map) {
-  std::vector<AlignedEdge> border;
+// Edges of the surface's border and of features, and the coordinate of the map that they hold.
+std::vector<AlignedEdge> held_edges(const SurfaceMesh& surface, const BezierMap& map,
+                                    const std::vector<char>& is_feature) {
+  std::vector<AlignedEdge> held;
   const auto uv = map.control_uv();
+  const std::vector<char> is_held = held_flags(surface, is_feature);
   for (Index h = 0; h < surface.half_edge_count(); ++h) {
-    if (surface.opposite(h) >= 0) continue;
+    if (!is_held[h] || (surface.opposite(h) >= 0 && surface.opposite(h) < h)) continue;
     const Vector2 edge = uv.row(map.mesh().to_vertex(h)) - uv.row(map.mesh().from_vertex(h));
-    border.push_back({h, std::abs(edge.x()) <= std::abs(edge.y()) ? 0 : 1});
+    held.push_back({h, std::abs(edge.x()) <= std::abs(edge.y()) ? 0 : 1});
   }
-  return border;
+  return held;
 }
 
 // A power of two.
@@ -52,18 +56,17 @@ std::int64_t common_denominator(const Elimination& elimination, Index unknowns) 
 }
 
 // x = Z y in integers.
-std::vector<std::int64_t> rounded_unknowns(const SurfaceMesh& surface, const BezierMap& map,
-                                           double unit) {
+std::vector<std::int64_t> rounded_unknowns(const std::vector<AlignedEdge>& held,
+                                           const BezierMap& map, double unit) {
   const Index unknowns = static_cast<Index>(map.control_points().size());
   ConstraintRows rows;
   if (!map.seams().empty())
     SeamlessConstraint(map.shared_space(), map.shared_seams()).append_rows(rows);
-  const std::vector<AlignedEdge> border = border_of(surface, map);
-  if (!border.empty()) AxisAlignment(map.shared_space(), border).append_rows(rows);
+  if (!held.empty()) AxisAlignment(map.shared_space(), held).append_rows(rows);
   const Elimination elimination(unknowns, rows);
   const Vec y = elimination.reduce(map.control_points(), nullptr);
   std::mt19937 random(1);
-  const int most = border.empty() ? 0 : kLargestOffset;
+  const int most = held.empty() ? 0 : kLargestOffset;
   // Whole multiples of the denominators of coefficients, so that all unknowns are whole.
   const std::int64_t denominator = common_denominator(elimination, unknowns);
   std::vector<std::int64_t> free, x;
@@ -96,26 +99,30 @@ LatticePoint turned(LatticePoint p, int turns) {
   }
 }
 
-SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& map)
+SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& map,
+                                 std::vector<char> features)
     : surface_(surface),
+      is_feature_(std::move(features)),
       turns_(to_size(surface.half_edge_count()), 0),
       quarter_turns_(map.seams().quarter_turns()),
       leaving_(to_size(surface.vertex_count()), -1) {
   const auto uv = map.control_uv();
   const double extent = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).maxCoeff();
   unit_ = std::ldexp(1.0, std::ilogb(extent) - kLatticeBits);
-  const std::vector<std::int64_t> x = rounded_unknowns(surface, map, unit_);
+  const std::vector<std::int64_t> x =
+      rounded_unknowns(held_edges(surface, map, is_feature_), map, unit_);
   // A map without seams is that of a plane surface.
   if (quarter_turns_.empty()) quarter_turns_.assign(to_size(surface.vertex_count()), 4);
   for (const SeamEdge& edge : map.seams().edges()) {
     turns_[edge.side] = edge.turns;
     turns_[edge.opposite] = quarter(-edge.turns);
   }
+  const auto rank = [&](Index h) { return surface.opposite(h) < 0 ? 2 : is_feature(h) ? 1 : 0; };
   for (Index h = 0; h < surface.half_edge_count(); ++h) {
     const Index node = map.mesh().from_vertex(h);
     corners_.push_back({x[2 * node], x[2 * node + 1]});
     Index& leaving = leaving_[surface.from_vertex(h)];
-    if (leaving < 0 || surface.opposite(leaving) >= 0) leaving = h;
+    if (leaving < 0 || (rank(leaving) < 2 && rank(h) >= rank(leaving))) leaving = h;
   }
   for (Index h = 0; h < surface.half_edge_count(); ++h) {
     const Index o = surface.opposite(h);
@@ -159,9 +166,9 @@ void SeamlessLattice::prove() const {
       refuse_map(fmt::format("turns face {} over", surface_.input_face(face_of(h))));
     const Index o = surface_.opposite(h);
     const LatticePoint along = corners_[next(h)] - corners_[h];
-    if (o < 0 && along.u != 0 && along.v != 0)
-      refuse_map(
-          fmt::format("has the border at face {} off its axes", surface_.input_face(face_of(h))));
+    if ((o < 0 || is_feature(h)) && along.u != 0 && along.v != 0)
+      refuse_map(fmt::format("has the {} at face {} off its axes", o < 0 ? "border" : "feature",
+                             surface_.input_face(face_of(h))));
     if (o >= 0 && (beyond(h, corners_[h]) != corners_[next(o)] ||
                    beyond(h, corners_[next(h)]) != corners_[o]))
       refuse_map(fmt::format("is torn at half-edge {}", h));
@@ -175,7 +182,7 @@ void SeamlessLattice::prove() const {
 
 void SeamlessLattice::move(Index vertex, LatticePoint by) {
   Index h = leaving_[vertex];
-  if (is_on_border(vertex)) by = by.u * unit_vector(direction_of(h));
+  if (is_on_border(vertex) || is_on_feature(vertex)) by = by.u * unit_vector(direction_of(h));
   do {
     corners_[h] = corners_[h] + by;
     if (side(corners_[h], corners_[next(h)], corners_[previous(h)]) <= 0)

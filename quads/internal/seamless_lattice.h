@@ -10,11 +10,11 @@
 // (constraints.h). The charts of two faces agree along their edge up to a rotation by a multiple of
 // 90 degrees and a translation by integers, c = i^k c' + t. Proven on these integers: every face is
 // positive, both ends of every edge agree, around every inner vertex as many of the four axis
-// directions leave into its faces as the map has quarter turns there, and edges of the border lie
-// along axes.
+// directions leave into its faces as the map has quarter turns there, and edges of the border and
+// of features lie along axes.
 //
-// On a surface with a border free unknowns are off by some random steps: lines of the map that meet
-// corners of the border only by its symmetry do not.
+// On a surface with any of these free unknowns are off by some random steps: lines of the map that
+// meet their corners only by symmetry do not.
 #pragma once
 
 #include <array>
@@ -57,10 +57,12 @@ inline LatticePoint unit_vector(int direction) { return turned({1, 0}, direction
 
 class SeamlessLattice {
  public:
-  // surface: not cut, a face has one edge on the border at most; map: of degree 1, of the surface
-  // cut open along its seams, faces as there, with edges of the border along axes.
+  // surface: not cut, a face has one edge of the border or of features at most; map: of degree 1,
+  // of the surface cut open along its seams, faces as there, with these edges along axes.
+  // is_feature: 3 #F, both sides of edges inside, or empty: none.
   // The surface outlives this. Throws Error(Infeasible) where the rounded map is not proven.
-  SeamlessLattice(const SurfaceMesh& surface, const BezierMap& map);
+  SeamlessLattice(const SurfaceMesh& surface, const BezierMap& map,
+                  std::vector<char> is_feature = {});
 
   const SurfaceMesh& surface() const { return surface_; }
   // Steps of the lattice to model units.
@@ -68,13 +70,17 @@ class SeamlessLattice {
   // 90 degrees times this is the sum of angles at a vertex.
   int quarter_turns(Index vertex) const { return quarter_turns_[vertex]; }
   bool is_on_border(Index vertex) const { return surface_.opposite(leaving_[vertex]) < 0; }
+  bool is_feature(Index half_edge) const { return !is_feature_.empty() && is_feature_[half_edge]; }
+  const std::vector<char>& features() const { return is_feature_; }
+  bool is_on_feature(Index vertex) const { return is_feature(leaving_[vertex]); }
   // Of other than four quarter turns, or two on the border.
   bool is_cone(Index vertex) const {
     return quarter_turns_[vertex] != (is_on_border(vertex) ? 2 : 4);
   }
-  // A half-edge that starts there, on the border that of the border.
+  // A half-edge that starts there, on the border that of the border, else one of a feature if there
+  // is any.
   Index leaving(Index vertex) const { return leaving_[vertex]; }
-  // Of an edge of the border.
+  // Of an edge of the border or of a feature.
   int direction_of(Index half_edge) const;
   LatticePoint corner(Index half_edge) const { return corners_[half_edge]; }
   // Of the chart of the face of a half-edge towards that of the opposite one: p' = i^-turns (p -
@@ -88,7 +94,8 @@ class SeamlessLattice {
   WideInteger twice_area() const;
 
   // Moves a vertex that is no cone by so much in the chart of its first face, in all charts; on the
-  // border along it, by by.u. Throws Error(Infeasible) where a face would not stay positive.
+  // border and inside of a feature line along it, by by.u. Throws Error(Infeasible) where a face
+  // would not stay positive.
   void move(Index vertex, LatticePoint by);
 
  private:
@@ -96,6 +103,7 @@ class SeamlessLattice {
   void prove() const;
 
   const SurfaceMesh& surface_;
+  std::vector<char> is_feature_;  // by half-edge, or empty
   double unit_ = 1;
   std::vector<LatticePoint> corners_, shift_;  // by half-edge
   std::vector<int> turns_, quarter_turns_;     // by half-edge; by vertex

@@ -17,15 +17,15 @@ namespace {
 
 class Smoother {
  public:
-  Smoother(PolygonMesh& mesh, const SurfaceMesh& surface, const std::vector<BorderPoint>& border,
+  Smoother(PolygonMesh& mesh, const SurfaceMesh& surface, const HeldVertices& held,
            const StopCheck& stop)
       : mesh_(mesh),
         surface_positions_(surface.positions().rowwise() + surface.origin().transpose()),
         surface_faces_(surface.faces()),
         surface_(surface_positions_, surface_faces_),
         stop_(stop),
-        lengths_(surface),
-        border_(border),
+        lengths_(surface, held.is_feature),
+        border_(held.points),
         sides_(mesh.positions.size()),
         quads_(mesh.positions.size()),
         likely_(mesh.positions.size(), -1),
@@ -35,7 +35,8 @@ class Smoother {
       for (const Index v : mesh.polygons[q]) quads_[v].push_back(q);
       is_turned_[q] = is_turned(q);
     }
-    if (!surface.boundary_loops().empty()) find_sliding(surface);
+    if (!surface.boundary_loops().empty() || !held.feature_edges.empty())
+      find_sliding(surface, held);
   }
 
   void smooth() {
@@ -68,12 +69,16 @@ class Smoother {
 
   bool is_on_border(std::size_t v) const { return border_[v].half_edge >= 0; }
 
-  // Vertices of the border that are none of its corners, and their neighbours along it.
-  void find_sliding(const SurfaceMesh& surface) {
-    const std::vector<char> is_corner = border_corners(surface);
+  // Vertices of the border and of features that are no corners, and their neighbours along them.
+  void find_sliding(const SurfaceMesh& surface, const HeldVertices& held) {
+    const std::vector<char> is_corner = held_corners(surface, held.is_feature);
     std::set<std::pair<Index, Index>> edges;
     for (const std::vector<Index>& quad : mesh_.polygons)
       for (std::size_t k = 0; k < 4; ++k) edges.emplace(quad[k], quad[(k + 1) % 4]);
+    for (const auto& [from, to] : held.feature_edges) {
+      sides_[from].after = to;
+      sides_[to].before = from;
+    }
     for (const auto& [from, to] : edges) {
       if (edges.count({to, from}) > 0) continue;
       sides_[from].after = to;
@@ -87,13 +92,21 @@ class Smoother {
     }
   }
 
-  // Lengths along the border from a vertex back to the one before it and on to the one after it.
+  // Lengths along its line from a vertex back to the one before it and on to the one after it.
   std::array<double, 2> room_of(std::size_t v) const {
     const Index h = border_[v].half_edge;
+    const BorderPoint &before = border_[to_size(sides_[v].before)],
+                      &after = border_[to_size(sides_[v].after)];
     const double all = lengths_.loop_length(h), here = lengths_.length_at(border_[v]);
-    const auto forward = [&](double length) { return length - all * std::floor(length / all); };
-    return {forward(here - lengths_.length_at(border_[to_size(sides_[v].before)])),
-            forward(lengths_.length_at(border_[to_size(sides_[v].after)]) - here)};
+    // A neighbour on another line is where this one begins or ends.
+    const auto length_of = [&](const BorderPoint& p, double end) {
+      return lengths_.loop_of(p.half_edge) == lengths_.loop_of(h) ? lengths_.length_at(p) : end;
+    };
+    const auto forward = [&](double length) {
+      return lengths_.is_closed(h) ? length - all * std::floor(length / all)
+                                   : std::max(length, 0.0);
+    };
+    return {forward(here - length_of(before, 0)), forward(length_of(after, all) - here)};
   }
 
   // By so much along the border, if that is no worse. Returns whether it moved.
@@ -116,8 +129,8 @@ class Smoother {
     if (!sides_[v].slides) return;
     const auto [back, on] = room_of(v);
     const double all = lengths_.loop_length(start.half_edge);
-    const double home =
-        std::remainder(lengths_.length_at(start) - lengths_.length_at(border_[v]), all);
+    const double way = lengths_.length_at(start) - lengths_.length_at(border_[v]);
+    const double home = lengths_.is_closed(start.half_edge) ? std::remainder(way, all) : way;
     const double goal = (1 - kStay) * (on - back) / 2 + kStay * home;
     for (const double part : {1.0, 0.5, 0.25})
       if (const double by = part * goal; - back < by && by < on && slide(v, by)) return;
@@ -287,9 +300,9 @@ class Smoother {
 
 }  // namespace
 
-void smooth_quads(PolygonMesh& mesh, const SurfaceMesh& surface,
-                  const std::vector<BorderPoint>& border, const StopCheck& stop) {
-  Smoother(mesh, surface, border, stop).smooth();
+void smooth_quads(PolygonMesh& mesh, const SurfaceMesh& surface, const HeldVertices& held,
+                  const StopCheck& stop) {
+  Smoother(mesh, surface, held, stop).smooth();
 }
 
 }  // namespace majorant

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/quads/features.h"
 #include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/random_steps.h"
 
@@ -37,11 +38,11 @@ struct Trace {
   std::int64_t on_distance = 0;
   int on_quarter = 0;  // its way back, in quarter turns from the direction of that line
   Index met = -1;      // the line that came towards it: both are one, from cone to cone
-  // On the border: the vertex where it ends, as the line of this order there.
+  Side side = Side::Inside;
+  // On the border and on features: the vertex where it ends, as the line of this order there.
   Index end_vertex = -1;
   int end_order = 0;
-
-  Side side() const { return end_vertex < 0 ? Side::Inside : Side::Border; }
+  Index first_edge = -1, last_edge = -1;  // half-edges
 };
 
 // A leg of a trace, where its face lists it.
@@ -64,9 +65,10 @@ class Tracer {
       : lattice_(lattice),
         surface_(lattice.surface()),
         stop_(stop),
-        is_start_(border_corners(surface_)),
+        is_start_(held_corners(surface_, lattice.features())),
         passages_(to_size(surface_.face_count())) {
-    for (Index v = 0; v < surface_.vertex_count(); ++v) is_start_[v] |= lattice.is_cone(v);
+    for (Index v = 0; v < surface_.vertex_count(); ++v)
+      is_start_[v] |= lattice.is_cone(v) || is_corner_of_feature(v);
   }
 
   // Throws InTheWay.
@@ -98,18 +100,43 @@ class Tracer {
  private:
   bool is_start(Index vertex) const { return is_start_[vertex] != 0; }
 
+  // Whether other than two quarter turns are between its edges somewhere.
+  bool is_corner_of_feature(Index vertex) const {
+    if (lattice_.is_on_border(vertex) || !lattice_.is_on_feature(vertex)) return false;
+    const Index first = lattice_.leaving(vertex);
+    int turns = 0;
+    Index h = first;
+    do {
+      turns += static_cast<int>(leaving_directions(lattice_, h).size());
+      h = surface_.opposite(previous(h));
+      if (!lattice_.is_feature(h)) continue;
+      if (turns != 2) return true;
+      turns = 0;
+    } while (h != first);
+    return false;
+  }
+
   void start() {
-    const bool is_closed = surface_.boundary_loops().empty();
-    if (is_closed && std::count(is_start_.begin(), is_start_.end(), 1) == 0) is_start_[0] = 1;
+    const FeatureLines features = feature_lines(surface_, lattice_.features());
+    const bool has_held = !surface_.boundary_loops().empty() || !features.lines.empty();
+    if (!has_held && std::count(is_start_.begin(), is_start_.end(), 1) == 0) is_start_[0] = 1;
+    held_.resize(to_size(surface_.half_edge_count()), {-1, -1});
+    order_.resize(held_.size(), 0);
     for (const auto& loop : boundary_half_edges(surface_.faces(), surface_.opposites()))
       follow_border(loop);
+    const auto first_feature = static_cast<Index>(traces_.size());
+    for (const FeatureLine& line : features.lines) follow_feature(line);
+    const auto last_feature = static_cast<Index>(traces_.size());
     for (Index v = 0; v < surface_.vertex_count(); ++v)
       if (is_start(v)) leave(v, lattice_.leaving(v));
+    for (Index t = first_feature; t < last_feature; ++t) {
+      traces_[t].order = order_[traces_[t].first_edge];
+      traces_[t].end_order = order_[surface_.opposite(traces_[t].last_edge)];
+    }
   }
 
   // Lines along a loop of the border, from one start to the next.
   void follow_border(std::vector<Index> loop) {
-    border_.resize(to_size(surface_.half_edge_count()), {-1, -1});
     const auto starts = [&](Index h) { return is_start(surface_.from_vertex(h)); };
     auto first = std::find_if(loop.begin(), loop.end(), starts);
     if (first == loop.end()) {
@@ -118,18 +145,48 @@ class Tracer {
     }
     std::rotate(loop.begin(), first, loop.end());
     for (const Index h : loop) {
-      const Index from = surface_.from_vertex(h), to = surface_.to_vertex(h);
-      if (starts(h)) traces_.push_back({.cone = from, .order = 0, .legs = {}, .has_ended = true});
-      Trace& trace = traces_.back();
-      const int direction = lattice_.direction_of(h);
-      const LatticePoint along = unit_vector(direction);
-      border_[h] = {static_cast<Index>(traces_.size()) - 1, static_cast<Index>(trace.legs.size())};
-      trace.legs.push_back({face_of(h), direction, lattice_.corner(h) - trace.length * along});
-      trace.length +=
-          static_cast<std::int64_t>(dot(lattice_.corner(next(h)) - lattice_.corner(h), along));
-      trace.end_vertex = to;
-      trace.end_order = lattice_.quarter_turns(to);
+      if (starts(h)) start_held(h, Side::Border);
+      go_along(h);
+      traces_.back().end_order = lattice_.quarter_turns(surface_.to_vertex(h));
     }
+  }
+
+  // Its orders are those of leave(), which comes later.
+  void follow_feature(const FeatureLine& line) {
+    std::vector<Index> half_edges = line.half_edges;
+    const auto starts = [&](Index h) { return is_start(surface_.from_vertex(h)); };
+    const auto first = std::find_if(half_edges.begin(), half_edges.end(), starts);
+    if (first == half_edges.end())
+      is_start_[surface_.from_vertex(half_edges.front())] = 1;
+    else
+      std::rotate(half_edges.begin(), first, half_edges.end());
+    for (const Index h : half_edges) {
+      if (starts(h)) start_held(h, Side::Feature);
+      go_along(h);
+    }
+  }
+
+  void start_held(Index h, Side side) {
+    traces_.push_back({.cone = surface_.from_vertex(h),
+                       .order = 0,
+                       .legs = {},
+                       .has_ended = true,
+                       .side = side,
+                       .first_edge = h});
+  }
+
+  // The last line, along one more edge.
+  void go_along(Index h) {
+    Trace& trace = traces_.back();
+    const int direction = lattice_.direction_of(h);
+    const LatticePoint along = unit_vector(direction);
+    held_[h] = {static_cast<Index>(traces_.size()) - 1, static_cast<Index>(trace.legs.size())};
+    if (const Index o = surface_.opposite(h); o >= 0) held_[o] = held_[h];
+    trace.legs.push_back({face_of(h), direction, lattice_.corner(h) - trace.length * along});
+    trace.length +=
+        static_cast<std::int64_t>(dot(lattice_.corner(next(h)) - lattice_.corner(h), along));
+    trace.end_vertex = surface_.to_vertex(h);
+    trace.last_edge = h;
   }
 
   void leave(Index vertex, Index first) {
@@ -137,8 +194,10 @@ class Tracer {
     Index h = first;
     do {
       for (const int direction : leaving_directions(lattice_, h)) {
-        // The first one of a border is that of the border.
-        if (order > 0 || !lattice_.is_on_border(vertex)) {
+        // The first one of a border is that of the border; along a feature there is one already.
+        if (lattice_.is_feature(h) && direction == lattice_.direction_of(h)) {
+          order_[h] = order;
+        } else if (order > 0 || !lattice_.is_on_border(vertex)) {
           require_off(direction, h, next(h));
           traces_.push_back({.cone = vertex,
                              .order = order,
@@ -174,6 +233,7 @@ class Tracer {
 
   struct Hit {
     std::int64_t distance;  // of the line that goes on
+    int direction;          // of it, in the chart of the leg that it hits
     Passage on;
     std::int64_t on_distance;
   };
@@ -198,7 +258,7 @@ class Tracer {
       }
       const LatticePoint p = leg.direction % 2 == 0 ? LatticePoint{across.start.u, leg.start.v}
                                                     : LatticePoint{leg.start.u, across.start.v};
-      const Hit hit{distance_along(leg, p), passage, distance_along(across, p)};
+      const Hit hit{distance_along(leg, p), leg.direction, passage, distance_along(across, p)};
       if (hit.distance <= 0 || hit.on_distance <= 0) continue;
       if (is_end && hit.on_distance >= other.length) continue;
       if (is_inside(leg.face, p) && (!nearest || hit.distance < nearest->distance)) nearest = hit;
@@ -233,7 +293,7 @@ class Tracer {
     trace.on = hit.on.trace;
     trace.on_distance = hit.on_distance;
     trace.on_quarter =
-        quarter(trace.legs.back().direction + 2 - traces_[hit.on.trace].legs[hit.on.leg].direction);
+        quarter(hit.direction + 2 - traces_[hit.on.trace].legs[hit.on.leg].direction);
   }
 
   void meet(Index t, Index other, std::int64_t length) {
@@ -255,8 +315,8 @@ class Tracer {
       const int right = side_of(h), left = side_of(next(h));
       if (right == 0 && lattice_.corner(h) != leg.start) clear(surface_.from_vertex(h));
       if (right >= 0 || left <= 0) continue;
-      if (surface_.opposite(h) < 0) {
-        end_on_border(t, leg, h);
+      if (surface_.opposite(h) < 0 || lattice_.is_feature(h)) {
+        end_on_held(t, leg, h);
         return;
       }
       const LineLeg entered{face_of(surface_.opposite(h)),
@@ -268,21 +328,26 @@ class Tracer {
     refuse_lines("one leaves its face through no edge");
   }
 
-  void end_on_border(Index t, const LineLeg& leg, Index half_edge) {
-    const Passage on = border_[half_edge];
+  // Of features one side has the line's legs.
+  void end_on_held(Index t, LineLeg leg, Index half_edge) {
+    const Passage on = held_[half_edge];
     const LineLeg& across = traces_[on.trace].legs[on.leg];
+    if (across.face != leg.face)
+      leg = {across.face, lattice_.direction_beyond(half_edge, leg.direction),
+             lattice_.beyond(half_edge, leg.start)};
     if ((across.direction - leg.direction) % 2 == 0)
-      refuse_lines("one runs into a border along it");
+      refuse_lines("one runs into a border or a feature along it");
     const LatticePoint p = leg.direction % 2 == 0 ? LatticePoint{across.start.u, leg.start.v}
                                                   : LatticePoint{leg.start.u, across.start.v};
-    end(t, {distance_along(leg, p), on, distance_along(across, p)});
+    end(t, {distance_along(leg, p), leg.direction, on, distance_along(across, p)});
   }
 
   const SeamlessLattice& lattice_;
   const SurfaceMesh& surface_;
   const StopCheck& stop_;
-  std::vector<char> is_start_;   // by vertex
-  std::vector<Passage> border_;  // by half-edge of the border
+  std::vector<char> is_start_;  // by vertex
+  std::vector<Passage> held_;   // by half-edge of the border and of features, both sides
+  std::vector<int> order_;      // by half-edge of features: as the line that starts along it
   std::vector<Trace> traces_;
   std::vector<std::vector<Passage>> passages_;  // by face
 };
@@ -322,7 +387,7 @@ class TMeshBuilder {
       const auto line = static_cast<Index>(mesh_.lines.size());
       line_of_[t] = {line, false};
       first_trace_.push_back(t);
-      TraceLine joined{.legs = trace.legs, .length = trace.length, .side = trace.side()};
+      TraceLine joined{.legs = trace.legs, .length = trace.length, .side = trace.side};
       if (trace.met >= 0) {
         line_of_[trace.met] = {line, true};
         const std::vector<LineLeg>& back = traces_[trace.met].legs;
@@ -347,8 +412,7 @@ class TMeshBuilder {
     const auto cone_node = [&](Index vertex) {
       const auto [found, is_new] = cones.try_emplace(vertex, -1);
       if (is_new)
-        found->second = new_node({vertex, lattice_.quarter_turns(vertex),
-                                  lattice_.is_on_border(vertex) ? Side::Border : Side::Inside});
+        found->second = new_node({vertex, lattice_.quarter_turns(vertex), side_of(vertex)});
       return found->second;
     };
     for (const Trace& trace : traces_) {
@@ -356,7 +420,7 @@ class TMeshBuilder {
       if (trace.on < 0) continue;
       const LinePlace at = place(trace.on, trace.on_distance);
       const auto [found, is_new] = stops[at.line].try_emplace(at.distance, -1);
-      const Side side = traces_[trace.on].side();
+      const Side side = traces_[trace.on].side;
       if (is_new) found->second = new_node({-1, side == Side::Border ? 2 : 4, side});
     }
     const std::vector<std::map<std::int64_t, Index>> inner = stops;
@@ -366,7 +430,7 @@ class TMeshBuilder {
       Index end = -1;
       if (first.met >= 0) {
         end = cone_node(traces_[first.met].cone);
-      } else if (first.side() == Side::Border) {
+      } else if (first.side != Side::Inside) {
         end = cone_node(first.end_vertex);
       } else {
         const LinePlace at = place(first.on, first.on_distance);
@@ -375,6 +439,11 @@ class TMeshBuilder {
       stops[l][first.length] = end;
       add_arcs(static_cast<Index>(l), stops[l]);
     }
+  }
+
+  Side side_of(Index vertex) const {
+    if (lattice_.is_on_border(vertex)) return Side::Border;
+    return lattice_.is_on_feature(vertex) ? Side::Feature : Side::Inside;
   }
 
   void add_arcs(Index line, const std::map<std::int64_t, Index>& stops) {
@@ -389,7 +458,7 @@ class TMeshBuilder {
       if (end->first == first.length) {
         if (first.met >= 0)
           back = traces_[first.met].order;
-        else if (first.side() == Side::Border)
+        else if (first.side != Side::Inside)
           back = first.end_order;
         else
           back = quarter(first.on_quarter + place(first.on, first.on_distance).turned);

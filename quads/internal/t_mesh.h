@@ -1,6 +1,7 @@
-// The motorcycle graph of a seamless map: the border, and lines along the axes from all cones and
-// corners of the border, each as far as to the first line in its way [EGKT08]. It cuts the surface
-// into patches that are rectangles in the map, with lines that end on their sides: a T-mesh.
+// The motorcycle graph of a seamless map: the border, the features, and lines along the axes from
+// all cones and corners of these, each as far as to the first line in its way [EGKT08]. It cuts the
+// surface into patches that are rectangles in the map, with lines that end on their sides: a
+// T-mesh.
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice, stop);
@@ -32,10 +33,10 @@ struct LineLeg {
 };
 
 // Where a line is.
-enum class Side { Inside, Border };
+enum class Side { Inside, Border, Feature };
 
-// From a cone or corner to where it ends, on another line or in another of these. On the border
-// from one to the next, the surface on its left.
+// From a cone or corner to where it ends, on another line or in another of these. On the border,
+// the surface on its left, and on a feature, as feature_lines() has it, from one to the next.
 struct TraceLine {
   std::vector<LineLeg> legs;  // in order; every point of the line lies in the face of a leg
   std::int64_t length = 0;
@@ -79,12 +80,15 @@ struct TMesh {
   Index from_node(Index half_arc) const { return arcs[arc_of(half_arc)].node[half_arc % 2]; }
   Index to_node(Index half_arc) const { return from_node(reversed(half_arc)); }
   bool is_on_border(Index arc) const { return lines[arcs[arc].line].side == Side::Border; }
+  bool is_on_feature(Index arc) const { return lines[arcs[arc].line].side == Side::Feature; }
+  bool is_held(Index arc) const { return lines[arcs[arc].line].side != Side::Inside; }
 };
 
-// Corners of the border are its cones and where it turns by kCornerTurn (border.h); a border
-// without any, and a closed surface without cones, have their first vertex for one. Vertices of the
-// lattice may be moved by a few steps. Throws Error(Infeasible) where lines could not be traced, or
-// anything above does not hold; Stopped.
+// Corners of the border are its cones and where it turns by kCornerTurn (border.h), those of
+// features those of feature_lines() and where not two quarter turns are on both sides; a border or
+// feature without any, and a closed surface without either, have their first vertex for one.
+// Vertices of the lattice may be moved by a few steps. Throws Error(Infeasible) where lines could
+// not be traced, or anything above does not hold; Stopped.
 TMesh trace_t_mesh(SeamlessLattice& lattice, const StopCheck& stop = {});
 
 }  // namespace majorant

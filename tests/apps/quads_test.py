@@ -107,7 +107,7 @@ class Quads(CommandTest):
         path = self.write('thin.obj', helpers.obj_text(points, faces))
         off = 0
         for count in (100, 300):
-            report = self.made(path, '--count', count)
+            report = self.made(path, '--count', count, '--features', 'none')
             made = report['quads']['count']
             is_off = abs(made - count) > 0.05 * count
             off += is_off
@@ -159,6 +159,77 @@ class Quads(CommandTest):
         self.assertEqual((quads['boundary_loops'], quads['euler_characteristic']), (2, 0))
         quads = self.made(helpers.generated('wavy_disk'), '--count', 500)['quads']
         self.assertEqual((quads['boundary_loops'], quads['euler_characteristic']), (1, 1))
+
+    def block(self, n, name='block.obj'):
+        """A cube of n^2 squares a side, each of two triangles."""
+        number, faces = {}, []
+        for axis in range(3):
+            for side in (0, n):
+                for i in range(n):
+                    for j in range(n):
+                        corners = []
+                        for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                            p = [0, 0, 0]
+                            p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3] = side, i + a, j + b
+                            corners.append(number.setdefault(tuple(p), len(number)))
+                        a, b, c, d = corners if side else corners[::-1]
+                        faces += [(a, b, c), (a, c, d)]
+        return self.write(name, helpers.obj_text(list(number), faces)), number
+
+    def test_features(self):
+        """The edges of a cube, those of a file, none; what check says of them."""
+        cube, number = self.block(4)
+        report = self.made(cube, '--count', 600)
+        self.assertEqual(report['quads']['features'], {'asked': 12, 'covered': 12, 'relaxed': 0})
+        self.assertEqual(report['options']['features'], None)
+        quads = self.path('quads.obj')
+        self.assertEqual(judge(read_obj(quads), read_obj(cube), 35), set())
+        said = self.run_ok('check', quads, '--surface', cube, '--features', 35, '--report', self.path('c.json')).out
+        self.assertIn('12 feature lines covered', said)
+        self.assertEqual(json.loads(self.read('c.json'))['quads']['features'], {'asked': 12, 'covered': 12, 'relaxed': None})
+        edge = [number[i, 0, 0] for i in range(5)]
+        path = self.write('edges.json', json.dumps({'edges': list(zip(edge, edge[1:]))}))
+        one = self.made(cube, '--count', 100, '--features', path)['quads']
+        self.assertEqual(one['features'], {'asked': 1, 'covered': 1, 'relaxed': 0})
+        self.run_ok('check', quads, '--surface', cube, '--features', path)
+        plain = self.made(cube, '--count', 100, '--features', 'none')['quads']
+        self.assertEqual(plain['features'], {'asked': 0, 'covered': 0, 'relaxed': 0})
+        bent = self.read('quads.obj').decode().split('\n')
+        self.write('bent.obj', '\n'.join(re.sub(r'^v \S+ ', 'v 0.001 ', line) if line.startswith('v 0 ') else line
+                                         for line in bent))
+        said = self.run_ok('check', self.path('bent.obj'), '--surface', cube, '--features', 35, code=INVALID).out
+        self.assertIn('feature lines are not covered', said)
+
+    def test_features_that_are_refused(self):
+        cube, number = self.block(2)
+        out = self.path('o.obj')
+        for said in ('0', '181', '-3'):
+            self.refused(USAGE, 'quads', cube, '-o', out, '--features=' + said, says='--features')
+        self.refused(UNREADABLE, 'quads', cube, '-o', out, '--features', self.path('none.json'), says='none.json')
+        across = self.write('across.json', json.dumps({'edges': [[number[0, 0, 0], number[2, 2, 2]]]}))
+        self.refused(USAGE, 'quads', cube, '-o', out, '--features', across, says='no edge')
+        cones = self.write('cones.json', '{"cones": []}')
+        self.refused(UNSUPPORTED, 'quads', cube, '-o', out, '--cones', cones, '--features', 35, says='features')
+        self.made(cube, '--count', 96)
+        self.refused(USAGE, 'check', self.path('quads.obj'), '--features', 35, says='--surface')
+
+    def test_features_too_short_for_the_quads(self):
+        """A cube of few quads: its edges are shorter than two of theirs, which is said."""
+        cube, _ = self.block(4)
+        report = self.made(cube, '--count', 6)
+        features = report['quads']['features']
+        self.assertEqual(features, {'asked': 12, 'covered': 0, 'relaxed': 12})
+        self.assertIn('12 of 12 feature lines relaxed', ' '.join(report['warnings']))
+
+    def test_vtu(self):
+        """Patches, and irregular vertices, by number of quads."""
+        cube, _ = self.block(4)
+        path = self.path('q.vtu')
+        self.run_ok('quads', cube, '-o', path, '-o', self.path('q.obj'), '--count', 600)
+        one = self.run_ok('check', path, '--quads', '--surface', cube).out.split(': ', 1)[1]
+        self.assertEqual(self.run_ok('check', self.path('q.obj'), '--surface', cube).out.split(': ', 1)[1], one)
+        found = json.loads(self.run_ok('mesh', 'check', path, '--report', '-').out)['mesh']
+        self.assertEqual(found['elements']['points'], 8)
 
     def test_borders_that_touch(self):
         """Two square holes that are one, since the corner where they meet is two vertices at one place."""

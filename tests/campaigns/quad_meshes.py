@@ -5,10 +5,13 @@
     python3 tests/campaigns/quad_meshes.py build/release/apps/majorant [--meshes FOLDER] [--counts 500 2500]
 
 The surfaces: plates with 1 to 50 round holes; uneven sheets that lose random squares, some of which touch; spheres
-that lose random caps; a tube, a comb, a triangle, a needle, a star; and of FOLDER (data/public) closed/ and disks/.
+that lose random caps; a tube, a comb, a triangle, a needle, a star; with inner features (--only features: these alone)
+blocks, one with creases that run out, cylinders, stepped shafts, an L with a fillet, gears; and of FOLDER (data/public)
+closed/ and disks/.
 A line each: exit code, quads made of those asked, the least count, irregular vertices, border loops, the least and the
-mean scaled Jacobian, the deviation of angles, CPU seconds; or why there are none. Then how many were made, and with a
-count within 5 %. Exit 1 where one that was written is not valid, or one was not made with another code than 3 or 5.
+mean scaled Jacobian, the deviation of angles, feature lines covered of those asked for, CPU seconds; or why there are
+none. Then how many were made, with a count within 5 %, and with all features. Exit 1 where one that was written is not
+valid, or one was not made with another code than 3 or 5.
 """
 import argparse
 import glob
@@ -107,6 +110,95 @@ def sphere_without(caps, around=30, rings=15):
     return out
 
 
+def revolved(profile, around):
+    """A profile (radius, height) from axis to axis, turned."""
+    out = Faces()
+
+    def at(k, i):
+        r, z = profile[k]
+        return (r * math.cos(2 * math.pi * i / around), r * math.sin(2 * math.pi * i / around), z)
+    for k in range(len(profile) - 1):
+        for i in range(around):
+            a, b, c, d = [out.vertex(at(*p)) for p in ((k, i), (k, (i + 1) % around), (k + 1, (i + 1) % around), (k + 1, i))]
+            out.faces += [face for face in ((a, b, c), (a, c, d)) if len(set(face)) == 3]
+    return out
+
+
+def polyline(corners, step):
+    points = [corners[0]]
+    for a, b in zip(corners, corners[1:]):
+        n = max(1, round(math.dist(a, b) / step))
+        points += [tuple(x + (y - x) * k / n for x, y in zip(a, b)) for k in range(1, n + 1)]
+    return points
+
+
+def extruded(contour, centre, rings, height, layers):
+    """A contour (x, y), counterclockwise and seen whole from its centre, as the side of a body."""
+    out, n = Faces(), len(contour)
+
+    def place(i, ring, z):
+        x, y = contour[i % n]
+        return (centre[0] + (x - centre[0]) * ring / rings, centre[1] + (y - centre[1]) * ring / rings, z)
+
+    def add(corners):
+        a, b, c, d = [out.vertex(p) for p in corners]
+        out.faces += [face for face in ((a, b, c), (a, c, d)) if len(set(face)) == 3]
+    for i in range(n):
+        for ring in range(rings):
+            add([place(i, ring, height), place(i, ring + 1, height), place(i + 1, ring + 1, height), place(i + 1, ring, height)])
+            add([place(i, ring, 0.0), place(i + 1, ring, 0.0), place(i + 1, ring + 1, 0.0), place(i, ring + 1, 0.0)])
+        for k in range(layers):
+            add([place(i, rings, height * k / layers), place(i + 1, rings, height * k / layers),
+                 place(i + 1, rings, height * (k + 1) / layers), place(i, rings, height * (k + 1) / layers)])
+    return out
+
+
+def block(nx, ny, nz, top=lambda x, y: 0.0):
+    """A block of so many cubes, its upper side lifted by top(x, y) of 0 .. 1."""
+    out = Faces()
+
+    def at(i, j, k):
+        return (i, j, k + k / nz * top(i / nx, j / ny))
+    for i in range(nx):
+        for j in range(ny):
+            out.quad([at(i, j, 0), at(i, j + 1, 0), at(i + 1, j + 1, 0), at(i + 1, j, 0)])
+            out.quad([at(i, j, nz), at(i + 1, j, nz), at(i + 1, j + 1, nz), at(i, j + 1, nz)])
+    for k in range(nz):
+        for i in range(nx):
+            out.quad([at(i, 0, k), at(i + 1, 0, k), at(i + 1, 0, k + 1), at(i, 0, k + 1)])
+            out.quad([at(i, ny, k), at(i, ny, k + 1), at(i + 1, ny, k + 1), at(i + 1, ny, k)])
+        for j in range(ny):
+            out.quad([at(0, j, k), at(0, j, k + 1), at(0, j + 1, k + 1), at(0, j + 1, k)])
+            out.quad([at(nx, j, k), at(nx, j + 1, k), at(nx, j + 1, k + 1), at(nx, j, k + 1)])
+    return out
+
+
+def creases(x, y):
+    """Three ridges that begin at one side and run out."""
+    return sum(3 * max(0.0, 0.7 - x) * max(0.0, 1 - abs(y - middle) / 0.12) for middle in (0.2, 0.5, 0.8))
+
+
+def gear_contour(teeth):
+    return polyline([(r * math.cos(2 * math.pi * (k + at) / teeth), r * math.sin(2 * math.pi * (k + at) / teeth))
+                     for k in range(teeth) for at, r in ((0, 1), (0.4, 1), (0.5, 1.2), (0.9, 1.2))] + [(1.0, 0.0)], 0.06)[:-1]
+
+
+def featured():
+    yield 'block 4', block(4, 4, 4)
+    yield 'block flat', block(12, 9, 2)
+    yield 'block creases', block(20, 20, 6, creases)
+    yield 'cylinder', revolved(polyline([(0, 0), (1, 0), (1, 2), (0, 2)], 0.2), 32)
+    yield 'cylinder coarse', revolved(polyline([(0, 0), (1, 0), (1, 2), (0, 2)], 0.5), 12)
+    yield 'shaft', revolved(polyline([(0, 0), (2, 0), (2, 1), (1, 1), (1, 3), (1.5, 3), (1.5, 4), (0, 4)], 0.25), 40)
+    yield 'shaft chamfered', revolved(polyline([(0, 0), (1.8, 0), (2, 0.2), (2, 1), (1, 1), (1, 3), (0.9, 3.1), (0, 3.1)],
+                                               0.2), 40)
+    fillet = [(1.4 - 0.4 * math.sin(math.pi * k / 16), 1.4 - 0.4 * math.cos(math.pi * k / 16)) for k in range(9)]
+    contour = polyline([(0.0, 0.0), (2.0, 0.0), (2.0, 1.0)] + fillet + [(1.0, 2.0), (0.0, 2.0), (0.0, 0.0)], 0.1)[:-1]
+    yield 'L fillet', extruded(contour, (0.5, 0.5), 8, 1.0, 8)
+    for teeth in (6, 16):
+        yield 'gear %d' % teeth, extruded(gear_contour(teeth), (0.0, 0.0), 8, 0.4, 4)
+
+
 def family():
     for holes, (nx, ny, where) in {
             1: (1, 1, lambda i, j: True), 2: (3, 2, lambda i, j: (i, j) in ((0, 0), (2, 1))),
@@ -140,11 +232,14 @@ def main():
     parser.add_argument('binary')
     parser.add_argument('--meshes')
     parser.add_argument('--counts', type=int, nargs='+', default=[500, 2500])
+    parser.add_argument('--only', choices=['borders', 'features'])
     asked = parser.parse_args()
-    made = close = tried = wrong = 0
+    made = close = tried = wrong = whole = 0
     with tempfile.TemporaryDirectory() as folder:
         sources = []
-        for name, mesh in family():
+        generated = list(family() if asked.only != 'features' else ())
+        generated += featured() if asked.only != 'borders' else ()
+        for name, mesh in generated:
             path = os.path.join(folder, name.replace(' ', '_') + '.obj')
             with open(path, 'w') as file:
                 file.writelines('v %r %r %r\n' % p for p in mesh.points)
@@ -168,20 +263,25 @@ def main():
                     continue
                 with open(report) as file:
                     q = json.load(file)['quads']
-                check = subprocess.run([asked.binary, 'check', quads, '--surface', path], capture_output=True, text=True)
+                features = q['features']
+                is_whole = features['relaxed'] == 0
+                check = subprocess.run([asked.binary, 'check', quads, '--surface', path] +
+                                       (['--features', '35'] if is_whole else []), capture_output=True, text=True)
                 found = set()
                 is_plain = check.returncode == 0 and q['count'] <= JUDGED and 'repair' not in check.stdout
-                if is_plain and name.split()[0] in ('plate', 'tube', 'comb', 'triangle', 'needle', 'star'):
-                    found = judge(read_obj(quads), read_obj(path))
+                if is_plain and name.split()[0] in ('plate', 'tube', 'comb', 'triangle', 'needle', 'star', 'block', 'cylinder',
+                                                    'shaft', 'L', 'gear'):
+                    found = judge(read_obj(quads), read_obj(path), 35 if is_whole else None)
                 made += 1
+                whole += is_whole
                 close += abs(q['count'] - count) <= 0.05 * count
                 wrong += check.returncode != 0 or bool(found)
-                print(line + '%d quads, least %s, %d irregular, %d borders, J %.2f %.3f, %.1f degrees%s%s' % (
+                print(line + '%d quads, least %s, %d irregular, %d borders, J %.2f %.3f, %.1f degrees, %d/%d features%s%s' % (
                     q['count'], q['least_count'], q['irregular'], q['boundary_loops'], q['scaled_jacobian']['min'],
-                    q['scaled_jacobian']['mean'], q['angle_deviation'],
+                    q['scaled_jacobian']['mean'], q['angle_deviation'], features['covered'], features['asked'],
                     '' if check.returncode == 0 else ' CHECK ' + check.stdout.strip(), ' JUDGE %s' % found if found else ''),
                     flush=True)
-    print('%d of %d made, %d with a count within 5 %%, %d wrong' % (made, tried, close, wrong))
+    print('%d of %d made, %d with a count within 5 %%, %d with all features, %d wrong' % (made, tried, close, whole, wrong))
     return 1 if wrong else 0
 
 

@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Judges a mesh of quads against the surface it should be one of, on the digits of two OBJ files.
 
-    quad_judge.py QUADS.obj [SURFACE.obj]
+    quad_judge.py QUADS.obj [SURFACE.obj [DEGREES]]
 
+With DEGREES edges of quads have to cover the edges inside of the surface whose faces' normals differ by so many.
 Prints a line for every kind of defect and `ok` or `bad`; exit code 0 or 1. Shares no code with the
 library: signs are those of integers, always; what is nearest is found by trying all of them.
 """
@@ -233,8 +234,82 @@ def border_defects(quads, surface):
     return found
 
 
-def judge(quads, surface=None):
-    """The kinds of defects of a mesh (positions, faces), with a surface likewise or without."""
+def angle_between(a, b):
+    n = cross(a, b)
+    return math.degrees(math.atan2(math.sqrt(dot(n, n)), dot(a, b)))
+
+
+def feature_lines(surface, degrees):
+    """Sharp edges as lists of vertices, from corner to corner; around, from any vertex, where there is none."""
+    normals = []
+    for f in range(len(surface.faces)):
+        a, b, c = surface.corner_points(f)
+        n = cross(minus(b, a), minus(c, a))
+        size = math.sqrt(dot(n, n))
+        normals.append(tuple(x / size for x in n))
+    neighbours, border = defaultdict(set), set()
+    for (a, b), (f, *_) in list(surface.sides.items()):
+        back = surface.sides.get((b, a), [])
+        if not back:
+            border |= {a, b}
+        elif angle_between(normals[f], normals[back[0]]) >= degrees:
+            neighbours[a].add(b)
+
+    def is_corner(v):
+        if len(neighbours[v]) != 2 or v in border:
+            return True
+        a, b = neighbours[v]
+        p = surface.positions
+        return angle_between(minus(p[v], p[a]), minus(p[b], p[v])) >= CORNER
+    corners = {v for v in list(neighbours) if is_corner(v)}
+    left = {frozenset((v, w)) for v in list(neighbours) for w in neighbours[v]}
+    lines = []
+    for start in sorted(corners) + sorted(set(neighbours) - corners):
+        for second in sorted(neighbours[start]):
+            if frozenset((start, second)) not in left:
+                continue
+            line = [start, second]
+            left.remove(frozenset(line))
+            while line[-1] not in corners and line[-1] != start:
+                line.append(next(w for w in neighbours[line[-1]] if frozenset((line[-1], w)) in left))
+                left.remove(frozenset(line[-2:]))
+            lines.append(line)
+    return lines, corners
+
+
+def is_covered(quads, surface, line, is_loop, close):
+    """Whether the vertices of quads on a line are joined by edges, in order, from end to end."""
+    points = [surface.positions[v] for v in line]
+    edges = {frozenset(side) for side in quads.sides}
+    found = []
+    for v in {v for face in quads.faces for v in face}:
+        p = quads.positions[v]
+        near = [(distance, i + t) for i, (a, b) in enumerate(zip(points, points[1:]))
+                for t, distance in [nearest_on_segment(p, a, b)] if distance <= close]
+        if near:
+            along = min(near)[1]
+            is_end = [math.dist(p, end) <= close for end in (points[0], points[-1])]
+            found += [(along, v)] if is_loop or not any(is_end) else [
+                (end, v) for end, here in zip((0, len(line) - 1), is_end) if here]
+    found.sort()
+    if is_loop:
+        found.append(found[0] if found else None)
+    elif not found or found[0][0] != 0 or found[-1][0] != len(line) - 1:
+        return False
+    return len(found) > 1 and all(frozenset((a, b)) in edges for (_, a), (_, b) in zip(found, found[1:]))
+
+
+def feature_defects(quads, surface, degrees):
+    lines, corners = feature_lines(surface, degrees)
+    points = [surface.positions[v] for face in surface.faces for v in face]
+    close = CLOSE * math.dist(*[tuple(pick(x) for x in zip(*points)) for pick in (min, max)])
+    return set() if all(is_covered(quads, surface, line, line[0] == line[-1] and line[0] not in corners, close)
+                        for line in lines) else {'feature not covered'}
+
+
+def judge(quads, surface=None, degrees=None):
+    """The kinds of defects of a mesh (positions, faces), with a surface likewise or without; degrees: of its features,
+    or None."""
     quads = Mesh(*quads)
     if not quads.faces or any(len(face) != 4 or len(set(face)) != 4 for face in quads.faces):
         return {'no quads'}
@@ -260,6 +335,8 @@ def judge(quads, surface=None):
         found.add('other components')
     if loops[0] == loops[1] > 0:
         found |= border_defects(quads, surface)
+    if degrees is not None:
+        found |= feature_defects(quads, surface, degrees)
     nearest = Nearest(surface)
     for f in range(len(quads.faces)):
         corners = quads.corner_points(f)
@@ -271,7 +348,8 @@ def judge(quads, surface=None):
 
 
 def main():
-    defects = judge(read_obj(sys.argv[1]), read_obj(sys.argv[2]) if len(sys.argv) > 2 else None)
+    defects = judge(read_obj(sys.argv[1]), read_obj(sys.argv[2]) if len(sys.argv) > 2 else None,
+                    float(sys.argv[3]) if len(sys.argv) > 3 else None)
     for defect in sorted(defects):
         print(defect)
     print('bad' if defects else 'ok')

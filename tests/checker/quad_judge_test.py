@@ -24,7 +24,8 @@ SAID = {'no quads': 'no quads? of four vertices|are no faces', 'crowded edge': '
         'opposed edge': 'run the same way', 'touching vertex': 'merely touch', 'folded': 'folded', 'turned': 'turned',
         'Euler characteristic': 'Euler characteristic of the quads', 'components': 'components of the quads',
         'border loops': 'border loops of the quads', 'other components': 'not component by component', 'off the border': "off the surface's border",
-        'border not followed': 'not follow one', 'corner missed': "corners? of the surface's border"}
+        'border not followed': 'not follow one', 'corner missed': "corners? of the surface's border",
+        'feature not covered': 'feature lines? .* not covered'}
 
 
 def torus(m, n):
@@ -42,6 +43,46 @@ def plate(m, n, hole):
     used = sorted({v for face in faces for v in face})
     number = {v: k for k, v in enumerate(used)}
     return [points[v] for v in used], [[number[v] for v in face] for face in faces]
+
+
+def block(n):
+    """A cube of n^3, its faces cut into n^2."""
+    number, faces = {}, []
+    for axis in range(3):
+        for side in (0, n):
+            for i in range(n):
+                for j in range(n):
+                    corners = []
+                    for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                        p = [0, 0, 0]
+                        p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3] = side, i + a, j + b
+                        corners.append(number.setdefault(tuple(p), len(number)))
+                    faces.append(corners if side else corners[::-1])
+    return list(number), faces
+
+
+def drum(n, rings):
+    """A cylinder of n sides, whose two lids are rings around squares: features without corners."""
+    points, faces = [], []
+    for k in range(rings + 1):
+        for i in range(n):
+            a = 2 * math.pi * i / n
+            points.append((math.cos(a), math.sin(a), k / rings))
+    for k in range(rings):
+        for i in range(n):
+            a, b = k * n + i, k * n + (i + 1) % n
+            faces.append([a, b, b + n, a + n])
+    for base, is_top in ((0, False), (rings * n, True)):
+        first = len(points)
+        for i in range(n):
+            a = 2 * math.pi * i / n
+            points.append((0.5 * math.cos(a), 0.5 * math.sin(a), float(is_top)))
+        middle = len(points)
+        points.append((0.0, 0.0, float(is_top)))
+        lid = [[base + i, base + (i + 1) % n, first + (i + 1) % n, first + i] for i in range(n)]
+        lid += [[first + i, first + i + 1, first + (i + 2) % n, middle] for i in range(0, n, 2)]
+        faces += lid if is_top else [face[::-1] for face in lid]
+    return points, faces
 
 
 def halves(mesh):
@@ -91,11 +132,13 @@ class Agreement(unittest.TestCase):
             file.writelines('f %s\n' % ' '.join(str(v + 1) for v in face) for face in mesh[1])
         return path
 
-    def said(self, quads, surface):
+    def said(self, quads, surface, degrees=None):
         """The kinds of defects that the command names."""
         args = [BINARY, 'check', self.write('quads.obj', quads), '--quads']
         if surface:
             args += ['--surface', self.write('surface.obj', surface)]
+        if degrees is not None:
+            args += ['--features', str(degrees)]
         run = subprocess.run(args, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         found = {kind for kind, words in SAID.items() if re.search(words, run.stdout.split(': ', 2)[2])
                  } if run.returncode == 5 else set()
@@ -119,10 +162,33 @@ class Agreement(unittest.TestCase):
             kinds |= expected
         self.assertGreaterEqual(len(kinds), 8, kinds)  # the trials are of many kinds
 
-    def agreed(self, quads, surface):
-        expected = judge(quads, surface)
-        self.assertEqual(self.said(quads, surface), expected)
+    def agreed(self, quads, surface, degrees=None):
+        expected = judge(quads, surface, degrees)
+        self.assertEqual(self.said(quads, surface, degrees), expected)
         return expected
+
+    def test_features(self):
+        """A cube and a drum, with the features of their surfaces; damaged at random; cut askew across an edge."""
+        for base in (block(4), drum(12, 3)):
+            surface = halves(base)
+            self.assertEqual(self.agreed(base, surface, 35), set())
+            self.assertEqual(self.agreed(base, surface, 95), set())
+            for trial in range(COUNT // 3):
+                mesh = damaged(base)
+                with self.subTest(trial=trial):
+                    self.agreed(mesh, surface, 35)
+        points, faces = block(4)
+        on_edge = next(v for v, p in enumerate(points) if p == (2, 0, 0))
+
+        def moved(v, place):
+            return [place if w == v else p for w, p in enumerate(points)], faces
+        surface = halves((points, faces))
+        self.assertEqual(self.agreed(moved(on_edge, (2.4, 0, 0)), surface, 35), set())  # along it
+        self.assertEqual(self.agreed(moved(on_edge, (2, 0.2, 0)), surface, 35), {'feature not covered'})
+        self.assertEqual(self.agreed(moved(on_edge, (2, 0.2, 0)), surface), set())
+        self.assertIn('feature not covered', self.agreed(moved(on_edge, (3.2, 0, 0)), surface, 35))  # out of order
+        corner = points.index((0, 0, 0))
+        self.assertEqual(self.agreed(moved(corner, (0.3, 0, 0)), surface, 35), {'feature not covered'})
 
     def test_borders(self):
         points, faces = plate(6, 6, False)

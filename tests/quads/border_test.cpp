@@ -108,12 +108,12 @@ TEST(Border, FacesHaveOneEdgeOnItAndVerticesTheirNumbers) {
   for (const SurfaceMesh& mesh :
        {SurfaceMesh::from_polygons(triangle), sheet(1, 1, kFlat, kWhole),
         sheet(1, 5, kFlat, kWhole), sheet(4, 4, kFlat, kWhole), cylinder(5, 1)}) {
-    const SurfaceMesh roomy = with_room_at_border(mesh);
+    const SurfaceMesh roomy = with_room(mesh).mesh;
     EXPECT_NEAR(roomy.area(), mesh.area(), 1e-12 * mesh.area());
     EXPECT_EQ(roomy.boundary_loops(), mesh.boundary_loops());
     for (Index v = 0; v < mesh.vertex_count(); ++v)
       EXPECT_EQ(roomy.input_position(v), mesh.input_position(v));
-    const std::vector<char> is_border = border_flags(roomy), on_border = roomy.boundary_flags();
+    const std::vector<char> is_border = held_flags(roomy), on_border = roomy.boundary_flags();
     for (Index f = 0; f < roomy.face_count(); ++f)
       EXPECT_LE(is_border[3 * f] + is_border[3 * f + 1] + is_border[3 * f + 2], 1);
     for (Index h = 0; h < roomy.half_edge_count(); ++h)
@@ -139,14 +139,14 @@ TEST(Border, LengthsGoAroundLoops) {
 
 BezierMap aligned_start(const SurfaceMesh& roomy) {
   SeamlessOptions options;
-  options.field.aligned = border_flags(roomy);
+  options.field.aligned = held_flags(roomy);
   return make_seamless(roomy, options, RunRecord()).map;
 }
 
 TEST(Border, FollowedEdgesExcludeGivenCones) {
   const SurfaceMesh mesh = sheet(4, 4, kFlat, kWhole);
   SeamlessOptions options;
-  options.field.aligned = border_flags(mesh);
+  options.field.aligned = held_flags(mesh);
   options.cones.emplace();
   EXPECT_THROW(make_seamless(mesh, options, RunRecord()), InvalidArgument);
   options.cones.reset();
@@ -157,7 +157,7 @@ TEST(Border, FollowedEdgesExcludeGivenCones) {
 TEST(Border, LatticeAndPatchesEndOnIt) {
   for (const auto& [name, mesh] : bordered_surfaces()) {
     SCOPED_TRACE(name);
-    const SurfaceMesh roomy = with_room_at_border(mesh);
+    const SurfaceMesh roomy = with_room(mesh).mesh;
     SeamlessLattice lattice(roomy, aligned_start(roomy));
     int turns = 0;  // of the border and around cones: Gauss and Bonnet
     for (Index v = 0; v < roomy.vertex_count(); ++v)
