@@ -248,10 +248,12 @@ void MultifrontalFactor::forward(Index f, double* x) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
   const std::span<const Index> below = tree_.rows_below(f);
   const std::size_t inside = to_size(inside_[f]);
+  // Those above all tasks have none.
+  double* const outside = inside < below.size() ? outside_.data() + outside_places_[f] : nullptr;
   double* const own = permuted_.data() + front.first;
   // Of right-hand sides with few entries, all but the fronts above these.
   if (std::all_of(own, own + front.columns, [](double value) { return value == 0; })) {
-    std::fill_n(outside_.data() + outside_places_[f], below.size() - inside, 0.0);
+    std::fill_n(outside, below.size() - inside, 0.0);
     return;
   }
   std::copy_n(own, front.columns, x);
@@ -260,8 +262,7 @@ void MultifrontalFactor::forward(Index f, double* x) {
   std::copy_n(x, front.columns, own);
   x += front.columns;
   for (std::size_t k = 0; k < inside; ++k) permuted_[below[k]] += x[k];
-  if (inside < below.size())
-    std::copy(x + inside, x + below.size(), outside_.data() + outside_places_[f]);
+  std::copy(x + inside, x + below.size(), outside);
 }
 
 void MultifrontalFactor::add_outside(const Task& task) {
