@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <utility>
 
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/quadrature.h"
@@ -132,6 +133,33 @@ Vector2 inward(const CollapsingMesh& mesh, const VertexDescent& descent,
     if (mesh.from(previous(h)) == back.onto) add_left_of(u - descent.place(mesh.to(h)));
   });
   return sum;
+}
+
+// At u + offset, or at a part of it that is halved until the triangles around v have room.
+bool put_along(VertexDescent& descent, Index v, const Vector2& u, Vector2 offset) {
+  for (int k = 0; k < kDistanceHalvings; ++k, offset /= 2) {
+    descent.put(v, u + offset);
+    if (descent.has_area_margin(v)) return true;
+  }
+  return false;
+}
+
+// As near as it has to be to the vertex that it had collapsed onto.
+bool put_near(const CollapsingMesh& mesh, VertexDescent& descent,
+              const CollapsingMesh::Restored& back) {
+  const Vector2 u = descent.place(back.onto);
+  double distance = 0;
+  mesh.for_each_leaving(back.vertex, [&](Index h) {
+    distance = std::max(distance, (descent.place(mesh.to(h)) - u).norm());
+  });
+  return put_along(descent, back.vertex, u, distance * inward(mesh, descent, back));
+}
+
+// Of a boundary vertex: the next one and the one before on the boundary.
+std::pair<Index, Index> boundary_neighbours(const CollapsingMesh& mesh, Index v) {
+  Index last = mesh.leaving(v);
+  mesh.for_each_leaving(v, [&](Index h) { last = h; });
+  return {mesh.to(mesh.leaving(v)), mesh.from(previous(last))};
 }
 
 }  // namespace
@@ -264,16 +292,20 @@ bool put_back(const CollapsingMesh& mesh, const Points3& positions, VertexDescen
   const Index v = back.vertex;
   descent.put(v, mesh.on_boundary(v) ? unfolded_place(mesh, positions, descent, v)
                                      : mean_value_place(mesh, positions, descent, v));
-  if (descent.has_area_margin(v)) return true;
-  const Vector2 u = descent.place(back.onto), direction = inward(mesh, descent, back);
-  double distance = 0;
-  mesh.for_each_leaving(
-      v, [&](Index h) { distance = std::max(distance, (descent.place(mesh.to(h)) - u).norm()); });
-  for (int k = 0; k < kDistanceHalvings; ++k, distance /= 2) {
-    descent.put(v, u + distance * direction);
-    if (descent.has_area_margin(v)) return true;
-  }
-  return false;
+  return descent.has_area_margin(v) || put_near(mesh, descent, back);
+}
+
+bool put_back_within(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
+                     const CollapsingMesh::Restored& back) {
+  const Index v = back.vertex;
+  if (!mesh.on_boundary(v)) return put_back(mesh, positions, descent, back);
+  const auto [after, before] = boundary_neighbours(mesh, v);
+  const Index other = after == back.onto ? before : after;
+  const auto length = [&](Index w) { return (positions.row(w) - positions.row(v)).norm(); };
+  const double part = length(back.onto) / (length(back.onto) + length(other));
+  const Vector2 u = descent.place(back.onto);
+  return put_along(descent, v, u, part * (descent.place(other) - u)) ||
+         put_near(mesh, descent, back);
 }
 
 }  // namespace majorant

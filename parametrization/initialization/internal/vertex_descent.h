@@ -79,6 +79,11 @@ class VertexDescent {
 // it lies between them. False where doubles have no such point.
 bool put_back(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
               const CollapsingMesh::Restored& back);
+// Does the same so that the image of the map grows nowhere, and an injective one stays injective:
+// boundary vertices come back onto the edge that closed behind them, divided as in space, or inside
+// of it. They must not have been ears (Ears::Stay).
+bool put_back_within(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
+                     const CollapsingMesh::Restored& back);
 
 }  // namespace majorant
 
