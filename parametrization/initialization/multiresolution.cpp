@@ -117,8 +117,8 @@ class Multiresolution {
              stop_);
     if (is_apart()) held_ = surface_.boundary_flags();
     record_.decimation_seconds = watch.restart();
-    if (mesh_.faces_left() == surface_.face_count()) return std::nullopt;
     const std::vector<Index> sizes = this->sizes();
+    if (sizes.empty()) return std::nullopt;
     level_ = static_cast<int>(sizes.size());
     if (!solve_coarsest()) return std::nullopt;
     for (const Index size : sizes) {
