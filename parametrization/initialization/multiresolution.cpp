@@ -33,6 +33,9 @@ class CpuWatch {
   std::clock_t started_ = std::clock();
 };
 
+// Of the steps on the coarsest mesh, which cost next to nothing.
+constexpr int kAnyNumber = std::numeric_limits<int>::max();
+
 // Of the radius: points of two circles with the same spacing, computed from sums of other edges.
 // Far above rounding, far below the distance that another spacing makes.
 constexpr double kSamePlace = 1e-9;
@@ -155,7 +158,8 @@ class Multiresolution {
     record.faces = mesh_.faces_left();
     NewtonOptions options = newton_options();
     options.stopping.relative_decrease = rules_.coarse_decrease;
-    const bool solved = solve_level(level, options, record);
+    const bool solved = is_apart() ? solve_apart(level, rules_.coarse_decrease, kAnyNumber, record)
+                                   : improve_all(level, options, record);
     record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
     return solved;
@@ -204,12 +208,14 @@ class Multiresolution {
     record.compressed_seconds = watch.restart();
     bool solved = true;
     if (level_ > 0) {
+      const Level level(mesh_, positions_, all_);
+      const double decrease = is_coarse() ? rules_.coarse_decrease : rules_.decrease;
       NewtonOptions options = newton_options();
       options.lagged = {.below = std::numeric_limits<double>::infinity(),
                         .steps = rules_.factor_steps - 1};
-      options.stopping =
-          brief_rules(rules_.most_steps, is_coarse() ? rules_.coarse_decrease : rules_.decrease);
-      solved = solve_level(Level(mesh_, positions_, all_), options, record);
+      options.stopping = brief_rules(rules_.most_steps, decrease);
+      solved = is_apart() ? solve_apart(level, decrease, rules_.most_steps, record)
+                          : improve_all(level, options, record);
     }
     record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
@@ -258,9 +264,9 @@ class Multiresolution {
     return true;
   }
 
-  // The mean energy around a vertex, after steps if it may move.
+  // A vertex that has just come back.
   double improve(Index v, int steps) {
-    return held_[v] ? descent_.mean_energy(v) : descent_.improve(v, steps);
+    return held_[v] ? descent_.improve_within(v, steps) : descent_.improve(v, steps);
   }
 
   void sweep() {
@@ -310,13 +316,8 @@ class Multiresolution {
     return is_in;
   }
 
-  // All vertices of the mesh that is left together; false where nothing comes of it.
-  bool solve_level(const Level& level, const NewtonOptions& options, LevelRecord& record) {
-    return is_apart() ? solve_apart(level, options.stopping.relative_decrease, record)
-                      : improve_all(level, options, record);
-  }
-
-  bool solve_apart(const Level& level, double decrease, LevelRecord& record) {
+  // All vertices of the mesh that is left together, held apart; false where nothing comes of it.
+  bool solve_apart(const Level& level, double decrease, int most_steps, LevelRecord& record) {
     MapOptions asked = asked_;
     asked.degree = 1;
     asked.pins.clear();
@@ -326,7 +327,7 @@ class Multiresolution {
     StepObserver watch([&](TraceEntry row, const Vec&) {
       row.level = level_;
       run_.note(std::move(row));
-      return ++record.steps < rules_.most_steps ? Directive::Continue : Directive::Interrupt;
+      return ++record.steps < most_steps ? Directive::Continue : Directive::Interrupt;
     });
     RunRecord steps = run_.part(&watch);
     const auto solved =
@@ -342,6 +343,7 @@ class Multiresolution {
     return true;
   }
 
+  // The same for maps that may overlap.
   bool improve_all(const Level& level, const NewtonOptions& options, LevelRecord& record) {
     const auto [problem, start] = problem_on(level, all_);
     // Energies only fall from here: what misleads now is not worth its steps.
