@@ -30,6 +30,10 @@ namespace {
 // largest mean scaled Jacobian on four of five public meshes of degrees 2 to 4.
 constexpr double kLatticePart = 0.9;
 
+// Newton steps in which a mesh comes free that is tangled inside alone; the public ones take 8 at
+// most.
+constexpr int kHeldSteps = 40;
+
 EnergyFactory untangling_energy(int dim) {
   return dim == 3 ? energy_factory(SolidUntanglingDensity(1))
                   : energy_factory(UntanglingDensity(1));
@@ -132,10 +136,20 @@ class VolumeOptimizer {
     return is_affine ? rule : guarded_rule(rule, space.degree(), kLatticePart);
   }
 
-  // A curved mesh that does not come free is untangled as a straight one, as far as nothing is
-  // held, and from there once more.
+  // A free boundary is held at first: it keeps the size, so that eps may be large, and most meshes
+  // are tangled inside alone. A curved mesh that does not come free is untangled as a straight one,
+  // as far as nothing is held, and from there once more.
   void untangle() {
     record_.announce("untangling");
+    if (options_.boundary == VolumeBoundary::Free) {
+      const HeldPoints border(mesh_, sides_of(mesh_), *net_, x_, VolumeBoundary::Fixed);
+      if (border.impossible_cells(mesh_).empty()) {
+        UntangledPoint inside = descended(
+            x_, border, nullptr, {.first_eps = kFirstEpsHeld, .max_iterations = kHeldSteps});
+        if (inside.verdict.feasible) x_ = std::move(inside.x);
+        if (inside.verdict.feasible || record_.stop()() != Directive::Continue) return;
+      }
+    }
     UntangledPoint point = descended(x_, nullptr);
     const bool is_curved = std::any_of(net_->parts().begin(), net_->parts().end(),
                                        [](const auto& part) { return part.space->degree() > 1; });
@@ -148,6 +162,12 @@ class VolumeOptimizer {
   }
 
   UntangledPoint descended(VecIn x, const StraightPoints* straight) {
+    const bool is_free = options_.boundary == VolumeBoundary::Free;
+    return descended(x, *held_, straight, {.first_eps = is_free ? kFirstEps : kFirstEpsHeld});
+  }
+
+  UntangledPoint descended(VecIn x, const HeldPoints& held, const StraightPoints* straight,
+                           const UntanglingRules& rules) {
     const EnergyFactory energy = untangling_energy(net_->dim());
     ProblemBuilder builder(static_cast<Index>(x_.size()));
     std::vector<TermId> energies;
@@ -155,14 +175,13 @@ class VolumeOptimizer {
       const auto& space = net_->parts()[k].space;
       energies.push_back(builder.add(energy(space, targets_[k], {rule_of(*space)}), 1 / measure_));
     }
-    builder.add(*held_);
+    builder.add(held);
     if (straight != nullptr) builder.add(*straight);
     const Problem problem = builder.build();
     const Checkers all = checkers(ProofDepth::kStart);
-    const bool is_held = options_.boundary != VolumeBoundary::Free;
     UntangledPoint point = descend_untangling(
-        problem, energies, [&](VecIn at) { return judge(all, at); }, problem.reduce(x),
-        is_held ? kFirstEpsHeld : kFirstEps, record_.stop());
+        problem, energies, [&](VecIn at) { return judge(all, at); }, problem.reduce(x), rules,
+        record_.stop());
     result_.untangling_iterations += point.iterations;
     return point;
   }
