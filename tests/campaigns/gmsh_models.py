@@ -314,10 +314,11 @@ class Campaign:
 
 
 def main():
-    if sys.argv[1] == '--make':
-        return make(sys.argv[2], int(sys.argv[3]), sys.argv[4])
-    if sys.argv[1] == '--optimize':
-        return optimize(sys.argv[2], int(sys.argv[3]), sys.argv[4], sys.argv[5])
+    words = sys.argv[1:]
+    if words[:1] == ['--make']:
+        return make(words[1], int(words[2]), words[3])
+    if words[:1] == ['--optimize']:
+        return optimize(words[1], int(words[2]), words[3], words[4])
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('binary')
     parser.add_argument('--orders', type=int, nargs='+', default=[2, 3, 4])
