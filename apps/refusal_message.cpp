@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "majorant/mesh/refusal.h"
+#include "majorant/pictures/no_legend_room.h"
 
 namespace majorant::app {
 namespace {
@@ -57,6 +58,8 @@ const char* command_words(Hint hint) {
 }  // namespace
 
 std::string command_message(const Error& error) {
+  if (dynamic_cast<const NoLegendRoom*>(&error) != nullptr)
+    return std::string(error.what()) + " with --legend no";
   return message_of(error, [](const Refusal& refusal) {
     return fmt::format(fmt::runtime(command_words(refusal.hint())), refusal.file());
   });

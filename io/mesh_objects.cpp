@@ -1,10 +1,14 @@
 #include "majorant/io/mesh_objects.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include "majorant/framework/error.h"
+#include "majorant/io/claims.h"
 #include "majorant/io/internal/gltf_scene.h"
 
 namespace majorant {
@@ -117,6 +121,24 @@ MeshObjects objects_of(const PolygonMesh& mesh) {
 std::vector<Index> object_of_cells(const MeshObjects& objects, const MapFile& file) {
   std::vector<Index> layers;
   for (const int polygon : file.input_face) layers.push_back(objects.of_polygon[to_size(polygon)]);
+  return layers;
+}
+
+std::optional<std::vector<Index>> claimed_object_of_cells(const MapFile& file,
+                                                          const std::string& name) {
+  const Claims claims = parse_claims(file.claims, name);
+  if (!claims.objects) return std::nullopt;
+  std::vector<Index> of_chart;
+  for (std::size_t k = 0; k < claims.objects->size(); ++k)
+    of_chart.insert(of_chart.end(), to_size((*claims.objects)[k].charts), static_cast<Index>(k));
+  std::vector<Index> layers;
+  for (Index c = 0; c < file.cells.rows(); ++c) {
+    const Index chart = file.chart.size() > 0 ? file.chart[c] : 0;
+    if (chart < 0 || to_size(chart) >= of_chart.size())
+      throw Error(ErrorKind::Unreadable,
+                  fmt::format("{}: majorant_claims.objects has no chart {}", name, chart));
+    layers.push_back(of_chart[to_size(chart)]);
+  }
   return layers;
 }
 

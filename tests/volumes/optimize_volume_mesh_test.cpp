@@ -200,6 +200,29 @@ TEST_F(OptimizedMeshes, AreasThatCancelHaveASize) {
   EXPECT_GT(result.after.least_scaled_jacobian(), 0.99);
 }
 
+// A fan around the corner of a square that can be untangled, and one whose center sees no point
+// from which all of its boundary is seen: what is said is said of where untangling ended.
+TEST_F(OptimizedMeshes, WhatIsNotUntangledIsJudgedWhereThatEnded) {
+  std::string points = "0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n1.5 0.5 0 0\n";
+  std::string cells = "1 2 5 0\n2 3 5 0\n3 4 5 0\n4 1 5 0\n";
+  const std::vector<Vector2> horseshoe{{0, 0}, {3, 0}, {3, 3}, {2, 3},
+                                       {2, 1}, {1, 1}, {1, 3}, {0, 3}};
+  for (const Vector2& at : horseshoe) points += fmt::format("{} {} 0 0\n", at.x() + 5, at.y());
+  points += "6.5 0.5 0 0\n";
+  for (int k = 0; k < 8; ++k) cells += fmt::format("{} {} 14 0\n", 6 + k, 6 + (k + 1) % 8);
+  const VolumeMesh mesh = mesh_of("MeshVersionFormatted 2\nDimension 3\nVertices 14\n" + points +
+                                  "Triangles 12\n" + cells + "End\n");
+  const VolumeResult result = optimized(mesh);
+  EXPECT_EQ(result.status, Status::Infeasible);
+  EXPECT_FALSE(result.is_valid());
+  EXPECT_TRUE(result.impossible.empty());
+  EXPECT_EQ(result.before.cells[1].range.positive, ProofStatus::Violated);
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_EQ(result.after.cells[k].range.positive, ProofStatus::Proven) << k;
+  EXPECT_GT(result.after.invalid(), 0);
+  EXPECT_LT(result.points(4, 0), 1);
+}
+
 // A triangle of degree 3, x = f(u), y = v with f' = 0.002 + 3 (u - 1/3)^2: the proofs of usual
 // depth miss it, the deepest hold.
 TEST_F(OptimizedMeshes, WhatIsNarrowlyValidIsNotUntangled) {
