@@ -1,5 +1,5 @@
 // Meshes of volumes optimized: untangled where they are not valid, held where they should be, and
-// proven afterwards; the public collection, and small ones made here.
+// proven afterwards.
 #include "majorant/volumes/optimize_volume_mesh.h"
 
 #include <fmt/format.h>
@@ -11,11 +11,9 @@
 #include <fstream>
 #include <functional>
 #include <limits>
-#include <set>
 
 #include "majorant/framework/error.h"
 #include "majorant/volumes/volume_files.h"
-#include "public_data.h"
 #include "support.h"
 
 namespace majorant {
@@ -296,26 +294,6 @@ TEST_F(OptimizedMeshes, EveryEnergyAndTarget) {
       EXPECT_TRUE(result.status == Status::Converged || result.status == Status::Stalled)
           << energy.name << " " << result.message;
     }
-}
-
-TEST_F(OptimizedMeshes, PublicMeshes) {
-  const fs::path folder = public_data("volumes");
-  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
-  std::set<std::string> refused;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string extension = entry.path().extension();
-    if (extension != ".msh" && extension != ".mesh") continue;
-    SCOPED_TRACE(entry.path().string());
-    const VolumeMesh mesh = read_volume_mesh(entry.path());
-    try {
-      const VolumeResult result = optimized(mesh);
-      EXPECT_TRUE(result.is_valid()) << result.message;
-    } catch (const Error& e) {
-      EXPECT_EQ(e.kind(), ErrorKind::Unsupported) << e.what();
-      refused.insert(entry.path().filename());
-    }
-  }
-  EXPECT_EQ(refused, std::set<std::string>());
 }
 
 }  // namespace
