@@ -8,6 +8,7 @@
 #include "majorant/constraints/constraints.h"
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
+#include "majorant/quads/internal/random_steps.h"
 
 namespace majorant {
 namespace {
@@ -63,13 +64,13 @@ std::vector<std::int64_t> rounded_unknowns(const SurfaceMesh& surface, const Bez
   const Vec y = elimination.reduce(map.control_points(), nullptr);
   std::mt19937 random(1);
   const int most = border.empty() ? 0 : kLargestOffset;
-  std::uniform_int_distribution<std::int64_t> offset(-most, most);
   // Whole multiples of the denominators of coefficients, so that all unknowns are whole.
   const std::int64_t denominator = common_denominator(elimination, unknowns);
   std::vector<std::int64_t> free, x;
   for (const double value : y) {
     if (!(std::abs(value) < kLargestCoordinate * unit)) refuse_map("is too far from the origin");
-    free.push_back(std::llround(value / unit / static_cast<double>(denominator)) + offset(random));
+    free.push_back(std::llround(value / unit / static_cast<double>(denominator)) +
+                   random_between(random, -most, most));
   }
   for (Index i = 0; i < unknowns; ++i) {
     std::int64_t sum = 0;

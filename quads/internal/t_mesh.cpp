@@ -12,6 +12,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/quads/internal/border.h"
+#include "majorant/quads/internal/random_steps.h"
 
 namespace majorant {
 namespace {
@@ -482,11 +483,11 @@ TMesh trace_t_mesh(SeamlessLattice& lattice, const StopCheck& stop) {
   // farther.
   constexpr int kAttempts = 10000, kSteps = 64;
   std::mt19937 random(1);
-  std::uniform_int_distribution<std::int64_t> step(1, kSteps);
   for (int attempt = 0; attempt < kAttempts; ++attempt) try {
       return TMeshBuilder(lattice, Tracer(lattice, stop).trace()).build();
     } catch (const InTheWay& in_the_way) {
-      lattice.move(in_the_way.vertex, {step(random), step(random)});
+      const std::int64_t u = random_between(random, 1, kSteps);
+      lattice.move(in_the_way.vertex, {u, random_between(random, 1, kSteps)});
     }
   refuse_lines("they pass through vertices however these are moved");
 }
