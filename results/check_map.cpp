@@ -317,7 +317,7 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
 
 std::string MapCheck::overlap_in_words() const {
   if (!overlap || overlap->faces == 0) return {};
-  return fmt::format(", {} of {} faces lie on others, {:.2g} % of the layout", overlap->faces,
+  return fmt::format(", {} of {} faces lie on others, {:.3g} % of the layout", overlap->faces,
                      proof.map()->mesh().face_count(), 100 * overlap->share);
 }
 
