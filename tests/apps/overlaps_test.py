@@ -109,7 +109,7 @@ class Overlaps(CommandTest):
         self.assertIn(', 4 of 4 faces lie on others, 25 % of the layout\n', self.found(overlapping, '--certify').out)
         self.assertNotIn('lie on others', self.run_ok('check', touching).out)
         inside = self.write('inside.obj', obj_text(
-            points, faces, uv[:4] + [(0.25 * u, 0.25 * v + 0.25) for u, v in uv[4:]]))
+            points, faces, uv[:4] + [(0.25 * u, 0.25 * v + 0.6) for u, v in uv[4:]]))
         self.run_ok('check', inside, '--report', self.path('r.json'))
         self.assertIn('one component lies inside another', self.run_ok('check', inside).out)
         extent = json.loads(self.read('r.json'))['result']['overlap']
