@@ -1,5 +1,5 @@
-// The public meshes of volumes, optimized. Not in the preset asan: unoptimized dual numbers of three
-// dimensions take 200 times as long there.
+// The public meshes of volumes, optimized. Not in the preset asan: unoptimized dual numbers of
+// three dimensions take 200 times as long there.
 #include <gtest/gtest.h>
 
 #include <filesystem>
