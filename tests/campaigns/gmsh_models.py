@@ -22,7 +22,8 @@ A line for each model and order, then what the project asks for, each with the n
     mean     likewise the mean, at least the largest
     time     it took at most the CPU time of the optimizer that has this least scaled Jacobian
 
-Models that gmsh makes no mesh of are said and left out. Exit 1 where a mesh of majorant's is not valid and one of gmsh's is, or is written and not valid.
+Models that gmsh makes no mesh of are said and left out. Exit 1 where a mesh of majorant's is not valid and one of
+gmsh's is, or is written and not valid.
 """
 import argparse
 import json
@@ -296,7 +297,8 @@ class Campaign:
         source = self.path('model.msh')
         made = self.itself('--make', name, order, source)
         if made is None or made.returncode != 0:
-            print('%-16s %d not meshed by gmsh: %s' % (name, order, '' if made is None else made.stderr.strip()), flush=True)
+            why = '' if made is None else made.stderr.strip()
+            print('%-16s %d not meshed by gmsh: %s' % (name, order, why), flush=True)
             return {}, False
         first = self.judged(source, 0)
         found = [self.of_gmsh(name, order, method, source) for method in OPTIMIZERS]
