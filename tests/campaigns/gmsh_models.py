@@ -343,7 +343,7 @@ def main():
         for order in asked.orders:
             for name in list(MODELS)[:asked.models]:
                 holds, is_wrong = campaign.compare(name, order)
-                wrong += is_wrong or not holds['valid']
+                wrong += is_wrong or not holds.get('valid', True)
                 for key, value in holds.items():
                     held, of = sums.get(key, (0, 0))
                     sums[key] = (held + value, of + 1)
