@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "majorant/mesh/refusal.h"
-#include "majorant/pictures/no_legend_room.h"
 
 namespace majorant::app {
 namespace {
@@ -51,6 +50,8 @@ const char* command_words(Hint hint) {
       return "write it with --msh surface, or leave --surface out";
     case Hint::MapIslands:
       return "leave out --keep-shape";
+    case Hint::LeaveOutLegends:
+      return "leave the legends out with --legend no";
   }
   return "";
 }
@@ -58,8 +59,6 @@ const char* command_words(Hint hint) {
 }  // namespace
 
 std::string command_message(const Error& error) {
-  if (dynamic_cast<const NoLegendRoom*>(&error) != nullptr)
-    return std::string(error.what()) + " with --legend no";
   return message_of(error, [](const Refusal& refusal) {
     return fmt::format(fmt::runtime(command_words(refusal.hint())), refusal.file());
   });

@@ -31,8 +31,8 @@ constexpr int kNewtonSteps = 8, kMostSteps = 72;
 // Times the rounding of A f: a point that lies so far outside of a piece is still taken for one on
 // its edge, since uv is rounded itself.
 constexpr double kBeyond = 8;
-// Of the size of a piece: all of its control points this far beyond a line, uv on the other side,
-// is no preimage, whatever rounding does, and no point on an edge either.
+// Of the size of a piece: where all of its control points are this far beyond a line that uv is on,
+// there is no preimage, and none on an edge; far above what rounding moves them, chosen, not tuned.
 constexpr double kClear = 1e-9;
 // Points that a task of locate() takes.
 constexpr Index kPointsOfTask = 512;

@@ -17,8 +17,6 @@ constexpr double kLeastPart = 1e-9;
 // Pairs of pieces whose boxes meet; some ten seconds.
 constexpr std::size_t kMostPairs = 100'000'000;
 
-double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 double twice_area(const Corners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
 // The area that two positive triangles share: b clipped by one side of a after the other.

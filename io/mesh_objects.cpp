@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -128,16 +129,18 @@ std::optional<std::vector<Index>> claimed_object_of_cells(const MapFile& file,
                                                           const std::string& name) {
   const Claims claims = parse_claims(file.claims, name);
   if (!claims.objects) return std::nullopt;
-  std::vector<Index> of_chart;
-  for (std::size_t k = 0; k < claims.objects->size(); ++k)
-    of_chart.insert(of_chart.end(), to_size((*claims.objects)[k].charts), static_cast<Index>(k));
+  std::vector<std::int64_t> ends;  // by object: its charts and those of the objects before
+  for (const ClaimedObject& object : *claims.objects)
+    ends.push_back((ends.empty() ? 0 : ends.back()) + object.charts);
   std::vector<Index> layers;
   for (Index c = 0; c < file.cells.rows(); ++c) {
     const Index chart = file.chart.size() > 0 ? file.chart[c] : 0;
-    if (chart < 0 || to_size(chart) >= of_chart.size())
-      throw Error(ErrorKind::Unreadable,
-                  fmt::format("{}: majorant_claims.objects has no chart {}", name, chart));
-    layers.push_back(of_chart[to_size(chart)]);
+    const auto object = std::upper_bound(ends.begin(), ends.end(), std::int64_t{chart});
+    if (chart < 0 || object == ends.end())
+      throw Error(
+          ErrorKind::Unreadable,
+          fmt::format("{}: majorant_claims.objects has no chart {}; damaged file", name, chart));
+    layers.push_back(static_cast<Index>(object - ends.begin()));
   }
   return layers;
 }

@@ -94,6 +94,9 @@ class Objects(UnwrapTest):
         self.run_ok('check', written([{**o, 'name': 'one'} for o in objects]), '--certify', '--objects', 'separate')
         merged = [{'name': 'all', 'charts': sum(o['charts'] for o in objects)}]
         self.found(written(merged), '--certify', '--objects', 'separate', says='not globally injective')
+        # As many charts as numbers can say cost nothing: they are all of the first object.
+        forged = [{'name': str(k), 'charts': 2**31 - 1} for k in range(8)]
+        self.found(written(forged), '--certify', '--objects', 'separate', says='not globally injective')
         self.refused(UNREADABLE, 'check', written(objects[:-1]), '--objects', 'separate', says='has no chart')
         self.refused(UNREADABLE, 'check', written([{'name': 'box'}]), '--objects', 'separate', says='has no "charts"')
 

@@ -56,8 +56,7 @@ Vector2 newton_step(const StarModel& m) {
 constexpr int kDistanceHalvings = 50;
 
 // Of the way from an edge to the neighbours inside: where a boundary vertex comes back within the
-// image, so that the triangles outside have room, too. Ten times as much is farther from the
-// minimum than what steps of the level undo cheaply.
+// image, so that the triangles outside have room, too; chosen, not tuned.
 constexpr double kInward = 0.01;
 
 using Complex = std::complex<double>;
