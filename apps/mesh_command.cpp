@@ -11,12 +11,14 @@
 #include "apps/mesh_verbs.h"
 #include "apps/or_interrupted.h"
 #include "apps/outputs.h"
+#include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/io/waiting_output.h"
+#include "majorant/results/volume_page.h"
 #include "majorant/results/volume_report.h"
 #include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/volumes/volume_files.h"
@@ -60,8 +62,26 @@ Json report_of(const MeshCheckRequest& request, const VolumeMesh& mesh, const Vo
   return report;
 }
 
+// The elements that are not proven to be valid as a .vtu; those that are listed as a page.
+void write_elements(const std::string& path, const MeshCheckRequest& request,
+                    const VolumeMesh& mesh, const VolumeCheck& check) {
+  if (!is_page(path)) {
+    std::vector<const CheckedCell*> bad;
+    for (const CheckedCell& cell : check.cells)
+      if (cell.range.positive != ProofStatus::Proven) bad.push_back(&cell);
+    return write_cells_vtu(path, mesh, bad);
+  }
+  MapPage page = page_of_elements(mesh, check.worst(to_size(request.listed)));
+  page.title = page_title(request.input);
+  page.facts = page_facts(report_of(request, mesh, check), {request.input});
+  write_page(path, page);
+}
+
 int mesh_check(const MeshCheckRequest& request) {
-  require_writable(request.common, {{request.outputs, {".vtu"}}}, {request.input});
+  require_writable(request.common, {{request.outputs, {".vtu", ".html"}}}, {request.input});
+  if (request.listed == 0 && has_page(request.outputs))
+    throw Error(ErrorKind::Usage,
+                "--list 0: a page shows the elements that are listed, one at least");
   const ThreadCount threads(usable_threads(request.common.threads));
   Progress progress(request.common, {Activity::Reading, Activity::Proving});
   const RunRecord record(request.time_limit, 0, interruption_flag(), &progress);
@@ -82,11 +102,8 @@ int mesh_check(const MeshCheckRequest& request) {
     request.common.report == kStandardOutput ? say_text(text) : print_text(text);
   }
   WrittenFiles written;
-  std::vector<const CheckedCell*> bad;
-  for (const CheckedCell& cell : check.cells)
-    if (cell.range.positive != ProofStatus::Proven) bad.push_back(&cell);
   for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_cells_vtu(path, mesh, bad); });
+    written.write(path, [&] { write_elements(path, request, mesh, check); });
   if (const std::string& path = request.common.report; !path.empty())
     written.write(path, [&] { write_json(path, report_of(request, mesh, check)); });
   return written.conclude(is_valid ? kSuccess : kInvalid);
@@ -102,7 +119,8 @@ void add_mesh_check(CLI::App& mesh, Action* run) {
                   "mesh of volumes or surfaces: .msh (2.2, 4.1), .mesh (MFEM, Medit), .vtu")
       ->required();
   verb.add_option("-o,--output", request->outputs,
-                  "the elements that are not proven to be valid: .vtu, repeatable")
+                  "the elements that are not proven to be valid: .vtu; those that are listed, in a "
+                  "page: .html; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   begin_group(verb, OptionGroup::Map);
@@ -111,7 +129,7 @@ void add_mesh_check(CLI::App& mesh, Action* run) {
   verb.add_option("--time-limit", request->time_limit, "seconds; nothing is said after that")
       ->check(non_negative_number(std::numeric_limits<double>::infinity()));
   request->common.add_to(verb);
-  verb.footer("Example: majorant mesh check part.msh -o bad.vtu");
+  verb.footer("Example: majorant mesh check part.msh -o bad.html");
   verb.callback([request, run] { *run = [request] { return mesh_check(*request); }; });
 }
 

@@ -194,10 +194,10 @@ int mesh_optimize(const MeshOptimizeRequest& request) {
   const VolumeResult result =
       guarded("optimizing", [&] { return optimize_volume_mesh(mesh, options, record); });
   const bool is_valid = result.is_valid();
+  mesh.points = result.points;  // those that are written, or that failed
   WrittenFiles written;
   if (is_valid) {
     record.begin(Activity::Writing);
-    mesh.points = result.points;
     written.write(request.output, [&] { write(request, mesh); });
   }
   progress.finish();

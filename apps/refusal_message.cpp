@@ -50,6 +50,8 @@ const char* command_words(Hint hint) {
       return "write it with --msh surface, or leave --surface out";
     case Hint::MapIslands:
       return "leave out --keep-shape";
+    case Hint::LeaveOutLegends:
+      return "leave the legends out with --legend no";
   }
   return "";
 }

@@ -426,10 +426,11 @@ void require_objects(const UnwrapVerb& request) {
   if (const std::string flag = layout.needs_unit_square(); !flag.empty()) refuse(flag);
   if (!request.outputs.distortion.empty()) refuse("--distortion");
   for (const std::string& path : request.outputs.files)
-    if (extension(path) != ".obj" && !is_gltf(path) && extension(path) != ".json")
+    if (extension(path) != ".obj" && !is_gltf(path) && extension(path) != ".vtu" &&
+        extension(path) != ".json")
       throw Error(ErrorKind::Usage,
-                  fmt::format("{}: --objects separate is of formats that have objects, .obj, .glb "
-                              "and .gltf; leave it, or the option, out",
+                  fmt::format("{}: --objects separate is of formats that have objects, .obj, .glb, "
+                              ".gltf and .vtu; leave it, or the option, out",
                               path));
 }
 
@@ -747,10 +748,7 @@ class ObjectsRun {
       unwrap_mesh(request_, object.mesh, strictness_, solvers_, job);
       const Status status = job.atlas.status();
       if (exit_code(status) > exit_code(worst_) || k == 0) worst_ = status;
-      const Json report = atlas_report(job);
-      Json& section = sections_.emplace_back(Json{{"name", name}});
-      for (const char* const key : {"status", "input", "repairs", "result", "charts"})
-        section[key] = report[key];
+      sections_.push_back(object_section(name, job));
       append(lines_of_charts_, lines_of_charts(job));
       asked_ = job.asked;
       if (status == Status::Failed) continue;  // there is no layout to sum up
@@ -760,7 +758,7 @@ class ObjectsRun {
           status_name(status), count_text(static_cast<Index>(job.atlas.charts.size()), "chart"),
           request_.map.energy, job.atlas.value(), job.atlas.stretch().l2, job.atlas.packing->fill,
           overlap_words(job.boundary, ImageOf::Charts)));
-      layouts_.push_back({atlas_file(job), std::move(object)});
+      layouts_.push_back({name, atlas_file(job), std::move(object)});
     }
   }
 

@@ -94,8 +94,6 @@ const std::vector<Rule>& all_rules() {
        [](Settings& s) { return &s.rules.remedies.excluded_tolerance; }},
       {"remedies.excluded_weight", [](Settings& s) { return &s.rules.remedies.excluded_weight; }},
       {"remedies.stall_rounds", [](Settings& s) { return &s.rules.remedies.stall_rounds; }},
-      {"remedies.worth_another_round",
-       [](Settings& s) { return &s.rules.remedies.worth_another_round; }},
       {"scaffold.at_rest", [](Settings& s) { return &s.rules.scaffold.at_rest; }},
       {"scaffold.depth", [](Settings& s) { return &s.rules.scaffold.depth; }},
       {"scaffold.least_energy", [](Settings& s) { return &s.rules.scaffold.least_energy; }},

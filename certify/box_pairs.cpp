@@ -10,7 +10,12 @@ namespace majorant {
 
 BoxTree::BoxTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   std::iota(order_.begin(), order_.end(), 0);
-  if (!boxes_.empty()) build(0, static_cast<Index>(boxes_.size()));
+  if (boxes_.empty()) return;
+  build(0, static_cast<Index>(boxes_.size()));
+  std::vector<Box2> in_order;
+  in_order.reserve(boxes_.size());
+  for (const Index i : order_) in_order.push_back(boxes_[static_cast<std::size_t>(i)]);
+  boxes_ = std::move(in_order);
 }
 
 void BoxTree::visit_pairs(const VisitPair& visit) const {
@@ -21,14 +26,13 @@ void BoxTree::visit_meeting(const Box2& box, const std::function<void(Index)>& v
   // Halves of at most 2^31 boxes: one node of each level waits, and two of the last.
   std::array<Index, std::numeric_limits<Index>::digits + 2> waiting;
   int count = 0;
-  if (!nodes_.empty()) waiting[count++] = 0;
+  if (!nodes_.empty() && nodes_.front().box.meets(box)) waiting[count++] = 0;
   while (count > 0) {
     const Index node = waiting[--count];
     const Node& n = at(node);
-    if (!n.box.meets(box)) continue;
     if (n.right >= 0) {
-      waiting[count++] = n.right;
-      waiting[count++] = node + 1;
+      if (at(n.right).box.meets(box)) waiting[count++] = n.right;
+      if (at(node + 1).box.meets(box)) waiting[count++] = node + 1;
       continue;
     }
     for (Index place = n.begin; place < n.end; ++place)
@@ -38,10 +42,13 @@ void BoxTree::visit_meeting(const Box2& box, const std::function<void(Index)>& v
 
 void BoxTree::build(Index begin, Index end) {
   const std::size_t node = nodes_.size();
-  nodes_.push_back({box(begin), begin, end});
+  const auto given = [&](Index place) -> const Box2& {
+    return boxes_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
+  };
+  nodes_.push_back({given(begin), begin, end});
   for (Index k = begin; k < end; ++k) {
-    nodes_[node].box.low = nodes_[node].box.low.cwiseMin(box(k).low);
-    nodes_[node].box.high = nodes_[node].box.high.cwiseMax(box(k).high);
+    nodes_[node].box.low = nodes_[node].box.low.cwiseMin(given(k).low);
+    nodes_[node].box.high = nodes_[node].box.high.cwiseMax(given(k).high);
   }
   if (end - begin <= kLeaf) return;
   const Vector2 size = nodes_[node].box.high - nodes_[node].box.low;

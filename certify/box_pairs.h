@@ -43,17 +43,15 @@ class BoxTree {
   };
 
   const Node& at(Index node) const { return nodes_[static_cast<std::size_t>(node)]; }
-  const Box2& box(Index place) const {
-    return boxes_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
-  }
+  const Box2& box(Index place) const { return boxes_[static_cast<std::size_t>(place)]; }
   void build(Index begin, Index end);
   // False once `visit` has said so.
   bool within(Index node, const VisitPair& visit) const;
   bool between(Index a, Index b, const VisitPair& visit) const;
   bool all_pairs(const Node& m, const Node& n, const VisitPair& visit) const;
 
-  std::vector<Box2> boxes_;
-  std::vector<Index> order_;
+  std::vector<Box2> boxes_;   // by their place, in the order of the leaves
+  std::vector<Index> order_;  // by place: the number of the box
   std::vector<Node> nodes_;
 };
 

@@ -31,6 +31,9 @@ constexpr int kNewtonSteps = 8, kMostSteps = 72;
 // Times the rounding of A f: a point that lies so far outside of a piece is still taken for one on
 // its edge, since uv is rounded itself.
 constexpr double kBeyond = 8;
+// Of the size of a piece: where all of its control points are this far beyond a line that uv is on,
+// there is no preimage, and none on an edge; far above what rounding moves them, chosen, not tuned.
+constexpr double kClear = 1e-9;
 // Points that a task of locate() takes.
 constexpr Index kPointsOfTask = 512;
 
@@ -94,14 +97,25 @@ class Piece {
     return half;
   }
 
-  // Whether the control points surround the origin as far as their box tells.
+  // Whether the control points surround the origin as far as their box tells, and the lines along
+  // the chords of their sides.
   bool may_reach_origin() const {
+    const int count = control_point_count(degree_);
     Vector2 low = points_[0], high = points_[0];
-    for (int p = 1; p < control_point_count(degree_); ++p) {
+    for (int p = 1; p < count; ++p) {
       low = low.cwiseMin(points_[p]);
       high = high.cwiseMax(points_[p]);
     }
-    return (low.array() <= 0).all() && (high.array() >= 0).all();
+    if (!((low.array() <= 0).all() && (high.array() >= 0).all())) return false;
+    const double clear = kClear * (high - low).maxCoeff();
+    const std::array<Vector2, 3> corner{at(degree_, 0), at(0, degree_), at(0, 0)};
+    for (int k = 0; k < 3; ++k) {
+      const Vector2 side = corner[(k + 1) % 3] - corner[k], inward(-side.y(), side.x());
+      double least = inward.dot(points_[0]);
+      for (int p = 1; p < count; ++p) least = std::min(least, inward.dot(points_[p]));
+      if (least > clear * inward.lpNorm<1>()) return false;
+    }
+    return true;
   }
 
   enum class Outcome { None, One, Cut };
@@ -346,7 +360,7 @@ InverseMap::Points InverseMap::locate(const Points2& uv, const StopCheck& stop) 
   Points points;
   const auto count = static_cast<Index>(uv.rows());
   points.face.assign(to_size(count), -1);
-  points.barycentric = Points3::Zero(count, 3);
+  points.barycentric.resize(count, 3);
   std::vector<char> undecided(to_size(count), 0);  // bytes: tasks write side by side
   parallel_tasks((count + kPointsOfTask - 1) / kPointsOfTask, [&](Index task, int) {
     stop.poll();
@@ -354,7 +368,10 @@ InverseMap::Points InverseMap::locate(const Points2& uv, const StopCheck& stop) 
     const Index last = std::min(count, (task + 1) * kPointsOfTask);
     for (Index k = task * kPointsOfTask; k < last; ++k) {
       const std::vector<Found>& found = search.preimages(uv.row(k));
-      if (found.empty()) continue;
+      if (found.empty()) {
+        points.barycentric.row(k).setZero();
+        continue;
+      }
       const Found& first = found.front();
       points.face[to_size(k)] = first.preimage.face;
       points.barycentric.row(k) = first.preimage.barycentric;

@@ -25,20 +25,21 @@ constexpr double kSmallestShrink = 0.1;
 class UntanglingDescent {
  public:
   UntanglingDescent(const Problem& problem, const std::vector<TermId>& energies,
-                    const std::function<Verdict(VecIn x)>& judge, Vec y, double first_eps,
-                    const StopCheck& stop)
+                    const std::function<Verdict(VecIn x)>& judge, Vec y,
+                    const UntanglingRules& rules, const StopCheck& stop)
       : problem_(problem),
         energies_(energies),
         judge_(judge),
         stop_(stop),
         stepper_(problem, newton_options(stop)),
         y_(std::move(y)),
-        first_eps_(first_eps) {}
+        rules_(rules) {}
 
   UntangledPoint run() {
     update();
     for (int round = 0; round < kPasses * kRounds && !point_.verdict.feasible; ++round) {
-      if (round % kRounds == 0) eps_ = first_eps_;
+      if (point_.iterations >= rules_.max_iterations) break;
+      if (round % kRounds == 0) eps_ = rules_.first_eps;
       set_eps();
       const double before = stepper_.evaluator().value(y_);
       const double after = descend(before);
@@ -93,7 +94,8 @@ class UntanglingDescent {
   const StopCheck& stop_;
   NewtonStepper stepper_;
   Vec y_;
-  double first_eps_, eps_ = 0;
+  const UntanglingRules& rules_;
+  double eps_ = 0;
   UntangledPoint point_;
 };
 
@@ -101,8 +103,8 @@ class UntanglingDescent {
 
 UntangledPoint descend_untangling(const Problem& problem, const std::vector<TermId>& energies,
                                   const std::function<Verdict(VecIn x)>& judge, Vec y,
-                                  double first_eps, const StopCheck& stop) {
-  return UntanglingDescent(problem, energies, judge, std::move(y), first_eps, stop).run();
+                                  const UntanglingRules& rules, const StopCheck& stop) {
+  return UntanglingDescent(problem, energies, judge, std::move(y), rules, stop).run();
 }
 
 }  // namespace majorant

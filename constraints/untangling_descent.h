@@ -4,7 +4,7 @@
 //   const std::vector<TermId> terms;   // of the problem: those that untangle
 //   const auto judge = [&](VecIn x) { return LocalInjectivity(space, 2 * rest.measure).check(x); };
 //   UntangledPoint point = descend_untangling(problem, terms, judge, problem.reduce(start),
-//                                             kFirstEpsHeld, stop);
+//                                             {.first_eps = kFirstEpsHeld}, stop);
 //   if (point.verdict.feasible) std::cout << point.x;   // a start for minimizers
 //
 // What it reaches is valid, not good: optimize it afterwards. It may fail: there may be no such
@@ -12,6 +12,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "majorant/framework/feasibility.h"
@@ -31,12 +32,17 @@ struct UntangledPoint {
   int iterations = 0;  // Newton steps
 };
 
+struct UntanglingRules {
+  double first_eps = kFirstEps;
+  int max_iterations = std::numeric_limits<int>::max();  // Newton steps, up to a round of eps more
+};
+
 // energies: terms of the problem whose one parameter is eps. judge: the checks of all elements, on
 // the full unknowns; the problem has no checker of its own that y does not meet. Ends early when
 // `stop` says so.
 UntangledPoint descend_untangling(const Problem& problem, const std::vector<TermId>& energies,
                                   const std::function<Verdict(VecIn x)>& judge, Vec y,
-                                  double first_eps, const StopCheck& stop);
+                                  const UntanglingRules& rules, const StopCheck& stop);
 
 }  // namespace majorant
 

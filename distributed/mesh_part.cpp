@@ -1,11 +1,21 @@
 #include "distributed/mesh_part.h"
 
+#include <fmt/format.h>
+#include <petscmat.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "distributed/internal/collect.h"
+#include "distributed/internal/petsc_call.h"
+#include "majorant/constraints/local_injectivity.h"
 
 namespace majorant {
 namespace {
@@ -219,6 +229,39 @@ std::vector<Index> pairs(const std::vector<Index>& nodes) {
   return unknowns;
 }
 
+// Sums over the faces of all ranks, each told by the owner of the vertex.
+struct AngleCounts {
+  Index off = 0;             // vertices inside whose sum is not a full turn
+  Index over_full_turn = 0;  // on the boundary
+  double largest = 0;        // radians, on the boundary
+};
+
+// Collective.
+AngleCounts count_angles(const MeshPart& part, const BezierMap& map) {
+  Vec sums = vertex_angle_sums(map.space(), map.control_points());
+  const Partition vertices = part.vertices();
+  vertices.add_to_owners(sums);
+  std::vector<char> on_boundary(to_size(part.mesh->vertex_count()), 0);
+  for (const Index v : part.boundary_vertices) on_boundary[v] = 1;
+  std::array<double, 2> counts{};
+  double largest = 0;
+  for (Index v = 0; v < sums.size(); ++v) {
+    if (!vertices.owns(v)) continue;
+    const double beyond = sums[v] - 2 * std::numbers::pi;
+    if (on_boundary[v]) {
+      largest = std::max(largest, sums[v]);
+      counts[1] += beyond > AngleSums::kTolerance;
+    } else {
+      counts[0] += !(std::abs(beyond) <= AngleSums::kTolerance);
+    }
+  }
+  part.ranks().sum(counts);
+  return {static_cast<Index>(counts[0]), static_cast<Index>(counts[1]), part.ranks().max(largest)};
+}
+
+// PTScotch divides on as many threads as the machine has, and then not the same way in every run.
+void divide_on_one_thread() { setenv("SCOTCH_PTHREAD_NUMBER", "1", 1); }
+
 }  // namespace
 
 std::shared_ptr<const Partition> MeshPart::unknowns(const BezierTriangleSpace& space) const {
@@ -286,6 +329,89 @@ MeshPart distributed(const SurfaceMesh* mesh, const std::vector<int>& rank_of_fa
     border.half_edges = in.list();
   }
   return part;
+}
+
+std::string MeshPart::obstacle(const BezierMap& map, const Vec& rest_det, int depth) const {
+  Verdict faces;
+  if (mesh->face_count() > 0)
+    faces = LocalInjectivity(map.shared_space(), rest_det, depth).check(map.control_points());
+  const double wrong = ranks().sum(static_cast<double>(faces.blocking.size()));
+  if (wrong > 0) return fmt::format("{:.0f} faces are not positively oriented", wrong);
+  const AngleCounts angles = count_angles(*this, map);
+  if (angles.off == 0) return {};
+  return fmt::format("it covers the neighbourhoods of {} vertices more than once", angles.off);
+}
+
+MapMeasures MeshPart::measure(const BezierMap& map, const EnergySum& energy,
+                              std::string& unproven) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  MapMeasures m;
+  std::array<double, 4> extremes{kNone, kNone, kNone, kNone};  // the least of these
+  std::array<double, 3> sums{};
+  if (map.mesh().face_count() > 0) {
+    MapMeasures here = measure_map(map, energy);
+    const double area = map.mesh().area();
+    extremes = {here.sigma_min, -here.sigma_max, -here.max_density, here.min_det.minCoeff()};
+    sums = {here.value * area, area, static_cast<double>((here.min_det.array() <= 0).count())};
+    m.face_value = std::move(here.face_value);
+    m.min_det = std::move(here.min_det);
+  }
+  ranks().min(extremes);
+  ranks().sum(sums);
+  m.sigma_min = extremes[0];
+  m.sigma_max = -extremes[1];
+  m.max_density = -extremes[2];
+  m.value = sums[0] / sums[1];
+  const AngleCounts angles = count_angles(*this, map);
+  m.boundary_over_full_turn = angles.over_full_turn;
+  m.max_boundary_angle = angles.largest;
+  m.locally_injective = extremes[3] > 0 && angles.off == 0;
+  if (!m.locally_injective)
+    unproven = fmt::format(
+        "{:.0f} faces are not proven to be positively oriented, angle sums at {} vertices are not "
+        "full turns",
+        sums[2], angles.off);
+  return m;
+}
+
+// The dual graph on rank 0: a row a face, an entry a neighbour across an edge.
+std::vector<int> face_ranks(const SurfaceMesh& mesh, int count) {
+  std::vector<int> ranks(to_size(mesh.face_count()), 0);
+  if (count == 1) return ranks;
+  if (mesh.face_count() <= count) {  // one each; others have none
+    for (std::size_t f = 0; f < ranks.size(); ++f) ranks[f] = static_cast<int>(f);
+    return ranks;
+  }
+  const PetscInt faces = mesh.face_count();
+  PetscInt *starts = nullptr, *neighbours = nullptr;  // freed by the matrix
+  require_petsc(PetscMalloc1(faces + 1, &starts));
+  require_petsc(PetscMalloc1(3 * faces, &neighbours));
+  PetscInt filled = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    starts[f] = filled;
+    for (Index k = 0; k < 3; ++k)
+      if (const Index o = mesh.opposite(3 * f + k); o >= 0) neighbours[filled++] = o / 3;
+  }
+  starts[faces] = filled;
+  Mat graph = nullptr;
+  MatPartitioning partitioning = nullptr;
+  IS of_faces = nullptr;
+  divide_on_one_thread();
+  require_petsc(
+      MatCreateMPIAdj(PETSC_COMM_SELF, faces, faces, starts, neighbours, nullptr, &graph));
+  require_petsc(MatPartitioningCreate(PETSC_COMM_SELF, &partitioning));
+  require_petsc(MatPartitioningSetAdjacency(partitioning, graph));
+  require_petsc(MatPartitioningSetType(partitioning, MATPARTITIONINGPTSCOTCH));
+  require_petsc(MatPartitioningSetNParts(partitioning, count));
+  require_petsc(MatPartitioningApply(partitioning, &of_faces));
+  const PetscInt* parts = nullptr;
+  require_petsc(ISGetIndices(of_faces, &parts));
+  for (std::size_t f = 0; f < ranks.size(); ++f) ranks[f] = static_cast<int>(parts[f]);
+  require_petsc(ISRestoreIndices(of_faces, &parts));
+  ISDestroy(&of_faces);
+  MatPartitioningDestroy(&partitioning);
+  MatDestroy(&graph);
+  return ranks;
 }
 
 }  // namespace majorant

@@ -6,6 +6,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/mesh_objects.h"
 #include "majorant/io/read_mesh.h"
@@ -83,9 +84,14 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
 
 FileVerification certification_of_objects(std::string path, ProofRequest wanted) {
   return refusing(path, [path, wanted](const std::string& temporary) {
+    ProofRequest layered = wanted;
+    if (format_of(path) == ".vtu") {
+      const MapFile file = read_map(temporary);
+      layered.layers = claimed_object_of_cells(file, path).value_or(std::vector<Index>());
+      return prove(file, path, layered);
+    }
     const PolygonMesh mesh = read_mesh(temporary, {}, Strictness::Texcoords);
     const MapFile file = to_map_file(mesh);
-    ProofRequest layered = wanted;
     layered.layers = object_of_cells(objects_of(mesh), file);
     prove(file, path, layered);
   });

@@ -105,6 +105,10 @@ ClaimedStack as_stack(const Place& p) {
           as_list(member(p, "mirrored"), as_number_from_zero)};
 }
 
+ClaimedObject as_object(const Place& p) {
+  return {as_string(member(p, "name")), as_number_from_zero(member(p, "charts"))};
+}
+
 double as_positive(const Place& p) {
   const double number = as_number(p);
   if (!(number > 0)) p.fail("is not positive");
@@ -205,6 +209,8 @@ Claims parse_claims(const std::string& text, const std::string& file) {
       "cuts", [](const Place& p) { return as_list(p, as_edge); }, claims.cuts);
   entries.read(
       "stacks", [](const Place& p) { return as_list(p, as_stack); }, claims.stacks);
+  entries.read(
+      "objects", [](const Place& p) { return as_list(p, as_object); }, claims.objects);
   entries.read("options", as_options, claims.options);
   return claims;
 }

@@ -35,6 +35,13 @@ struct ClaimedStack {
   std::vector<Index> charts, mirrored;
 };
 
+// An object with a layout of its own: so many of the charts of the array `chart`, in the order of
+// the list.
+struct ClaimedObject {
+  std::string name;
+  Index charts = 0;
+};
+
 struct ClaimedOptions {
   std::optional<bool> seamless;        // the run kept the seams of its input's texture coordinates
   std::optional<std::string> handles;  // the file of what pulled at it, or empty
@@ -60,6 +67,7 @@ struct Claims {
   // as the cells make an edge there. Not in files that were written before there was --cuts auto.
   std::optional<std::vector<std::array<Index, 2>>> cuts;
   std::optional<std::vector<ClaimedStack>> stacks;
+  std::optional<std::vector<ClaimedObject>> objects;
   std::optional<ClaimedOptions> options;
 };
 

@@ -41,8 +41,8 @@ using FileVerification = std::function<void(const std::string& temporary_path)>;
 // place when it is not.
 FileVerification certification(std::string path, ProofRequest wanted,
                                const MapFile* image_of = nullptr);
-// The same of an OBJ or glTF whose objects (`o` of an OBJ, a mesh of glTF) have layouts of their
-// own, which may lie on each other.
+// The same of an OBJ, glTF or .vtu whose objects (`o`, meshes of glTF, claims) have layouts of
+// their own, which may lie on each other.
 FileVerification certification_of_objects(std::string path, ProofRequest wanted);
 
 // The full result as a VTK XML UnstructuredGrid, lossless: read_vtu(write_vtu(map)) gives the same
@@ -245,7 +245,7 @@ FaceDistortion finite_or_none(const FaceDistortion& faces);
 
 // A line a cell, in the order of the file:
 //     input_face,face,chart,sigma_1,sigma_2,area_distortion,angle_distortion,
-//         stretch_l2,stretch_linf
+//         stretch_l2,stretch_linf,area_share (of the area of the surface)
 // Numbers of faces and charts from 0; input_face is the polygon of the mesh (the cell itself where
 // the file does not say), face the cell; chart is 0 where there are none. 17 digits, inf and nan
 // where there is no number. faces: #F by 6. Throws Error(Usage) where it cannot be written.

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/error.h"
@@ -116,55 +118,70 @@ struct Rounded {
 class CellTransform {
  public:
   CellTransform(CellMatrix matrix, int degree)
-      : matrix_(std::move(matrix)), inputs_(inputs_of(degree)) {}
+      : matrix_(std::move(matrix)), inputs_(inputs_of(degree)), reversed_(inputs_) {
+    for (std::vector<int>& inputs : reversed_) std::reverse(inputs.begin(), inputs.end());
+  }
 
-  // Result `row` of a cell of a map.
-  Rounded apply(const MapFile& map, Index cell, int row) const {
-    const auto input = [&](int k) { return map.cells(cell, k); };
-    const std::vector<int>& along = inputs_[row];
-    const std::size_t size = along.size();
-    if (size == 1) return {map.uv.row(input(row)), rounding(map, input(row))};
-    const bool is_backwards = size < matrix_.size() && runs_backwards(map, cell, along);
+  // Result `row` of a cell of a map, without what rounding makes of it.
+  Vector2 value(const MapFile& map, Index cell, int row) const {
+    if (inputs_[row].size() == 1) return map.uv.row(map.cells(cell, inputs_[row][0]));
+    const std::vector<int>& inputs = inputs_in_order(map, cell, row);
+    Vector2 value;
+    for (int axis = 0; axis < 2; ++axis)
+      value[axis] = static_cast<double>(
+          sum(map, cell, row, axis, inputs, [](const Quad&, const Quad&, Index) {}));
+    return value;
+  }
+
+  Rounded rounded(const MapFile& map, Index cell, int row) const {
+    if (inputs_[row].size() == 1) {
+      const Index point = map.cells(cell, inputs_[row][0]);
+      return {map.uv.row(point), rounding(map, point)};
+    }
+    const std::vector<int>& inputs = inputs_in_order(map, cell, row);
     Rounded result;
     for (int axis = 0; axis < 2; ++axis) {
-      Quad sum = 0;
       double magnitudes = 0, error = 0;
-      for (std::size_t i = 0; i < size; ++i) {
-        const int k = along[is_backwards ? size - 1 - i : i];
-        const Quad weight = matrix_.weight(to_size(row), to_size(k));
-        const Quad term = weight * map.uv(input(k), axis);
-        sum += term;
-        magnitudes += std::abs(static_cast<double>(term));
-        if (map.uv_rounding.rows() > 0)
-          error += std::abs(static_cast<double>(weight)) * rounding(map, input(k))[axis];
-      }
+      const Quad exact =
+          sum(map, cell, row, axis, inputs, [&](const Quad& weight, const Quad& term, Index point) {
+            magnitudes += std::abs(static_cast<double>(term));
+            if (map.uv_rounding.rows() > 0)
+              error += std::abs(static_cast<double>(weight)) * rounding(map, point)[axis];
+          });
       // Of as many weights, terms and sums, each rounded once.
-      const double own = 3 * static_cast<double>(size) * kUnitRoundoff<Quad> * magnitudes;
-      result.value[axis] = static_cast<double>(sum);
-      const double cut_off = std::abs(static_cast<double>(sum - Quad(result.value[axis])));
+      const double own = 3 * static_cast<double>(inputs.size()) * kUnitRoundoff<Quad> * magnitudes;
+      result.value[axis] = static_cast<double>(exact);
+      const double cut_off = std::abs(static_cast<double>(exact - Quad(result.value[axis])));
       result.error[axis] =
           kRoundUp * (cut_off + own + error) + std::numeric_limits<double>::denorm_min();
     }
     return result;
   }
 
-  // visit(cell, k, result): all results from `first` on, of all cells in order.
-  template <class Visit>
-  void apply_to_all(const MapFile& map, int first, const StopCheck& stop,
+  // visit(cell, k, result(cell, k)): all results from `first` on, of all cells in order; those of
+  // edges once for all cells that have the points of the edge in common.
+  template <class Result, class Visit>
+  void apply_to_all(const MapFile& map, int first, const StopCheck& stop, const Result& result,
                     const Visit& visit) const {
     const auto cells = static_cast<Index>(map.cells.rows());
     const auto columns = static_cast<int>(map.cells.cols());
-    std::vector<Rounded> results(to_size(std::min(cells, kCells)) * to_size(columns));
+    const std::vector<Index> first_cell = first_cells(map);
+    using Value = decltype(result(Index{}, int{}));
+    std::vector<std::optional<Value>> results(to_size(std::min(cells, kCells)) * to_size(columns));
     for (Index begin = 0; begin < cells; begin += kCells) {
       const Index count = std::min(kCells, cells - begin);
       stop.poll();
       parallel_for(count, kPiece, [&](Index c) {
-        for (int k = first; k < columns; ++k)
-          results[to_size(c * columns + k)] = apply(map, begin + c, k);
+        for (int k = first; k < columns; ++k) {
+          std::optional<Value>& mine = results[to_size(c * columns + k)];
+          mine.reset();
+          const Index cell = begin + c;
+          if (!has_edge_of(map, first_cell[map.cells(cell, k)], cell, k)) mine = result(cell, k);
+        }
       });
       for (Index c = 0; c < count; ++c)
         for (int k = first; k < columns; ++k)
-          visit(begin + c, k, results[to_size(c * columns + k)]);
+          if (const auto& mine = results[to_size(c * columns + k)]) visit(begin + c, k, *mine);
     }
   }
 
@@ -179,6 +196,50 @@ class CellTransform {
     return map.uv_rounding.row(point);
   }
 
+  // By point; -1 for those of no cell.
+  static std::vector<Index> first_cells(const MapFile& map) {
+    std::vector<Index> first(to_size(static_cast<Index>(map.uv.rows())), -1);
+    for (auto cell = static_cast<Index>(map.cells.rows()); cell-- > 0;)
+      for (const Index point : map.cells.row(cell)) first[point] = cell;
+    return first;
+  }
+
+  // Whether `other`, which comes before `cell`, has the edge that result k is of, with k in its
+  // place.
+  bool has_edge_of(const MapFile& map, Index other, Index cell, int k) const {
+    const std::vector<int>& mine = inputs_[k];
+    if (other == cell || mine.size() == 1 || mine.size() == matrix_.size()) return false;
+    for (int row = 3; row < static_cast<int>(matrix_.size()); ++row)
+      for (const std::vector<int>* theirs : {&inputs_[row], &reversed_[row]}) {
+        const auto same = [&](int a, int b) {
+          return map.cells(cell, a) == map.cells(other, b) && (a == k) == (b == row);
+        };
+        if (std::equal(mine.begin(), mine.end(), theirs->begin(), theirs->end(), same)) return true;
+      }
+    return false;
+  }
+
+  const std::vector<int>& inputs_in_order(const MapFile& map, Index cell, int row) const {
+    const std::vector<int>& inputs = inputs_[row];
+    const bool is_backwards = inputs.size() < matrix_.size() && runs_backwards(map, cell, inputs);
+    return is_backwards ? reversed_[row] : inputs;
+  }
+
+  // visit(weight, term, point): of every input.
+  template <class Visit>
+  Quad sum(const MapFile& map, Index cell, int row, int axis, const std::vector<int>& inputs,
+           const Visit& visit) const {
+    Quad sum = 0;
+    for (const int k : inputs) {
+      const Index point = map.cells(cell, k);
+      const Quad weight = matrix_.weight(to_size(row), to_size(k));
+      const Quad term = weight * map.uv(point, axis);
+      sum += term;
+      visit(weight, term, point);
+    }
+    return sum;
+  }
+
   // Told from the values, so that cells which do not share points agree, too.
   static bool runs_backwards(const MapFile& map, Index cell, const std::vector<int>& along) {
     for (std::size_t k = 0; k < along.size(); ++k)
@@ -191,7 +252,7 @@ class CellTransform {
   }
 
   CellMatrix matrix_;
-  std::vector<std::vector<int>> inputs_;
+  std::vector<std::vector<int>> inputs_, reversed_;
 };
 
 }  // namespace
@@ -207,9 +268,9 @@ Points2 lagrange_nodes(const MapFile& map, const StopCheck& stop) {
   Points2 nodes = map.uv;
   if (map.degree == 1) return nodes;
   const CellTransform transform(evaluation(map.degree), map.degree);
-  transform.apply_to_all(map, 3, stop, [&](Index cell, int k, const Rounded& node) {
-    nodes.row(map.cells(cell, k)) = node.value;
-  });
+  transform.apply_to_all(
+      map, 3, stop, [&](Index cell, int k) { return transform.value(map, cell, k); },
+      [&](Index cell, int k, const Vector2& node) { nodes.row(map.cells(cell, k)) = node; });
   return nodes;
 }
 
@@ -235,16 +296,17 @@ void take_as_lagrange_nodes(MapFile& map, const std::string& file, const StopChe
   Points2 uv = map.uv;
   Points2 rounding = Points2::Zero(uv.rows(), 2);
   std::vector<char> is_known(to_size(static_cast<Index>(uv.rows())), 0);
-  transform.apply_to_all(map, 0, stop, [&](Index cell, int k, const Rounded& control_point) {
+  const auto control_point = [&](Index cell, int k) { return transform.rounded(map, cell, k); };
+  transform.apply_to_all(map, 0, stop, control_point, [&](Index cell, int k, const Rounded& at) {
     const Index point = map.cells(cell, k);
-    if (is_known[point] && Vector2(uv.row(point)) != control_point.value)
+    if (is_known[point] && Vector2(uv.row(point)) != at.value)
       throw Error(ErrorKind::Unreadable,
                   fmt::format("{}: cell {}: its point {} is another cell's, on another curve; "
                               "damaged file",
                               file, cell, k));
     is_known[point] = 1;
-    uv.row(point) = control_point.value;
-    rounding.row(point) = control_point.error;
+    uv.row(point) = at.value;
+    rounding.row(point) = at.error;
   });
   map.uv = std::move(uv);
   map.uv_rounding = std::move(rounding);

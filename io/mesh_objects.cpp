@@ -1,10 +1,15 @@
 #include "majorant/io/mesh_objects.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include "majorant/framework/error.h"
+#include "majorant/io/claims.h"
 #include "majorant/io/internal/gltf_scene.h"
 
 namespace majorant {
@@ -117,6 +122,26 @@ MeshObjects objects_of(const PolygonMesh& mesh) {
 std::vector<Index> object_of_cells(const MeshObjects& objects, const MapFile& file) {
   std::vector<Index> layers;
   for (const int polygon : file.input_face) layers.push_back(objects.of_polygon[to_size(polygon)]);
+  return layers;
+}
+
+std::optional<std::vector<Index>> claimed_object_of_cells(const MapFile& file,
+                                                          const std::string& name) {
+  const Claims claims = parse_claims(file.claims, name);
+  if (!claims.objects) return std::nullopt;
+  std::vector<std::int64_t> ends;  // by object: its charts and those of the objects before
+  for (const ClaimedObject& object : *claims.objects)
+    ends.push_back((ends.empty() ? 0 : ends.back()) + object.charts);
+  std::vector<Index> layers;
+  for (Index c = 0; c < file.cells.rows(); ++c) {
+    const Index chart = file.chart.size() > 0 ? file.chart[c] : 0;
+    const auto object = std::upper_bound(ends.begin(), ends.end(), std::int64_t{chart});
+    if (chart < 0 || object == ends.end())
+      throw Error(
+          ErrorKind::Unreadable,
+          fmt::format("{}: majorant_claims.objects has no chart {}; damaged file", name, chart));
+    layers.push_back(static_cast<Index>(object - ends.begin()));
+  }
   return layers;
 }
 

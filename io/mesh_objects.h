@@ -7,6 +7,7 @@
 //     std::cout << objects.names[k] << object_mesh(room, objects, k).mesh.polygons.size() << "\n";
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,6 +33,11 @@ MeshObjects objects_of(const PolygonMesh& mesh);
 // By cell of to_map_file(mesh): ProofRequest::layers of a file whose objects have layouts of their
 // own.
 std::vector<Index> object_of_cells(const MeshObjects& objects, const MapFile& file);
+
+// The same of a file that claims its objects by their charts; none where it claims none. name: for
+// messages. Throws Error(Unreadable) for charts that are of no object, and as parse_claims().
+std::optional<std::vector<Index>> claimed_object_of_cells(const MapFile& file,
+                                                          const std::string& name);
 
 // One object: its polygons and their vertices in the order of the file, its materials, smoothing
 // groups and so on. `gltf` is null, there are no points and lines.

@@ -24,7 +24,8 @@ std::string_view words_of(Hint hint) {
       "the limits of the RunRecord",
       "map it by itself",
       "write it as MshContent::Surface, or compare it with nothing",
-      "take Islands::Mapped"};
+      "take Islands::Mapped",
+      "leave the legends out"};
   return kWords[static_cast<std::size_t>(hint)];
 }
 

@@ -40,6 +40,7 @@ enum class Hint {
   MapAlone,            // map it by itself
   WriteSurface,        // write it as MshContent::Surface, or compare it with nothing
   MapIslands,          // Islands::Mapped
+  LeaveOutLegends,     // leave the legends out
 };
 // The words behind each hint above.
 std::string_view words_of(Hint hint);

@@ -245,6 +245,29 @@ void check_stacks(const MapFile& file, const StackedCharts& found, const Claims&
       return findings.add_violation("charts lie on each other that are not claimed to");
 }
 
+// By face: the layer that it is compared in. Of charts on each other the first one is alone in its.
+std::vector<Index> layers_of(const CheckRequest& request, const StackedCharts& stacks) {
+  if (!request.layers.empty() || stacks.stacks == 0) return request.layers;
+  std::vector<Index> layers;
+  for (const Index chart : stacks.chart)
+    layers.push_back(stacks.is_first[to_size(chart)] ? -1 : chart);
+  return layers;
+}
+
+void measure_overlap(MapCheck& check, const CheckRequest& request, const StopCheck& stop) {
+  const MapProof& proof = check.proof;
+  if (!proof.map() || !proof.global || proof.global->result != ProofStatus::Violated) return;
+  if (image_of(*proof.map()) == ImageOf::CutAtSeams) return;
+  try {
+    check.overlap = overlap_extent(*proof.map(), layers_of(request, proof.stacks), stop);
+  } catch (const Stopped&) {
+    return;  // what is measured decides nothing
+  }
+  if (check.overlap)
+    check.report["result"]["overlap"] = {{"faces", check.overlap->faces},
+                                         {"share", check.overlap->share}};
+}
+
 // Adds measures of the map that there is, and of its claims.
 void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& request,
                   const StopCheck& stop) {
@@ -279,6 +302,7 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
   } else {
     add_measures(*this, turned_back(file, proof.stacks), request, record.stop());
   }
+  measure_overlap(*this, request, record.stop());
   if (claims.stacks && proof.map()) check_stacks(file, proof.stacks, claims, findings);
   const std::vector<std::string>& list = findings.list();
   report["status"] = status();
@@ -289,6 +313,12 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
     warnings.insert(warnings.end(), request.surface->warnings.begin(),
                     request.surface->warnings.end());
   report["warnings"] = warnings;
+}
+
+std::string MapCheck::overlap_in_words() const {
+  if (!overlap || overlap->faces == 0) return {};
+  return fmt::format(", {} of {} faces lie on others, {:.3g} % of the layout", overlap->faces,
+                     proof.map()->mesh().face_count(), 100 * overlap->share);
 }
 
 std::string_view MapCheck::status() const {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "majorant/certify/map_proof.h"
+#include "majorant/certify/overlap_extent.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/io/claims.h"
@@ -73,7 +74,12 @@ struct MapCheck {
   CheckedEnergy energy;  // where there are measures
   MapProof proof;
 
+  // Where the image overlaps itself, of maps without seams, unless stopped before.
+  std::optional<OverlapExtent> overlap;
+
   std::string_view status() const;  // "valid", "invalid", "undecided"
+  // ", 12 of 480 faces lie on others, 3.1 % of the layout"; empty where none is known to.
+  std::string overlap_in_words() const;
   // There are cuts, and neither file nor request says which edges may be cut.
   bool has_untold_cuts = false;
 };

@@ -2,12 +2,19 @@
 
 #include <utility>
 
-#include "majorant/results/write_map.h"
-
 namespace majorant {
+
+Json object_section(const std::string& name, const AtlasJob& job) {
+  const Json report = atlas_report(job);
+  Json section{{"name", name}};
+  for (const char* const key : {"status", "input", "repairs", "result", "charts"})
+    section[key] = report[key];
+  return section;
+}
 
 MapFile map_of_objects(std::vector<ObjectLayout> layouts) {
   std::vector<MapFile> maps;
+  Json objects = Json::array();
   for (ObjectLayout& layout : layouts) {
     MapFile& map = maps.emplace_back(std::move(layout.map));
     for (int& v : map.input_vertex)
@@ -16,14 +23,17 @@ MapFile map_of_objects(std::vector<ObjectLayout> layouts) {
     map.distortion.resize(0);
     map.min_det.resize(0);
     map.face_distortion = FaceDistortion();
+    objects.push_back(
+        {{"name", layout.name}, {"charts", map.chart.size() > 0 ? map.chart.maxCoeff() + 1 : 1}});
   }
-  return joined(maps);
+  MapFile file = joined(maps);
+  file.claims = json_text({{"version", MAJORANT_VERSION}, {"objects", objects}});
+  return file;
 }
 
 FileVerification proof_of_objects(const std::string& path, const PolygonMesh& surface) {
   ProofRequest promise;
   promise.surface = &surface;
-  promise.labels = labels_in(path);
   promise.cuts = CutRule::Free;
   promise.overlap = ProofRequest::Overlap::Forbidden;
   return certification_of_objects(path, promise);

@@ -64,19 +64,22 @@ Extremes extremes_of(const VolumeCheck& check) {
   return all;
 }
 
+std::string element_in_words(const VolumeMesh& mesh, const CheckedCell& cell) {
+  const CellBlock& block = mesh.blocks[to_size(cell.name.block)];
+  const Vector3 place = place_of(mesh, cell);
+  return fmt::format(
+      "element {} ({}, region {}): min det J in [{:.6g}, {:.6g}] at ({:.6g}, {:.6g}, {:.6g}), "
+      "scaled Jacobian {:.4g}{}",
+      name_of(mesh, cell.name), plural_of(block.type.shape), block.regions[to_size(cell.name.cell)],
+      cell.range.low, cell.range.high, place.x(), place.y(), place.z(), cell.scaled_jacobian,
+      cell.range.positive == ProofStatus::Undecided ? ", undecided" : "");
+}
+
 std::string bad_elements_in_words(const VolumeMesh& mesh, const VolumeCheck& check, int listed) {
   std::string text;
   for (const CheckedCell* cell : check.worst(to_size(listed))) {
     if (cell->range.positive == ProofStatus::Proven) break;
-    const CellBlock& block = mesh.blocks[to_size(cell->name.block)];
-    const Vector3 place = place_of(mesh, *cell);
-    text += fmt::format(
-        "  element {} ({}, region {}): min det J in [{:.6g}, {:.6g}] at ({:.6g}, {:.6g}, {:.6g}), "
-        "scaled Jacobian {:.4g}{}\n",
-        name_of(mesh, cell->name), plural_of(block.type.shape),
-        block.regions[to_size(cell->name.cell)], cell->range.low, cell->range.high, place.x(),
-        place.y(), place.z(), cell->scaled_jacobian,
-        cell->range.positive == ProofStatus::Undecided ? ", undecided" : "");
+    text += fmt::format("  {}\n", element_in_words(mesh, *cell));
   }
   return text;
 }

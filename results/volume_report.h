@@ -27,6 +27,8 @@ Extremes extremes_of(const VolumeCheck& check);
 
 // "mesh" of the report; listed: elements in its lists, at most.
 Json mesh_section(const VolumeMesh& mesh, const VolumeCheck& check, int listed);
+// "element 12 (tetrahedra, region 7): min det J in [-1, -1] at (0, 0, 0), scaled Jacobian -0.8".
+std::string element_in_words(const VolumeMesh& mesh, const CheckedCell& cell);
 // Lines of the elements that are not proven to be valid, the worst first.
 std::string bad_elements_in_words(const VolumeMesh& mesh, const VolumeCheck& check, int listed);
 

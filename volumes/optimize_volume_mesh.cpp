@@ -30,6 +30,10 @@ namespace {
 // largest mean scaled Jacobian on four of five public meshes of degrees 2 to 4.
 constexpr double kLatticePart = 0.9;
 
+// Newton steps in which a mesh comes free that is tangled inside alone; the public ones take 8 at
+// most.
+constexpr int kHeldSteps = 40;
+
 EnergyFactory untangling_energy(int dim) {
   return dim == 3 ? energy_factory(SolidUntanglingDensity(1))
                   : energy_factory(UntanglingDensity(1));
@@ -57,15 +61,13 @@ class VolumeOptimizer {
     targets_ = target_shapes(mesh_, *net_, options_);
     for (const RestShapes& rest : targets_) measure_ += rest.measure.sum();
     start_ = x_;
-    int depth = ProofDepth::kStart;
-    if (!is_proven(depth)) {
-      // Where the deepest proof holds, nothing is tangled.
-      if (is_proven(ProofDepth::kDeepest))
-        depth = ProofDepth::kDeepest;
-      else if (!untangle())
-        return untouched();
+    std::optional<int> depth = proven_depth();
+    if (!depth) {
+      untangle();
+      depth = proven_depth();
     }
-    optimize(depth);
+    if (!depth) return not_untangled();
+    optimize(*depth);
     finish();
     return std::move(result_);
   }
@@ -121,7 +123,12 @@ class VolumeOptimizer {
     return all;
   }
 
-  bool is_proven(int depth) const { return judge(checkers(depth), x_).feasible; }
+  // The depth of proofs that show x_ to be valid; none where not even the deepest do.
+  std::optional<int> proven_depth() const {
+    for (const int depth : {ProofDepth::kStart, ProofDepth::kDeepest})
+      if (judge(checkers(depth), x_).feasible) return depth;
+    return std::nullopt;
+  }
 
   static Quadrature rule_of(const BernsteinSpace& space) {
     const Quadrature rule = space.default_rule(RestJacobian::Constant);
@@ -129,10 +136,20 @@ class VolumeOptimizer {
     return is_affine ? rule : guarded_rule(rule, space.degree(), kLatticePart);
   }
 
-  // Whether x_ is valid then. A curved mesh that does not come free is untangled as a straight one,
+  // A free boundary is held at first: it keeps the size, so that eps may be large, and most meshes
+  // are tangled inside alone. A curved mesh that does not come free is untangled as a straight one,
   // as far as nothing is held, and from there once more.
-  bool untangle() {
+  void untangle() {
     record_.announce("untangling");
+    if (options_.boundary == VolumeBoundary::Free) {
+      const HeldPoints border(mesh_, sides_of(mesh_), *net_, x_, VolumeBoundary::Fixed);
+      if (border.impossible_cells(mesh_).empty()) {
+        UntangledPoint inside = descended(
+            x_, border, nullptr, {.first_eps = kFirstEpsHeld, .max_iterations = kHeldSteps});
+        if (inside.verdict.feasible) x_ = std::move(inside.x);
+        if (inside.verdict.feasible || record_.stop()() != Directive::Continue) return;
+      }
+    }
     UntangledPoint point = descended(x_, nullptr);
     const bool is_curved = std::any_of(net_->parts().begin(), net_->parts().end(),
                                        [](const auto& part) { return part.space->degree() > 1; });
@@ -141,12 +158,16 @@ class VolumeOptimizer {
       point = descended(x_, &straight);
       if (!point.verdict.feasible) point = descended(point.x, nullptr);
     }
-    left_ = static_cast<Index>(point.verdict.blocking.size());
-    if (point.verdict.feasible) x_ = std::move(point.x);
-    return point.verdict.feasible;
+    x_ = std::move(point.x);
   }
 
   UntangledPoint descended(VecIn x, const StraightPoints* straight) {
+    const bool is_free = options_.boundary == VolumeBoundary::Free;
+    return descended(x, *held_, straight, {.first_eps = is_free ? kFirstEps : kFirstEpsHeld});
+  }
+
+  UntangledPoint descended(VecIn x, const HeldPoints& held, const StraightPoints* straight,
+                           const UntanglingRules& rules) {
     const EnergyFactory energy = untangling_energy(net_->dim());
     ProblemBuilder builder(static_cast<Index>(x_.size()));
     std::vector<TermId> energies;
@@ -154,29 +175,37 @@ class VolumeOptimizer {
       const auto& space = net_->parts()[k].space;
       energies.push_back(builder.add(energy(space, targets_[k], {rule_of(*space)}), 1 / measure_));
     }
-    builder.add(*held_);
+    builder.add(held);
     if (straight != nullptr) builder.add(*straight);
     const Problem problem = builder.build();
     const Checkers all = checkers(ProofDepth::kStart);
-    const bool is_held = options_.boundary != VolumeBoundary::Free;
     UntangledPoint point = descend_untangling(
-        problem, energies, [&](VecIn at) { return judge(all, at); }, problem.reduce(x),
-        is_held ? kFirstEpsHeld : kFirstEps, record_.stop());
+        problem, energies, [&](VecIn at) { return judge(all, at); }, problem.reduce(x), rules,
+        record_.stop());
     result_.untangling_iterations += point.iterations;
     return point;
   }
 
-  // Nothing was found that is better than the mesh as it is.
-  VolumeResult untouched() {
+  // Where untangling ended. A mesh that is valid, by proofs that steps cannot be held by, stays as
+  // it was.
+  VolumeResult not_untangled() {
     const Directive why = record_.stop()();
-    result_.after = result_.before;
-    result_.status = why != Directive::Continue  ? stopped_status(why)
-                     : result_.before.is_valid() ? Status::Stalled
-                                                 : Status::Infeasible;
+    const bool was_valid = result_.before.is_valid();
+    if (was_valid)
+      result_.after = result_.before;
+    else
+      move_points();
+    result_.status = why != Directive::Continue ? stopped_status(why)
+                     : result_.after.is_valid() ? Status::Stalled
+                                                : Status::Infeasible;
+    const auto count = static_cast<Index>(result_.after.cells.size());
     result_.message =
-        fmt::format("{}: {} of {} elements are not proven to be valid after {} steps",
-                    why != Directive::Continue ? "stopped while untangling" : "not untangled",
-                    left_, result_.before.cells.size(), result_.untangling_iterations);
+        was_valid
+            ? "nothing moved: the bounds that hold steps do not show all elements to be valid"
+            : fmt::format("{}: {} of {} elements are not proven to be valid after {} steps",
+                          why != Directive::Continue ? "stopped while untangling" : "not untangled",
+                          count - result_.after.count(ProofStatus::Proven), count,
+                          result_.untangling_iterations);
     return std::move(result_);
   }
 
@@ -226,6 +255,14 @@ class VolumeOptimizer {
   }
 
   void finish() {
+    move_points();
+    if (result_.after.is_valid()) return;
+    result_.status = Status::Infeasible;
+    result_.message = "the nodes, rounded to doubles, are not proven to be valid";
+  }
+
+  // The nodes of x_, and the proof of them.
+  void move_points() {
     record_.begin(Activity::Proving);
     VolumeMesh moved = mesh_;
     moved.points = net_->nodes(start_, x_, held_->held());
@@ -233,9 +270,6 @@ class VolumeOptimizer {
       if (moved.points.row(k) != mesh_.points.row(k)) ++result_.moved_nodes;
     result_.after = check_volume_mesh(moved);
     result_.points = std::move(moved.points);
-    if (result_.after.is_valid()) return;
-    result_.status = Status::Infeasible;
-    result_.message = "the nodes, rounded to doubles, are not proven to be valid";
   }
 
   const VolumeMesh& mesh_;
@@ -246,8 +280,7 @@ class VolumeOptimizer {
   std::optional<HeldPoints> held_;
   std::vector<RestShapes> targets_;
   double measure_ = 0;
-  Vec start_, x_;   // control points: of the mesh, and where they are now
-  Index left_ = 0;  // elements that untangling leaves
+  Vec start_, x_;  // control points: of the mesh, and where they are now
 };
 
 }  // namespace

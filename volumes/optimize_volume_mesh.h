@@ -50,7 +50,8 @@ struct VolumeResult {
   // Infeasible: some element cannot be valid, or was not made so.
   Status status = Status::Failed;
   std::string message;
-  Points3 points;                    // #P by 3, in the order of the mesh
+  // #P by 3, in the order of the mesh; of a mesh that was not untangled where that ended.
+  Points3 points;
   VolumeCheck before, after;         // of the mesh as it was, and with these points
   std::vector<CellName> impossible;  // whose fixed nodes make det J <= 0 somewhere
   Index unknowns = 0, moved_nodes = 0;

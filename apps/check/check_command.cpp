@@ -56,7 +56,8 @@ CheckRequest::Cuts cuts_of(const std::string& said) {
 std::string in_words(const MapCheck& check) {
   const MapProof& proof = check.proof;
   // Found out whether that was asked or not.
-  std::string text = check.report["result"]["overlaps"].get<std::string>();
+  std::string text =
+      check.report["result"]["overlaps"].get<std::string>() + check.overlap_in_words();
   if (const CutCount& cuts = proof.cuts; cuts.others > 0)
     text += fmt::format(", {} ({}, length {:.4g}{})", count_text(cuts.charts, "chart"),
                         count_text(cuts.others, "cut edge"), cuts.length,
@@ -82,7 +83,8 @@ std::string verdict_of(const Request& request, const MapFile& file, const MapChe
                        in_words(check), describe(check.energy),
                        seam_summary(check.report["result"]));
   const bool is_torn = check.proof.continuous.answer == ProofStatus::Violated;
-  return fmt::format("{}: {}: {}{}", request.result, check.status(), fmt::join(list, "; "),
+  return fmt::format("{}: {}: {}{}{}", request.result, check.status(), fmt::join(list, "; "),
+                     check.overlap_in_words(),
                      is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
 }
 
@@ -172,10 +174,13 @@ int check_as_quads(const Request& request, const PolygonMesh& quads, const Polyg
 // By cell: its object, where those have layouts of their own.
 std::vector<Index> layers_of(const Request& request, const PolygonMesh* mesh, const MapFile& file) {
   if (request.objects == "together") return {};
-  if (mesh == nullptr)
+  if (mesh != nullptr) return object_of_cells(objects_of(*mesh), file);
+  std::optional<std::vector<Index>> claimed = claimed_object_of_cells(file, request.result);
+  if (!claimed)
     throw Error(ErrorKind::Usage,
-                "--objects separate: objects are of .obj, .glb and .gltf; leave it out");
-  return object_of_cells(objects_of(*mesh), file);
+                "--objects separate: objects are of .obj, .glb and .gltf, and of a .vtu that "
+                "claims them; leave it out");
+  return *std::move(claimed);
 }
 
 int check(const Request& request) {
@@ -263,8 +268,9 @@ void add_check(CLI::App& app, Action* run) {
                 "charts may lie exactly on others, mirrored ones, too: counted, no overlaps "
                 "(implied where the file claims it)");
   verb.add_option("--objects", request->objects,
-                  "separate: each object of an OBJ (o) or mesh of a glTF has a layout of its own, "
-                  "which may lie on those of others; together (default): there is one")
+                  "separate: each object of an OBJ (o), mesh of a glTF or object that a VTU claims "
+                  "has a layout of its own, which may lie on those of others; together (default): "
+                  "there is one")
       ->check(one_of({"together", "separate"}))
       ->excludes("--stacked");
   verb.add_option("--time-limit", request->time_limit,

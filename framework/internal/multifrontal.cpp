@@ -1,8 +1,12 @@
 #include "majorant/framework/internal/multifrontal.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <limits>
+#include <new>
 #include <numeric>
 
 #include "majorant/framework/parallel.h"
@@ -23,6 +27,27 @@ constexpr double kParallelOperations = 1e7, kParallelUpdate = 2e6;
 constexpr double kTaskPart = 1.0 / 8;
 // Unknowns that a task permutes: fewer are not worth waking a thread for.
 constexpr Index kPermuted = 16384;
+
+// The size of a large page on x86-64 and, with pages of 4 KiB, on ARM.
+constexpr std::size_t kLargePage = std::size_t(1) << 21;
+
+// Numbers that are written before they are read, as many as a factor has: in pages of 2 MiB, where
+// the system has them for who asks. Touching memory for the first time costs as much as a Cholesky
+// factorization of a mesh writes into it, page by page. Throws std::bad_alloc.
+LargeArray large_array(std::size_t size) {
+  if (size > (std::numeric_limits<std::size_t>::max() - kLargePage) / sizeof(double))
+    throw std::bad_alloc();
+  const std::size_t bytes = size * sizeof(double);
+  const bool is_large = bytes >= kLargePage;
+  void* values =
+      is_large ? std::aligned_alloc(kLargePage, (bytes + kLargePage - 1) / kLargePage * kLargePage)
+               : std::malloc(bytes + 1);
+  if (!values) throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+  if (is_large) ::madvise(values, bytes, MADV_HUGEPAGE);  // where it fails nothing is lost
+#endif
+  return LargeArray(static_cast<double*>(values));
+}
 
 // Columns of a lower triangle, and what of the upper one shares tiles with it.
 void clear_triangle(double* values, std::ptrdiff_t stride, Index columns) {
@@ -248,10 +273,12 @@ void MultifrontalFactor::forward(Index f, double* x) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
   const std::span<const Index> below = tree_.rows_below(f);
   const std::size_t inside = to_size(inside_[f]);
+  // Those above all tasks have none.
+  double* const outside = inside < below.size() ? outside_.data() + outside_places_[f] : nullptr;
   double* const own = permuted_.data() + front.first;
   // Of right-hand sides with few entries, all but the fronts above these.
   if (std::all_of(own, own + front.columns, [](double value) { return value == 0; })) {
-    std::fill_n(outside_.data() + outside_places_[f], below.size() - inside, 0.0);
+    std::fill_n(outside, below.size() - inside, 0.0);
     return;
   }
   std::copy_n(own, front.columns, x);
@@ -260,8 +287,7 @@ void MultifrontalFactor::forward(Index f, double* x) {
   std::copy_n(x, front.columns, own);
   x += front.columns;
   for (std::size_t k = 0; k < inside; ++k) permuted_[below[k]] += x[k];
-  if (inside < below.size())
-    std::copy(x + inside, x + below.size(), outside_.data() + outside_places_[f]);
+  std::copy(x + inside, x + below.size(), outside);
 }
 
 void MultifrontalFactor::add_outside(const Task& task) {

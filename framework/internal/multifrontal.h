@@ -16,14 +16,20 @@
 // threads.
 #pragma once
 
+#include <cstdlib>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "majorant/framework/internal/assembly_tree.h"
 #include "majorant/framework/internal/front_kernels.h"
-#include "majorant/framework/internal/large_array.h"
 
 namespace majorant {
+
+struct FreedByMalloc {
+  void operator()(double* values) const { std::free(values); }
+};
+using LargeArray = std::unique_ptr<double[], FreedByMalloc>;
 
 class MultifrontalFactor {
  public:

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/mesh/geometry.h"
@@ -31,6 +32,9 @@ class CpuWatch {
  private:
   std::clock_t started_ = std::clock();
 };
+
+// Of the steps on the coarsest mesh, which cost next to nothing.
+constexpr int kAnyNumber = std::numeric_limits<int>::max();
 
 // Of the radius: points of two circles with the same spacing, computed from sums of other edges.
 // Far above rounding, far below the distance that another spacing makes.
@@ -91,13 +95,15 @@ double unit_scale(const Points3& positions) {
 class Multiresolution {
  public:
   Multiresolution(const SurfaceMesh& surface, const MapOptions& asked, RunRecord& run,
-                  const MultiresolutionRules& rules, MultiresolutionRecord& record)
+                  const MultiresolutionRules& rules, MultiresolutionRecord& record,
+                  const LevelSolver& solve_level)
       : surface_(surface),
         asked_(asked),
         run_(run),
         stop_(run.start_stop()),
         rules_(rules),
         record_(record),
+        solve_level_(solve_level),
         scale_(unit_scale(surface.positions())),
         positions_(surface.positions() * scale_),
         mesh_(surface.faces(), surface.opposites(), surface.vertex_count()),
@@ -110,10 +116,12 @@ class Multiresolution {
 
   std::optional<Vec> solve() {
     CpuWatch watch;
-    decimate(mesh_, positions_, {rules_.coarsest, held_}, stop_);
+    decimate(mesh_, positions_, {rules_.coarsest, held_, is_apart() ? Ears::Stay : Ears::Leave},
+             stop_);
+    if (is_apart()) held_ = surface_.boundary_flags();
     record_.decimation_seconds = watch.restart();
-    if (mesh_.faces_left() == surface_.face_count()) return std::nullopt;
     const std::vector<Index> sizes = this->sizes();
+    if (sizes.empty()) return std::nullopt;
     level_ = static_cast<int>(sizes.size());
     if (!solve_coarsest()) return std::nullopt;
     for (const Index size : sizes) {
@@ -125,6 +133,9 @@ class Multiresolution {
   }
 
  private:
+  // Whether the map is kept from overlaps.
+  bool is_apart() const { return asked_.injectivity == MapInjectivity::Global; }
+
   // Vertices of the levels above the coarsest.
   std::vector<Index> sizes() const {
     std::vector<Index> sizes;
@@ -147,7 +158,8 @@ class Multiresolution {
     record.faces = mesh_.faces_left();
     NewtonOptions options = newton_options();
     options.stopping.relative_decrease = rules_.coarse_decrease;
-    const bool solved = improve_all(level, options, record);
+    const bool solved = is_apart() ? solve_apart(level, rules_.coarse_decrease, kAnyNumber, record)
+                                   : improve_all(level, options, record);
     record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
     return solved;
@@ -196,12 +208,14 @@ class Multiresolution {
     record.compressed_seconds = watch.restart();
     bool solved = true;
     if (level_ > 0) {
+      const Level level(mesh_, positions_, all_);
+      const double decrease = is_coarse() ? rules_.coarse_decrease : rules_.decrease;
       NewtonOptions options = newton_options();
       options.lagged = {.below = std::numeric_limits<double>::infinity(),
                         .steps = rules_.factor_steps - 1};
-      options.stopping =
-          brief_rules(rules_.most_steps, is_coarse() ? rules_.coarse_decrease : rules_.decrease);
-      solved = improve_all(Level(mesh_, positions_, all_), options, record);
+      options.stopping = brief_rules(rules_.most_steps, decrease);
+      solved = is_apart() ? solve_apart(level, decrease, rules_.most_steps, record)
+                          : improve_all(level, options, record);
     }
     record.solve_seconds = watch.restart();
     record_.levels.push_back(record);
@@ -235,8 +249,8 @@ class Multiresolution {
   bool insert(LevelRecord& record) {
     const CollapsingMesh::Restored back = mesh_.restore();
     descent_.measure_star(back.vertex);
-    if (!put_back(mesh_, positions_, descent_, back)) return false;
-    double energy = descent_.improve(back.vertex, rules_.insertion_steps);
+    if (!(is_apart() ? put_back_within : put_back)(mesh_, positions_, descent_, back)) return false;
+    double energy = improve(back.vertex, rules_.insertion_steps);
     if (!(energy > rules_.high_energy * level_energy_)) return true;
     ++record.high_energy;
     mesh_.ring(back.vertex, ring_);
@@ -245,9 +259,14 @@ class Multiresolution {
          ++round) {
       for (const Index w : ring_)
         if (!held_[w]) descent_.improve(w, 2);
-      energy = descent_.improve(back.vertex, 2);
+      energy = improve(back.vertex, 2);
     }
     return true;
+  }
+
+  // A vertex that has just come back.
+  double improve(Index v, int steps) {
+    return held_[v] ? descent_.improve_within(v, steps) : descent_.improve(v, steps);
   }
 
   void sweep() {
@@ -263,9 +282,12 @@ class Multiresolution {
     const std::vector<char> compressed = compressed_parts(record);
     if (record.compressed == 0) return;
     const Level level(mesh_, positions_, compressed);
+    std::vector<char> moves = compressed;
+    if (is_apart())
+      for (std::size_t v = 0; v < moves.size(); ++v) moves[v] = moves[v] && !held_[v];
     NewtonOptions options = newton_options();
     options.stopping = brief_rules(rules_.compressed_steps, rules_.compressed_decrease);
-    const auto [problem, start] = problem_on(level, compressed);
+    const auto [problem, start] = problem_on(level, moves);
     const SolveResult solved = NewtonMinimizer(options).minimize(problem, start, {});
     stop_.poll();
     record.compressed_steps = static_cast<int>(solved.iterations.size());
@@ -294,7 +316,34 @@ class Multiresolution {
     return is_in;
   }
 
-  // All vertices of the mesh that is left together; false where nothing comes of it.
+  // All vertices of the mesh that is left together, held apart; false where nothing comes of it.
+  bool solve_apart(const Level& level, double decrease, int most_steps, LevelRecord& record) {
+    MapOptions asked = asked_;
+    asked.degree = 1;
+    asked.pins.clear();
+    asked.handles.clear();
+    asked.face_weight = weights_of(level);
+    asked.initial = places_of(level);
+    StepObserver watch([&](TraceEntry row, const Vec&) {
+      row.level = level_;
+      run_.note(std::move(row));
+      return ++record.steps < most_steps ? Directive::Continue : Directive::Interrupt;
+    });
+    RunRecord steps = run_.part(&watch);
+    const auto solved =
+        solve_level_(std::make_shared<const SurfaceMesh>(surface_of(level, surface_.file())), asked,
+                     decrease, steps);
+    stop_.poll();
+    if (!solved) return false;
+    record.energy = solved->energy;
+    const bool misled = misled_by(solved->energy);
+    level_energy_ = solved->energy;
+    if (misled) return false;
+    set(level, solved->uv);
+    return true;
+  }
+
+  // The same for maps that may overlap.
   bool improve_all(const Level& level, const NewtonOptions& options, LevelRecord& record) {
     const auto [problem, start] = problem_on(level, all_);
     // Energies only fall from here: what misleads now is not worth its steps.
@@ -325,23 +374,33 @@ class Multiresolution {
            level_energy_ - energy > rules_.largest_drop * std::abs(energy);
   }
 
+  Vec places_of(const Level& level) const {
+    Vec x(2 * static_cast<Index>(level.vertex.size()));
+    for (std::size_t k = 0; k < level.vertex.size(); ++k)
+      x.segment<2>(2 * static_cast<Index>(k)) = descent_.place(level.vertex[k]);
+    return x;
+  }
+
+  // By face of the level; empty where all are 1.
+  Vec weights_of(const Level& level) const {
+    if (asked_.face_weight.size() == 0) return {};
+    Vec weight(static_cast<Index>(level.face.size()));
+    for (std::size_t k = 0; k < level.face.size(); ++k)
+      weight[static_cast<Index>(k)] = descent_.weight_of(level.face[k]);
+    return weight;
+  }
+
   // The problem of a level, at rest but for the vertices of the surface that move, and its start.
   std::pair<Problem, Vec> problem_on(const Level& level, const std::vector<char>& moves) const {
     const auto space = std::make_shared<const BezierTriangleSpace>(
         level.faces, static_cast<Index>(level.vertex.size()), 1);
     MapSpecification spec(asked_);
     spec.rest = flat_triangles(level.positions, level.faces);
-    if (asked_.face_weight.size() > 0) {
-      spec.face_weight.resize(static_cast<Index>(level.face.size()));
-      for (std::size_t k = 0; k < level.face.size(); ++k)
-        spec.face_weight[static_cast<Index>(k)] = descent_.weight_of(level.face[k]);
-    }
-    Vec x(2 * static_cast<Index>(level.vertex.size()));
-    for (std::size_t k = 0; k < level.vertex.size(); ++k) {
-      const Vector2 place = descent_.place(level.vertex[k]);
-      x.segment<2>(2 * static_cast<Index>(k)) = place;
-      if (!moves[level.vertex[k]]) spec.pins.push_back({static_cast<Index>(k), place});
-    }
+    spec.face_weight = weights_of(level);
+    const Vec x = places_of(level);
+    for (std::size_t k = 0; k < level.vertex.size(); ++k)
+      if (!moves[level.vertex[k]])
+        spec.pins.push_back({static_cast<Index>(k), descent_.place(level.vertex[k])});
     Problem problem = map_problem(spec, space, x, energy_terms(spec, space, {lattice_rule(1)}),
                                   std::make_shared<const LocalInjectivity>(
                                       space, 2 * spec.rest.measure, 0, stop_))
@@ -356,12 +415,13 @@ class Multiresolution {
   const StopCheck& stop_;
   const MultiresolutionRules& rules_;
   MultiresolutionRecord& record_;
+  const LevelSolver& solve_level_;  // where is_apart()
   double scale_;
   Points3 positions_;  // times scale_, as all lengths here
   CollapsingMesh mesh_;
   Vec uv_;
   VertexDescent descent_;
-  std::vector<char> all_, held_;  // by vertex
+  std::vector<char> all_, held_;  // by vertex; held: moved by solves of levels at most
   std::vector<Index> ring_;
   int level_ = 0;            // that is being made, 0 the finest
   double level_energy_ = 0;  // mean, where the last level ended
@@ -377,10 +437,13 @@ bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
 
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        RunRecord& run, const MultiresolutionRules& rules,
-                                       MultiresolutionRecord* record) {
+                                       MultiresolutionRecord* record,
+                                       const LevelSolver& solve_level) {
   MultiresolutionRecord unused;
   if (!suits_multiresolution(mesh, asked)) return std::nullopt;
-  return Multiresolution(mesh, asked, run, rules, record ? *record : unused).solve();
+  if (asked.injectivity == MapInjectivity::Global && !solve_level)
+    throw InvalidArgument("multiresolution_map: a map without overlaps needs a solver of levels");
+  return Multiresolution(mesh, asked, run, rules, record ? *record : unused, solve_level).solve();
 }
 
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,

@@ -13,7 +13,9 @@
 // steps from Tutte's map cost less.
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,6 +25,17 @@
 #include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
+
+// The whole map of a level, solved so that it stays free of overlaps.
+struct LevelSolution {
+  Vec uv;
+  double energy = 0;  // mean
+};
+// level: u, v per vertex in asked.initial, which has no overlaps. Ends below the relative decrease,
+// or when the record does. None where nothing comes of it.
+using LevelSolver = std::function<std::optional<LevelSolution>(
+    const std::shared_ptr<const SurfaceMesh>& level, const MapOptions& asked, double decrease,
+    RunRecord& record)>;
 
 // Returns whether the energy and the boundary that are asked for are ones that
 // multiresolution_map() knows: energies with a barrier that do not know single faces
@@ -103,9 +116,13 @@ struct MultiresolutionRecord {
 // is too small or unsuited, or doubles have no room. Needs a disk, possibly with holes; throws
 // Error as tutte_map(); Stopped, by run.start_stop(). Notes the steps of all vertices together in
 // `run`, those of the coarsest mesh as the highest level; its limit of iterations is not for them.
+// solve_level: for MapInjectivity::Global. Boundary vertices come back inside of the image then and
+// move in its solves alone, so that there are no overlaps but by rounding, for which the caller
+// looks. Throws InvalidArgument where it is missing.
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        RunRecord& run, const MultiresolutionRules& rules = {},
-                                       MultiresolutionRecord* record = nullptr);
+                                       MultiresolutionRecord* record = nullptr,
+                                       const LevelSolver& solve_level = {});
 // The same, unseen.
 std::optional<Vec> multiresolution_map(const SurfaceMesh& mesh, const MapOptions& asked,
                                        const StopCheck& stop = {},

@@ -33,7 +33,7 @@ UntangleResult untangle(const MapSpecification& spec,
       map_problem(asked, space, start, energy_terms(asked, space, {lattice_rule(1)}), nullptr);
   UntangledPoint point = descend_untangling(
       map.problem, {map.energies.front()}, [&](VecIn x) { return injectivity.check(x); },
-      map.problem.reduce(start), first_eps > 0 ? first_eps : own_first_eps(spec),
+      map.problem.reduce(start), {.first_eps = first_eps > 0 ? first_eps : own_first_eps(spec)},
       record.start_stop());
   return {std::move(point.x), std::move(point.verdict.blocking), point.iterations};
 }

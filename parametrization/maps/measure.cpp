@@ -1,5 +1,6 @@
 #include "majorant/parametrization/maps/measure.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +14,7 @@
 #include "majorant/elements/element_space.h"
 #include "majorant/elements/singular_values.h"
 #include "majorant/framework/element_values.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
 #include "majorant/parametrization/maps/extreme_samples.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
@@ -24,6 +26,8 @@ namespace {
 // The agreement of rules, relative to the total, spread over the elements: ten times finer than
 // energies are compared.
 constexpr double kEnergyAgreement = 1e-6;
+// Faces whose Jacobians a task looks at: some 0.1 ms.
+constexpr Index kFacesOfATask = 1024;
 
 // A weighted sum of energies on the same rules.
 class Measured {
@@ -67,6 +71,54 @@ Quadrature single_point(const Barycentric& xi) {
   return q;
 }
 
+// The least and the largest singular value of Jacobians.
+struct SigmaRange {
+  double least, largest;
+
+  void include(const Eigen::Matrix2d& J) {
+    if (is_inside(J)) return;
+    const auto [larger, smaller] = singular_values(J);
+    largest = std::max(largest, larger);
+    least = std::min(least, smaller);
+  }
+
+ private:
+  // Whether bounds say so: sigma_1 <= |J|, and sigma_2 >= det J / |J| where that is positive.
+  bool is_inside(const Eigen::Matrix2d& J) const {
+    constexpr double kRounding = 1e-12;      // far more than that of all products here
+    constexpr double kLeastSquare = 1e-280;  // products have all their digits
+    const double square = J.squaredNorm(), norm = std::sqrt(square);
+    return square > kLeastSquare && (1 + kRounding) * norm < largest &&
+           J.determinant() > std::max(least, 0.0) * norm + kRounding * square;
+  }
+};
+
+// Of all faces at one point, together with those that were `known`.
+SigmaRange sigmas_at(const BezierMap& map, const RestShapes& rest, const Barycentric& point,
+                     const SigmaRange& known) {
+  const Eigen::MatrixX2d g = bernstein_gradients(map.degree(), point);
+  const auto faces = static_cast<Index>(rest.measure.size());
+  std::vector<SigmaRange> ranges(to_size((faces + kFacesOfATask - 1) / kFacesOfATask), known);
+  parallel_tasks(static_cast<Index>(ranges.size()), [&](Index task, int) {
+    const Index last = std::min(faces, (task + 1) * kFacesOfATask);
+    SigmaRange range = known;
+    for (Index f = task * kFacesOfATask; f < last; ++f) {
+      Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
+      for (Index q = 0; q < g.rows(); ++q)
+        j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * g.row(q);
+      j *= rest.inverse_of(f);
+      range.include(j);
+    }
+    ranges[task] = range;
+  });
+  SigmaRange all = known;
+  for (const SigmaRange& range : ranges) {
+    all.least = std::min(all.least, range.least);
+    all.largest = std::max(all.largest, range.largest);
+  }
+  return all;
+}
+
 // Samples one point at least; sets m.cut_short where it is stopped before the others.
 void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergySum& energy,
                      const StopCheck& stop, MapMeasures& m) {
@@ -82,16 +134,9 @@ void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyS
     if (k > 0 && m.cut_short) return;
     const Vec density = measured.values(static_cast<RuleId>(k), faces).cwiseQuotient(rest.measure);
     m.max_density = std::max(m.max_density, density.maxCoeff());
-    const Eigen::MatrixX2d g = bernstein_gradients(map.degree(), points[k]);
-    for (Index f = 0; f < rest.measure.size(); ++f) {
-      Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
-      for (Index q = 0; q < g.rows(); ++q)
-        j += map.control_points().segment<2>(2 * map.space().cells()(f, q)) * g.row(q);
-      j *= rest.inverse_of(f);
-      const auto [larger, smaller] = singular_values(j);
-      m.sigma_max = std::max(m.sigma_max, larger);
-      m.sigma_min = std::min(m.sigma_min, smaller);
-    }
+    const SigmaRange range = sigmas_at(map, rest, points[k], {m.sigma_min, m.sigma_max});
+    m.sigma_min = range.least;
+    m.sigma_max = range.largest;
   }
 }
 

@@ -605,10 +605,12 @@ DegreeSolver::RemedyOutcome DegreeSolver::follow_barrier(SolveResult& result, Ru
     result = exhaust(std::span(kRemedies).first(static_cast<std::size_t>(Remedy::FollowBarrier)),
                      counts, record);
     // Both energies are on the same rules, which may have become finer on the way.
-    const double before = own_energy(best.x), gained = before - own_energy(x_);
+    const double gained = own_energy(best.x) - own_energy(x_);
     add_use(uses_, Remedy::FollowBarrier, std::max(gained, 0.0));
-    if (!(gained > 0)) result = back_to(best, stalled, result.status);
-    if (!(gained > rules().worth_another_round * before)) break;
+    if (!(gained > 0)) {
+      result = back_to(best, stalled, result.status);
+      break;
+    }
   }
   return outcome;
 }

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/mesh_messages.h"
@@ -31,9 +33,31 @@ bool pays(const SurfaceMesh& mesh, const MapOptions& asked) {
 }
 
 bool tries_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked) {
-  if (asked.injectivity == MapInjectivity::Global || !asked.aligned.empty()) return false;
+  if (!asked.aligned.empty()) return false;
   return asked.start == StartMethod::Multiresolution ||
          (asked.start == StartMethod::Automatic && pays(mesh, asked));
+}
+
+// A LevelSolver.
+std::optional<LevelSolution> solve_without_overlaps(const std::shared_ptr<const SurfaceMesh>& level,
+                                                    const MapOptions& asked, double decrease,
+                                                    RunRecord& record) {
+  ParametrizationOptions options;
+  options.map = asked;
+  options.solve.tolerance = decrease;
+  try {
+    ParametrizationResult result = parametrize(level, options, record);
+    if (!result.map || result.status == Status::Failed) return std::nullopt;
+    return LevelSolution{result.map->control_points(), result.measures.value};
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::Infeasible) throw;
+    return std::nullopt;
+  }
+}
+
+bool has_no_overlaps(const SurfaceMesh& mesh, const Vec& uv) {
+  const auto unowned = std::shared_ptr<const SurfaceMesh>(std::shared_ptr<void>(), &mesh);
+  return check_boundary(BezierMap::linear(unowned, uv)).result == ProofStatus::Proven;
 }
 
 }  // namespace
@@ -66,7 +90,9 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& rec
   MultiresolutionRules rules;
   if (asked.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
   if (tries_multiresolution(mesh, asked))
-    if (std::optional<Vec> start = multiresolution_map(mesh, asked, record, rules))
+    if (std::optional<Vec> start =
+            multiresolution_map(mesh, asked, record, rules, nullptr, solve_without_overlaps);
+        start && (asked.injectivity == MapInjectivity::Local || has_no_overlaps(mesh, *start)))
       return *std::move(start);
   method = StartMethod::Tutte;
   return tutte_map(mesh, record.start_stop());

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/element_values.h"
+#include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/partition.h"
@@ -22,13 +24,54 @@
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
 #include "majorant/parametrization/solve/pin_homotopy.h"
-#include "majorant/parametrization/solve/valid_options.h"
 
 namespace majorant {
 namespace {
 
-void require_valid(const ParametrizationOptions& o) {
-  require_valid(o.map, o.solve, static_cast<bool>(o.extend));
+[[noreturn]] void refuse(const std::string& what) { throw InvalidArgument(what); }
+
+void require_valid(const MapOptions& asked) {
+  if (asked.degree < 1 || asked.degree > BezierTriangleSpace::kMaxDegree)
+    refuse(fmt::format("degree {} is not one of 1..{}", asked.degree,
+                       BezierTriangleSpace::kMaxDegree));
+  if (asked.energy.empty()) refuse("no energy is given");
+  for (const WeightedEnergy& e : asked.energy)
+    if (!is_usable_weight(e.weight))
+      refuse(fmt::format("the weight {:g} of an energy is not in {:g}..{:g}", e.weight,
+                         1 / kLargestFactor, kLargestFactor));
+  if (!is_usable_weight(asked.handle_weight))
+    refuse(fmt::format("the weight {:g} of soft handles is not in {:g}..{:g}", asked.handle_weight,
+                       1 / kLargestFactor, kLargestFactor));
+  for (const auto* points : {&asked.pins, &asked.handles})
+    for (const Pin& p : *points)
+      if (p.target && !p.target->allFinite())
+        refuse(fmt::format("the target of vertex {} is ({:g}, {:g}), finite numbers are needed",
+                           p.vertex, p.target->x(), p.target->y()));
+}
+
+// Throws InvalidArgument for options out of range, and for those that exclude each other.
+void require_valid(const ParametrizationOptions& options) {
+  const MapOptions& asked = options.map;
+  const SolveOptions& how = options.solve;
+  require_valid(asked);
+  if (!(how.tolerance > 0) || !std::isfinite(how.tolerance))
+    refuse("the tolerance must be a positive number");
+  if (!(how.elevation_tolerance >= 0)) refuse("the elevation tolerance must not be negative");
+  if (how.injectivity_depth < 0) refuse("the depth of certificates must not be negative");
+  if (how.threads < 0) refuse("the number of threads must not be negative");
+  if (how.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
+  if (asked.injectivity == MapInjectivity::Global &&
+      (how.curvature == Curvature::Reweighted || how.curvature == Curvature::CompositeMajorizer))
+    refuse(
+        fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
+                    "or exact",
+                    curvature_name(how.curvature)));
+  if (how.triangles == Triangles::Flipped &&
+      (asked.face_weight.size() > 0 || knows_elements(asked.energy)))
+    refuse("flipping edges changes the faces that weights and data are for; leave one out");
+  if (how.triangles == Triangles::Flipped && options.extend)
+    refuse(
+        "flipping edges changes the faces and nodes that were added to; leave one of the two out");
 }
 
 // A run of parametrize() or parametrize_part(): the degree schedule of a map, or of the part of one

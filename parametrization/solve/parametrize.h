@@ -83,9 +83,9 @@ struct ParametrizationResult {
 std::string_view start_name(StartMethod method);  // "auto", "tutte", "multiresolution", "input"
 
 // The start that is asked for, u, v per vertex: the given one or one that is made (StartMethod;
-// maps without overlaps, aligned edges and sector sums that are held start from Tutte's). taken
-// (may be null) receives which it is. Throws Error(Unsupported) when the mesh is no disk, with or
-// without holes, Error(Usage) when the given one has the wrong size; Stopped.
+// aligned edges and sector sums that are held start from Tutte's). taken (may be null) receives
+// which it is. Throws Error(Unsupported) when the mesh is no disk, with or without holes,
+// Error(Usage) when the given one has the wrong size; Stopped.
 Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, const StopCheck& stop = {},
                 StartMethod* taken = nullptr);
 // Does the same within the limits of a run (RunRecord::start_stop()), which records the steps on

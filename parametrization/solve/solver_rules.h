@@ -41,12 +41,9 @@ struct RemedyRules {
   BarrierWeights barrier_weights{.first = 0.1, .most_phases = 6};
   // Relative decrease that ends a weight. Measured by bench/tune.py remedies.barrier_tolerance.
   double barrier_tolerance = 1e-4;
-  // Ways along the barrier. A second one helps where the first did, a third one has not been
-  // seen to.
+  // Ways along the barrier, as long as they gain anything. A second one helps where the first did,
+  // a third one has not been seen to.
   int barrier_rounds = 3;
-  // The part of the energy that a way along the barrier has to gain for another round: a hundred
-  // times the final decrease.
-  double worth_another_round = 1e-4;
 };
 
 // The space around an image (map_domain.h).

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/framework/error.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/pictures/internal/letters.h"
 #include "majorant/pictures/turned_over.h"
 
@@ -231,11 +231,12 @@ void DrawnLegends::add_colors(double top, std::vector<DrawingItem>& items) const
 
 void require_room(double width, double height, const LegendRoom& legends, double scale) {
   const auto refuse = [&](double side, const char* high, double taken, double least) {
-    return Error(
-        ErrorKind::Usage,
-        fmt::format("a sheet {:.0f} px {}: its legends are {:.0f} px {}; take one of "
-                    "{:.0f} or more, or leave the legends out",
-                    scale * side, high, std::ceil(scale * taken), high, std::ceil(scale * least)));
+    return Refusal(
+        ErrorKind::Usage, "",
+        fmt::format(
+            "a sheet {:.0f} px {}: its legends are {:.0f} px {}; take one of {:.0f} or more, or ",
+            scale * side, high, std::ceil(scale * taken), high, std::ceil(scale * least)),
+        Hint::LeaveOutLegends);
   };
   if (width < legends.least_width)
     throw refuse(width, "wide", legends.least_width, legends.least_width);

@@ -68,6 +68,8 @@ const char* python_words(Hint hint) {
       return "write it with msh='surface', or leave surface out";
     case Hint::MapIslands:
       return "map them anew";
+    case Hint::LeaveOutLegends:
+      return "leave the legends out";
   }
   return "";
 }

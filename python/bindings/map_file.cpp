@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "arrays.h"
+#include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
+#include "majorant/io/input_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/parametrization/maps/energy_text.h"
@@ -16,6 +18,7 @@
 #include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/pictures.h"
 #include "majorant/pictures/turned_over.h"
+#include "majorant/results/object_layouts.h"
 #include "majorant/results/write_map.h"
 #include "mesh.h"
 #include "run.h"
@@ -60,7 +63,8 @@ MapFile restored(const py::tuple& state) {
 
 ProofRequest request_from(const Promise& promise, const PolygonMesh& mesh,
                           const std::string& path) {
-  const auto [cuts, is_injective, of_surface, has_labels, is_as_given, has_stacks] = promise;
+  const auto [cuts, is_injective, of_surface, has_labels, is_as_given, has_stacks, of_objects] =
+      promise;
   ProofRequest request;
   request.cuts = static_cast<CutRule>(cuts);
   if (is_injective) request.overlap = ProofRequest::Overlap::Forbidden;
@@ -80,10 +84,15 @@ void save(const std::string& path, const MapFile& file, const PolygonMesh& mesh,
   formats.tessellation = {refine, allowed_overlap(request)};
   if (lagrange) formats.vtu = VtuCells::Lagrange;
   if (surface) formats.msh = MshContent::Surface;
+  const bool of_objects = std::get<6>(promise);
+  if (of_objects && is_map_data(path) && format_of(path) != ".obj" && format_of(path) != ".vtu")
+    throw Error(ErrorKind::Usage,
+                path + ": objects with layouts of their own are written as .obj or .vtu");
   Run run;
   run([&] {
-    write_map(path, file, input ? &mesh : nullptr, formats,
-              proof_of_file(path, request, file, formats));
+    write_map(
+        path, file, input ? &mesh : nullptr, formats,
+        of_objects ? proof_of_objects(path, mesh) : proof_of_file(path, request, file, formats));
     return true;
   });
 }
@@ -160,7 +169,12 @@ Promise promise_from(const ProofRequest& request) {
           request.surface != nullptr,
           request.labels == ProofRequest::FaceLabels::Compared,
           request.orientation == Orientation::AsGiven,
-          request.stacks == ProofRequest::Stacks::Allowed};
+          request.stacks == ProofRequest::Stacks::Allowed,
+          false};
+}
+
+Promise promise_of_objects() {
+  return {static_cast<int>(CutRule::Free), true, true, false, false, false, true};
 }
 
 void bind_map_files(py::module_& module) {

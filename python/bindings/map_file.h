@@ -16,9 +16,11 @@ using SharedMap = std::shared_ptr<MapFile>;
 // The properties that a file made of a map must be proven to have, in a form that can be pickled:
 // the cuts it may have (CutRule), whether it is injective as a whole, whether the surface and the
 // labels of vertices and faces are compared with those of the mesh, whether defects of the mesh are
-// repaired with Orientation::AsGiven, whether charts may lie exactly on others.
-using Promise = std::tuple<int, bool, bool, bool, bool, bool>;
+// repaired with Orientation::AsGiven, whether charts may lie exactly on others, whether objects
+// have layouts of their own (all else is as proof_of_objects() has it then).
+using Promise = std::tuple<int, bool, bool, bool, bool, bool, bool>;
 Promise promise_from(const ProofRequest& request);
+Promise promise_of_objects();
 
 // Registers MapFile, read_map, save_map, svg_text, what plots need, and multi_indices.
 void bind_map_files(pybind11::module_& module);

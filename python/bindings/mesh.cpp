@@ -74,12 +74,13 @@ void bind_meshes(py::module_& module) {
       .def(py::pickle(
           [](const PolygonMesh& m) {
             return py::make_tuple(rows(m.positions), packed(m.polygons), rows(m.texcoords),
-                                  packed(m.polygon_texcoords), m.file);
+                                  packed(m.polygon_texcoords), m.file, m.directives);
           },
           [](const py::tuple& state) {
             SharedPolygons mesh = mesh_of_arrays(state[0].cast<Doubles>(), state[1].cast<Lists>(),
                                                  state[2].cast<Doubles>(), state[3].cast<Lists>());
             mesh->file = state[4].cast<std::string>();
+            mesh->directives = state[5].cast<decltype(mesh->directives)>();
             return mesh;
           }));
   module.def("mesh_of_arrays", &mesh_of_arrays, py::arg("positions"), py::arg("polygons"),

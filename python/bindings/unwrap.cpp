@@ -3,11 +3,16 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/mesh_objects.h"
 #include "majorant/results/atlas_job.h"
+#include "majorant/results/object_layouts.h"
 #include "majorant/results/solver_ladder.h"
 #include "map_file.h"
 #include "options.h"
@@ -48,13 +53,8 @@ std::string message_of(const Atlas& atlas) {
   return {};
 }
 
-}  // namespace
-
-py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
-                      const py::object& callback) {
-  Run run(keyword<double>(keywords, "time_limit"), keyword<int>(keywords, "max_iterations"),
-          callback);
-  AtlasJob job(run.record());
+// Opens the job with all that is asked of it.
+void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& keywords) {
   const RepairOptions how = repair_options(keywords);
   if (keyword<bool>(keywords, "keep_seams")) job.old_seams = OldSeams::Cut;
   if (keyword<bool>(keywords, "one_chart")) job.options.limit = StretchLimit::Reported;
@@ -63,10 +63,9 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   if (const auto to_eye = keyword<std::optional<std::array<double, 3>>>(keywords, "hide_from"))
     job.hide_from = Vector3((*to_eye)[0], (*to_eye)[1], (*to_eye)[2]);
   job.options.cutting_seconds = kCuttingShare * keyword<double>(keywords, "time_limit");
-  const bool is_strict = keyword<bool>(keywords, "strict"),
-             into_square = keyword<std::string>(keywords, "scale") == "unit";
+  const bool is_strict = keyword<bool>(keywords, "strict");
   run([&] {
-    job.open(*given, how);
+    job.open(std::move(polygons), how);
     return true;
   });
   if (const Repair* const first = job.first_repair(); first && is_strict)
@@ -81,7 +80,10 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
     job.options.packing = PackOptions{.padding_pixels = keyword<double>(keywords, "padding"),
                                       .resolution = keyword<double>(keywords, "resolution")};
   job.options.chart = read_options(keywords, *job.surface.mesh, job.surface.welded);
+}
 
+// Charts in place and proven.
+void solve_job(AtlasJob& job, Run& run, bool into_square) {
   const bool is_placed = run([&] {
     job.solve();
     return !into_square || job.place();
@@ -92,10 +94,59 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
                 "scale='model'");
   if (job.atlas.status() == Status::Failed)
     throw Error(ErrorKind::Invalid, "no valid map: failed, " + message_of(job.atlas));
-  const auto file = run([&] {
+  run([&] {
     job.prove();
-    return std::make_shared<MapFile>(atlas_file(job));
+    return true;
   });
+}
+
+// The mesh with a line `o` wherever the object changes. objects: a number for each polygon.
+PolygonMesh with_objects(PolygonMesh mesh, const std::vector<Index>& objects) {
+  for (std::size_t p = 0; p < objects.size(); ++p)
+    if (p == 0 || objects[p] != objects[p - 1])
+      mesh.directives.emplace_back(static_cast<Index>(p), "o " + std::to_string(objects[p]));
+  return mesh;
+}
+
+py::tuple unwrap_objects(const PolygonMesh& given, const py::dict& keywords, Run& run) {
+  const auto polygons = std::make_shared<PolygonMesh>(
+      with_objects(given, keyword<std::vector<Index>>(keywords, "objects")));
+  const MeshObjects objects = objects_of(*polygons);
+  std::vector<ObjectLayout> layouts;
+  Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION},
+              {"command", "unwrap"}, {"status", ""},
+              {"message", ""},       {"objects", Json::array()}};
+  Status worst = Status::Converged;
+  for (Index k = 0; k < objects.count(); ++k) {
+    ObjectMesh object = object_mesh(*polygons, objects, k);
+    AtlasJob job(run.record());
+    open_job(job, run, object.mesh, keywords);
+    solve_job(job, run, true);
+    if (job.atlas.status() != Status::Converged) {
+      worst = job.atlas.status();
+      report["message"] = message_of(job.atlas);
+    }
+    report["options"] = job.asked;
+    report["objects"].push_back(object_section(objects.names[to_size(k)], job));
+    layouts.push_back({objects.names[to_size(k)], atlas_file(job), std::move(object)});
+  }
+  report["status"] = status_name(worst);
+  return py::make_tuple(std::make_shared<MapFile>(map_of_objects(std::move(layouts))), polygons,
+                        promise_of_objects(), true, status_name(worst),
+                        report["message"].get<std::string>(), json_text(report));
+}
+
+}  // namespace
+
+py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
+                      const py::object& callback) {
+  Run run(keyword<double>(keywords, "time_limit"), keyword<int>(keywords, "max_iterations"),
+          callback);
+  if (!keywords["objects"].is_none()) return unwrap_objects(*given, keywords, run);
+  AtlasJob job(run.record());
+  open_job(job, run, *given, keywords);
+  solve_job(job, run, keyword<std::string>(keywords, "scale") == "unit");
+  const auto file = run([&] { return std::make_shared<MapFile>(atlas_file(job)); });
   return py::make_tuple(file, job.polygons, promise_from(promise(job, "map.vtu")), true,
                         status_name(job.atlas.status()), message_of(job.atlas),
                         json_text(atlas_report(job)));

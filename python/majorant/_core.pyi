@@ -10,7 +10,7 @@ Doubles = NDArray[np.float64]
 Integers = NDArray[np.int32]
 Flags = NDArray[np.bool_]
 Lists = tuple[Integers, Integers]
-Promise = tuple[int, bool, bool, bool, bool, bool]
+Promise = tuple[int, bool, bool, bool, bool, bool, bool]
 Solved = tuple[MapFile, Mesh, Promise, bool, str, str, str]
 Callback = Optional[Callable[[Step], Any]]
 

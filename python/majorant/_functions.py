@@ -124,7 +124,7 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
            padding: float = _options.PADDING, resolution: float = _options.RESOLUTION,
            scale: str | None = None, normalize: bool = False,
            weld: str | float = 'auto', keep_seams: bool = False, charts: str | int = 'auto',
-           fill: float | None = None, hide_from: ArrayLike | None = None, strict: bool = False, pins: Points | None = None,
+           fill: float | None = None, hide_from: ArrayLike | None = None, objects: ArrayLike | None = None, strict: bool = False, pins: Points | None = None,
            handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
            curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
            tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
@@ -140,7 +140,9 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     edges of that many degrees; or (#E, 2) vertices of edges. max_stretch: what no chart of 'auto' and
     'sharp' exceeds, with charts='one' where one is left uncut, as estimated. charts: a number of them, and fill,
     the part of the square that they fill: those of 'auto' and 'sharp' are divided until there is so much, or
-    nothing is gained any more. hide_from: the direction (3,) to the eye that seams keep out of sight of. pack: into one square, padding pixels apart
+    nothing is gained any more. hide_from: the direction (3,) to the eye that seams keep out of sight of.
+    objects: (#F,) numbers of objects, each of which is unwrapped as if it were alone and has the unit square for itself;
+    saved as .obj, with an `o` for each, or .vtu; `report` has a list `objects` then. pack: into one square, padding pixels apart
     where it has resolution pixels a side and a border as wide as padding. scale: 'unit' (default): that square is the unit
     square, energies are those at the size of V; 'model' (default with pins or handles, whose targets
     are in its units): uv has the units of V. normalize=True is scale='unit'. weld: what is one surface for the
@@ -171,6 +173,8 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         raise UsageError('padding and resolution are for packing; leave them out, or pack=False')
     if max_stretch is not None and not isinstance(seams, str):
         raise UsageError("max_stretch is of seams 'auto' and 'sharp'; leave it or the edges out")
+    if objects is not None:
+        _require_objects(said, seams, weld, scale)
     counted = isinstance(charts, int) and not isinstance(charts, bool)
     if (counted or fill is not None or hide_from is not None) and (by_uv or not isinstance(seams, str)):
         raise UsageError("numbers of charts, fill and hide_from are of seams 'auto' and 'sharp'; leave them or the seams out")
@@ -193,8 +197,21 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         'hide_from': None if hide_from is None else _direction(hide_from),
         'least_fill': 0.0 if fill is None else _fill(fill),
         'strict': _options.truth('strict', strict),
+        'objects': None if objects is None else _arrays.integers(
+            'objects', objects, (len(mesh.polygons[1]) - 1,), 2**31 - 1, 'numbers of objects').tolist(),
     }
     return _solve(_core.unwrap, mesh, said, extra)
+
+
+def _require_objects(said: dict[str, Any], seams: Any, weld: Any, scale: str) -> None:
+    """Nothing that is said of rows of V and F, or of one square."""
+    for name in ('pins', 'handles', 'weights'):
+        if said[name] is not None and len(said[name]) > 0:
+            raise UsageError(f'objects are unwrapped one by one: not with {name}; leave one of the two out')
+    if not isinstance(seams, str) or weld not in ('auto', 'no'):
+        raise UsageError('objects are unwrapped one by one: not with edges as seams, or a distance of weld')
+    if said['degree'] != 1 or said['pack'] is False or scale != 'unit':
+        raise UsageError("objects fill the unit square each: not with degree above 1, pack=False or scale='model'")
 
 
 def _fill(fill: float) -> float:

@@ -138,7 +138,7 @@ def keywords(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
     if out['improve_mesh'] and weights is not None:
         raise UsageError('improve_mesh changes the faces that weights are for; leave one of the two out')
     out['as_json'] = json.dumps({name: _plain(value) for name, value in said.items()
-                                 if name not in ('callback', 'energy', 'uv')} | {'energy': text})
+                                 if name not in ('callback', 'energy', 'uv', 'objects')} | {'energy': text})
     return out
 
 

@@ -144,9 +144,9 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
     points, is_valid, text = _core.optimize_volume(mesh._volume, keywords, _options.callback(callback))
     report = json.loads(text)
     if not is_valid:
-        impossible = report['mesh']['impossible']
-        raise InvalidError(report['message'] + (f': elements {", ".join(map(str, impossible[:10]))}' if impossible
-                                                else ''))
+        failed = report['mesh']['impossible'] or [element['element'] for element in report['mesh']['worst']
+                                                  if element['verdict'] != 'valid']
+        raise InvalidError(f'{report["message"]}: elements {", ".join(map(str, failed[:10]))}')
     return mesh.with_points(points), report
 
 

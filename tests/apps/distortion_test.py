@@ -93,11 +93,13 @@ def measured(vtu, **more):
 
 class Distortion(CommandTest):
     def table(self, name):
-        """The numbers, and the first three columns."""
+        """The numbers, and the first three columns; the shares of the area add to 1."""
         with open(self.path(name)) as f:
             lines = list(csv.reader(f))
-        self.assertEqual(lines[0], ['input_face', 'face', 'chart', *NAMES])
-        return (np.array([[float(x) for x in line[3:]] for line in lines[1:]]),
+        self.assertEqual(lines[0], ['input_face', 'face', 'chart', *NAMES, 'area_share'])
+        self.shares = np.array([float(line[-1]) for line in lines[1:]])
+        self.assertAlmostEqual(self.shares.sum(), 1, delta=1e-12)
+        return (np.array([[float(x) for x in line[3:-1]] for line in lines[1:]]),
                 [tuple(map(int, line[:3])) for line in lines[1:]])
 
     def report(self, name='r.json'):
@@ -136,6 +138,7 @@ class Distortion(CommandTest):
                 found = measured(vtu)
                 numbers, places = self.table('d.csv')
                 self.agrees(numbers, found.faces())
+                self.assertLess(np.abs(self.shares / found.area * found.area.sum() - 1).max(), 1e-9)
                 self.assertEqual(places, [(f, k, 0) for k, f in
                                           enumerate(vtu.arrays['input_face'])])
                 for column, name in enumerate(NAMES):

@@ -2,9 +2,11 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """`majorant mesh check` on meshes that gmsh and VTK write, of every kind and degree; exit codes and what is said."""
+import base64
 import json
 import os
 import re
+import struct
 import unittest
 
 import command_helpers as helpers
@@ -170,6 +172,33 @@ class BadElements(CommandTest):
         self.assertAlmostEqual(grid.GetCellData().GetArray('min_det_high').GetValue(0), -2, 12)
         again = self.run_ok('mesh', 'check', self.path('bad.vtu'), code=INVALID)
         self.assertIn('all 1 elements are turned around', again.out)
+
+
+class Page(CommandTest):
+    def data(self, name):
+        return json.loads(re.search(r'id="data">(.*?)</script>', self.read(name).decode(), re.S)[1])
+
+    def test_the_worst_elements(self):
+        path = self.write('a.mesh', TETRAHEDRA.replace('2 3 4 5 8', '3 2 4 5 8'))
+        self.run_ok('mesh', 'check', path, '-o', self.path('bad.html'), code=INVALID)
+        data = self.data('bad.html')
+        self.assertEqual((data['title'], data['faces'], data['facts']['status']), ('a.mesh', 8, 'invalid'))
+        (fault,) = data['faults']
+        self.assertLess(fault['face'], 4)  # the worst element first: its four sides
+        self.assertRegex(fault['text'], r'\Aelement 2 \(tetrahedra, region 8\): min det J in \[-2, -2\] at ')
+        numbers = struct.unpack('<8i', base64.b64decode(data['input_face']))
+        self.assertEqual(numbers, (2,) * 4 + (1,) * 4)
+        self.assertNotIn(self.folder, self.read('bad.html').decode())
+        self.run_ok('mesh', 'check', path, '-o', self.path('worst.html'), '--list', 1, code=INVALID)
+        self.assertEqual(self.data('worst.html')['faces'], 4)
+        done = majorant('mesh', 'check', path, '-o', self.path('none.html'), '--list', 0)
+        self.assertEqual((done.code, 'one at least' in done.err), (USAGE, True))
+
+    def test_valid_ones(self):
+        path = self.write('a.mesh', TETRAHEDRA)
+        self.run_ok('mesh', 'check', path, '-o', self.path('best.html'))
+        data = self.data('best.html')
+        self.assertEqual((data['faces'], data['faults'], data['facts']['status']), (8, [], 'valid'))
 
 
 class Public(CommandTest):

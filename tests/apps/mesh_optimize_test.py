@@ -260,6 +260,22 @@ class OfGmsh(CommandTest):
                         bits = 1 if '--binary' in words or binary else 0
                         self.assertIn('{} {} 8'.format(asked, bits).encode(), head)
 
+    def test_serendipity_elements_are_named(self):
+        gmsh.option.setNumber('Mesh.SecondOrderIncomplete', 1)
+        gmsh.model.occ.addRectangle(0, 0, 0, 1, 1)
+        gmsh.model.occ.extrude([(2, 1)], 0, 0, 1, [2], [1], recombine=True)
+        gmsh.model.occ.synchronize()
+        gmsh.model.mesh.setTransfiniteSurface(1)
+        gmsh.model.mesh.setRecombine(2, 1)
+        gmsh.model.mesh.generate(3)
+        gmsh.model.mesh.setOrder(2)
+        gmsh.write(self.path('a.msh'))
+        first = gmsh.model.mesh.getElements(3)[1][0]
+        done = majorant('mesh', 'optimize', self.path('a.msh'), '-o', self.path('b.msh'))
+        self.assertEqual(done.code, UNSUPPORTED, done.err)
+        self.assertIn('a.msh: {} hexahedra of degree 2 (serendipity), the first of them element {}, are checked, not '
+                      'optimized; '.format(len(first), first[0]), done.err)
+
     def test_degrees(self):
         for degree in (1, 2, 3, 4):
             with self.subTest(degree=degree):
@@ -290,6 +306,11 @@ class Public(CommandTest):
                 out = self.path('b' + os.path.splitext(name)[1])
                 self.run_ok('mesh', 'optimize', path, '-o', out)
                 self.run_ok('mesh', 'check', out)
+                self.run_ok('mesh', 'optimize', path, '-o', out, '--boundary', 'free', '--force', '--report',
+                            self.path('r.json'))
+                self.run_ok('mesh', 'check', out)
+                with open(self.path('r.json')) as f:
+                    self.assertLess(json.load(f)['result']['untangling_iterations'], 40)
 
 
 if __name__ == '__main__':

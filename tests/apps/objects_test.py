@@ -73,6 +73,33 @@ class Objects(UnwrapTest):
         self.found(self.write('nameless.obj', '\n'.join(l for l in lines if not l.startswith('o ')) + '\n'),
                    '--certify', '--objects', 'separate', says='not globally injective')
 
+    def test_vtu(self):
+        """The objects are what it claims, by its charts; a chart of none, and charts of another one, are found out."""
+        self.separate('-o', self.path('out.vtu'))
+        vtu = self.path('out.vtu')
+        said = self.run_ok('check', vtu, '--certify', '--objects', 'separate', '--surface', self.room)
+        self.assertIn('no overlaps', said.out)
+        self.found(vtu, '--certify', says='not globally injective')
+        file = Vtu(vtu)
+        objects = file.claims['objects']
+        self.assertEqual([o['name'] for o in objects], ['', 'ball', 'box', 'lid'])
+        self.assertEqual(sum(o['charts'] for o in objects), max(file.arrays['chart']) + 1)
+        layout = Layout(self.out)
+        self.assertEqual({tuple(p[:2]) for p in file.rows('uv')},
+                         {tuple(x / layout.scale for x in p) for p in layout.uv})
+
+        def written(changed):
+            file.claims['objects'] = changed
+            return file.write(self.path('changed.vtu'))
+        self.run_ok('check', written([{**o, 'name': 'one'} for o in objects]), '--certify', '--objects', 'separate')
+        merged = [{'name': 'all', 'charts': sum(o['charts'] for o in objects)}]
+        self.found(written(merged), '--certify', '--objects', 'separate', says='not globally injective')
+        # As many charts as numbers can say cost nothing: they are all of the first object.
+        forged = [{'name': str(k), 'charts': 2**31 - 1} for k in range(8)]
+        self.found(written(forged), '--certify', '--objects', 'separate', says='not globally injective')
+        self.refused(UNREADABLE, 'check', written(objects[:-1]), '--objects', 'separate', says='has no chart')
+        self.refused(UNREADABLE, 'check', written([{'name': 'box'}]), '--objects', 'separate', says='has no "charts"')
+
     def test_options_of_layouts(self):
         self.separate('--groups', '--padding', 8, '--charts', 3)
         text = self.read('out.obj').decode()
@@ -115,7 +142,7 @@ class Objects(UnwrapTest):
                             (['--seams', self.write('s.json', '{"edges": [[0, 1]]}')], '--seams'),
                             (['--weld', 1e-3], '--weld')):
             self.refused(USAGE, 'unwrap', self.room, '-o', self.path('x.obj'), '--objects', 'separate', *words, says=says)
-        self.refused(USAGE, 'unwrap', self.room, '-o', self.path('x.vtu'), '--objects', 'separate', says='.obj, .glb')
+        self.refused(USAGE, 'unwrap', self.room, '-o', self.path('x.ply'), '--objects', 'separate', says='.obj, .glb')
         self.separate()
         self.run_ok('convert', self.out, '-o', self.path('x.vtu'))
         self.refused(USAGE, 'check', self.path('x.vtu'), '--objects', 'separate', says='.obj, .glb')

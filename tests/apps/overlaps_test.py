@@ -103,10 +103,18 @@ class Overlaps(CommandTest):
         self.assertIn('touches or overlaps itself near (1, ', self.run_ok('check', touching).out)
         overlapping = self.write('overlapping.obj', obj_text(
             points, faces, uv[:4] + [(u - 0.25, v) for u, v in uv[4:]]))
-        self.assertIn(', overlaps itself near (', self.run_ok('check', overlapping).out)
+        self.assertRegex(self.run_ok('check', overlapping).out,
+                         r'valid, degree 1: locally injective, overlaps itself near \(\S+ \S+\), '
+                         r'4 of 4 faces lie on others, 25 % of the layout[,;]')
+        self.assertIn(', 4 of 4 faces lie on others, 25 % of the layout\n', self.found(overlapping, '--certify').out)
+        self.assertNotIn('lie on others', self.run_ok('check', touching).out)
         inside = self.write('inside.obj', obj_text(
-            points, faces, uv[:4] + [(0.25 * u, 0.25 * v + 0.25) for u, v in uv[4:]]))
+            points, faces, uv[:4] + [(0.25 * u, 0.25 * v + 0.6) for u, v in uv[4:]]))
+        self.run_ok('check', inside, '--report', self.path('r.json'))
         self.assertIn('one component lies inside another', self.run_ok('check', inside).out)
+        extent = json.loads(self.read('r.json'))['result']['overlap']
+        self.assertEqual(extent['faces'], 3)
+        self.assertAlmostEqual(extent['share'], 2 / 17, delta=1e-12)
 
     def test_unwrap(self):
         for result in self.run_and_check('unwrap', generated('buckle')):

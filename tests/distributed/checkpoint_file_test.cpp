@@ -182,7 +182,8 @@ TEST_F(Forged, State) {
     refuse_header(Place("/state/remedies"), value);
     refuse_header(Place(""), value);
   }
-  for (const auto& [key, value] : sound().header["state"].items()) {
+  const Json state = sound().header["state"];
+  for (const auto& [key, value] : state.items()) {
     CheckpointFile file = sound();
     file.header["state"].erase(key);
     refuse(file, "'" + key + "'");

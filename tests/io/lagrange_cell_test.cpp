@@ -83,20 +83,25 @@ TEST(LagrangeCell, RoundingOfValuesGrows) {
   EXPECT_LE(map.uv_rounding.maxCoeff(), 1.001e-10 * lagrange_amplification(4));
 }
 
+// Control points of all cells in order, of the map and of one whose cells share no points.
+void expect_same_on_points_of_their_own(const MapFile& map) {
+  const auto all = map.cells.reshaped<Eigen::RowMajor>();
+  MapFile shared = map, own = map;
+  own.points = map.points(all, Eigen::all);
+  own.uv = map.uv(all, Eigen::all);
+  own.input_vertex = map.input_vertex(all);
+  for (Index k = 0; k < own.cells.size(); ++k) own.cells.data()[k] = k;
+  take_as_lagrange_nodes(shared, "a.vtu");
+  take_as_lagrange_nodes(own, "a.vtu");
+  EXPECT_EQ(own.uv, shared.uv(all, Eigen::all));
+  EXPECT_EQ(own.uv_rounding, shared.uv_rounding(all, Eigen::all));
+}
+
 // Both cells of an edge get the same control points, to the last bit, whether they share them.
 TEST(LagrangeCell, EdgesStayContinuous) {
   for (int degree = 2; degree <= 8; ++degree) {
-    const MapFile shared = random_strip(degree, 6, static_cast<unsigned>(degree));
-    MapFile own = shared;
-    const auto all = shared.cells.reshaped<Eigen::RowMajor>();
-    own.points = shared.points(all, Eigen::all);
-    own.uv = shared.uv(all, Eigen::all);
-    own.input_vertex = shared.input_vertex(all);
-    for (Index k = 0; k < own.cells.size(); ++k) own.cells.data()[k] = k;
-    MapFile of_shared = shared;
-    take_as_lagrange_nodes(of_shared, "a.vtu");
-    take_as_lagrange_nodes(own, "a.vtu");
-    EXPECT_EQ(own.uv, of_shared.uv(all, Eigen::all)) << degree;
+    SCOPED_TRACE(degree);
+    expect_same_on_points_of_their_own(random_strip(degree, 6, static_cast<unsigned>(degree)));
   }
 }
 
@@ -105,10 +110,23 @@ TEST(LagrangeCell, EdgesStayContinuous) {
 TEST(LagrangeCell, EdgesAreSummedInOneOrder) {
   const std::vector<int> edge = bezier_edge_points(3, 1);
   for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
     MapFile map = random_strip(3, 2, seed);
     map.uv(map.cells(0, edge[0]), 0) = 0x1p85 * 18;
     map.uv(map.cells(0, edge[1]), 0) = 0x1p85 * 5;
-    EXPECT_NO_THROW(take_as_lagrange_nodes(map, "a.vtu")) << seed;
+    expect_same_on_points_of_their_own(map);
+  }
+}
+
+// Of an edge that two cells share but for one of its two inner points, the other one is on two
+// curves.
+TEST(LagrangeCell, RefusesEdgesThatArePartlyShared) {
+  for (const std::size_t inner : {1, 2}) {
+    MapFile map = random_strip(3, 2, 1);
+    map.cells(1, bezier_edge_points(3, 0)[inner]) = map.cells(0, 9);  // its point inside
+    expect_contains(
+        error_message(ErrorKind::Unreadable, [&] { take_as_lagrange_nodes(map, "a.vtu"); }),
+        {"a.vtu: cell 1: its point", "on another curve"});
   }
 }
 

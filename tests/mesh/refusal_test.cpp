@@ -27,7 +27,7 @@ TEST(Refusal, SaysTheRemedyInAnyWords) {
 
 TEST(Refusal, EveryRemedyHasWordsOfItsOwn) {
   std::set<std::string_view> words;
-  const int count = static_cast<int>(Hint::WriteSurface) + 1;
+  const int count = static_cast<int>(Hint::LeaveOutLegends) + 1;
   for (int k = 0; k < count; ++k) words.insert(words_of(static_cast<Hint>(k)));
   EXPECT_EQ(words.size(), static_cast<std::size_t>(count));
   EXPECT_EQ(words.count(""), 0u);

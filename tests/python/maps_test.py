@@ -257,6 +257,28 @@ def test_maps_say_whether_they_overlap(tmp_path):
     assert 'it overlaps itself near (' in seamless.report['result']['overlaps']
 
 
+def test_objects_have_layouts_of_their_own(tmp_path):
+    V, F = helpers.octahedron()
+    V, F, numbers = np.vstack([V, V + 5]), np.vstack([F, F + 6]), np.repeat([7, 3], len(F))
+    r = majorant.unwrap(V, F, objects=numbers)
+    assert [o['name'] for o in r.report['objects']] == ['7', '3']
+    alone = majorant.unwrap(V[:6], F[:8])
+    assert np.array_equal(r.corner_uv[r.input_faces < 8], alone.corner_uv)
+    assert len(np.unique(r.charts[r.input_faces >= 8])) == r.report['objects'][1]['result']['charts']
+    r.save(tmp_path / 'a.vtu')
+    pickle.loads(pickle.dumps(r)).save(tmp_path / 'a.obj')
+    assert [line for line in (tmp_path / 'a.obj').read_text().splitlines() if line.startswith('o ')] == ['o 7', 'o 3']
+    for name in ('a.vtu', 'a.obj'):
+        assert not majorant.check(tmp_path / name, certify=True)    # they lie on each other
+    with pytest.raises(majorant.UsageError, match='.obj or .vtu'):
+        r.save(tmp_path / 'a.ply')
+    for wrong, says in (({'objects': numbers[1:]}, 'objects'), ({'objects': numbers, 'scale': 'model'}, 'unit square'),
+                        ({'objects': numbers, 'pins': {0: (0, 0)}}, 'pins'),
+                        ({'objects': numbers, 'weld': 0.1}, 'weld')):
+        with pytest.raises(majorant.UsageError, match=says):
+            majorant.unwrap(V, F, **wrong)
+
+
 def test_unwrap_fits_the_unit_square():
     V, F = helpers.octahedron()
     r = majorant.unwrap(V, F)

@@ -112,7 +112,7 @@ TEST(ParameterBlocks, derivatives_are_those_of_the_blocks) {
   const Scene scene;
   const DerivativeReport report = check_derivatives(*scene.term(), scene.start);
   EXPECT_TRUE(report.ok()) << report.message();
-  const Cells& unknowns = scene.blocks().unknowns();
+  const Cells unknowns = scene.blocks().unknowns();
   ASSERT_EQ(unknowns.cols(), kCamera + kPoint);
   EXPECT_EQ(unknowns(3, 0), scene.first(3, 0));
   EXPECT_EQ(unknowns(3, 5), scene.first(3, 0) + 5);

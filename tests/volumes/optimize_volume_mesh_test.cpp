@@ -1,5 +1,5 @@
 // Meshes of volumes optimized: untangled where they are not valid, held where they should be, and
-// proven afterwards; the public collection, and small ones made here.
+// proven afterwards.
 #include "majorant/volumes/optimize_volume_mesh.h"
 
 #include <fmt/format.h>
@@ -11,11 +11,9 @@
 #include <fstream>
 #include <functional>
 #include <limits>
-#include <set>
 
 #include "majorant/framework/error.h"
 #include "majorant/volumes/volume_files.h"
-#include "public_data.h"
 #include "support.h"
 
 namespace majorant {
@@ -200,6 +198,29 @@ TEST_F(OptimizedMeshes, AreasThatCancelHaveASize) {
   EXPECT_GT(result.after.least_scaled_jacobian(), 0.99);
 }
 
+// A fan around the corner of a square that can be untangled, and one whose center sees no point
+// from which all of its boundary is seen: what is said is said of where untangling ended.
+TEST_F(OptimizedMeshes, WhatIsNotUntangledIsJudgedWhereThatEnded) {
+  std::string points = "0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n1.5 0.5 0 0\n";
+  std::string cells = "1 2 5 0\n2 3 5 0\n3 4 5 0\n4 1 5 0\n";
+  const std::vector<Vector2> horseshoe{{0, 0}, {3, 0}, {3, 3}, {2, 3},
+                                       {2, 1}, {1, 1}, {1, 3}, {0, 3}};
+  for (const Vector2& at : horseshoe) points += fmt::format("{} {} 0 0\n", at.x() + 5, at.y());
+  points += "6.5 0.5 0 0\n";
+  for (int k = 0; k < 8; ++k) cells += fmt::format("{} {} 14 0\n", 6 + k, 6 + (k + 1) % 8);
+  const VolumeMesh mesh = mesh_of("MeshVersionFormatted 2\nDimension 3\nVertices 14\n" + points +
+                                  "Triangles 12\n" + cells + "End\n");
+  const VolumeResult result = optimized(mesh);
+  EXPECT_EQ(result.status, Status::Infeasible);
+  EXPECT_FALSE(result.is_valid());
+  EXPECT_TRUE(result.impossible.empty());
+  EXPECT_EQ(result.before.cells[1].range.positive, ProofStatus::Violated);
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_EQ(result.after.cells[k].range.positive, ProofStatus::Proven) << k;
+  EXPECT_GT(result.after.invalid(), 0);
+  EXPECT_LT(result.points(4, 0), 1);
+}
+
 // A triangle of degree 3, x = f(u), y = v with f' = 0.002 + 3 (u - 1/3)^2: the proofs of usual
 // depth miss it, the deepest hold.
 TEST_F(OptimizedMeshes, WhatIsNarrowlyValidIsNotUntangled) {
@@ -273,26 +294,6 @@ TEST_F(OptimizedMeshes, EveryEnergyAndTarget) {
       EXPECT_TRUE(result.status == Status::Converged || result.status == Status::Stalled)
           << energy.name << " " << result.message;
     }
-}
-
-TEST_F(OptimizedMeshes, PublicMeshes) {
-  const fs::path folder = public_data("volumes");
-  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
-  std::set<std::string> refused;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string extension = entry.path().extension();
-    if (extension != ".msh" && extension != ".mesh") continue;
-    SCOPED_TRACE(entry.path().string());
-    const VolumeMesh mesh = read_volume_mesh(entry.path());
-    try {
-      const VolumeResult result = optimized(mesh);
-      EXPECT_TRUE(result.is_valid()) << result.message;
-    } catch (const Error& e) {
-      EXPECT_EQ(e.kind(), ErrorKind::Unsupported) << e.what();
-      refused.insert(entry.path().filename());
-    }
-  }
-  EXPECT_EQ(refused, std::set<std::string>());
 }
 
 }  // namespace

@@ -26,10 +26,12 @@ void require_usable(const VolumeMesh& mesh, int dim) {
                             mesh.file));
   for (const CellBlock& block : mesh.blocks)
     if (dimension(block.type.shape) == dim && block.type.set != NodeSet::Full)
-      throw Error(ErrorKind::Unsupported,
-                  fmt::format("{}: {} are checked, not optimized; save the mesh with complete "
-                              "elements",
-                              mesh.file, describe(block.type)));
+      throw Error(
+          ErrorKind::Unsupported,
+          fmt::format("{}: {} {}, the first of them element {}, are checked, not optimized; "
+                      "save the mesh with complete elements (gmsh: "
+                      "Mesh.SecondOrderIncomplete = 0)",
+                      mesh.file, block.size(), describe(block.type), block.numbers.front()));
 }
 
 }  // namespace

@@ -115,17 +115,18 @@ void ChartSolver::try_texture(RunRecord& record) {
 
 void ChartSolver::try_tutte(RunRecord& record) {
   is_overlapping_ = false;
-  if (try_many_resolutions(record)) return;
+  if (try_many_resolutions(MapInjectivity::Local, record)) return;
   // Where the minimum overlaps itself, Tutte's map leads to the same.
   if (!is_overlapping_ && attempt(tutte(), MapInjectivity::Local, record)) return;
-  if (!try_unfolded(record)) attempt(tutte(), MapInjectivity::Global, record);
+  if (try_unfolded(record) || try_many_resolutions(MapInjectivity::Global, record)) return;
+  attempt(tutte(), MapInjectivity::Global, record);
 }
 
-// The start of a map that may overlap itself, where that is another one than Tutte's.
-bool ChartSolver::try_many_resolutions(RunRecord& record) {
+// Where that is another start than Tutte's map.
+bool ChartSolver::try_many_resolutions(MapInjectivity injectivity, RunRecord& record) {
   if (record.directive() != Directive::Continue || !mesh_->rest_triangles().empty()) return false;
   MapOptions asked = options_.map;
-  asked.injectivity = MapInjectivity::Local;
+  asked.injectivity = injectivity;
   asked.initial.reset();
   StartMethod taken = StartMethod::Tutte;
   try {
@@ -134,7 +135,7 @@ bool ChartSolver::try_many_resolutions(RunRecord& record) {
       tutte_ = start;
       return false;
     }
-    if (!attempt(start, MapInjectivity::Local, record)) return false;
+    if (!attempt(start, injectivity, record)) return false;
   } catch (const Stopped&) {
     return false;
   }
@@ -173,7 +174,7 @@ const Vec& ChartSolver::tutte() {
       tutte_->segment<2>(2 * mesh_->faces()(0, k)) = rest.front().corners[k];
   }
   MapOptions asked;
-  asked.injectivity = MapInjectivity::Global;
+  asked.start = StartMethod::Tutte;
   if (!tutte_) tutte_ = initial_map(*mesh_, asked);
   return *tutte_;
 }

@@ -52,7 +52,7 @@ class ChartSolver {
  private:
   void try_texture(RunRecord& record);
   void try_tutte(RunRecord& record);
-  bool try_many_resolutions(RunRecord& record);
+  bool try_many_resolutions(MapInjectivity injectivity, RunRecord& record);
   bool try_unfolded(RunRecord& record);
   bool overlaps_unfolded() const;
   bool attempt(const Vec& start, MapInjectivity injectivity, RunRecord& record);

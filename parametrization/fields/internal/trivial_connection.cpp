@@ -10,15 +10,16 @@
 namespace majorant {
 namespace {
 
-// The independent loops of a surface around which a field may turn by more than its cones say: two
-// for every handle and one for every boundary loop but one; none on spheres and disks.
+// Generators of the first homology of a surface: the independent loops around which a field may
+// turn by more than its cones say, two for every handle and one for every boundary loop but one;
+// none on spheres and disks.
 //
-// A spanning tree of the faces crosses some edges; a spanning tree of the vertices (the boundary
-// counted as one vertex) runs along others. Each edge left over closes one loop of faces. [EW05]
-
-class TurningLoops {
+// Tree and cotree [EW05]: a spanning tree of the faces crosses some edges; a spanning tree of the
+// vertices (the boundary counted as one vertex) runs along others. Each edge left over closes one
+// loop of faces.
+class HomologyGenerators {
  public:
-  TurningLoops(const SurfaceMesh& mesh, const FieldGeometry& geometry);
+  HomologyGenerators(const SurfaceMesh& mesh, const FieldGeometry& geometry);
 
   // Half-edges of the tree of faces, each from a face met before into a new one; from face 0.
   const std::vector<Index>& face_tree() const { return face_tree_; }
@@ -38,7 +39,7 @@ class TurningLoops {
   std::vector<Index> vertex_tree_;  // half-edges into new vertices, from the root on
 };
 
-TurningLoops::TurningLoops(const SurfaceMesh& mesh, const FieldGeometry& geometry)
+HomologyGenerators::HomologyGenerators(const SurfaceMesh& mesh, const FieldGeometry& geometry)
     : mesh_(mesh), used_(to_size(mesh.half_edge_count()), 0) {
   grow_face_tree();
   grow_vertex_tree(geometry);
@@ -46,7 +47,7 @@ TurningLoops::TurningLoops(const SurfaceMesh& mesh, const FieldGeometry& geometr
     if (mesh_.opposite(h) > h && !used_[h]) loops_.push_back(h);
 }
 
-void TurningLoops::grow_face_tree() {
+void HomologyGenerators::grow_face_tree() {
   std::vector<char> seen(to_size(mesh_.face_count()), 0);
   std::vector<Index> queue{0};
   seen[0] = 1;
@@ -60,7 +61,7 @@ void TurningLoops::grow_face_tree() {
     }
 }
 
-void TurningLoops::grow_vertex_tree(const FieldGeometry& geometry) {
+void HomologyGenerators::grow_vertex_tree(const FieldGeometry& geometry) {
   std::vector<std::vector<Index>> leaving(to_size(mesh_.vertex_count()));
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
     if (mesh_.opposite(h) >= 0 && !used_[h]) leaving[mesh_.from_vertex(h)].push_back(h);
@@ -82,7 +83,7 @@ void TurningLoops::grow_vertex_tree(const FieldGeometry& geometry) {
     }
 }
 
-Vec TurningLoops::close(const Vec& loop_values) const {
+Vec HomologyGenerators::close(const Vec& loop_values) const {
   Vec form = Vec::Zero(mesh_.half_edge_count());
   Vec around = Vec::Zero(mesh_.vertex_count());  // sum over the half-edges that enter
   const auto set = [&](Index h, double value) {
@@ -109,7 +110,7 @@ constexpr int kMostLoopSweeps = 100;
 
 FieldConnection trivial_connection(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                                    const std::vector<int>& quarter_turns) {
-  const TurningLoops loops(mesh, geometry);
+  const HomologyGenerators loops(mesh, geometry);
   FieldConnection field{Vec::Zero(mesh.face_count()),
                         ConePotential(mesh, geometry, quarter_turns).rotations(), quarter_turns};
   const auto branch_beyond = [&](Index h) {
@@ -136,7 +137,7 @@ void relax_and_round_turning(const SurfaceMesh& mesh, const FieldGeometry& geome
                              FieldConnection& field) {
   const Relaxation relaxation(mesh, geometry, Vec::Zero(mesh.face_count()));
   relaxation.apply(field.angle, field.rotation);
-  const TurningLoops loops(mesh, geometry);
+  const HomologyGenerators loops(mesh, geometry);
   const auto count = static_cast<Index>(loops.loops().size());
   std::vector<FieldConnection> forms;
   for (Index k = 0; k < count; ++k) {

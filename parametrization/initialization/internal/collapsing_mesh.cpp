@@ -168,7 +168,8 @@ class Decimation {
       stop_.poll();
       const Index last = std::min(count, (task + 1) * kVerticesOfATask);
       for (Index k = task * kVerticesOfATask; k < last; ++k)
-        all[k] = stars_[thread].best_of(free_[k]);
+        if (goal_.ears == Ears::Leave || !mesh_.is_ear(free_[k]))
+          all[k] = stars_[thread].best_of(free_[k]);
     };
     parallel_tasks((count + kVerticesOfATask - 1) / kVerticesOfATask, look,
                    static_cast<int>(stars_.size()));

@@ -43,6 +43,7 @@ class CollapsingMesh {
   // going counterclockwise from it passes all faces of v.
   Index leaving(Index v) const { return leaving_[v]; }
   bool on_boundary(Index v) const { return opposite(leaving(v)) < 0; }
+  bool is_ear(Index v) const { return on_boundary(v) && opposite(previous(leaving(v))) < 0; }
   bool is_present(Index v) const { return is_present_[v] != 0; }
   bool has_face(Index f) const { return has_face_[f] != 0; }
   Index vertex_count() const { return static_cast<Index>(leaving_.size()); }
@@ -100,9 +101,13 @@ class CollapsingMesh {
   std::vector<Index> ring_, other_ring_;  // of may_collapse()
 };
 
+// Of vertices with a single face: once they have left, they come back only outside of the map.
+enum class Ears { Leave, Stay };
+
 struct DecimationGoal {
   Index faces;             // as few; more where nothing can leave any more
   std::vector<char> held;  // by vertex: 1 stays; empty: none does
+  Ears ears = Ears::Leave;
 };
 
 // positions: #V by 3, any units. Throws Stopped.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <initializer_list>
 #include <limits>
+#include <utility>
 
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/quadrature.h"
@@ -52,6 +54,10 @@ Vector2 newton_step(const StarModel& m) {
 // Halvings of the distance to the vertex that was collapsed onto: beyond them, doubles
 // cannot tell the points apart.
 constexpr int kDistanceHalvings = 50;
+
+// Of the way from an edge to the neighbours inside: where a boundary vertex comes back within the
+// image, so that the triangles outside have room, too; chosen, not tuned.
+constexpr double kInward = 0.01;
 
 using Complex = std::complex<double>;
 
@@ -132,6 +138,79 @@ Vector2 inward(const CollapsingMesh& mesh, const VertexDescent& descent,
     if (mesh.from(previous(h)) == back.onto) add_left_of(u - descent.place(mesh.to(h)));
   });
   return sum;
+}
+
+// At u + offset, or at a part of it that is halved until the triangles around v have room.
+bool put_along(VertexDescent& descent, Index v, const Vector2& u, Vector2 offset) {
+  for (int k = 0; k < kDistanceHalvings; ++k, offset /= 2) {
+    descent.put(v, u + offset);
+    if (descent.has_area_margin(v)) return true;
+  }
+  return false;
+}
+
+// As near as it has to be to the vertex that it had collapsed onto.
+bool put_near(const CollapsingMesh& mesh, VertexDescent& descent,
+              const CollapsingMesh::Restored& back) {
+  const Vector2 u = descent.place(back.onto);
+  double distance = 0;
+  mesh.for_each_leaving(back.vertex, [&](Index h) {
+    distance = std::max(distance, (descent.place(mesh.to(h)) - u).norm());
+  });
+  return put_along(descent, back.vertex, u, distance * inward(mesh, descent, back));
+}
+
+// Of a boundary vertex: the next one and the one before on the boundary.
+std::pair<Index, Index> boundary_neighbours(const CollapsingMesh& mesh, Index v) {
+  Index last = mesh.leaving(v);
+  mesh.for_each_leaving(v, [&](Index h) { last = h; });
+  return {mesh.to(mesh.leaving(v)), mesh.from(previous(last))};
+}
+
+// The edge between the boundary neighbours of a vertex, its image on the left.
+struct DirectedEdge {
+  Vector2 start, way;
+  // Twice the area of the triangle with p; positive to the left.
+  double area(const Vector2& p) const { return cross(way, Vector2(p - start)); }
+};
+
+DirectedEdge edge_behind(const CollapsingMesh& mesh, const VertexDescent& descent, Index v) {
+  const auto [after, before] = boundary_neighbours(mesh, v);
+  const Vector2 start = descent.place(before);
+  return {start, descent.place(after) - start};
+}
+
+// To the left of the edge, from the vertex that it had collapsed onto by one of the offsets, or a
+// half, a quarter, ... of it: where the energy around the vertex is least.
+bool put_at_best(VertexDescent& descent, const CollapsingMesh::Restored& back,
+                 const DirectedEdge& edge, std::initializer_list<Vector2> offsets) {
+  const Vector2 u = descent.place(back.onto);
+  double least = std::numeric_limits<double>::infinity();
+  Vector2 best;
+  for (Vector2 offset : offsets)
+    for (int k = 0; k < kMostLengths; ++k, offset /= 2) {
+      descent.put(back.vertex, u + offset);
+      if (!(edge.area(u + offset) > 0) || !descent.has_area_margin(back.vertex)) continue;
+      const double energy = descent.mean_energy(back.vertex);
+      if (!(energy < least)) continue;
+      least = energy;
+      best = u + offset;
+    }
+  if (!std::isfinite(least)) return false;
+  descent.put(back.vertex, best);
+  return true;
+}
+
+// The mean of the neighbours of a boundary vertex that are not beside it on the boundary.
+Vector2 inner_neighbours(const CollapsingMesh& mesh, const VertexDescent& descent, Index v) {
+  Vector2 sum = Vector2::Zero();
+  double count = 0;
+  mesh.for_each_leaving(v, [&](Index h) {
+    if (h == mesh.leaving(v)) return;
+    sum += descent.place(mesh.to(h));
+    ++count;
+  });
+  return sum / count;
 }
 
 }  // namespace
@@ -237,7 +316,8 @@ double VertexDescent::mean_energy(Index v) {
   return model(place(v)).f / star_weight_;
 }
 
-double VertexDescent::improve(Index v, int steps) {
+template <class F>
+double VertexDescent::improve(Index v, int steps, const F& is_allowed) {
   gather(v);
   Vector2 here = place(v);
   StarModel m = model(here);
@@ -248,7 +328,8 @@ double VertexDescent::improve(Index v, int steps) {
     const auto attempt = [&](double s) {
       const Vector2 there = here + s * direction;
       const StarModel trial = model(there);
-      if (!(trial.area_margin > 0) || !(trial.f <= m.f + kArmijo * s * slope)) return kHalve;
+      if (!is_allowed(there) || !(trial.area_margin > 0) || !(trial.f <= m.f + kArmijo * s * slope))
+        return kHalve;
       here = there;
       m = trial;
       return kTake;
@@ -259,21 +340,42 @@ double VertexDescent::improve(Index v, int steps) {
   return m.f / star_weight_;
 }
 
+double VertexDescent::improve(Index v, int steps) {
+  return improve(v, steps, [](const Vector2&) { return true; });
+}
+
+double VertexDescent::improve_within(Index v, int steps) {
+  const DirectedEdge edge = edge_behind(mesh_, *this, v);
+  const double least = edge.area(place(v)) / 2;
+  if (!(least > 0)) return mean_energy(v);
+  return improve(v, steps, [&](const Vector2& p) { return edge.area(p) >= least; });
+}
+
 bool put_back(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
               const CollapsingMesh::Restored& back) {
   const Index v = back.vertex;
   descent.put(v, mesh.on_boundary(v) ? unfolded_place(mesh, positions, descent, v)
                                      : mean_value_place(mesh, positions, descent, v));
-  if (descent.has_area_margin(v)) return true;
-  const Vector2 u = descent.place(back.onto), direction = inward(mesh, descent, back);
-  double distance = 0;
-  mesh.for_each_leaving(
-      v, [&](Index h) { distance = std::max(distance, (descent.place(mesh.to(h)) - u).norm()); });
-  for (int k = 0; k < kDistanceHalvings; ++k, distance /= 2) {
-    descent.put(v, u + distance * direction);
-    if (descent.has_area_margin(v)) return true;
-  }
-  return false;
+  return descent.has_area_margin(v) || put_near(mesh, descent, back);
+}
+
+bool put_back_within(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
+                     const CollapsingMesh::Restored& back) {
+  const Index v = back.vertex;
+  if (!mesh.on_boundary(v)) return put_back(mesh, positions, descent, back);
+  const auto [after, before] = boundary_neighbours(mesh, v);
+  const Index other = after == back.onto ? before : after;
+  const auto length = [&](Index w) { return (positions.row(w) - positions.row(v)).norm(); };
+  const double part = length(back.onto) / (length(back.onto) + length(other));
+  const Vector2 u = descent.place(back.onto);
+  const Vector2 on_edge = part * (descent.place(other) - u);
+  const Vector2 inner = inner_neighbours(mesh, descent, v) - u;
+  const Vector2 beside = on_edge + kInward * (inner - on_edge);
+  // Where the corner that opened is a reflex one, no place inside of the edge has room, and those
+  // near to the vertex are within the image.
+  return put_at_best(descent, back, edge_behind(mesh, descent, v),
+                     {beside, on_edge.norm() * inward(mesh, descent, back)}) ||
+         put_near(mesh, descent, back);
 }
 
 }  // namespace majorant

@@ -46,6 +46,9 @@ class VertexDescent {
   double mean_energy(Index v);
   // At most `steps` Newton steps. Returns the mean energy of the star afterwards.
   double improve(Index v, int steps);
+  // The same of a boundary vertex that put_back_within() has just put back: it stays inside of the
+  // edge that had closed behind it, at half of its distance at least.
+  double improve_within(Index v, int steps);
 
   Vector2 place(Index v) const { return uv_.segment<2>(2 * v); }
   void put(Index v, const Vector2& p) { uv_.segment<2>(2 * v) = p; }
@@ -58,6 +61,8 @@ class VertexDescent {
   };
   void measure(Index face);
   void gather(Index v);
+  template <class F>
+  double improve(Index v, int steps, const F& is_allowed);
   StarModel model(const Vector2& p) const;
 
   const CollapsingMesh& mesh_;
@@ -79,6 +84,11 @@ class VertexDescent {
 // it lies between them. False where doubles have no such point.
 bool put_back(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
               const CollapsingMesh::Restored& back);
+// Does the same so that the image of the map grows nowhere, and an injective one stays injective:
+// boundary vertices come back inside of the edge that closed behind them, close to it. They must
+// not have been ears (Ears::Stay).
+bool put_back_within(const CollapsingMesh& mesh, const Points3& positions, VertexDescent& descent,
+                     const CollapsingMesh::Restored& back);
 
 }  // namespace majorant
 

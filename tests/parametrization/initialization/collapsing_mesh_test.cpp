@@ -140,6 +140,43 @@ TEST(Decimation, KeepsWhatIsHeld) {
   EXPECT_LT(left.vertices_left(), mesh->vertex_count() / 2);
 }
 
+// A square sheet with one more triangle at every edge of its border.
+std::shared_ptr<const SurfaceMesh> sheet_with_ears() {
+  const auto sheet = surface(grid(12, bumpy));
+  std::vector<Vector3> positions;
+  for (Index v = 0; v < sheet->vertex_count(); ++v) positions.push_back(sheet->positions().row(v));
+  std::vector<std::vector<Index>> faces;
+  for (Index f = 0; f < sheet->face_count(); ++f)
+    faces.push_back({sheet->faces()(f, 0), sheet->faces()(f, 1), sheet->faces()(f, 2)});
+  Vector3 centre = Vector3::Zero();
+  for (const Vector3& p : positions) centre += p / static_cast<double>(positions.size());
+  for (Index h = 0; h < sheet->half_edge_count(); ++h) {
+    if (sheet->opposite(h) >= 0) continue;
+    const Index a = sheet->from_vertex(h), b = sheet->to_vertex(h);
+    const Vector3 middle = (positions[a] + positions[b]) / 2;
+    faces.push_back({b, a, static_cast<Index>(positions.size())});
+    positions.push_back(middle + 0.1 * (middle - centre));
+  }
+  return surface(polygon_mesh(positions, faces));
+}
+
+// Those that came back as an ear.
+int returned_ears(Ears ears) {
+  const auto mesh = sheet_with_ears();
+  CollapsingMesh left = collapsing(*mesh);
+  decimate(left, mesh->positions(), {20, {}, ears});
+  EXPECT_LT(left.vertices_left(), mesh->vertex_count() / 2);
+  int count = 0;
+  while (left.vertices_left() < mesh->vertex_count())
+    count += left.is_ear(left.restore().vertex) ? 1 : 0;
+  return count;
+}
+
+TEST(Decimation, EarsStayWhereAsked) {
+  EXPECT_GT(returned_ears(Ears::Leave), 0);
+  EXPECT_EQ(returned_ears(Ears::Stay), 0);
+}
+
 TEST(Decimation, IsTheSameOnAnyNumberOfThreads) {
   const auto mesh = surface(grid(60, bumpy));
   const auto collapses = [&](int threads) {

@@ -231,8 +231,15 @@ TEST(Multiresolution, NotesItsSteps) {
 }
 
 TEST(Multiresolution, SaysWhatItDoesNotKnow) {
-  EXPECT_FALSE(multiresolution_map(*surface(grid(3)), {}));  // too small
+  for (const int size : {3, 15}) {  // too small, for a level above the coarsest too
+    RunRecord run;
+    EXPECT_FALSE(multiresolution_map(*surface(grid(size)), {}, run));
+    EXPECT_TRUE(run.trace().empty());
+  }
   const auto mesh = surface(grid(20));
+  MapOptions apart;
+  apart.injectivity = MapInjectivity::Global;
+  EXPECT_THROW(multiresolution_map(*mesh, apart, {}, small()), InvalidArgument);
   MapOptions angles;
   angles.boundary_angles = BoundaryAngles::AtMostFullTurn;
   EXPECT_FALSE(suits_multiresolution(*mesh, angles));

@@ -126,6 +126,44 @@ TEST(Bijective, ADiskWithTwoHoles) {
   expect_valid(parametrize(mesh, degree(2)), 2);  // holes need no scaffold
 }
 
+// Of a surface that overlaps itself when free, one with holes, and one whose boundary is held: the
+// steps on coarser meshes have a scaffold, and boundary vertices come back inside of the image.
+TEST(Bijective, StartsInManyResolutionsHaveNoOverlaps) {
+  PolygonMesh holes = grid(24, bumpy);
+  for (const std::size_t f : {820u, 500u, 280u})
+    holes.polygons.erase(holes.polygons.begin() + static_cast<std::ptrdiff_t>(f));
+  holes.polygon_lines.resize(holes.polygons.size());
+  for (const auto& [mesh, boundary] :
+       {std::pair(ramp(1.3, 400), BoundaryCondition::Free),
+        std::pair(surface(holes), BoundaryCondition::Free),
+        std::pair(surface(grid(24, bumpy)), BoundaryCondition::Fixed)}) {
+    ParametrizationOptions o = options(1, MapInjectivity::Global);
+    o.map.boundary = boundary;
+    o.map.start = StartMethod::Multiresolution;
+    RunRecord record;
+    StartMethod taken = StartMethod::Tutte;
+    const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, o.map, record, &taken));
+    EXPECT_EQ(start_name(taken), "multiresolution");
+    EXPECT_EQ(static_cast<int>(check_boundary(start).result),
+              static_cast<int>(ProofStatus::Proven));
+    EXPECT_TRUE(std::all_of(record.trace().begin(), record.trace().end(),
+                            [](const TraceEntry& row) { return row.level > 0; }));
+    const ParametrizationResult result = parametrize(mesh, o);
+    expect_valid(result, 1);
+    EXPECT_EQ(proof(result), static_cast<int>(ProofStatus::Proven));
+    EXPECT_LT(measure_map(start, o.map.energy).value, 1.05 * result.measures.value);
+    o.map.start = StartMethod::Tutte;
+    EXPECT_NEAR(result.measures.value, parametrize(mesh, o).measures.value,
+                1e-4 * result.measures.value);
+  }
+  MapOptions free = options(1, MapInjectivity::Local).map;
+  free.start = StartMethod::Multiresolution;
+  const auto mesh = ramp(1.3, 400);
+  EXPECT_EQ(
+      static_cast<int>(check_boundary(BezierMap::linear(mesh, initial_map(*mesh, free))).result),
+      static_cast<int>(ProofStatus::Violated));
+}
+
 TEST(Bijective, DirectElevationAndLimits) {
   const auto mesh = ramp(1.3, 36);
   ParametrizationOptions o = options(2, MapInjectivity::Global);

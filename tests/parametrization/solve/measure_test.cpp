@@ -8,6 +8,7 @@
 #include "majorant/elements/bernstein.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/parametrization/initialization/start.h"
+#include "majorant/parametrization/maps/extreme_samples.h"
 #include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/obj_file.h"
@@ -167,6 +168,26 @@ TEST(Measure, ExtremesAndBoundsHoldForSamples) {
     EXPECT_NEAR(m.max_density, worst, 1e-9 * worst) << degree;
     EXPECT_TRUE(m.locally_injective) << degree;
     EXPECT_GT(m.min_det.minCoeff(), 0) << degree;
+  }
+}
+
+// Also where det J is negative.
+TEST(Measure, ExtremesOfInvertedMapsAreThoseOfSamples) {
+  const auto mesh = surface(grid(4, bumpy));
+  const Vec uv = uv_of(*mesh, [](const Vector3& p) { return Vector2(p.x(), p.y()); });
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const BezierMap map = shaken(elevated_to(BezierMap::linear(mesh, uv), 2), 0.2, seed);
+    const MapMeasures m = measure_map(map, {{symmetric_dirichlet()}});
+    double low = INFINITY, high = 0;
+    for (Index f = 0; f < mesh->face_count(); ++f)
+      for (const Barycentric& xi : extreme_samples(2)) {
+        const auto [first, second] = map.singular_values(f, xi);
+        high = std::max(high, first);
+        low = std::min(low, second);
+      }
+    ASSERT_LT(low, 0) << seed;
+    EXPECT_NEAR(m.sigma_max, high, 1e-12 * high) << seed;
+    EXPECT_NEAR(m.sigma_min, low, 1e-12 * high) << seed;
   }
 }
 

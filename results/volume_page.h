@@ -1,0 +1,24 @@
+// Elements of a mesh of volumes as a page for a browser: their sides in space, and beside it those
+// of the regular elements, a row for each element, in the order given.
+//
+//   const VolumeMesh mesh = read_volume_mesh("part.msh");
+//   const VolumeCheck check = check_volume_mesh(mesh);
+//   write_page("bad.html", page_of_elements(mesh, check.worst(10)));
+#pragma once
+
+#include <vector>
+
+#include "majorant/pictures/pictures.h"
+#include "majorant/volumes/check_volume_mesh.h"
+
+namespace majorant {
+
+// Charts and faults are numbered as the elements are, faces name the element of the file that they
+// are of. The faults are the elements that are not proven to be valid, at the place where det J is
+// least. elements: at least one.
+MapPage page_of_elements(const VolumeMesh& mesh, const std::vector<const CheckedCell*>& elements);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
