@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "apps/command.h"
 #include "apps/or_interrupted.h"
 #include "apps/outputs.h"
+#include "apps/page_content.h"
 #include "apps/process.h"
 #include "apps/progress.h"
 #include "apps/streams.h"
@@ -22,6 +24,7 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/io/waiting_output.h"
+#include "majorant/pictures/quad_picture.h"
 #include "majorant/results/quad_job.h"
 #include "majorant/results/quad_report.h"
 
@@ -37,10 +40,16 @@ struct QuadsRequest {
   double time_limit = std::numeric_limits<double>::infinity();
 };
 
+std::vector<std::string> written_extensions() {
+  std::vector<std::string> all = quad_extensions();
+  for (const std::string& picture : quad_picture_extensions()) all.push_back(picture);
+  return all;
+}
+
 void require_usable(QuadsRequest& request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
-  require_some_output(request.outputs, quad_extensions());
-  require_writable(request.common, {{request.outputs, quad_extensions()}},
+  require_some_output(request.outputs, written_extensions());
+  require_writable(request.common, {{request.outputs, written_extensions()}},
                    {request.input, request.cones, feature_file(request.features)});
 }
 
@@ -65,6 +74,23 @@ void open(const QuadsRequest& request, QuadJob& job) {
   });
 }
 
+bool is_picture(const std::string& path) {
+  const std::vector<std::string> pictures = quad_picture_extensions();
+  return std::count(pictures.begin(), pictures.end(), format_of(path)) > 0;
+}
+
+void write_output(const QuadsRequest& request, const QuadJob& job, const std::string& path) {
+  const QuadPicture picture = picture_of(job, page_title(request.input));
+  const std::string format = format_of(path);
+  if (format == ".svg") return write_svg(path, picture);
+  if (format == ".png") return write_png(path, picture);
+  if (format != ".html")
+    return write_quads(path, job.quads, *job.surface.mesh, job.features, job.patch_of);
+  MapPage page = page_of(picture);
+  page.facts = page_facts(quad_report(job), {request.input, request.cones});
+  write_page(path, page);
+}
+
 void summarize(const QuadsRequest& request, const QuadJob& job, const WrittenFiles& written,
                double seconds) {
   if (request.common.quiet) return;
@@ -80,7 +106,7 @@ void summarize(const QuadsRequest& request, const QuadJob& job, const WrittenFil
                 (request.features.empty() ? fmt::format("{}", kCornerTurn) : request.features)
           : "";
   for (const std::string& path : request.outputs)
-    if (written.has(path))
+    if (written.has(path) && !is_picture(path))
       say("proof: majorant check {} --surface {}{}{}\n", path, request.input,
           format_of(path) == ".vtu" ? " --quads" : "", features);
 }
@@ -111,8 +137,7 @@ int make_quads(QuadsRequest request) {
   const double before = seconds_since(start);
   WrittenFiles written;
   for (const std::string& path : request.outputs)
-    written.write(
-        path, [&] { write_quads(path, job.quads, *job.surface.mesh, job.features, job.patch_of); });
+    written.write(path, [&] { write_output(request, job, path); });
   if (const std::string& path = request.common.report; !path.empty()) {
     Json report = quad_report(job);
     report["outputs"] = written.to_json();
@@ -134,7 +159,7 @@ void add_quads(CLI::App& app, Action* run) {
   begin_group(verb, OptionGroup::Files);
   verb.add_option("input", r.input, "mesh of a surface")->required();
   verb.add_option("output", r.positional_output, "one more output");
-  verb.add_option("-o,--output", r.outputs, output_help(quad_extensions()))
+  verb.add_option("-o,--output", r.outputs, output_help(written_extensions()))
       ->type_name("FILE")
       ->allow_extra_args(false);
   begin_group(verb, OptionGroup::Map);

@@ -245,12 +245,6 @@ void append(std::vector<DrawingItem>& items, LayoutDrawing parts) {
                  std::make_move_iterator(more->end()));
 }
 
-std::string text_of(const Drawing& drawing) {
-  SvgWriter writer;
-  writer.write(drawing);
-  return writer.text();
-}
-
 // One of two maps beside each other.
 struct Half {
   MapFile map;
@@ -308,6 +302,12 @@ DrawingItem renamed(DrawingItem item, std::size_t part) {
 
 }  // namespace
 
+std::string svg_text(const Drawing& drawing) {
+  SvgWriter writer;
+  writer.write(drawing);
+  return writer.text();
+}
+
 std::string svg_text(const MapFile& map, const SvgOptions& options) {
   require_sound("layout", map);
   if (options.scaffold) require_sound("scaffold", *options.scaffold);
@@ -333,7 +333,7 @@ std::string svg_text(const MapFile& map, const SvgOptions& options) {
                   .title = "Layout of a surface in the plane",
                   .description = parts.description};
   append(drawing.items, std::move(parts));
-  return text_of(drawing);
+  return svg_text(drawing);
 }
 
 std::string svg_text(const MapPair& pair, const SvgOptions& options) {
@@ -399,7 +399,7 @@ std::string svg_text(const MapPair& pair, const SvgOptions& options) {
     drawing.description += fmt::format("; coloured by {}: {}", colors->title, colors->note);
   for (DrawingItem& item : legends.items(*height + marks + captions, drawing.height))
     drawing.items.push_back(std::move(item));
-  return text_of(drawing);
+  return svg_text(drawing);
 }
 
 void write_svg(const std::string& path, const MapFile& map, const SvgOptions& options) {

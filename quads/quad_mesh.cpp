@@ -194,6 +194,7 @@ BezierMap seamless_map(const RoomySurface& surface, const QuadMeshOptions& optio
 struct JudgedQuads {
   PolygonMesh quads;
   std::vector<Index> patch_of;
+  std::vector<std::array<Index, 2>> feature_edges;
   QuadCheck check;
 };
 
@@ -205,12 +206,13 @@ JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const std::vector<char>& fea
   ExtractedQuads extracted(lattice, t_mesh, edges);
   PolygonMesh quads = extracted.polygons();
   QuadCheck check = check_quads(quads, nullptr, {}, stop);
+  HeldVertices held = extracted.held_vertices();
   if (check.is_surface) {
-    smooth_quads(quads, lattice.surface(), extracted.held_vertices(), stop);
+    smooth_quads(quads, lattice.surface(), held, stop);
     record.begin(Activity::Proving);
     check = check_quads(quads, &mesh, features, stop);
   }
-  return {std::move(quads), extracted.patches(), std::move(check)};
+  return {std::move(quads), extracted.patches(), std::move(held.feature_edges), std::move(check)};
 }
 
 // work(), or what it says where it finds that it is not possible.
@@ -260,6 +262,7 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
     least_off = off;
     result.quads = std::move(made.quads);
     result.patch_of = std::move(made.patch_of);
+    result.feature_edges = std::move(made.feature_edges);
     result.check = std::move(made.check);
     result.least_count.reset();
     if (static_cast<double>(result.check.count) <= (1 + kCountClose) * asked) return;

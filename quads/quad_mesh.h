@@ -12,6 +12,7 @@
 // corner. docs/quads.md. What is returned has been judged by check_quads() and is valid.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct QuadMesh {
   QuadCheck check;  // of these, with the surface and `features`: valid
   // 3 #F: of the features asked for those that are covered; the others were relaxed.
   std::vector<char> features;
+  std::vector<std::array<Index, 2>> feature_edges;  // of the quads, those that cover these
   Index feature_lines = 0;  // of those asked for
   std::vector<LineEnds> relaxed;
   // Model units: shorter lines were relaxed (without_short_lines() in features.h).

@@ -196,6 +196,8 @@ void QuadJob::solve(const std::string& source) {
     if (options.features && !options.features->empty())
       of_piece.features = features_on(piece, *options.features);
     const QuadMesh made = quad_mesh(*piece.mesh, of_piece, record);
+    const auto first = static_cast<Index>(quads.positions.size());
+    for (const auto& [a, b] : made.feature_edges) feature_edges.push_back({first + a, first + b});
     append_mesh(made.quads, quads);
     for (const Index patch : made.patch_of) patch_of.push_back(patches + patch);
     add_features(made, piece, *this);
@@ -251,6 +253,12 @@ Json quad_report(const QuadJob& job) {
 
 std::vector<std::string> quad_extensions() { return {".obj", ".ply", ".vtu"}; }
 
+std::vector<std::string> quad_picture_extensions() { return {".svg", ".png", ".html"}; }
+
+QuadPicture picture_of(const QuadJob& job, const std::string& title) {
+  return {title, job.quads, job.patch_of, job.feature_edges};
+}
+
 void write_quads(const std::string& path, const PolygonMesh& quads, const SurfaceMesh& surface,
                  const std::vector<char>& features, const std::vector<Index>& patch_of) {
   const auto judge = [&](const PolygonMesh& written) {
@@ -259,6 +267,10 @@ void write_quads(const std::string& path, const PolygonMesh& quads, const Surfac
       throw Error(ErrorKind::Invalid, fmt::format("{}: {}", path, fmt::join(check.defects, "; ")));
   };
   const std::string format = format_of(path);
+  if (const std::vector<std::string> known = quad_extensions();
+      std::find(known.begin(), known.end(), format) == known.end())
+    throw Error(ErrorKind::Usage, fmt::format("{}: meshes of quads are written as {}", path,
+                                              fmt::join(known, ", ")));
   if (format == ".vtu") {
     write_volume_mesh(path, cells_of(quads, patch_of), {}, nullptr,
                       [&](const VolumeMesh& written) { judge(quads_of(path, written)); });

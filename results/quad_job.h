@@ -15,6 +15,7 @@
 
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/repair.h"
+#include "majorant/pictures/quad_picture.h"
 #include "majorant/quads/quad_mesh.h"
 #include "majorant/results/report.h"
 
@@ -49,7 +50,8 @@ struct QuadJob {
   long asked_count = 0;
   std::optional<long> least_count;  // as QuadMesh has it, of all components together
   Index patches = 0;
-  std::vector<Index> patch_of;        // by quad, 0 to patches - 1
+  std::vector<Index> patch_of;                      // by quad, 0 to patches - 1
+  std::vector<std::array<Index, 2>> feature_edges;  // of the quads, those that cover features
   std::vector<std::string> warnings;  // a count that is not close to the one asked for
   Status status = Status::Converged;  // of the maps: a limit may have ended their optimization
   double read_seconds = 0, solve_seconds = 0;
@@ -58,13 +60,16 @@ struct QuadJob {
 // Whole but for what writing adds to it: "outputs", their seconds and the total.
 Json quad_report(const QuadJob& job);
 
-// The extensions that write_quads() knows.
+// The extensions that write_quads() knows, and those of pictures.
 std::vector<std::string> quad_extensions();
+std::vector<std::string> quad_picture_extensions();
+// title: of what it is a picture.
+QuadPicture picture_of(const QuadJob& job, const std::string& title);
 // .obj (v and f alone), .ply (binary, doubles) or .vtu: quads, whose region is patch_of, 0 where
 // that is empty, and the irregular vertices as cells, whose region is how many quads they have. The
 // bytes are read back and judged by check_quads() with the surface and these features before the
-// file takes its name: throws Error(Invalid) with what is wrong; Error(Usage) where it cannot be
-// written.
+// file takes its name: throws Error(Invalid) with what is wrong; Error(Usage) for other extensions
+// and where it cannot be written.
 void write_quads(const std::string& path, const PolygonMesh& quads, const SurfaceMesh& surface,
                  const std::vector<char>& features = {}, const std::vector<Index>& patch_of = {});
 // Any mesh as read_mesh() has it, and .vtu of quads. Throws as read_mesh(), and Error(Unsupported)

@@ -90,6 +90,9 @@ struct Drawing {
   std::vector<DrawingItem> items = {};
 };
 
+// As SVG (write_svg.cpp).
+std::string svg_text(const Drawing& drawing);
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -44,11 +44,6 @@ constexpr Color kColors[] = {{123, 47, 190}, {0, 139, 139}, {194, 24, 91},  {46,
 
 Color chart_color(Index chart) { return kColors[to_size(chart) % std::size(kColors)]; }
 
-// Blue for index > 0 (angle < 360 degrees), green for index < 0.
-Color cone_color(int quarter_turns) {
-  return quarter_turns < 4 ? Color{26, 95, 208} : Color{11, 138, 58};
-}
-
 // Point and derivative of a Bezier curve at s, by de Casteljau's algorithm.
 std::pair<Vector2, Vector2> evaluate_curve(std::vector<Vector2> control, double s) {
   Vector2 derivative = Vector2::Zero();
@@ -424,6 +419,10 @@ std::string description_of(const LayoutSheet& sheet) {
 }
 
 }  // namespace
+
+Color cone_color(int quarter_turns) {
+  return quarter_turns < 4 ? Color{26, 95, 208} : Color{11, 138, 58};
+}
 
 CellColors plain_colors(const MapFile& map) {
   CellColors colors(to_size(static_cast<Index>(map.cells.rows())), kGrey);

@@ -51,6 +51,8 @@ LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
 double round_spacing(double least);
 
 inline constexpr Color kGridColor{20, 50, 122};
+// Blue for index > 0 (angle < 360 degrees), green for index < 0.
+Color cone_color(int quarter_turns);
 
 // Places of a drawing: the layout, as large as it fits, above its legends.
 class LayoutSheet {

@@ -27,7 +27,7 @@ class QuadMesh:
         self.status: str = self.report['status']
 
     def save(self, path: str | os.PathLike) -> None:
-        """As what `majorant quads` writes: .obj or .ply, read back and judged before it takes its name."""
+        """As `majorant quads` writes it: .obj, .ply or .vtu, read back and judged before it takes its name."""
         _core.save_quads(self._made, _arrays.path(path))
 
     def __repr__(self) -> str:

@@ -3,10 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`majorant quads`, and `check` of what it and others write: files, reports, refusals. What is written is judged by
 tests/checker/quad_judge.py, too."""
+import base64
 import json
 import math
 import os
 import re
+import struct
 import sys
 import unittest
 
@@ -125,7 +127,7 @@ class Quads(CommandTest):
     def test_refusals(self):
         buckle, out = helpers.generated('buckle'), self.path('o.obj')
         self.refused(USAGE, 'quads', buckle, '-o', out, '--count', 100, '--edge-length', 1, says='--edge-length')
-        self.refused(USAGE, 'quads', buckle, '-o', self.path('o.svg'), says='.svg')
+        self.refused(USAGE, 'quads', buckle, '-o', self.path('o.stl'), says='.stl')
         self.refused(USAGE, 'quads', buckle, says='-o')
         self.refused(UNREADABLE, 'quads', self.path('none.obj'), '-o', out, says='none.obj')
         cones = self.write('cones.json', '{"cones": []}')
@@ -230,6 +232,33 @@ class Quads(CommandTest):
         self.assertEqual(self.run_ok('check', self.path('q.obj'), '--surface', cube).out.split(': ', 1)[1], one)
         found = json.loads(self.run_ok('mesh', 'check', path, '--report', '-').out)['mesh']
         self.assertEqual(found['elements']['points'], 8)
+
+    def test_pictures(self):
+        """A cube from outside: half of it is seen, its corners are irregular, its edges features."""
+        cube, _ = self.block(4)
+        names = [self.path('q.' + e) for e in ('svg', 'png', 'html', 'obj')]
+        report = self.made(cube, '--count', 600, *[word for name in names for word in ('-o', name)])
+        quads = report['quads']
+        self.assertEqual([output['written'] for output in report['outputs']], [True] * 5)
+        svg = self.read('q.svg').decode()
+        self.assertIn('8 vertices of fewer than 4 quads', svg)
+        self.assertIn('%d quads in %d patches' % (quads['count'], quads['patches']), svg)
+        cells = len(re.findall('<path fill="(?!#fff)[^"]*" stroke="#333333" stroke-width="0.8" d="M', svg))
+        self.assertLess(abs(cells - quads['count'] / 2), 0.1 * quads['count'])
+        dots = svg.count('<circle') - 1  # that of the legend
+        self.assertIn(dots, (4, 6, 7))
+        self.assertEqual(self.read('q.png')[:4], b'\x89PNG')
+        page = self.read('q.html').decode()
+        data = json.loads(re.search('<script type="application/json" id="data">(.*?)</script>', page, re.S).group(1))
+        self.assertEqual(data['faces'], 2 * quads['count'])
+        self.assertEqual({turns for _, turns in data['cones']}, {3})
+        vertices = struct.unpack('<%di' % data['corners'], base64.b64decode(data['input_vertex']))
+        self.assertEqual(len({vertices[corner] for corner, _ in data['cones']}), 8)
+        charts = struct.unpack('<%di' % data['faces'], base64.b64decode(data['chart']))
+        self.assertEqual(len(set(charts)), quads['patches'])
+        seams = struct.unpack('<%di' % (3 * data['faces']), base64.b64decode(data['seam_edges']))
+        on_features = int(re.search(r'(\d+) edges on features', svg).group(1))
+        self.assertEqual(sum(seams), 2 * on_features)  # both sides
 
     def test_borders_that_touch(self):
         """Two square holes that are one, since the corner where they meet is two vertices at one place."""
