@@ -20,12 +20,11 @@
 namespace majorant {
 namespace {
 
-constexpr int kWidth = 1000, kHeight = 800;
-constexpr double kEdgeWidth = 0.8, kFeatureWidth = 2.5, kDotRadius = 5;
-constexpr double kDarkest = 0.72;  // of what is seen edge-on, as on surfaces of write_png()
+constexpr int kPictureWidth = 1000, kPictureHeight = 800;
+constexpr double kQuadEdgeWidth = 0.8, kFeatureWidth = 2.5, kDotRadius = 5;
 constexpr Color kFeatureColor{194, 24, 91};
 
-using Edge = std::pair<Index, Index>;  // ascending
+using QuadEdge = std::pair<Index, Index>;  // ascending
 
 Index quad_count(const QuadPicture& picture) {
   return static_cast<Index>(picture.quads.polygons.size());
@@ -36,7 +35,7 @@ void for_each_edge(const QuadPicture& picture, const F& f) {
   for (Index q = 0; q < quad_count(picture); ++q)
     for (std::size_t k = 0; k < 4; ++k) {
       const auto& quad = picture.quads.polygons[q];
-      f(q, Edge(std::minmax(quad[k], quad[(k + 1) % 4])));
+      f(q, QuadEdge(std::minmax(quad[k], quad[(k + 1) % 4])));
     }
 }
 
@@ -49,8 +48,8 @@ struct Valences {
 Valences valences_of(const QuadPicture& picture) {
   Valences found;
   found.irregular.assign(picture.quads.positions.size(), 0);
-  std::map<Edge, int> sides;
-  for_each_edge(picture, [&](Index, const Edge& edge) { ++sides[edge]; });
+  std::map<QuadEdge, int> sides;
+  for_each_edge(picture, [&](Index, const QuadEdge& edge) { ++sides[edge]; });
   for (const auto& quad : picture.quads.polygons)
     for (const Index v : quad) ++found.irregular[v];
   for (int& count : found.irregular)
@@ -67,13 +66,13 @@ Valences valences_of(const QuadPicture& picture) {
 // place with one uv are one point.
 MapFile map_of(const QuadPicture& picture, const std::vector<Vector2>& uv,
                const Valences& valences) {
-  struct Place {
+  struct Corner {
     Index vertex;
     double u, v;
-    auto operator<=>(const Place&) const = default;
+    auto operator<=>(const Corner&) const = default;
   };
-  std::map<Place, Index> numbers;
-  std::vector<Place> places;
+  std::map<Corner, Index> numbers;
+  std::vector<Corner> places;
   MapFile map;
   const Index quads = quad_count(picture);
   map.cells.resize(2 * quads, 3);
@@ -83,9 +82,8 @@ MapFile map_of(const QuadPicture& picture, const std::vector<Vector2>& uv,
     std::array<Index, 4> corner{};
     for (std::size_t k = 0; k < 4; ++k) {
       const Vector2& at = uv[4 * to_size(q) + k];
-      const Place place{picture.quads.polygons[q][k], at.x(), at.y()};
-      const auto [found, is_new] =
-          numbers.try_emplace(place, static_cast<Index>(places.size()));
+      const Corner place{picture.quads.polygons[q][k], at.x(), at.y()};
+      const auto [found, is_new] = numbers.try_emplace(place, static_cast<Index>(places.size()));
       if (is_new) places.push_back(place);
       corner[k] = found->second;
     }
@@ -102,7 +100,7 @@ MapFile map_of(const QuadPicture& picture, const std::vector<Vector2>& uv,
   map.input_vertex.resize(count);
   map.cone.resize(count);
   for (Index p = 0; p < count; ++p) {
-    const Place& place = places[p];
+    const Corner& place = places[p];
     map.points.row(p) = picture.quads.positions[place.vertex];
     map.uv.row(p) << place.u, place.v;
     map.input_vertex[p] = place.vertex;
@@ -190,13 +188,13 @@ std::vector<LegendMark> marks_of(const QuadPicture& picture, const Valences& val
     marks.push_back({{Shape{.path = line, .stroke = Stroke{kFeatureColor, kFeatureWidth}}},
                      fmt::format("{} edges on features", picture.feature_edges.size())});
   }
-  const std::vector<Index>& patch = picture.patch_of;
-  const auto patches = patch.empty() ? 0 : *std::max_element(patch.begin(), patch.end()) + 1;
   Shape square{.path = rectangle({-kHalfSign, -kHalfSign}, {2 * kHalfSign, 2 * kHalfSign}),
-               .stroke = Stroke{kInk, kEdgeWidth}};
+               .stroke = Stroke{kInk, kQuadEdgeWidth}};
   marks.push_back({{std::move(square)},
                    fmt::format("{} quads{}", quad_count(picture),
-                               patches > 0 ? fmt::format(" in {} patches", patches) : "")});
+                               picture.patch_of.empty()
+                                   ? ""
+                                   : fmt::format(" in {} patches", grids_of(picture).size()))});
   return marks;
 }
 
@@ -208,19 +206,19 @@ class Painting {
         // Nothing looks at uv.
         map_(map_of(picture, std::vector<Vector2>(4 * picture.quads.polygons.size(), {0, 0}),
                     valences_)),
-        legends_({}, marks_of(picture, valences_), kWidth) {}
+        legends_({}, marks_of(picture, valences_), kPictureWidth) {}
 
   Drawing draw() {
-    const double height = kHeight - legends_.height();
-    see({kWidth, static_cast<int>(std::lround(height))});
-    Drawing drawing{.width = kWidth,
-                    .height = kHeight,
+    const double height = kPictureHeight - legends_.height();
+    see({kPictureWidth, static_cast<int>(std::lround(height))});
+    Drawing drawing{.width = kPictureWidth,
+                    .height = kPictureHeight,
                     .title = "Quads of a surface",
                     .description = picture_.title};
     for (const LegendMark& mark : marks_of(picture_, valences_))
       drawing.description += "; " + mark.text;
     add_quads(drawing.items);
-    for (DrawingItem& item : legends_.items(height, kHeight)) drawing.items.push_back(item);
+    for (DrawingItem& item : legends_.items(height, kPictureHeight)) drawing.items.push_back(item);
     return drawing;
   }
 
@@ -232,6 +230,10 @@ class Painting {
     bool is_front;
   };
 
+  static bool is_front(const Vector2& a, const Vector2& b, const Vector2& c) {
+    return cross(b - a, c - a) < 0;  // y points down
+  }
+
   void see(PixelSize size) {
     view_ = first_view(map_);
     const std::vector<RasterTriangle> halves = surface_triangles(map_, view_, size);
@@ -239,8 +241,8 @@ class Painting {
       const RasterTriangle &one = halves[2 * to_size(q)], &other = halves[2 * to_size(q) + 1];
       Seen seen{{one.corners[0], one.corners[1], one.corners[2], other.corners[2]}, 0, true};
       seen.depth = one.depth[0] + one.depth[1] + one.depth[2] + other.depth[2];
-      const Vector2 a = seen.corners[2] - seen.corners[0], b = seen.corners[3] - seen.corners[1];
-      seen.is_front = a.x() * b.y() - a.y() * b.x() < 0;  // y points down
+      seen.is_front = is_front(seen.corners[0], seen.corners[1], seen.corners[2]) ||
+                      is_front(seen.corners[0], seen.corners[2], seen.corners[3]);
       seen_.push_back(seen);
       if (seen.is_front || valences_.has_border) order_.push_back(q);
     }
@@ -250,12 +252,12 @@ class Painting {
 
   // Features and irregular vertices follow the last of their quads.
   void add_quads(std::vector<DrawingItem>& items) const {
-    std::map<Edge, Index> last_at_edge;
+    std::map<QuadEdge, Index> last_at_edge;
     std::vector<Index> last_at_vertex(picture_.quads.positions.size(), -1);
     for (const auto& [a, b] : picture_.feature_edges) last_at_edge[std::minmax(a, b)] = -1;
     std::vector<Index> rank(picture_.quads.polygons.size(), -1);
     for (std::size_t r = 0; r < order_.size(); ++r) rank[order_[r]] = static_cast<Index>(r);
-    for_each_edge(picture_, [&](Index q, const Edge& edge) {
+    for_each_edge(picture_, [&](Index q, const QuadEdge& edge) {
       for (const Index v : {edge.first, edge.second})
         last_at_vertex[v] = std::max(last_at_vertex[v], rank[q]);
       if (const auto found = last_at_edge.find(edge); found != last_at_edge.end())
@@ -272,7 +274,7 @@ class Painting {
       outline.close();
       items.emplace_back(Shape{.path = std::move(outline),
                                .fill = lit(colors[2 * to_size(q)], q),
-                               .stroke = Stroke{kInk, kEdgeWidth}});
+                               .stroke = Stroke{kInk, kQuadEdgeWidth}});
       for (std::size_t k = 0; k < 4; ++k) {
         const auto found = last_at_edge.find(std::minmax(quad[k], quad[(k + 1) % 4]));
         if (found == last_at_edge.end() || found->second != r) continue;
@@ -319,7 +321,7 @@ void write_svg(const std::string& path, const QuadPicture& picture) {
 }
 
 void write_png(const std::string& path, const QuadPicture& picture) {
-  Canvas canvas({kWidth, kHeight}, 1, Paper::White);
+  Canvas canvas({kPictureWidth, kPictureHeight}, 1, Paper::White);
   canvas.paint(Painting(picture).draw().items);
   write_file_atomically(path, encode_png(canvas.image()));
 }
@@ -330,7 +332,7 @@ MapPage page_of(const QuadPicture& picture) {
   page.map = map_of(picture, laid_out(picture), valences_of(picture));
   page.alignment = Alignment::Never;
   if (picture.feature_edges.empty()) return page;
-  std::map<Edge, int> is_feature;
+  std::map<QuadEdge, int> is_feature;
   for (const auto& [a, b] : picture.feature_edges) is_feature[std::minmax(a, b)] = 1;
   MapFile& map = page.map;
   map.seam_edges = Cells::Zero(map.cells.rows(), 3);

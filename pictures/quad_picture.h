@@ -3,7 +3,7 @@
 //
 //   QuadPicture picture;
 //   picture.title = "spot.obj";
-//   picture.quads = read_mesh("quads.obj");
+//   picture.quads = polygons;
 //   write_svg("quads.svg", picture);
 //   write_page("quads.html", page_of(picture));
 //

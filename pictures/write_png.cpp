@@ -271,7 +271,6 @@ std::unique_ptr<Painter> heat_painter(const MapFile& map, Quantity quantity,
   return std::make_unique<HeatPainter>(map, quantity, energy, scale);
 }
 
-constexpr double kDarkest = 0.72;  // of what is seen edge-on
 const FloatColor kCut(194, 24, 91);
 
 void require_usable(const PngOptions& options) {

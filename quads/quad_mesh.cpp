@@ -284,7 +284,10 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
   // More, where so few turn thin limbs over; chosen.
   constexpr double kGrowth = 1.5, kMostTimes = 4, kFew = 200;
   const double most = std::max(kMostTimes, kFew / std::max(asked, 1.0));
-  for (double part = kGrowth; result.check.count == 0 && part <= most; part *= kGrowth)
+  // With features that were not given so many are not taken.
+  const bool may_be_more = features.empty() || options.features;
+  for (double part = kGrowth; may_be_more && result.check.count == 0 && part <= most;
+       part *= kGrowth)
     attempt_for(Arcs::Joined, part);
   if (result.check.count > 0) return result;
   // How many would do. With features fewer of these are tried next.
@@ -319,6 +322,7 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   std::optional<QuadMesh> made;
   std::vector<char> features, tried;
   double shortest = length;
+  std::string conflict;
   for (;; shortest *= 2) {
     features = without_short_lines(mesh, asked, shortest);
     if (features == tried) continue;
@@ -329,6 +333,10 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
     }
     const std::optional<std::string> failed = why_infeasible([&] { made = made_with(features); });
     if (!failed && (options.features || !made->least_count)) break;
+    if (!conflict.empty()) continue;
+    const std::string prefix = message_prefix(mesh);
+    conflict = failed ? failed->substr(failed->starts_with(prefix) ? prefix.size() : 0)
+                      : fmt::format("{} quads at least", *made->least_count);
   }
   const FeatureLines lines = feature_lines(mesh, asked);
   made->feature_lines = static_cast<Index>(lines.lines.size());
@@ -338,6 +346,7 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
           {mesh.from_vertex(line.half_edges.front()), mesh.to_vertex(line.half_edges.back())});
   made->features = std::move(features);
   made->shortest_feature = shortest;
+  made->conflict = std::move(conflict);
   return *std::move(made);
 }
 

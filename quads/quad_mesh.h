@@ -14,6 +14,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "majorant/framework/run_record.h"
@@ -41,8 +42,11 @@ struct QuadMesh {
   // 3 #F: of the features asked for those that are covered; the others were relaxed.
   std::vector<char> features;
   std::vector<std::array<Index, 2>> feature_edges;  // of the quads, those that cover these
-  Index feature_lines = 0;  // of those asked for
+  Index feature_lines = 0;                          // of those asked for
   std::vector<LineEnds> relaxed;
+  // Why there are no quads with all features but those that are too short for quads as long as
+  // asked; empty where there are.
+  std::string conflict;
   // Model units: shorter lines were relaxed (without_short_lines() in features.h).
   double shortest_feature = 0;
   long asked = 0;

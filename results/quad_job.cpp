@@ -126,9 +126,6 @@ std::optional<double> number_in(const std::string& text) {
   return number;
 }
 
-// More than rounding, less than a doubling of lengths.
-constexpr double kDoubled = 1.5;
-
 void append_mesh(const PolygonMesh& part, PolygonMesh& all) {
   const auto first = static_cast<Index>(all.positions.size());
   all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
@@ -145,6 +142,7 @@ void add_features(const QuadMesh& made, const SurfacePiece& piece, QuadJob& job)
     job.relaxed.push_back({piece.mesh->input_vertex(line.from), piece.mesh->input_vertex(line.to)});
   if (!made.relaxed.empty())
     job.shortest_feature = std::max(job.shortest_feature, made.shortest_feature);
+  if (!made.conflict.empty()) job.conflicts.push_back(made.conflict);
   if (made.features.empty()) return;
   job.features.resize(to_size(job.surface.mesh->half_edge_count()), 0);
   for (std::size_t f = 0; f < piece.face.size(); ++f)
@@ -152,10 +150,7 @@ void add_features(const QuadMesh& made, const SurfacePiece& piece, QuadJob& job)
       job.features[3 * to_size(piece.face[f]) + k] = made.features[3 * f + k];
 }
 
-// Lines shorter than two edges of quads are relaxed anyway.
 std::string relaxed_features(const QuadJob& job) {
-  const double length = std::sqrt(job.surface.mesh->area() / std::max<double>(job.asked_count, 1));
-  const bool are_short = job.shortest_feature <= kDoubled * length;
   std::vector<std::string> ends;
   for (const auto& [from, to] : job.relaxed) {
     if (ends.size() == kNamedPlaces) break;
@@ -163,11 +158,10 @@ std::string relaxed_features(const QuadJob& job) {
   }
   return fmt::format(
       "{}: {} of {} feature lines relaxed, quads cross them: those shorter than "
-      "{:.3g}, {} (vertices {}{})",
+      "{:.3g}{} (vertices {}{})",
       job.polygons.file, job.relaxed.size(), job.feature_lines, 2 * job.shortest_feature,
-      are_short ? "two edges of so many quads"
-                : "with which there is no map, or there are no valid quads, or not so "
-                  "few of them",
+      job.conflicts.empty() ? ", two edges of so many quads"
+                            : fmt::format("; with more of them: {}", job.conflicts.front()),
       fmt::join(ends, ", "), job.relaxed.size() > kNamedPlaces ? ", ..." : "");
 }
 
@@ -269,8 +263,8 @@ void write_quads(const std::string& path, const PolygonMesh& quads, const Surfac
   const std::string format = format_of(path);
   if (const std::vector<std::string> known = quad_extensions();
       std::find(known.begin(), known.end(), format) == known.end())
-    throw Error(ErrorKind::Usage, fmt::format("{}: meshes of quads are written as {}", path,
-                                              fmt::join(known, ", ")));
+    throw Error(ErrorKind::Usage,
+                fmt::format("{}: meshes of quads are written as {}", path, fmt::join(known, ", ")));
   if (format == ".vtu") {
     write_volume_mesh(path, cells_of(quads, patch_of), {}, nullptr,
                       [&](const VolumeMesh& written) { judge(quads_of(path, written)); });

@@ -46,6 +46,7 @@ struct QuadJob {
   Index feature_lines = 0;
   std::vector<std::array<Index, 2>> relaxed;  // their ends: vertices of the input
   double shortest_feature = 0;
+  std::vector<std::string> conflicts;  // of components, as QuadMesh has it
   QuadCheck check;
   long asked_count = 0;
   std::optional<long> least_count;  // as QuadMesh has it, of all components together

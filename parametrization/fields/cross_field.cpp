@@ -87,9 +87,19 @@ std::vector<std::complex<double>> principal_directions(const SurfaceMesh& mesh,
 // Chosen, not tuned.
 constexpr int kLargestMeanAngle = 120;
 const std::vector<char> kNoneFixed;
-// Quarter turns of an inner vertex, at least. Of fields that follow edges quads are made, and one
-// quad around a vertex would meet itself along an edge.
-constexpr int kLeastTurns = 1, kLeastTurnsOfAligned = 2;
+// Quarter turns of an inner vertex, at least.
+constexpr int kLeastTurns = 1;
+// Of fields that follow edges quads are made. Where they have a vertex their corners are below 180
+// degrees; this is the largest that is planned, in quarter turns. One quad around an inner vertex
+// would meet itself along an edge.
+constexpr double kLargestCorner = 160.0 / 90;
+constexpr int kLeastQuads = 2;
+
+// Quarter turns, at least, where angles add up to so many of them; never more than of a regular
+// vertex, where quads need none.
+int least_turns_at(double angle, int regular) {
+  return std::min(regular, static_cast<int>(std::ceil(angle / kLargestCorner)));
+}
 
 // Around a vertex the edges that the field follows bound sectors, each of which holds a number of
 // quarter turns as inner vertices do: what its angles add up to in a map. At the border they do
@@ -98,6 +108,7 @@ struct AlignedSectors {
   std::vector<char> is_bound;          // 3 #F: followed by the faces on both sides
   std::vector<Index> of;               // 3 #F: of the corner where a half-edge starts, or -1
   std::vector<int> turns, wanted;      // by sector: of the field; of its angles, rounded
+  std::vector<int> least;              // by sector: turns
   std::vector<int> faces;              // by sector
   std::vector<std::vector<Index>> at;  // #V: sectors
   std::vector<Index> vertex;           // by sector
@@ -105,7 +116,7 @@ struct AlignedSectors {
 
 class SectorFinder {
  public:
-  // is_aligned: 3 #F, or empty: no sectors. fixed: #F, the directions of faces that follow an edge.
+  // is_aligned: 3 #F. fixed: #F, the directions of faces that follow an edge.
   SectorFinder(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                const std::vector<char>& is_aligned, const Vec& fixed)
       : mesh_(mesh), geometry_(geometry), is_aligned_(is_aligned), fixed_(fixed) {}
@@ -115,7 +126,6 @@ class SectorFinder {
     sectors_.of.assign(corners, -1);
     sectors_.at.resize(to_size(mesh_.vertex_count()));
     sectors_.is_bound.assign(corners, 0);
-    if (is_aligned_.empty()) return sectors_;
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) sectors_.is_bound[h] = is_bound(h);
     for (const Index h : first_bounds())
       if (h >= 0) go_around(h);
@@ -188,6 +198,7 @@ class SectorFinder {
       const double turns = angle[s] / kQuarter;
       sectors_.wanted.push_back(
           std::abs(turns - 2) < 0.5 + kTie ? 2 : std::max(1, static_cast<int>(std::lround(turns))));
+      sectors_.least.push_back(std::max(1, least_turns_at(turns, sectors_.wanted.back())));
     }
   }
 
@@ -212,12 +223,11 @@ constexpr double kLeastConeGain = 1e-6;
 class Cleanup {
  public:
   Cleanup(const SurfaceMesh& mesh, const FieldGeometry& geometry, const std::vector<char>& is_fixed,
-          AlignedSectors sectors, int least_turns, FieldConnection& field)
+          AlignedSectors sectors, FieldConnection& field)
       : mesh_(mesh),
         geometry_(geometry),
         is_fixed_(is_fixed),
         sectors_(std::move(sectors)),
-        least_turns_(least_turns),
         field_(field),
         leaving_(to_size(mesh.vertex_count()) + sectors_.faces.size()) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -271,7 +281,11 @@ class Cleanup {
     return is_fixed_.empty() || !is_fixed_[face_of(h)] || !is_fixed_[face_of(o)] ||
            sector(node_at(h)) >= 0 || sector(node_beyond(h)) >= 0;
   }
-  int least_turns(Index v) const { return sector(v) >= 0 ? 1 : least_turns_; }
+  int least_turns(Index v) const {
+    if (sector(v) >= 0) return sectors_.least[sector(v)];
+    if (sectors_.of.empty()) return kLeastTurns;
+    return std::max(kLeastQuads, least_turns_at(geometry_.angle_sum[v] / kQuarter, regular(v)));
+  }
   int most_turns(Index v) const {
     // Faces of less than two quarter turns each.
     if (sector(v) >= 0)
@@ -409,7 +423,6 @@ class Cleanup {
   const FieldGeometry& geometry_;
   const std::vector<char>& is_fixed_;
   AlignedSectors sectors_;
-  const int least_turns_;
   FieldConnection& field_;
   std::vector<Index> nodes_;                 // vertices, or #V + sector, by vertex
   std::vector<std::vector<Index>> leaving_;  // by node, half-edges that may be matched anew
@@ -423,9 +436,9 @@ class Cleanup {
 // surface's angles, where that lets cones go, and to one at least. Throws
 // Error(Infeasible) when no place is found for a quarter turn.
 void optimize_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-                    const std::vector<char>& is_fixed, AlignedSectors sectors, int least_turns,
+                    const std::vector<char>& is_fixed, AlignedSectors sectors,
                     FieldConnection& field) {
-  Cleanup(mesh, geometry, is_fixed, std::move(sectors), least_turns, field).run();
+  Cleanup(mesh, geometry, is_fixed, std::move(sectors), field).run();
 }
 
 // Lowers energy (cone_potential.h) + cone_cost * sum |quarter_turns - 4| by moves of single quarter
@@ -435,8 +448,7 @@ void optimize_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
 // Relax afterwards. Throws Stopped.
 void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                        const CrossFieldOptions& options, FieldConnection& field) {
-  Cleanup(mesh, geometry, kNoneFixed, {}, kLeastTurns, field)
-      .lower_energy(options.cone_cost, options.stop);
+  Cleanup(mesh, geometry, kNoneFixed, {}, field).lower_energy(options.cone_cost, options.stop);
 }
 
 using Complex = std::complex<double>;
@@ -667,8 +679,10 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
   }
   options.stop.poll();
   optimize_cones(mesh, geometry, is_fixed,
-                 SectorFinder(mesh, geometry, options.aligned, fixed).find(field.rotation),
-                 options.aligned.empty() ? kLeastTurns : kLeastTurnsOfAligned, field);
+                 options.aligned.empty()
+                     ? AlignedSectors()
+                     : SectorFinder(mesh, geometry, options.aligned, fixed).find(field.rotation),
+                 field);
   options.stop.poll();
   if (pull == 0 && !system.has_fixed()) {
     lower_cone_energy(mesh, geometry, options, field);

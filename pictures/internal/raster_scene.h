@@ -9,6 +9,9 @@
 
 namespace majorant {
 
+// The light of what is seen edge-on (pictures.h).
+inline constexpr double kDarkest = 0.72;
+
 // The triangles of the surface seen from `view` (pictures.h has the camera), one a cell, and then
 // those of lines along edges that the map cuts (faces on both sides on the surface, not in the
 // plane): as wide whichever of the faces beside them is seen.

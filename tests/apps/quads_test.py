@@ -222,6 +222,37 @@ class Quads(CommandTest):
         features = report['quads']['features']
         self.assertEqual(features, {'asked': 12, 'covered': 0, 'relaxed': 12})
         self.assertIn('12 of 12 feature lines relaxed', ' '.join(report['warnings']))
+        self.assertIn('two edges of so many quads', ' '.join(report['warnings']))
+
+    def test_features_in_conflict(self):
+        """Edges of a file that no map can follow are relaxed, which is said with the reason."""
+        cube, number = self.block(4)
+        edges = [[number[i, j, 4], number[i + 1, j, 4]] for i in range(1, 3) for j in range(1, 4)]
+        edges += [[number[i, j, 4], number[i, j + 1, 4]] for i in range(1, 4) for j in range(1, 3)]
+        edges += [[number[i, j, 4], number[i + 1, j + 1, 4]] for i in range(1, 3) for j in range(1, 3)]
+        path = self.write('edges.json', json.dumps({'edges': edges}))
+        report = self.made(cube, '--count', 2400, '--features', path)
+        features = report['quads']['features']
+        self.assertGreater(features['relaxed'], 0)
+        self.assertIn('; with more of them: ', ' '.join(report['warnings']))
+
+    def test_a_cylinder(self):
+        """Lines around without corners, and a vertex in the middle of each end that all its triangles share."""
+        n, points, faces = 16, [(0, 0, 0)], []
+        rings = [(1, 0), (2, 0), (2, 1), (2, 2), (1, 2)]
+        for r, z in rings:
+            points += [(r * math.cos(2 * math.pi * i / n), r * math.sin(2 * math.pi * i / n), z) for i in range(n)]
+        points.append((0, 0, 2))
+        for i in range(n):
+            j = (i + 1) % n
+            faces += [(0, 1 + j, 1 + i), (len(points) - 1, 1 + 4 * n + i, 1 + 4 * n + j)]
+            for k in range(len(rings) - 1):
+                a, b, c, d = 1 + k * n + i, 1 + k * n + j, 1 + k * n + n + j, 1 + k * n + n + i
+                faces += [(a, b, c), (a, c, d)]
+        path = self.write('cylinder.obj', helpers.obj_text(points, faces))
+        quads = self.made(path, '--count', 800)['quads']
+        self.assertEqual(quads['features'], {'asked': 2, 'covered': 2, 'relaxed': 0})
+        self.assertEqual(judge(read_obj(self.path('quads.obj')), read_obj(path), 35), set())
 
     def test_vtu(self):
         """Patches, and irregular vertices, by number of quads."""
@@ -242,7 +273,7 @@ class Quads(CommandTest):
         self.assertEqual([output['written'] for output in report['outputs']], [True] * 5)
         svg = self.read('q.svg').decode()
         self.assertIn('8 vertices of fewer than 4 quads', svg)
-        self.assertIn('%d quads in %d patches' % (quads['count'], quads['patches']), svg)
+        patches = int(re.search('%d quads in ([0-9]+) patches' % quads['count'], svg).group(1))
         cells = len(re.findall('<path fill="(?!#fff)[^"]*" stroke="#333333" stroke-width="0.8" d="M', svg))
         self.assertLess(abs(cells - quads['count'] / 2), 0.1 * quads['count'])
         dots = svg.count('<circle') - 1  # that of the legend
@@ -255,7 +286,7 @@ class Quads(CommandTest):
         vertices = struct.unpack('<%di' % data['corners'], base64.b64decode(data['input_vertex']))
         self.assertEqual(len({vertices[corner] for corner, _ in data['cones']}), 8)
         charts = struct.unpack('<%di' % data['faces'], base64.b64decode(data['chart']))
-        self.assertEqual(len(set(charts)), quads['patches'])
+        self.assertEqual(len(set(charts)), patches)
         seams = struct.unpack('<%di' % (3 * data['faces']), base64.b64decode(data['seam_edges']))
         on_features = int(re.search(r'(\d+) edges on features', svg).group(1))
         self.assertEqual(sum(seams), 2 * on_features)  # both sides
