@@ -290,7 +290,7 @@ std::vector<char> features_of(const std::string& said, const PolygonMesh& polygo
   if (const std::optional<double> degrees = number_in(said)) {
     if (!(*degrees > 0 && *degrees <= kMost))
       throw Error(ErrorKind::Usage,
-                  fmt::format("--features {}: degrees are above 0, to {:.0f}", said, kMost));
+                  fmt::format("features of {} degrees: they are above 0, to {:.0f}", said, kMost));
     return sharp_edges(*surface.mesh, *degrees);
   }
   return features_of(read_seams(said, static_cast<Index>(polygons.positions.size()), stop), said,

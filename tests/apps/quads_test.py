@@ -206,7 +206,7 @@ class Quads(CommandTest):
         cube, number = self.block(2)
         out = self.path('o.obj')
         for said in ('0', '181', '-3'):
-            self.refused(USAGE, 'quads', cube, '-o', out, '--features=' + said, says='--features')
+            self.refused(USAGE, 'quads', cube, '-o', out, '--features=' + said, says='degrees')
         self.refused(UNREADABLE, 'quads', cube, '-o', out, '--features', self.path('none.json'), says='none.json')
         across = self.write('across.json', json.dumps({'edges': [[number[0, 0, 0], number[2, 2, 2]]]}))
         self.refused(USAGE, 'quads', cube, '-o', out, '--features', across, says='no edge')
