@@ -142,7 +142,7 @@ class SectorFinder {
 
   bool is_bound(Index h) const {
     const Index o = mesh_.opposite(h);
-    if (o < 0) return is_aligned_[h] != 0;
+    if (o < 0) return is_aligned_[h] && follows(h);
     return (is_aligned_[h] || is_aligned_[o]) && follows(h) && follows(o);
   }
 
