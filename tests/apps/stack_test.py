@@ -75,6 +75,16 @@ class Stacks(UnwrapTest):
         self.assertEqual(len(self.places(layout)), 6)
         self.assertEqual({c['stack'] for c in report['charts']}, {None})
 
+    def test_copies_whose_vertices_are_split(self):
+        points, faces = row('ssm')
+        split, polygons = list(points), []
+        for k, face in enumerate(faces):
+            polygons.append(face if k % 4 < 2 else tuple(range(len(split), len(split) + len(face))))
+            split += [] if k % 4 < 2 else [points[v] for v in face]
+        _, report = self.run_stacked(self.mesh(split, polygons), 'mirrored')
+        self.assertEqual([c['stack'] for c in report['charts']], [0, 0, 0])
+        self.assertEqual([c['mirrored'] for c in report['charts']], [False, False, True])
+
     def test_stacks_in_tiles_and_every_format(self):
         mesh = self.mesh(*row('smsosmosms'))
         outputs = [word for name in ('a.ply', 'a.glb', 'a.html', 'a.svg') for word in ('-o', self.path(name))]
