@@ -284,7 +284,7 @@ TEST(StackedCharts, SplitPiecesOfLayers) {
   for (const double left : {0.0, 1.0, 1.25}) {
     const double height = left == 1.25 ? 7 : 0;
     const auto v = static_cast<Index>(mesh.positions.size());
-    for (const Vector2 p : {Vector2(0, 0), Vector2(1, 0), Vector2(1, 1), Vector2(0, 1)}) {
+    for (const Vector2& p : {Vector2(0, 0), Vector2(1, 0), Vector2(1, 1), Vector2(0, 1)}) {
       mesh.texcoords.emplace_back(left + p.x(), p.y());
       mesh.positions.emplace_back(left + p.x(), p.y(), height);
     }
