@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Points of a layout that `majorant.InverseMap` finds on the surface per second of one core; needs the Python package.
 
-    PYTHONPATH=build/release/python bench/inverse_speed.py [--mesh MESH.obj] [--cuts 1,2,5,10]
+    PYTHONPATH=build/release/python bench/inverse_speed.py [--mesh MESH.obj] [--cuts 1,2,4]
 
 Of a map of degree 1 of the mesh, whose faces are cut into k x k, and of one of degree 3. Random points of the layout, on
 one thread, in seconds of the processor, which other work on the machine costs its caches alone: a tenth of the points,
@@ -57,7 +57,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     shared = Path(__file__).resolve().parents[1].parent / 'shared/data/public/disks/nefertiti_10000.obj'
     parser.add_argument('--mesh', default=str(shared))
-    parser.add_argument('--cuts', default='1,2,5,10')
+    parser.add_argument('--cuts', default='1,2,4')
     parser.add_argument('--points', type=int, default=1000000)
     options = parser.parse_args()
     V, F = majorant.read_mesh(options.mesh)

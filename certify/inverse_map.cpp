@@ -388,7 +388,7 @@ std::vector<Index> near_after_near(const Points2& uv, const Box2& box) {
   return order;
 }
 
-Box2 box_of(const BezierMap& map) {
+Box2 layout_box(const BezierMap& map) {
   const auto points = map.control_uv();
   return {points.colwise().minCoeff(), points.colwise().maxCoeff()};
 }
@@ -410,7 +410,7 @@ InverseMap::Points InverseMap::locate(const Points2& uv, const StopCheck& stop) 
   points.face.assign(to_size(count), -1);
   points.barycentric.resize(count, 3);
   std::vector<char> undecided(to_size(count), 0);  // bytes: tasks write side by side
-  const std::vector<Index> order = near_after_near(uv, box_of(map_));
+  const std::vector<Index> order = near_after_near(uv, layout_box(map_));
   parallel_tasks((count + kPointsOfTask - 1) / kPointsOfTask, [&](Index task, int) {
     stop.poll();
     Search search(map_, *tree_);
@@ -439,7 +439,7 @@ InverseMap::Lists InverseMap::locate_all(const Points2& uv, const StopCheck& sto
   std::vector<std::vector<Preimage>> of_task(to_size(tasks));
   Lists lists;
   lists.begin.assign(to_size(count) + 1, 0);
-  const std::vector<Index> order = near_after_near(uv, box_of(map_));
+  const std::vector<Index> order = near_after_near(uv, layout_box(map_));
   parallel_tasks(tasks, [&](Index task, int) {
     stop.poll();
     Search search(map_, *tree_);
