@@ -871,15 +871,26 @@ std::string_view start_name(ChartStart start) {
   return kNames[static_cast<std::size_t>(start)];
 }
 
-Status Atlas::status() const {
-  // Statuses from the best to the worst.
+Status worse_of(Status a, Status b) {
+  // From the best to the worst.
   constexpr std::array kOrder = {Status::Converged, Status::Stalled,     Status::MaxIterations,
                                  Status::TimeLimit, Status::Interrupted, Status::Infeasible,
                                  Status::Failed};
   const auto rank = [&](Status s) { return std::find(kOrder.begin(), kOrder.end(), s); };
-  auto worst = kOrder.begin();
-  for (const Chart& chart : charts) worst = std::max(worst, rank(chart.status));
-  return *worst;
+  return rank(a) < rank(b) ? b : a;
+}
+
+Status Atlas::status() const {
+  Status worst = Status::Converged;
+  for (const Chart& chart : charts) worst = worse_of(worst, chart.status);
+  return worst;
+}
+
+std::string Atlas::message() const {
+  const Status worst = status();
+  for (const Chart& chart : charts)
+    if (chart.status == worst && worst != Status::Converged) return chart.message;
+  return {};
 }
 
 double Atlas::value() const {

@@ -142,6 +142,10 @@ struct UnwrapOptions {
       PackOptions();  // none: charts stay where the solver has them
 };
 
+// The one of two ends that is further from the best: converged, stalled, a limit of steps, of time,
+// interrupted, infeasible, failed.
+Status worse_of(Status a, Status b);
+
 struct Atlas {
   SurfaceCuts cuts;
   std::vector<Chart> charts;       // in the order of their first faces
@@ -154,6 +158,8 @@ struct Atlas {
 
   // The worst of the charts: Converged only if all are.
   Status status() const;
+  // Of the first chart that ended so; empty where all converged.
+  std::string message() const;
   // Mean of the energy over the surface.
   double value() const;
   Stretch stretch() const;

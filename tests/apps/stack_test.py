@@ -75,6 +75,23 @@ class Stacks(UnwrapTest):
         self.assertEqual(len(self.places(layout)), 6)
         self.assertEqual({c['stack'] for c in report['charts']}, {None})
 
+    def test_copies_whose_vertices_are_split(self):
+        """Also where faces of one copy stand between those of others."""
+        points, faces = row('ssm')
+        for step in (1, 5):
+            split, polygons = list(points), []
+            for k in range(len(faces)):
+                face = faces[k * step % len(faces)]
+                is_split = k * step % 4 > 1
+                polygons.append(tuple(range(len(split), len(split) + len(face))) if is_split else face)
+                split += [points[v] for v in face] if is_split else []
+            with self.subTest(step):
+                _, report = self.run_stacked(self.mesh(split, polygons), 'mirrored')
+                self.assertEqual([c['stack'] for c in report['charts']], [0, 0, 0])
+                self.assertEqual(sum(c['mirrored'] for c in report['charts']), 1)
+                said = self.run_ok('check', self.path('a.obj'), '--certify', '--stacked')
+                self.assertIn('1 stack of 3 charts, 1 mirrored', said.out)
+
     def test_stacks_in_tiles_and_every_format(self):
         mesh = self.mesh(*row('smsosmosms'))
         outputs = [word for name in ('a.ply', 'a.glb', 'a.html', 'a.svg') for word in ('-o', self.path(name))]
