@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <mutex>
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/det_coefficients.h"
@@ -74,12 +76,11 @@ struct MovingBarrier::Workspace {
 };
 
 const MovingBarrier& MovingBarrier::of_degree(int degree) {
-  static const std::vector<MovingBarrier> tables = [] {
-    std::vector<MovingBarrier> all;
-    for (int n = 1; n <= kMaxDegree; ++n) all.push_back(MovingBarrier(n));
-    return all;
-  }();
-  return tables.at(to_size(degree - 1));
+  static std::array<std::once_flag, kMaxDegree> made;
+  static std::array<std::unique_ptr<const MovingBarrier>, kMaxDegree> tables;
+  const std::size_t k = to_size(degree - 1);
+  std::call_once(made.at(k), [&] { tables[k].reset(new MovingBarrier(degree)); });
+  return *tables[k];
 }
 
 MovingBarrier::MovingBarrier(int degree)
@@ -109,7 +110,9 @@ void MovingBarrier::add_pairs() {
   const DetCoefficients det(BezierTriangleSpace(face, 3, degree_).element());
   double scale = 1;  // of det.scaled()
   for (int k = 2; k <= 2 * degree_ - 2; ++k) scale *= k;
-  const int count = control_point_count(degree_);
+  const TriangleIndices& nodes = TriangleIndices::of_degree(degree_);
+  const TriangleIndices& products = TriangleIndices::of_degree(2 * degree_ - 2);
+  const int count = nodes.count();
   std::vector<std::int64_t> c(to_size(2 * count));
   std::vector<Pair> triangle;
   for (int a = 0; a < count; ++a)
@@ -117,10 +120,17 @@ void MovingBarrier::add_pairs() {
       c[2 * a] = c[2 * b + 1] = 1;
       const std::vector<std::int64_t> weights = det.scaled(c);
       c[2 * a] = c[2 * b + 1] = 0;
+      const MultiIndex &i = nodes.multi(a), &j = nodes.multi(b);
       Pair pair{a, b, -1, -1, 0, {}, 0};
-      for (int l = 0; l < coefficients_per_half_; ++l)
+      for (std::size_t x = 0; x < 3; ++x) {
+        MultiIndex m{i[0] + j[0], i[1] + j[1], i[2] + j[2]};
+        --m[x];
+        --m[(x + 1) % 3];
+        if (*std::min_element(m.begin(), m.end()) < 0) continue;
+        const int l = products.local(m[0], m[1], m[2]);
         if (weights[l] != 0)
-          pair.target.at(to_size(pair.targets++)) = {l, static_cast<double>(weights[l]) / scale};
+          pair.target[to_size(pair.targets++)] = {l, static_cast<double>(weights[l]) / scale};
+      }
       if (pair.targets > 0) triangle.push_back(pair);
     }
   for (const int half : {0, 1})
