@@ -377,7 +377,7 @@ class Unwrapping {
       else
         cuts = cut_corners(mesh, task.wanted, stop);
     }
-    return is_any(cuts) ? cuts : cut_in_two(mesh, stop);
+    return is_any(cuts) ? cuts : cut_in_two(mesh, task.wanted, stop);
   }
 
   // Divides charts for the sake of what is asked for, or where the layout costs less then.

@@ -214,6 +214,16 @@ constexpr std::size_t kMostDefects = 40;
 constexpr double kPressed = 0.5;
 constexpr int kMostPresses = 6;
 
+// The cut graph through these along straighter paths, where that still leaves one planar piece.
+std::vector<char> straight_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
+                                 const Vec& cost, const StopCheck& stop) {
+  const std::vector<char> is_cut = cut_graph(mesh, through, cost, stop);
+  std::vector<char> straight = is_cut;
+  smooth_cuts(mesh, through, cost, straight, stop);
+  const SurfaceMesh open = mesh.cut_along(straight, nullptr);
+  return open.topology().components == 1 && is_planar(open) ? straight : is_cut;
+}
+
 class Cutter {
  public:
   Cutter(const SurfaceMesh& mesh, const CutWishes& wishes, double limit, const StopCheck& stop)
@@ -266,15 +276,6 @@ class Cutter {
     }
   }
 
-  // The same along straighter paths, where that still leaves one planar piece.
-  std::vector<char> straightened(const std::vector<char>& is_cut,
-                                 const std::vector<Index>& through) const {
-    std::vector<char> straight = is_cut;
-    smooth_cuts(mesh_, through, cost_, straight, stop_);
-    const SurfaceMesh open = mesh_.cut_along(straight, nullptr);
-    return open.topology().components == 1 && is_planar(open) ? straight : is_cut;
-  }
-
   std::vector<Index> curved_vertices() const {
     std::vector<Index> curved;
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
@@ -302,8 +303,7 @@ class Cutter {
     return FlatteningStrain(mesh_.cut_along(is_cut, nullptr), -1, stop_).strain();
   }
   AutomaticCut routed(const std::vector<Index>& terminals) const {
-    AutomaticCut cut{straightened(cut_graph(mesh_, terminals, cost_, stop_), terminals), 0,
-                     terminals};
+    AutomaticCut cut{straight_graph(mesh_, terminals, cost_, stop_), 0, terminals};
     cut.strain = strain(cut.is_cut);
     return cut;
   }
@@ -661,7 +661,7 @@ std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wa
   const std::vector<Index> curved = curved_inside(chart);
   if (curved.empty() || curved.size() > kMostDefects)
     return std::vector<char>(to_size(chart.half_edge_count()), 0);
-  return cut_graph(chart, curved, cut_costs(chart, wanted), stop);
+  return straight_graph(chart, curved, cut_costs(chart, wanted), stop);
 }
 
 double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop) {

@@ -110,8 +110,10 @@ std::vector<char> cut_further(const SurfaceMesh& chart, const CutPreferences& wa
 std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wanted,
                               const StopCheck& stop = {});
 // Two connected parts whose faces have as nearly one normal each as can be: two regions that grow
-// around planes [CSAD04]. Of two or more faces.
-std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop = {});
+// around planes [CSAD04]; where both planes would do, the border runs where it costs least. Of two
+// or more faces.
+std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& wanted,
+                             const StopCheck& stop = {});
 // The path from boundary to boundary that costs least for the area that it leaves on its smaller
 // side, between the ends of the chart or from the boundary vertex around which there is most, a
 // full turn or more, so that the chart overlaps itself there, if there is one. No flags where there
