@@ -15,6 +15,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/seams/congruent_surfaces.h"
 
 namespace majorant {
 
@@ -57,6 +58,9 @@ struct CutOptions {
   std::vector<Index> whole = {};
   std::vector<char> given = {};  // 3 #F flags, one side is enough, or empty: cut in any case
   CutPreferences wanted = {};
+  // Automatic, Sharp: components that are copies of each other are cut as the first of them is,
+  // whatever is wanted of the others; not where `whole` vertices are.
+  Stacking copies = Stacking::None;
   // Asked while cuts that suffice are made shorter: where it does not say Continue, they are taken
   // as they are.
   StopCheck enough = {};
