@@ -3,7 +3,8 @@
 //
 //   SpacePicture picture;
 //   picture.title = "part.msh: 2 of 384 elements are not valid";
-//   picture.triangles.push_back({{a, b, c}, {200, 200, 200}});
+//   const Vector3 a(0, 0, 0), b(1, 0, 0), c(0, 0, 1);
+//   picture.triangles.push_back({{a, b, c}, Color{200, 200, 200}});
 //   write_space_png("part.png", picture);
 //
 // Triangles that pierce each other are painted one over the other: not for those.

@@ -1,12 +1,13 @@
 // Layouts of the objects of a file, each made as if the object were alone in it, as one map of the
 // file: they lie on each other, in the unit square.
 //
-//   UnwrappedObjects objects = unwrap_objects(polygons, record, [](PolygonMesh object, AtlasJob& job) {
+//   const auto unwrap = [](PolygonMesh object, AtlasJob& job) {
 //     job.open(std::move(object), {});
 //     job.solve();
 //     job.place();
 //     job.prove();
-//   });
+//   };
+//   UnwrappedObjects objects = unwrap_objects(polygons, record, unwrap);
 //   const MapFile file = map_of_objects(std::move(objects.layouts));
 //   write_map("out.obj", file, &polygons, {}, proof_of_objects("out.obj", polygons));
 #pragma once

@@ -2,7 +2,7 @@
 // components are cut alike.
 //
 //   const auto places = stack_places({mesh, mesh}, Stacking::Equal, {});
-//   if (places[1]) is_cut = flags_on(flags, *places[1]);
+//   if (places[1]) is_cut = flags_on(is_cut, *places[1]);
 #pragma once
 
 #include <array>
