@@ -677,18 +677,23 @@ class Unwrapping {
     return Status::Converged;
   }
 
-  // As many as fill the square if all goes as with their boxes.
+  // As many as fill the square if all goes as with their boxes; where no division makes boxes
+  // smaller, the one that costs least for the area of its smaller part: smaller charts leave less
+  // between them.
   std::vector<std::size_t> fullest_next() {
-    std::vector<std::pair<double, std::size_t>> order;
+    std::vector<std::pair<double, std::size_t>> order, by_price;
     const double area = surface_.area();
     double boxes = 0;
     for (std::size_t k = 0; k < tasks_.size(); ++k) {
       boxes += box_of(atlas_.charts[k], all_vertices(k));
       const Division* const division = may_be_divided(k) ? division_of(k) : nullptr;
+      if (division) by_price.emplace_back(division->price, k);
       if (division && division->saved > 0)
         order.emplace_back(
             -division->saved / (division->cost * std::sqrt(area) + kChartCost * area), k);
     }
+    if (order.empty() && !by_price.empty())
+      return {std::min_element(by_price.begin(), by_price.end())->second};
     std::sort(order.begin(), order.end());
     const double aim = boxes * atlas_.packing->fill / options_.least_fill;
     std::vector<std::size_t> next;
