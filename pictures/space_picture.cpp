@@ -23,9 +23,10 @@ constexpr Color kInk{51, 51, 51}, kMarked{190, 0, 30};
 class View {
  public:
   explicit View(const SpacePicture& picture) {
-    const Vector3 eye = direction_to_eye();
-    right_ = Vector3::UnitZ().cross(eye).normalized();
-    up_ = eye.cross(right_);
+    eye_ = picture.eye.normalized();
+    const bool is_from_above = eye_.head<2>().isZero();
+    right_ = (is_from_above ? Vector3::UnitY() : Vector3::UnitZ()).cross(eye_).normalized();
+    up_ = eye_.cross(right_);
     Vector2 low = Vector2::Constant(std::numeric_limits<double>::infinity()), high = -low;
     const auto take = [&](const Vector3& p) {
       low = low.cwiseMin(flat(p));
@@ -36,26 +37,27 @@ class View {
     for (const SpaceMark& mark : picture.marks)
       for (const auto& line : mark.lines)
         for (const Vector3& p : line) take(p);
-    const Vector2 room(kWidth - 2 * kMargin, kHeight - 4 * kMargin);
+    const Vector2 room(kWidth - 2 * kMargin, kHeight - 5 * kMargin);  // between title and legend
     const Vector2 size = (high - low).cwiseMax(std::numeric_limits<double>::min());
     scale_ = (room.array() / size.array()).minCoeff();
-    offset_ = Vector2(kWidth / 2, kHeight / 2) - scale_ * (low + high) / 2;
+    offset_ = Vector2(kWidth / 2, (kHeight - kMargin) / 2) - scale_ * (low + high) / 2;
   }
   Vector2 operator()(const Vector3& p) const { return offset_ + scale_ * flat(p); }
+  const Vector3& eye() const { return eye_; }
 
  private:
   Vector2 flat(const Vector3& p) const { return {right_.dot(p), -up_.dot(p)}; }
 
-  Vector3 right_, up_;
+  Vector3 eye_, right_, up_;
   double scale_ = 1;
   Vector2 offset_ = Vector2::Zero();
 };
 
-Color lit(const SpaceTriangle& triangle) {
+Color lit(const SpaceTriangle& triangle, const Vector3& eye) {
   const auto& [a, b, c] = triangle.corners;
   const Vector3 normal = (b - a).cross(c - a);
   const double length = normal.norm();
-  const double cosine = length > 0 ? std::abs(normal.dot(direction_to_eye())) / length : 0;
+  const double cosine = length > 0 ? std::abs(normal.dot(eye)) / length : 0;
   const double light = kAmbient + (1 - kAmbient) * cosine;
   const auto part = [&](std::uint8_t x) {
     return static_cast<std::uint8_t>(std::lround(light * x));
@@ -71,7 +73,7 @@ void paint(const SpaceTriangle& triangle, const View& view, std::vector<DrawingI
   path.line(corners[1]);
   path.line(corners[2]);
   path.close();
-  const Color color = lit(triangle);
+  const Color color = lit(triangle, view.eye());
   // The stroke closes the gaps that smoothed borders leave between neighbours.
   items.push_back(Shape{path, color, Stroke{color, 0.5}});
   for (std::size_t k = 0; k < 3; ++k) {
@@ -118,14 +120,12 @@ void paint_legend(const SpacePicture& picture, std::vector<DrawingItem>& items) 
 
 }  // namespace
 
-Vector3 direction_to_eye() { return Vector3(1, 0.7, 0.6).normalized(); }
-
 void write_space_png(const std::string& path, const SpacePicture& picture) {
   const View view(picture);
-  const Vector3 eye = direction_to_eye();
   std::vector<double> depth;
   for (const SpaceTriangle& triangle : picture.triangles)
-    depth.push_back(eye.dot(triangle.corners[0] + triangle.corners[1] + triangle.corners[2]));
+    depth.push_back(
+        view.eye().dot(triangle.corners[0] + triangle.corners[1] + triangle.corners[2]));
   std::vector<std::size_t> order(depth.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),

@@ -36,6 +36,7 @@ struct SpaceMark {
 
 struct SpacePicture {
   std::string title;
+  Vector3 eye = Vector3(1, 0.7, 0.6);  // the direction to it; upright is z, or y seen from above
   std::vector<SpaceTriangle> triangles;
   std::vector<SpaceMark> marks;
   // The colours from left to right below the picture, what they are of, and names of places of
@@ -44,9 +45,6 @@ struct SpacePicture {
   std::vector<Color> colors;
   std::vector<std::pair<double, std::string>> ticks;
 };
-
-// To where the eye is, a unit vector; the picture's upright is z.
-Vector3 direction_to_eye();
 
 // 1000 by 800 pixels. Throws Error(Unwritable).
 void write_space_png(const std::string& path, const SpacePicture& picture);

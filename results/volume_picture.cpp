@@ -43,6 +43,7 @@ class CutAway {
  private:
   void legend() {
     const std::string faults = faults_in_words(mesh_, check_);
+    if (mesh_.is_planar()) picture_.eye = Vector3::UnitZ();
     picture_.title =
         fmt::format("{}{}", elements_in_words(mesh_), faults.empty() ? "" : "; " + faults);
     picture_.legend = "scaled Jacobian";

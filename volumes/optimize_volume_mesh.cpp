@@ -36,9 +36,9 @@ constexpr int kHeldSteps = 200;
 
 // Scaled Jacobians are told apart above this.
 constexpr double kSameScaledJacobian = 1e-3;
-// How many times as much elements weigh that became worse than the worst one was, and how often.
-// The least scaled Jacobian of five models of gmsh is above that of the input after one round, and
-// lies higher than with 4 or 30.
+// How many times as much elements weigh that became worse than the worst one was, and how often. Of
+// 4, 10 and 30 the one that left the largest least scaled Jacobian, in the mean of four curved
+// models of gmsh, all of which end above the input within three rounds.
 constexpr double kHeavier = 10;
 constexpr int kMostRounds = 4;
 
@@ -284,7 +284,7 @@ class VolumeOptimizer {
 
   // What a mean gains for many elements may cost the worst one. While the least scaled Jacobian of
   // a valid mesh falls, the elements below what it was weigh more, and all is solved again; the
-  // points stay of which the least is largest.
+  // points stay of which the least is largest. A limit that ends this ends the run.
   void lift_worst(int depth) {
     if (!result_.before.is_valid()) return;
     VolumeResult best = result_;
@@ -299,6 +299,12 @@ class VolumeOptimizer {
         continue;
       best = result_;
       best_x = x_;
+    }
+    const bool is_limited =
+        result_.status == Status::MaxIterations || record_.stop()() != Directive::Continue;
+    if (is_limited) {
+      best.status = result_.status;
+      best.message = result_.message;
     }
     result_ = std::move(best);
     x_ = std::move(best_x);
