@@ -19,6 +19,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/io/waiting_output.h"
 #include "majorant/results/volume_page.h"
+#include "majorant/results/volume_picture.h"
 #include "majorant/results/volume_report.h"
 #include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/volumes/volume_files.h"
@@ -62,9 +63,12 @@ Json report_of(const MeshCheckRequest& request, const VolumeMesh& mesh, const Vo
   return report;
 }
 
-// The elements that are not proven to be valid as a .vtu; those that are listed as a page.
+// The elements that are not proven to be valid as a .vtu; those that are listed as a page, or
+// marked in a picture of all.
 void write_elements(const std::string& path, const MeshCheckRequest& request,
                     const VolumeMesh& mesh, const VolumeCheck& check) {
+  if (path.ends_with(".png"))
+    return write_space_png(path, picture_of_elements(mesh, check, request.listed));
   if (!is_page(path)) {
     std::vector<const CheckedCell*> bad;
     for (const CheckedCell& cell : check.cells)
@@ -78,7 +82,7 @@ void write_elements(const std::string& path, const MeshCheckRequest& request,
 }
 
 int mesh_check(const MeshCheckRequest& request) {
-  require_writable(request.common, {{request.outputs, {".vtu", ".html"}}}, {request.input});
+  require_writable(request.common, {{request.outputs, {".vtu", ".html", ".png"}}}, {request.input});
   if (request.listed == 0 && has_page(request.outputs))
     throw Error(ErrorKind::Usage,
                 "--list 0: a page shows the elements that are listed, one at least");
@@ -120,7 +124,7 @@ void add_mesh_check(CLI::App& mesh, Action* run) {
       ->required();
   verb.add_option("-o,--output", request->outputs,
                   "the elements that are not proven to be valid: .vtu; those that are listed, in a "
-                  "page: .html; repeatable")
+                  "page: .html, or marked in the mesh, cut open: .png; repeatable")
       ->type_name("FILE")
       ->allow_extra_args(false);
   begin_group(verb, OptionGroup::Map);

@@ -118,7 +118,7 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
       "{:.4g} and {:.4g}",
       result.initial_value, result.value, after.least_scaled_jacobian(),
       after.mean_scaled_jacobian(), before.least_scaled_jacobian(), before.mean_scaled_jacobian());
-  if (after.least_scaled_jacobian() < before.least_scaled_jacobian())
+  if (result.least_fell())
     text += request.target == "initial"
                 ? "; the least one fell"
                 : "; the least one fell, --target initial keeps nearer to what elements are";

@@ -35,7 +35,6 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
-#include "majorant/io/mesh_objects.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/results/atlas_job.h"
 #include "majorant/results/global_verdict.h"
@@ -425,13 +424,19 @@ void require_objects(const UnwrapVerb& request) {
   if (layout.stack != "no") refuse("--stack");
   if (const std::string flag = layout.needs_unit_square(); !flag.empty()) refuse(flag);
   if (!request.outputs.distortion.empty()) refuse("--distortion");
-  for (const std::string& path : request.outputs.files)
+  for (const std::string& path : request.outputs.files) {
     if (extension(path) != ".obj" && !is_gltf(path) && extension(path) != ".vtu" &&
         extension(path) != ".json")
       throw Error(ErrorKind::Usage,
                   fmt::format("{}: --objects separate is of formats that have objects, .obj, .glb, "
                               ".gltf and .vtu; leave it, or the option, out",
                               path));
+    if (is_gltf(path) && !is_gltf(request.map.input))
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: of an input that is no glTF it holds one mesh, which has no "
+                              "objects; write an .obj or .vtu, or leave --objects out",
+                              path));
+  }
 }
 
 void require_layout(const UnwrapVerb& request) {
@@ -737,29 +742,19 @@ class ObjectsRun {
         record_(record) {}
 
   void solve() {
-    const MeshObjects objects = objects_of(polygons_);
-    for (Index k = 0; k < objects.count(); ++k) {
-      ObjectMesh object = object_mesh(polygons_, objects, k);
-      const std::string& name = objects.names[to_size(k)];
-      object.mesh.file = fmt::format(
-          "{}: {}", polygons_.file,
-          name.empty() ? fmt::format("object {}", k + 1) : fmt::format("object '{}'", name));
-      AtlasJob job(record_);
-      unwrap_mesh(request_, object.mesh, strictness_, solvers_, job);
-      const Status status = job.atlas.status();
-      if (exit_code(status) > exit_code(worst_) || k == 0) worst_ = status;
-      sections_.push_back(object_section(name, job));
+    objects_ = unwrap_objects(polygons_, record_, [&](PolygonMesh object, AtlasJob& job) {
+      const std::string file = object.file;
+      unwrap_mesh(request_, std::move(object), strictness_, solvers_, job);
       append(lines_of_charts_, lines_of_charts(job));
-      asked_ = job.asked;
-      if (status == Status::Failed) continue;  // there is no layout to sum up
+      const Status status = job.atlas.status();
+      if (status == Status::Failed) return;  // there is no layout to sum up
       append(lines_, remarks(job));
       lines_.push_back(fmt::format(
-          "{}: {}, {}, {} {:.6f}, stretch {:.4f}, fill {:.2f}, {}\n", object.mesh.file,
-          status_name(status), count_text(static_cast<Index>(job.atlas.charts.size()), "chart"),
-          request_.map.energy, job.atlas.value(), job.atlas.stretch().l2, job.atlas.packing->fill,
+          "{}: {}, {}, {} {:.6f}, stretch {:.4f}, fill {:.2f}, {}\n", file, status_name(status),
+          count_text(static_cast<Index>(job.atlas.charts.size()), "chart"), request_.map.energy,
+          job.atlas.value(), job.atlas.stretch().l2, job.atlas.packing->fill,
           overlap_words(job.boundary, ImageOf::Charts)));
-      layouts_.push_back({name, atlas_file(job), std::move(object)});
-    }
+    });
   }
 
   // Returns the exit code.
@@ -767,18 +762,18 @@ class ObjectsRun {
     const double before = seconds_since(start);
     WrittenFiles written;
     record_.begin(Activity::Writing);
-    if (worst_ != Status::Failed) write_maps(written);
+    if (objects_.status != Status::Failed) write_maps(written);
     write_reports(before, start, written);
     progress.finish();
     say_all(lines_of_charts_);
-    if (!request_.common.quiet && worst_ != Status::Failed) {
+    if (!request_.common.quiet && objects_.status != Status::Failed) {
       written.say_sizes();
       say_all(lines_);
       for (const std::string& path : request_.outputs.files)
         if (is_map_data(path) && written.has(path))
           say("proof: majorant check {} --certify --objects separate\n", path);
     }
-    return written.conclude(exit_code(worst_));
+    return written.conclude(exit_code(objects_.status));
   }
 
  private:
@@ -786,16 +781,24 @@ class ObjectsRun {
     lines.insert(lines.end(), more.begin(), more.end());
   }
 
-  void write_maps(WrittenFiles& written) {
-    const MapFile file = map_of_objects(std::move(layouts_));
-    PolygonMesh grouped;
+  // The mesh as an .obj has it.
+  PolygonMesh with_lines(const MapFile& file) const {
+    PolygonMesh mesh = polygons_;
+    if (mesh.gltf) mesh = with_object_names(std::move(mesh), objects_of(polygons_));
     if (request_.unwrap.layout.groups)
-      grouped = with_chart_groups(polygons_, chart_of_polygons(file, polygons_));
+      mesh = with_chart_groups(std::move(mesh), chart_of_polygons(file, polygons_));
+    return mesh;
+  }
+
+  void write_maps(WrittenFiles& written) {
+    const MapFile file = map_of_objects(std::move(objects_.layouts));
+    const bool has_lines = request_.unwrap.layout.groups || polygons_.gltf;
+    const PolygonMesh lines = has_lines ? with_lines(file) : PolygonMesh();
     for (const std::string& path : request_.outputs.files) {
       if (extension(path) == ".json") continue;
       written.write(path, [&] {
-        const bool is_grouped = request_.unwrap.layout.groups && extension(path) == ".obj";
-        write_map(path, file, is_grouped ? &grouped : &polygons_, request_.outputs.formats,
+        const bool is_marked = has_lines && extension(path) == ".obj";
+        write_map(path, file, is_marked ? &lines : &polygons_, request_.outputs.formats,
                   proof_of_objects(path, polygons_));
         if (!request_.common.quiet)
           say_left_out(path, left_out(path, file, request_.outputs.formats, &polygons_));
@@ -814,11 +817,11 @@ class ObjectsRun {
           {"schema_version", 1},
           {"version", MAJORANT_VERSION},
           {"command", "unwrap"},
-          {"status", status_name(worst_)},
-          {"message", ""},
+          {"status", status_name(objects_.status)},
+          {"message", objects_.message},
           {"warnings", polygons_.warnings},
-          {"options", asked_},
-          {"objects", sections_},
+          {"options", objects_.asked},
+          {"objects", objects_.sections},
           {"outputs", written.to_json()},
           {"seconds", {{"write", seconds_since(start) - before}, {"total", seconds_since(start)}}}};
       written.write(path, [&] { write_json(path, report); });
@@ -830,10 +833,8 @@ class ObjectsRun {
   const Strictness strictness_;
   LinearSolvers& solvers_;
   RunRecord& record_;
-  std::vector<ObjectLayout> layouts_;
+  UnwrappedObjects objects_;
   std::vector<std::string> lines_of_charts_, lines_;  // those that sum up, by object
-  Json sections_ = Json::array(), asked_;
-  Status worst_ = Status::Converged;
 };
 
 int unwrap_file(UnwrapVerb request) {

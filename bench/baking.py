@@ -7,7 +7,7 @@
                     [--copy SCAN.obj COPY.obj]... MESH.obj...
 
 A texture is drawn by a formula of the position: waves, 127.5 + 110 sin(2 pi 16 x / D + phase) in red, green and blue,
-D the diagonal; and a checkerboard of 64 cells along D. One sample a texel. Four tables:
+D the diagonal; and a checkerboard of 64 cells along D. One sample a texel, where nothing else is said. Four tables:
 
 * Round trips: a mesh is unwrapped twice, with other charts; the texture of the first atlas is baked to the second and
   back, and compared at the texels whose centres lie in a chart. Seams: at 16 points of each edge along which the
@@ -17,7 +17,8 @@ D the diagonal; and a checkerboard of 64 cells along D. One sample a texel. Four
   side of the cut, within two or three texels: what is read there no baker can help; they are counted, and left out.
 * Copies: from a mesh to a coarser one; compared with the formula at the points of the mesh that the copy shows. With
   --blender PROGRAM (3.4 of Debian 12) also by Cycles, which looks for them along normals (selected to active, rays
-  from 2 % of the diagonal outside, 16 samples): compared at the points that it finds, which it bakes as well.
+  from 2 % of the diagonal outside, 16 samples): compared at the points that it finds, which it bakes as well; then
+  also by majorant with as many samples.
 * Charts: thousands of them, and strips of a fifth of a texel.
 * Large images of the last mesh: seconds and memory.
 """
@@ -224,11 +225,13 @@ class Bench:
         inside = ~np.isnan(position[..., 0])
         for name, formula in (('waves', waves), ('checkerboard', checkerboard)):
             self.draw(formula, diagonal, 'scan.obj', 'scan.png')
-            report = self.bake('copy.obj', 'scan.obj', 'copy.png', '--image', self.path('scan.png'))
-            error = self.image('copy.png')[inside] - formula(position[inside], diagonal)
-            there = report['bake']
             row = os.path.basename(scan), os.path.basename(copy), name
-            yield (*row, 'majorant', there['covered'], there['misses'], '%.1f' % psnr(error))
+            for along in (1, int(SAMPLES ** 0.5)):
+                report = self.bake('copy.obj', 'scan.obj', 'copy.png', '--image', self.path('scan.png'),
+                                   '--samples', along)
+                error = self.image('copy.png')[inside] - formula(position[inside], diagonal)
+                there = report['bake']
+                yield (*row, 'majorant', along ** 2, there['covered'], there['misses'], '%.1f' % psnr(error))
             if self.blender:
                 subprocess.run([self.blender, '-b', '--factory-startup', '--python-exit-code', '1', '--python',
                                 os.path.abspath(__file__), '--', self.folder, str(self.size), str(OUTSIDE * diagonal)],
@@ -236,7 +239,7 @@ class Bench:
                 found = np.load(self.path('found.npy'))
                 hit = inside & (found[..., 3] == 1)
                 error = self.image('blender.png')[hit][:, :3] - formula(found[hit][:, :3], diagonal)
-                yield (*row, 'Blender', int(inside.sum()), int((inside & ~hit).sum()), '%.1f' % psnr(error))
+                yield (*row, 'Blender', SAMPLES, int(inside.sum()), int((inside & ~hit).sum()), '%.1f' % psnr(error))
 
     def many_charts(self):
         """A square of triangles, each of them a chart of its own, in a square of cells."""
@@ -298,7 +301,7 @@ def main():
         print_table(('mesh', 'texture', 'charts', 'without texels', 'double', 'misses', 'PSNR, dB', 'points of seams', 'crowded',
                      'median', '99 %', 'largest step', 's'), (row for mesh in options.meshes for row in bench.round_trip(mesh)))
         if options.copy:
-            print_table(('mesh', 'copy', 'texture', 'by', 'texels', 'misses', 'PSNR, dB'),
+            print_table(('mesh', 'copy', 'texture', 'by', 'samples', 'texels', 'misses', 'PSNR, dB'),
                         (row for pair in options.copy for row in bench.copy(*pair)))
         print_table(('layout', 'charts', 'without texels', 'centres', 'partly', 'double', 's'), bench.charts())
         if options.large:

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -36,6 +37,9 @@ constexpr double kBeyond = 8;
 constexpr double kClear = 1e-9;
 // Points that a task of locate() takes.
 constexpr Index kPointsOfTask = 512;
+// Bits of a coordinate of the grid that orders points, and of a digit that they are sorted by.
+constexpr int kGridBits = 11;
+constexpr std::uint32_t kGridCells = 1U << kGridBits;
 
 // A point of a face that the map takes to uv, and how far off its coordinates may be.
 struct Found {
@@ -345,6 +349,50 @@ class Search {
   std::vector<Found> of_face_, candidates_, found_;
 };
 
+// The bits of a coordinate at even places.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | x << 8) & 0x00ff00ffU;
+  x = (x | x << 4) & 0x0f0f0f0fU;
+  x = (x | x << 2) & 0x33333333U;
+  return (x | x << 1) & 0x55555555U;
+}
+
+// The cell of a grid over the box, numbered along Lebesgue's curve (Morton order); 0 for what is
+// not finite.
+std::uint32_t cell_on_curve(const Vector2& uv, const Box2& box) {
+  std::uint32_t cell = 0;
+  for (Index k = 0; k < 2; ++k) {
+    const double place = (uv[k] - box.low[k]) / (box.high[k] - box.low[k]) * kGridCells;
+    if (place > 0)
+      cell |= spread(static_cast<std::uint32_t>(std::min(place, kGridCells - 1.0))) << k;
+  }
+  return cell;
+}
+
+// The rows in an order in which neighbours are near each other, so that the boxes and faces around
+// one are in the cache for the next: random points among many faces wait for memory otherwise.
+std::vector<Index> near_after_near(const Points2& uv, const Box2& box) {
+  const auto count = static_cast<std::size_t>(uv.rows());
+  std::vector<Index> order(count), sorted(count);
+  std::vector<std::uint32_t> cell(count);
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t k = 0; k < count; ++k) cell[k] = cell_on_curve(uv.row(k), box);
+  for (const int shift : {0, kGridBits}) {  // by the digits, the last one first
+    const auto digit = [&](Index k) { return cell[to_size(k)] >> shift & (kGridCells - 1); };
+    std::vector<std::size_t> begin(kGridCells + 1, 0);
+    for (const Index k : order) ++begin[digit(k) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    for (const Index k : order) sorted[begin[digit(k)]++] = k;
+    order.swap(sorted);
+  }
+  return order;
+}
+
+Box2 layout_box(const BezierMap& map) {
+  const auto points = map.control_uv();
+  return {points.colwise().minCoeff(), points.colwise().maxCoeff()};
+}
+
 }  // namespace
 
 InverseMap::InverseMap(BezierMap map) : map_(std::move(map)), tree_(boxes_of(map_)) {}
@@ -362,11 +410,13 @@ InverseMap::Points InverseMap::locate(const Points2& uv, const StopCheck& stop) 
   points.face.assign(to_size(count), -1);
   points.barycentric.resize(count, 3);
   std::vector<char> undecided(to_size(count), 0);  // bytes: tasks write side by side
+  const std::vector<Index> order = near_after_near(uv, layout_box(map_));
   parallel_tasks((count + kPointsOfTask - 1) / kPointsOfTask, [&](Index task, int) {
     stop.poll();
     Search search(map_, *tree_);
     const Index last = std::min(count, (task + 1) * kPointsOfTask);
-    for (Index k = task * kPointsOfTask; k < last; ++k) {
+    for (Index i = task * kPointsOfTask; i < last; ++i) {
+      const Index k = order[to_size(i)];
       const std::vector<Found>& found = search.preimages(uv.row(k));
       if (found.empty()) {
         points.barycentric.row(k).setZero();
@@ -389,19 +439,30 @@ InverseMap::Lists InverseMap::locate_all(const Points2& uv, const StopCheck& sto
   std::vector<std::vector<Preimage>> of_task(to_size(tasks));
   Lists lists;
   lists.begin.assign(to_size(count) + 1, 0);
+  const std::vector<Index> order = near_after_near(uv, layout_box(map_));
   parallel_tasks(tasks, [&](Index task, int) {
     stop.poll();
     Search search(map_, *tree_);
     const Index last = std::min(count, (task + 1) * kPointsOfTask);
-    for (Index k = task * kPointsOfTask; k < last; ++k) {
+    for (Index i = task * kPointsOfTask; i < last; ++i) {
+      const Index k = order[to_size(i)];
       const std::vector<Found>& found = search.preimages(uv.row(k));
       lists.begin[to_size(k) + 1] = static_cast<Index>(found.size());
       for (const Found& one : found) of_task[to_size(task)].push_back(one.preimage);
     }
   });
   std::partial_sum(lists.begin.begin(), lists.begin.end(), lists.begin.begin());
-  for (const auto& list : of_task)
-    lists.preimages.insert(lists.preimages.end(), list.begin(), list.end());
+  lists.preimages.resize(to_size(lists.begin.back()));
+  for (Index task = 0; task < tasks; ++task) {
+    auto next = of_task[to_size(task)].begin();
+    const Index last = std::min(count, (task + 1) * kPointsOfTask);
+    for (Index i = task * kPointsOfTask; i < last; ++i) {
+      const std::size_t k = to_size(order[to_size(i)]);
+      const Index found = lists.begin[k + 1] - lists.begin[k];
+      std::copy_n(next, found, lists.preimages.begin() + lists.begin[k]);
+      next += found;
+    }
+  }
   return lists;
 }
 

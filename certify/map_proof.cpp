@@ -436,6 +436,16 @@ class MapProof::Judge {
     return stacks_ && !stacks_->is_first[to_size(stacks_->chart[cell])];
   }
 
+  // By cell: its layer; charts that lie on another one are each a group of their own.
+  std::vector<Index> layer_groups() const {
+    Index layers = 0;
+    for (const Index number : request_.layers) layers = std::max(layers, number + 1);
+    std::vector<Index> group;
+    for (Index cell = 0; cell < file_.cells.rows(); ++cell)
+      group.push_back(is_upper(cell) ? layers + 1 + stacks_->chart[cell] : layer(cell));
+    return group;
+  }
+
   // By layer; of charts that lie on each other one alone.
   std::map<Index, BoundaryLoops> layers_of(const BoundaryLoops& all) const {
     std::map<Index, BoundaryLoops> layers;
@@ -483,14 +493,16 @@ class MapProof::Judge {
       return;
     }
     const InjectivityOptions options{.stopped = [this] { return is_stopped(); }};
-    if (stacks_ || !request_.layers.empty()) {
-      proof_.global = worst_of_layers(layers_of(boundary_loops(plain)), options);
-    } else {
-      proof_.global = check_boundary(plain, options);
-      if (proof_.global->result != ProofStatus::Proven)
-        if (const std::optional<BezierMap> one = glued(plain))
-          proof_.global = check_boundary(*one, options);
-    }
+    const bool is_layered = stacks_ || !request_.layers.empty();
+    const auto check = [&](const BezierMap& map) {
+      return is_layered ? worst_of_layers(layers_of(boundary_loops(map)), options)
+                        : check_boundary(map, options);
+    };
+    proof_.global = check(plain);
+    if (proof_.global->result != ProofStatus::Proven)
+      if (const std::optional<BezierMap> one =
+              glued(plain, is_layered ? layer_groups() : std::vector<Index>()))
+        proof_.global = check(*one);
     if (request_.overlap == ProofRequest::Overlap::Reported) return;
     const SurfaceMesh& mesh = plain.mesh();  // faces are those of the glued one
     const std::string reason = describe(*proof_.global, [&](Index face, Index corner) {

@@ -14,7 +14,7 @@ using Corners = std::array<Vector2, 3>;
 constexpr int kSegments = 4;
 // Of the smaller piece: an overlap of less is one of rounding, along an edge that both have.
 constexpr double kLeastPart = 1e-9;
-// Pairs of pieces whose boxes meet; some ten seconds.
+// Pairs of pieces whose boxes meet; beyond, how much overlaps is not said. Some four seconds.
 constexpr std::size_t kMostPairs = 100'000'000;
 
 double twice_area(const Corners& t) { return cross(t[1] - t[0], t[2] - t[0]); }

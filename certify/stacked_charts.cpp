@@ -1,6 +1,7 @@
 #include "majorant/certify/stacked_charts.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -65,6 +66,7 @@ class Charts {
       goes_on_.push_back(is_inside_of_chart(h));
       if (goes_on_.back()) pieces.join(face_of(h), face_of(surface().opposite(h)));
     }
+    join_split(pieces);
     std::vector<Index> number(to_size(cells()), -1);
     for (Index c = 0; c < cells(); ++c) {
       Index& known = number[to_size(pieces.find(c))];
@@ -117,6 +119,27 @@ class Charts {
       side.first.emplace_back(file_.uv(p, 0), file_.uv(p, 1));
     }
     return side;
+  }
+
+  // Pieces that meet in an edge whose ends the file holds twice, at equal places and with equal uv,
+  // are one chart, where no third edge lies there. Whatever is joined, a chart covers what its
+  // polygons do.
+  void join_split(UnionFind& pieces) const {
+    using End = std::array<double, 5>;
+    const auto end = [&](Index h, Index k) {
+      const Index p = file_.cells(face_of(h), (corner_of(h) + k) % 3);
+      return End{file_.points(p, 0), file_.points(p, 1), file_.points(p, 2), file_.uv(p, 0),
+                 file_.uv(p, 1)};
+    };
+    std::map<std::pair<End, End>, std::vector<Index>> border;
+    for (Index h = 0; h < surface().half_edge_count(); ++h)
+      if (surface().opposite(h) < 0) border[{end(h, 0), end(h, 1)}].push_back(h);
+    for (const auto& [ends, sides] : border) {
+      const auto other = border.find({ends.second, ends.first});
+      if (other == border.end() || sides.size() > 1 || other->second.size() > 1) continue;
+      const Index cell = face_of(sides[0]), beyond = face_of(other->second[0]);
+      if (side_of(cell) * side_of(beyond) >= 0) pieces.join(cell, beyond);
+    }
   }
 
   // Cells that hang together like a tree are a disc without a vertex inside, whoever named them.

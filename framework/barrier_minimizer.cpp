@@ -89,12 +89,7 @@ class Phases {
     if (!enter() || !has_start()) return std::move(result_);
     result_.energy = measure().energy;
     const double first = m_ > 0 ? options_.first_gap * scale() / m_ : 0;
-    follow_barrier({first, options_.fall}, [this](double mu) {
-      const bool last = m_ * mu <= options_.tolerance * scale();
-      minimize(mu, last);
-      if (last) return PathEnd::Arrived;
-      return went_on() ? PathEnd::None : PathEnd::Ended;
-    });
+    follow_barrier({first, options_.fall}, [this](double mu) { return minimize(mu); });
     return std::move(result_);
   }
 
@@ -327,7 +322,8 @@ class Phases {
     return problem.with(std::move(changes));
   }
 
-  void minimize(double mu, bool last) {
+  PathEnd minimize(double mu) {
+    const bool last = m_ * mu <= options_.tolerance * scale();
     stepper_.reset(weighted(problem_, mu));
     const double start = stepper_.evaluator().value(result_.y);
     StoppingRules rules = options_.newton.stopping;
@@ -340,6 +336,8 @@ class Phases {
     phase.iterations = steps;
     phase.status = result_.status;
     result_.phases.push_back(phase);
+    if (last) return PathEnd::Arrived;
+    return went_on() ? PathEnd::None : PathEnd::Ended;
   }
 
   // Descends from where the run is and returns the number of iterations.

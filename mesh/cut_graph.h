@@ -14,9 +14,9 @@ namespace majorant {
 // always is.
 //
 // Length: within a factor of 2 of the shortest for spheres and disks (a minimum spanning tree over
-// shortest paths, [Meh88]), then shortened path by path; the shortest loops of a tree-cotree
-// decomposition [EW05] for handles. Throws Error(Usage) for a vertex that does not exist;
-// Stopped.
+// shortest paths, [Meh88]), then shortened path by path; for handles, homology generators: the
+// shortest loops of a tree-cotree decomposition [EW05]. Throws Error(Usage) for a vertex that does
+// not exist; Stopped.
 std::vector<char> cut_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
                             const StopCheck& stop = {});
 

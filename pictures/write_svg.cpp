@@ -78,8 +78,8 @@ class SvgWriter {
   void add_number(double value) { add_thousandths(std::llround(1000.0 * value)); }
 
   // A sign separates numbers, too.
-  void add_separated(long long value, bool is_first) {
-    if (!is_first && value >= 0) add(" ");
+  void add_separated(long long value) {
+    if (value >= 0) add(" ");
     add_thousandths(value);
   }
 
@@ -97,8 +97,11 @@ class SvgWriter {
       Thousandths at = pen;
       for (int k = 0; k < count; ++k) {
         at = rounded(p[k]);
-        add_separated(at.x - pen.x, k == 0 && !goes_on);
-        add_separated(at.y - pen.y, false);
+        if (k == 0 && !goes_on)
+          add_thousandths(at.x - pen.x);
+        else
+          add_separated(at.x - pen.x);
+        add_separated(at.y - pen.y);
       }
       p += count;
       pen = verb == Path::Verb::Close ? start : at;

@@ -318,7 +318,7 @@ Json atlas_report(const AtlasJob& job) {
               {"version", MAJORANT_VERSION},
               {"command", "unwrap"},
               {"status", status_name(atlas.status())},
-              {"message", ""},
+              {"message", atlas.message()},
               {"warnings", job.polygons->warnings},
               {"input", input_section(*job.polygons, *job.surface.mesh)},
               {"repairs", repairs_section(job.surface)},

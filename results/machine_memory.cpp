@@ -11,18 +11,17 @@ namespace majorant {
 namespace {
 
 // The memory of cg-hypre: PETSc itself, and its matrix and multigrid for every entry of the
-// pattern. Origin: bench/linear_solvers.py, its peak beyond that of direct without the factor:
-// nefertiti cut finer, 10K faces at degrees 1 to 3 and 40K at degree 1, from 105 to 125 bytes for
-// each entry.
+// pattern: the peak beyond that of direct without the factor (bench/linear_solvers.py) is 105 to
+// 125 bytes for each entry of 10K faces at degrees 1 to 3 and of 40K at degree 1.
 constexpr std::size_t kMultigridBytes = 35000000, kMultigridBytesOfEntry = 115;
 
-// The bytes of a problem for every entry of its pattern, its tables among them. Origin: the process
-// at the analysis of degrees 2 and 3 of nefertiti_10000, over that at degree 1.
+// The bytes of a problem for every entry of its pattern, its tables among them: the size of the
+// process at the analysis of degrees 2 and 3 of 10K faces, over that at degree 1.
 constexpr std::size_t kProblemBytesOfEntry = 33;
 
 // The bytes of a factor and its making for every entry of the Hessians of faces, from degree 2 on:
-// at most. Origin: nefertiti_10000 takes 35 at degree 3 and 38 at degree 2, and 10 and 12 more for
-// every fourfold number of faces: 87 and 110 where patterns end.
+// at most: 10K faces take 35 at degree 3 and 38 at degree 2, and 10 and 12 more for every fourfold
+// number of faces, 87 and 110 where patterns end.
 constexpr std::size_t kFactorBytesOfEntry = 120;
 
 }  // namespace

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "majorant/io/mesh_objects.h"
 #include "majorant/parametrization/packing/pack.h"
 
 namespace majorant {
@@ -77,6 +77,33 @@ PolygonMesh with_chart_groups(PolygonMesh polygons, const std::vector<int>& char
     if (line == written) return {};
     written = line;
     return line;
+  });
+  return polygons;
+}
+
+PolygonMesh with_object_names(PolygonMesh polygons, const MeshObjects& objects) {
+  std::string said;  // by the line before a polygon
+  const auto keep = [&](const Line& directive) {
+    const auto [word, rest] = directive_words(directive.second);
+    if (word != "o") return true;
+    said = rest;
+    return false;
+  };
+  std::vector<std::string> names(to_size(objects.count()));
+  std::set<std::string> taken;
+  Index current = -1;
+  rewrite(polygons, keep, [&](std::size_t p) -> std::string {
+    const Index object = objects.of_polygon[p];
+    if (object == current) return {};
+    current = object;
+    std::string& name = names[to_size(object)];
+    if (name.empty()) {
+      if (said.empty()) said = "object";
+      name = said;
+      for (int k = 2; !taken.insert(name).second; ++k) name = fmt::format("{}_{}", said, k);
+      said.clear();
+    }
+    return "o " + name;
   });
   return polygons;
 }

@@ -1,4 +1,5 @@
-// What the lines of an OBJ say of a layout: a material for every tile, a group for every chart.
+// What the lines of an OBJ say of a layout: a material for every tile, a group for every chart, a
+// name for every object.
 //
 //   const std::vector<int> chart = chart_of_polygons(file, polygons);
 //   PolygonMesh marked = with_tile_materials(polygons, chart);       // usemtl 1001 ...
@@ -11,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "majorant/io/mesh_objects.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/parametrization/maps/map_file.h"
 
@@ -26,6 +28,10 @@ PolygonMesh with_tile_materials(PolygonMesh polygons, const std::vector<int>& ti
 // `g ... chart_0` and so on before the first polygon of every run in one chart, behind the names of
 // the groups that the input has there. chart: by polygon; -1: as the one before.
 PolygonMesh with_chart_groups(PolygonMesh polygons, const std::vector<int>& chart);
+
+// `o NAME` before the first polygon of every run of one object, in place of those that are there,
+// whose names they keep: those of other objects with a number, so that names tell objects apart.
+PolygonMesh with_object_names(PolygonMesh polygons, const MeshObjects& objects);
 
 // The material of every polygon, as `usemtl` names it; empty where there is none.
 std::vector<std::string> material_of_polygons(const PolygonMesh& polygons);

@@ -1,8 +1,12 @@
 #include "majorant/results/object_layouts.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace majorant {
+
+namespace {
 
 Json object_section(const std::string& name, const AtlasJob& job) {
   const Json report = atlas_report(job);
@@ -10,6 +14,32 @@ Json object_section(const std::string& name, const AtlasJob& job) {
   for (const char* const key : {"status", "input", "repairs", "result", "charts"})
     section[key] = report[key];
   return section;
+}
+
+}  // namespace
+
+UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
+                                const std::function<void(PolygonMesh, AtlasJob&)>& unwrap) {
+  UnwrappedObjects all;
+  const MeshObjects objects = objects_of(polygons);
+  for (Index k = 0; k < objects.count(); ++k) {
+    const std::string& name = objects.names[to_size(k)];
+    ObjectMesh object = object_mesh(polygons, objects, k);
+    object.mesh.file = fmt::format(
+        "{}{}{}", polygons.file, polygons.file.empty() ? "" : ": ",
+        name.empty() ? fmt::format("object {}", k + 1) : fmt::format("object '{}'", name));
+    AtlasJob job(record);
+    unwrap(object.mesh, job);
+    const Status status = job.atlas.status();
+    if (worse_of(all.status, status) != all.status) {
+      all.status = status;
+      all.message = job.atlas.message();
+    }
+    all.sections.push_back(object_section(name, job));
+    all.asked = job.asked;
+    if (status != Status::Failed) all.layouts.push_back({name, atlas_file(job), std::move(object)});
+  }
+  return all;
 }
 
 MapFile map_of_objects(std::vector<ObjectLayout> layouts) {

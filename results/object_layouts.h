@@ -1,19 +1,18 @@
 // Layouts of the objects of a file, each made as if the object were alone in it, as one map of the
 // file: they lie on each other, in the unit square.
 //
-//   const MeshObjects objects = objects_of(polygons);
-//   std::vector<ObjectLayout> layouts;
-//   for (Index k = 0; k < objects.count(); ++k) {
-//     ObjectMesh object = object_mesh(polygons, objects, k);
-//     AtlasJob job(record);
-//     job.open(object.mesh, {});
-//     ...
-//     layouts.push_back({objects.names[k], atlas_file(job), std::move(object)});
-//   }
-//   const MapFile file = map_of_objects(std::move(layouts));
+//   const auto unwrap = [](PolygonMesh object, AtlasJob& job) {
+//     job.open(std::move(object), {});
+//     job.solve();
+//     job.place();
+//     job.prove();
+//   };
+//   UnwrappedObjects objects = unwrap_objects(polygons, record, unwrap);
+//   const MapFile file = map_of_objects(std::move(objects.layouts));
 //   write_map("out.obj", file, &polygons, {}, proof_of_objects("out.obj", polygons));
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,8 +29,17 @@ struct ObjectLayout {
   ObjectMesh object;
 };
 
-// {"name", "status", "input", "repairs", "result", "charts"}: what a report has of an object.
-Json object_section(const std::string& name, const AtlasJob& job);
+struct UnwrappedObjects {
+  std::vector<ObjectLayout> layouts;  // of all but those that failed
+  Json sections = Json::array();  // {"name", "status", "input", "repairs", "result", "charts"} each
+  Json asked;
+  Status status = Status::Converged;  // the worst of the objects
+  std::string message;                // of the first that ended so
+};
+// One object after the other. unwrap: opens, solves, places and proves the job of a mesh, whose
+// name says which object of the file it is.
+UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
+                                const std::function<void(PolygonMesh, AtlasJob&)>& unwrap);
 
 // Charts are numbered on from object to object, as the claim `objects` says. No measures: scales
 // differ. layouts: at least one, of one degree.

@@ -6,8 +6,9 @@
 //   const VolumeResult result = optimize_volume_mesh(cells, {}, record);
 //   if (result.after.is_valid()) cells.points = result.points;      // proven, as doubles
 //
-// Tetrahedra, hexahedra, wedges, and triangles and quads of the plane, in one mesh; straight or
-// curved. Numbers, order and regions of cells stay.
+// The energy is a mean; elements that would end worse than the worst one of a valid mesh weigh
+// more. Tetrahedra, hexahedra, wedges, and triangles and quads of the plane, in one mesh; straight
+// or curved. Numbers, order and regions of cells stay.
 #pragma once
 
 #include <span>
@@ -61,6 +62,8 @@ struct VolumeResult {
 
   // Whether all elements are proven to be valid at `points`: what is written then.
   bool is_valid() const { return after.is_valid() && status != Status::Infeasible; }
+  // Whether the worst element of a valid mesh became worse, by more than is told apart.
+  bool least_fell() const;
 };
 
 // The energies of meshes of so many dimensions, 2 or 3, and one of them by its name; null: none.

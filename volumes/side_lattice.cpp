@@ -89,12 +89,14 @@ std::vector<SideLattice> side_lattices(const CellType& type, const double* nodes
   std::vector<SideLattice> sides;
   if (dimension(type.shape) == 2) {
     sides.push_back(LatticeMaker(corners, steps).make(type, nodes));
+    for (int k = 0; k < corner_count(type.shape); ++k) sides.back().corners.push_back(k);
     return sides;
   }
   for (const ReferenceCell::Side& side : ReferenceCell::of(type).sides()) {
     std::vector<Exponents> of_side;
     for (const int corner : side.corners) of_side.push_back(corners[to_size(corner)]);
     sides.push_back(LatticeMaker(of_side, steps).make(type, nodes));
+    sides.back().corners.assign(side.corners.begin(), side.corners.end());
   }
   return sides;
 }

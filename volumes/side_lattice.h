@@ -16,6 +16,7 @@
 namespace majorant {
 
 struct SideLattice {
+  std::vector<int> corners;               // the corners of the cell that are its own
   std::vector<std::array<double, 6>> at;  // #P, homogeneous coordinates in the cell
   Points3 points;                         // #P by 3, where they are
   // #P by 2, in a regular triangle over the segment from (0, 0) to (1, 0), or the unit square.

@@ -10,26 +10,43 @@
 namespace majorant {
 namespace {
 
-// Returns for every vertex the first one on the boundary at the same place with the same uv, inside
-// itself.
-std::vector<Index> first_of_equals(const BezierMap& map) {
+// By vertex: the group of its faces; -1 where they are of several.
+std::vector<Index> group_of_vertices(const SurfaceMesh& mesh, const std::vector<Index>& group) {
+  std::vector<Index> of_vertex(to_size(mesh.vertex_count()), 0);
+  if (group.empty()) return of_vertex;
+  std::vector<char> is_known(of_vertex.size(), 0);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (Index k = 0; k < 3; ++k) {
+      const std::size_t v = to_size(mesh.faces()(f, k));
+      const bool is_other = is_known[v] && of_vertex[v] != group[to_size(f)];
+      of_vertex[v] = is_other ? -1 : group[to_size(f)];
+      is_known[v] = 1;
+    }
+  return of_vertex;
+}
+
+// Returns for every vertex the first one of its group on the boundary at the same place with the
+// same uv, inside itself.
+std::vector<Index> first_of_equals(const BezierMap& map, const std::vector<Index>& group) {
   const std::vector<char> is_boundary = map.mesh().boundary_flags();
-  std::map<std::array<double, 5>, Index> known;
+  const std::vector<Index> of_vertex = group_of_vertices(map.mesh(), group);
+  std::map<std::pair<Index, std::array<double, 5>>, Index> known;
   std::vector<Index> first(is_boundary.size());
   for (Index v = 0; v < map.mesh().vertex_count(); ++v) {
     first[v] = v;
-    if (!is_boundary[v]) continue;
+    if (!is_boundary[v] || of_vertex[v] < 0) continue;
     const Vector3 p = map.mesh().positions().row(v);
     const Vector2 uv = map.control_points().segment<2>(2 * v);
-    first[v] = known.try_emplace({p.x(), p.y(), p.z(), uv.x(), uv.y()}, v).first->second;
+    const std::array<double, 5> place{p.x(), p.y(), p.z(), uv.x(), uv.y()};
+    first[v] = known.try_emplace({of_vertex[v], place}, v).first->second;
   }
   return first;
 }
 
 }  // namespace
 
-std::optional<BezierMap> glued(const BezierMap& map) {
-  const std::vector<Index> first = first_of_equals(map);
+std::optional<BezierMap> glued(const BezierMap& map, const std::vector<Index>& group) {
+  const std::vector<Index> first = first_of_equals(map, group);
   PolygonMesh welded;
   welded.file = map.mesh().file();
   for (Index v = 0; v < map.mesh().vertex_count(); ++v)

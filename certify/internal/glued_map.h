@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "majorant/parametrization/maps/bezier_map.h"
 
@@ -10,9 +11,9 @@ namespace majorant {
 // Files may hold a point of the surface several times, with different numbers and the same place
 // and uv: pieces that exporters split, welded by who laid them out. Where two boundary edges of the
 // map run against each other between such points the map is continuous across them, and no
-// boundary. Glues all that are; the image is the same. None where there are none, or control points
-// between the vertices differ.
-std::optional<BezierMap> glued(const BezierMap& map);
+// boundary. Glues all that are, of faces of one group each; the image is the same. group: by face,
+// or empty: all are one. None where there are none, or control points between the vertices differ.
+std::optional<BezierMap> glued(const BezierMap& map, const std::vector<Index>& group = {});
 
 }  // namespace majorant
 

@@ -20,8 +20,8 @@ namespace majorant {
 namespace {
 
 // Supernodes are merged up to so many columns, where up to 0.8, 0.1, 0.05 of the result are zeros
-// (CHOLMOD's nrelax and zrelax). Twice CHOLMOD's defaults 4, 16, 48: factorizations of nefertiti
-// and hand with 10K faces took 4 to 12 % less; larger zrelax gained nothing, nor did fewer columns.
+// (CHOLMOD's nrelax and zrelax). Twice CHOLMOD's defaults 4, 16, 48: factorizations of maps with
+// 10K faces take 4 to 12 % less; larger zrelax gains nothing, nor do fewer columns.
 constexpr std::array<std::size_t, 3> kMergedColumns{8, 32, 96};
 
 class CholmodSolver final : public LinearSolver {

@@ -26,7 +26,6 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
-#include "majorant/parametrization/atlas/internal/congruent_charts.h"
 #include "majorant/parametrization/atlas/internal/kept_islands.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/maps/smallest_rectangle.h"
@@ -121,6 +120,24 @@ struct Division {
   double price = 0;            // cost per area of the smaller part
 };
 
+// The map of the same faces as `map` that lies on `under`, or mirrored at u = 0.
+BezierMap map_on(const BezierMap& under, const BezierMap& map, const StackPlace& place) {
+  const TriangleIndices& ix = TriangleIndices::of_degree(map.degree());
+  const double sign = place.sense == ChartSense::Mirrored ? -1 : 1;
+  Vec x(map.control_points().size());
+  for (Index f = 0; f < map.mesh().face_count(); ++f)
+    for (int l = 0; l < ix.count(); ++l) {
+      std::array<int, 3> multi{};
+      for (std::size_t k = 0; k < 3; ++k)
+        multi[to_size(place.corner[to_size(f)][k])] = ix.multi(l)[k];
+      const Index node =
+          under.space().cells()(place.face[to_size(f)], ix.local(multi[0], multi[1], multi[2]));
+      const Vector2 uv = under.control_points().segment<2>(2 * node);
+      x.segment<2>(2 * map.space().cells()(f, l)) = Vector2(sign * uv.x(), uv.y());
+    }
+  return map.with(map.shared_space(), std::move(x));
+}
+
 // A piece of the cut surface and what is asked of it.
 struct Task {
   std::shared_ptr<const SurfaceMesh> mesh;
@@ -144,6 +161,7 @@ class Unwrapping {
     CutOptions cuts = options_.cuts;
     for (const auto* points : {&options_.chart.map.pins, &options_.chart.map.handles})
       for (const Pin& p : *points) cuts.whole.push_back(p.vertex);
+    cuts.copies = options_.stacking;
     if (std::isfinite(options_.cutting_seconds))
       cuts.enough = StopCheck([this] {
         return record_.seconds() > options_.cutting_seconds ? Directive::TimeLimit
@@ -175,6 +193,8 @@ class Unwrapping {
   }
 
  private:
+  using Flags = std::vector<char>;
+
   void make_tasks() {
     std::vector<Index> surface_vertex;
     const SurfaceMesh cut = surface_.cut_along(atlas_.cuts.is_cut, &surface_vertex);
@@ -296,11 +316,20 @@ class Unwrapping {
     return uv;
   }
 
-  using Flags = std::vector<char>;
-
   std::vector<Flags> cuts_of(const std::vector<std::size_t>& bad, const StopCheck& stop) const {
+    return alike(bad, [&](std::size_t k) { return cut_of(k, stop); });
+  }
+
+  // Of these charts; those of copies that are to be stacked are the same.
+  std::vector<Flags> alike(const std::vector<std::size_t>& which,
+                           const std::function<Flags(std::size_t)>& cut) const {
+    std::vector<std::shared_ptr<const SurfaceMesh>> surfaces;
+    for (const std::size_t k : which) surfaces.push_back(tasks_[k].mesh);
+    const std::vector<std::optional<StackPlace>> places =
+        stack_places(surfaces, options_.stacking, {});
     std::vector<Flags> cuts;
-    for (const std::size_t k : bad) cuts.push_back(cut_of(k, stop));
+    for (std::size_t i = 0; i < which.size(); ++i)
+      cuts.push_back(places[i] ? flags_on(cuts[places[i]->chart], *places[i]) : cut(which[i]));
     return cuts;
   }
 
@@ -377,7 +406,7 @@ class Unwrapping {
       else
         cuts = cut_corners(mesh, task.wanted, stop);
     }
-    return is_any(cuts) ? cuts : cut_in_two(mesh, stop);
+    return is_any(cuts) ? cuts : cut_in_two(mesh, task.wanted, stop);
   }
 
   // Divides charts for the sake of what is asked for, or where the layout costs less then.
@@ -397,9 +426,7 @@ class Unwrapping {
   bool divide(const std::vector<std::size_t>& which) {
     if (record_.directive() != Directive::Continue) return false;
     const bool is_done = recut(which, [&](const StopCheck&) {
-      std::vector<Flags> cuts;
-      for (const std::size_t k : which) cuts.push_back(tasks_[k].division->cut);
-      return cuts;
+      return alike(which, [&](std::size_t k) { return tasks_[k].division->cut; });
     });
     keep_limit();
     return is_done;
@@ -650,18 +677,23 @@ class Unwrapping {
     return Status::Converged;
   }
 
-  // As many as fill the square if all goes as with their boxes.
+  // As many as fill the square if all goes as with their boxes; where no division makes boxes
+  // smaller, the one that costs least for the area of its smaller part: smaller charts leave less
+  // between them.
   std::vector<std::size_t> fullest_next() {
-    std::vector<std::pair<double, std::size_t>> order;
+    std::vector<std::pair<double, std::size_t>> order, by_price;
     const double area = surface_.area();
     double boxes = 0;
     for (std::size_t k = 0; k < tasks_.size(); ++k) {
       boxes += box_of(atlas_.charts[k], all_vertices(k));
       const Division* const division = may_be_divided(k) ? division_of(k) : nullptr;
+      if (division) by_price.emplace_back(division->price, k);
       if (division && division->saved > 0)
         order.emplace_back(
             -division->saved / (division->cost * std::sqrt(area) + kChartCost * area), k);
     }
+    if (order.empty() && !by_price.empty())
+      return {std::min_element(by_price.begin(), by_price.end())->second};
     std::sort(order.begin(), order.end());
     const double aim = boxes * atlas_.packing->fill / options_.least_fill;
     std::vector<std::size_t> next;
@@ -871,15 +903,26 @@ std::string_view start_name(ChartStart start) {
   return kNames[static_cast<std::size_t>(start)];
 }
 
-Status Atlas::status() const {
-  // Statuses from the best to the worst.
+Status worse_of(Status a, Status b) {
+  // From the best to the worst.
   constexpr std::array kOrder = {Status::Converged, Status::Stalled,     Status::MaxIterations,
                                  Status::TimeLimit, Status::Interrupted, Status::Infeasible,
                                  Status::Failed};
   const auto rank = [&](Status s) { return std::find(kOrder.begin(), kOrder.end(), s); };
-  auto worst = kOrder.begin();
-  for (const Chart& chart : charts) worst = std::max(worst, rank(chart.status));
-  return *worst;
+  return rank(a) < rank(b) ? b : a;
+}
+
+Status Atlas::status() const {
+  Status worst = Status::Converged;
+  for (const Chart& chart : charts) worst = worse_of(worst, chart.status);
+  return worst;
+}
+
+std::string Atlas::message() const {
+  const Status worst = status();
+  for (const Chart& chart : charts)
+    if (chart.status == worst && worst != Status::Converged) return chart.message;
+  return {};
 }
 
 double Atlas::value() const {

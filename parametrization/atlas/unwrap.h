@@ -32,6 +32,7 @@
 #include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
+#include "majorant/parametrization/seams/congruent_surfaces.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {
@@ -69,20 +70,6 @@ Stretch measure_stretch(const BezierMap& map);
 enum class ChartStart { Tutte, Multiresolution, Parent, Unfolded, Texture, Untangled, Anew };
 // "tutte", "multiresolution", "parent", "unfolded", "texture", "untangled", "anew"
 std::string_view start_name(ChartStart start);
-
-// Which charts may share a place of the layout: none; those whose surfaces are
-// copies of each other; and those that are copies of mirror images.
-enum class Stacking { None, Equal, Mirrored };
-enum class ChartSense { Same, Mirrored };
-
-// The chart that another one lies on, corner by corner: corner k of face f on corner corner[f][k]
-// of face[f].
-struct StackPlace {
-  std::size_t chart = 0;
-  ChartSense sense = ChartSense::Same;
-  std::vector<Index> face = {};
-  std::vector<std::array<int, 3>> corner = {};
-};
 
 struct Chart {
   std::vector<Index> faces;      // of the surface, by face of the map
@@ -142,6 +129,10 @@ struct UnwrapOptions {
       PackOptions();  // none: charts stay where the solver has them
 };
 
+// The one of two ends that is further from the best: converged, stalled, a limit of steps, of time,
+// interrupted, infeasible, failed.
+Status worse_of(Status a, Status b);
+
 struct Atlas {
   SurfaceCuts cuts;
   std::vector<Chart> charts;       // in the order of their first faces
@@ -154,6 +145,8 @@ struct Atlas {
 
   // The worst of the charts: Converged only if all are.
   Status status() const;
+  // Of the first chart that ended so; empty where all converged.
+  std::string message() const;
   // Mean of the energy over the surface.
   double value() const;
   Stretch stretch() const;

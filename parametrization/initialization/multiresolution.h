@@ -45,53 +45,53 @@ bool suits_multiresolution(const SurfaceMesh& mesh, const MapOptions& asked);
 
 // How multiresolution_map() works. Nobody but measurements changes this.
 struct MultiresolutionRules {
-  // Triangles of the coarsest mesh: bench/multiresolution: 1000 cost 5 fe more on
-  // hand_10000 and start no closer.
+  // Triangles of the coarsest mesh: 1000 cost 5 fe more at 10,000 faces and start no closer
+  // (bench/multiresolution, as the figures below).
   Index coarsest = 400;
-  // Of the numbers of vertices of two levels: bench/multiresolution: 2 halves the error of
-  // the start at 10,000 faces (7e-4 to 2e-4 on spot) and costs 2.8 fe more.
+  // The ratio of the numbers of vertices of two levels: 2 halves the error of the start at 10,000
+  // faces and costs 2.8 fe more.
   double ratio = 4;
-  // Newton steps of a vertex when it comes back: bench/multiresolution: 8 start no
-  // closer on hand_10000 and penguin_10000, and one step hardly worse.
+  // Newton steps of a vertex when it comes back: 8 start no closer, one step hardly worse, at
+  // 10,000 faces.
   int insertion_steps = 4;
-  // Of the mean energy of a vertex' triangles to that of the last level: above, its neighbours give
-  // way: bench/multiresolution: without, penguin_10000 starts 30 times as far off.
+  // The ratio of the mean energy of a vertex' triangles to that of the last level above which its
+  // neighbours give way: without, maps start up to 30 times as far off.
   double high_energy = 2;
-  // Times that they do: bench/multiresolution: 12 gain nothing.
+  // Times that they do: 12 gain nothing.
   int high_energy_rounds = 6;
-  // Newton steps of all vertices, one after the other, when a level is complete:
-  // bench/multiresolution: 6 cost 0.35 fe more at 10,000 faces and take a quarter off the error.
+  // Newton steps of all vertices, one after the other, when a level is complete: 6 cost 0.35 fe
+  // more at 10,000 faces and take a quarter off the error.
   int sweeps = 4;
-  // Of the vertices that came back, how many neighbours have to have given way for the compressed
-  // parts of a level to be relaxed before the whole: bench/multiresolution: 3 % do on disks
-  // where that gains nothing, 9 to 12 % on limbs.
+  // The share of the vertices that came back whose neighbours have to have given way for the
+  // compressed parts of a level to be relaxed before the whole: 3 % do on disks where that gains
+  // nothing, 9 to 12 % on limbs.
   double compressed_share = 0.05;
-  // Of the mean over all vertices of the mean energy around them: above, a vertex is compressed.
-  // bench/multiresolution: a creature of 10,000 faces takes 16.3 fe with 1.5, 16.9 with 1.3, 18.4
-  // with 2, 26.9 without.
+  // The ratio of the mean energy around a vertex to the mean of that over all vertices above which
+  // the vertex is compressed: a surface with limbs, of 10,000 faces, takes 16.3 fe with 1.5, 16.9
+  // with 1.3, 18.4 with 2, 26.9 without.
   double compressed = 1.5;
-  // Rings of neighbours that move with the compressed vertices: bench/multiresolution: 2 take
-  // 0.7 fe more.
+  // Rings of neighbours that move with the compressed vertices: 2 take 0.7 fe more at 10,000
+  // faces.
   int compressed_rings = 1;
-  // Newton steps of the compressed parts: bench/multiresolution: 15 leave twice the error.
+  // Newton steps of the compressed parts: 15 leave twice the error.
   int compressed_steps = 30;
-  // Relative decrease that ends them, of the energy of these parts: as `decrease`.
+  // The relative decrease of the energy of these parts that ends them: as `decrease`.
   double compressed_decrease = 1e-4;
-  // Steps of all vertices together for a factorization: bench/multiresolution: 6 cost
-  // 0.3 fe more at 10,000 faces.
+  // Steps of all vertices together for a factorization: 6 cost 0.3 fe more at 10,000
+  // faces.
   int factor_steps = 10;
-  // Of these, on a level: bench/multiresolution: surfaces with long limbs reach it
-  // on coarse levels.
+  // The most of these on a level: surfaces with long limbs take as many on coarse
+  // levels.
   int most_steps = 30;
-  // Of all triangles, what a coarse level has at most; chosen, not tuned.
+  // The share of all triangles that a coarse level has at most; chosen, not tuned.
   double coarse_part = 1.0 / 8;
-  // Relative decrease of a step that ends the coarsest and coarse levels: 1e-7 changes
-  // nothing on penguin_10000.
+  // The relative decrease of a step that ends the coarsest and coarse levels: 1e-7 gains
+  // nothing.
   double coarse_decrease = 1e-5;
   // The same for the others: what is left there is less than what the next level adds.
   double decrease = 1e-4;
-  // Of the energy, from one level to the next that is not coarse: a larger drop gives the start up,
-  // since what is coarse says nothing of what is fine. Infinite: never.
+  // The drop of the energy from one level to the next that is not coarse above which the start is
+  // given up, since what is coarse says nothing of what is fine. Infinite: never.
   double largest_drop = std::numeric_limits<double>::infinity();
 };
 

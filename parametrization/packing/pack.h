@@ -7,12 +7,12 @@
 //   for (const BezierMap& chart : packing.charts)     // in a texture: between 0 and 1
 //     texture.push_back((chart.evaluate(0, {1, 0, 0}) - packing.origin) / packing.side);
 //
-// Every chart is turned until its smallest box lies straight, then placed by the outline of its
-// curved image: at rest in the holes and bays of others, too. Three ways are taken and the smallest
-// square wins: shelves of boxes (a skyline), which any number of charts survives; a raster of
-// outlines; and for few charts libnest2d, which slides polygons along each other. What they say is
-// not believed: the distances are proven on the digits returned, and det J > 0
-// again for every chart that was moved.
+// Every chart is turned until its smallest box lies straight, or, where most of its boundary does
+// so in one direction, that boundary; then placed by the outline of its curved image: at rest in
+// the holes and bays of others, too. Three ways are taken and the smallest square wins: shelves of
+// boxes (a skyline), which any number of charts survives; a raster of outlines; and for few charts
+// libnest2d, which slides polygons along each other. What they say is not believed: the distances
+// are proven on the digits returned, and det J > 0 again for every chart that was moved.
 //
 // Not for one chart alone that shall stay as it is; not for charts whose own image overlaps, of
 // which nothing is said here (global_injectivity.h).

@@ -258,6 +258,8 @@ constexpr double kGain = 1e-9;
 constexpr double kSameEnergy = 1e-12;
 // The place of the rule among the measuring ones: good to 1e-5 on mild maps.
 constexpr std::size_t kRuleOfMaps = 1;
+// Flips per face at most: each lowers the energy, of a few per face; more are rounding.
+constexpr long kMostFlipsPerFace = 100;
 
 // A pair of faces on its own, as it is and with its other diagonal: vertices a, b, c, d are 0, 1,
 // 2, 3.
@@ -296,8 +298,7 @@ class Improver {
 
   // Pairs that share no face are tried together.
   ImprovedMap run(const StopCheck& stop) {
-    while (!queue_.empty() &&
-           flips_.performed < Quadrilateral::kMostFlipsPerFace * mesh_.face_count() &&
+    while (!queue_.empty() && flips_.performed < kMostFlipsPerFace * mesh_.face_count() &&
            stop() == Directive::Continue)
       try_pairs(next_pairs());
     if (flips_.performed == 0) return {map_, flips_};

@@ -152,6 +152,7 @@ struct CutWishes {
   CutPreferences wanted;
   std::vector<char> whole;  // #V: where cuts are not led on purpose
   StopCheck enough = {};    // CutOptions::enough
+  Stacking copies = Stacking::None;
 };
 
 struct AutomaticCut {
@@ -183,6 +184,16 @@ constexpr std::size_t kMostDefects = 40;
 // those where the stress function is at least this part of its largest value, so often.
 constexpr double kPressed = 0.5;
 constexpr int kMostPresses = 6;
+
+// The cut graph through these along straighter paths, where that still leaves one planar piece.
+std::vector<char> straight_graph(const SurfaceMesh& mesh, const std::vector<Index>& through,
+                                 const Vec& cost, const StopCheck& stop) {
+  const std::vector<char> is_cut = cut_graph(mesh, through, cost, stop);
+  std::vector<char> straight = is_cut;
+  smooth_cuts(mesh, through, cost, straight, stop);
+  const SurfaceMesh open = mesh.cut_along(straight, nullptr);
+  return open.topology().components == 1 && is_planar(open) ? straight : is_cut;
+}
 
 class Cutter {
  public:
@@ -236,15 +247,6 @@ class Cutter {
     }
   }
 
-  // The same along straighter paths, where that still leaves one planar piece.
-  std::vector<char> straightened(const std::vector<char>& is_cut,
-                                 const std::vector<Index>& through) const {
-    std::vector<char> straight = is_cut;
-    smooth_cuts(mesh_, through, cost_, straight, stop_);
-    const SurfaceMesh open = mesh_.cut_along(straight, nullptr);
-    return open.topology().components == 1 && is_planar(open) ? straight : is_cut;
-  }
-
   std::vector<Index> curved_vertices() const {
     std::vector<Index> curved;
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
@@ -272,8 +274,7 @@ class Cutter {
     return FlatteningStrain(mesh_.cut_along(is_cut, nullptr), -1, stop_).strain();
   }
   AutomaticCut routed(const std::vector<Index>& terminals) const {
-    AutomaticCut cut{straightened(cut_graph(mesh_, terminals, cost_, stop_), terminals), 0,
-                     terminals};
+    AutomaticCut cut{straight_graph(mesh_, terminals, cost_, stop_), 0, terminals};
     cut.strain = strain(cut.is_cut);
     return cut;
   }
@@ -533,23 +534,42 @@ void take_apart_if_flat(const SurfacePiece& part, double max_stretch, std::vecto
 // no coordinates cut them (all zero, say), and those whose faces have none.
 enum class Pieces { All, NotByTexture };
 
+// Of every piece the first one that it is a copy of, where these are to be cut alike.
+std::vector<std::optional<StackPlace>> copies_among(const std::vector<SurfacePiece>& pieces,
+                                                    const CutWishes& wishes) {
+  std::vector<std::shared_ptr<const SurfaceMesh>> meshes;
+  for (const SurfacePiece& piece : pieces) meshes.push_back(piece.mesh);
+  const bool is_any_whole =
+      std::find(wishes.whole.begin(), wishes.whole.end(), 1) != wishes.whole.end();
+  return stack_places(meshes, is_any_whole ? Stacking::None : wishes.copies, {});
+}
+
 // Cuts them, each to one chart.
 void cut_automatically(const SurfaceMesh& mesh, const CutWishes& wishes, double max_stretch,
                        Pieces which, SurfaceCuts& cuts, const StopCheck& stop) {
   std::vector<Index> uncut_vertex;
   const std::vector<Index> component = face_components(mesh.opposites());
-  for (const auto& [part, faces, vertices] :
-       mesh.cut_along(cuts.is_cut, &uncut_vertex).split(stop)) {
+  const std::vector<SurfacePiece> pieces = mesh.cut_along(cuts.is_cut, &uncut_vertex).split(stop);
+  const std::vector<std::optional<StackPlace>> places = copies_among(pieces, wishes);
+  std::vector<AutomaticCut> cut(pieces.size());
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
     stop.poll();
+    const auto& [part, faces, vertices] = pieces[k];
     const SurfaceMesh& piece = *part;
     if (which == Pieces::NotByTexture && piece.topology().boundary_loops > 0 &&
         is_textured(piece, 0))
       continue;
     CutWishes own{preferences_on(faces, wishes.wanted), std::vector<char>(vertices.size()),
-                  wishes.enough};
+                  wishes.enough, Stacking::None};
     for (std::size_t v = 0; v < vertices.size(); ++v)
       own.whole[v] = wishes.whole[uncut_vertex[vertices[v]]];
-    const AutomaticCut more = automatic_cut(piece, own, max_stretch, stop);
+    AutomaticCut& more = cut[k];
+    if (places[k]) {
+      more = cut[places[k]->chart];
+      more.is_cut = flags_on(more.is_cut, *places[k]);
+    } else {
+      more = automatic_cut(piece, own, max_stretch, stop);
+    }
     for (Index h = 0; h < piece.half_edge_count(); ++h)
       if (more.is_cut[h]) cuts.is_cut[3 * faces[face_of(h)] + corner_of(h)] = 1;
     ComponentCuts& facts = cuts.components[component[faces.front()]];
@@ -586,7 +606,7 @@ void add_up(const SurfaceMesh& mesh, const std::vector<char>& asked,
 SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
                           const StopCheck& stop) {
   CutWishes wishes{options.wanted, std::vector<char>(to_size(mesh.vertex_count()), 0),
-                   options.enough};
+                   options.enough, chooses_cuts(options.method) ? options.copies : Stacking::None};
   for (const Index v : options.whole) wishes.whole[v] = 1;
   SurfaceCuts out;
   out.is_cut = asked_cuts(mesh, options);
@@ -631,7 +651,7 @@ std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wa
   const std::vector<Index> curved = curved_inside(chart);
   if (curved.empty() || curved.size() > kMostDefects)
     return std::vector<char>(to_size(chart.half_edge_count()), 0);
-  return cut_graph(chart, curved, cut_costs(chart, wanted), stop);
+  return straight_graph(chart, curved, cut_costs(chart, wanted), stop);
 }
 
 double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop) {

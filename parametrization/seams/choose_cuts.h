@@ -15,6 +15,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/seams/congruent_surfaces.h"
 
 namespace majorant {
 
@@ -57,6 +58,9 @@ struct CutOptions {
   std::vector<Index> whole = {};
   std::vector<char> given = {};  // 3 #F flags, one side is enough, or empty: cut in any case
   CutPreferences wanted = {};
+  // Automatic, Sharp: components that are copies of each other are cut as the first of them is,
+  // whatever is wanted of the others; not where `whole` vertices are.
+  Stacking copies = Stacking::None;
   // Asked while cuts that suffice are made shorter: where it does not say Continue, they are taken
   // as they are.
   StopCheck enough = {};
@@ -110,8 +114,10 @@ std::vector<char> cut_further(const SurfaceMesh& chart, const CutPreferences& wa
 std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wanted,
                               const StopCheck& stop = {});
 // Two connected parts whose faces have as nearly one normal each as can be: two regions that grow
-// around planes [CSAD04]. Of two or more faces.
-std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop = {});
+// around planes [CSAD04]; where both planes would do, the border runs where it costs least. Of two
+// or more faces.
+std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& wanted,
+                             const StopCheck& stop = {});
 // The path from boundary to boundary that costs least for the area that it leaves on its smaller
 // side, between the ends of the chart or from the boundary vertex around which there is most, a
 // full turn or more, so that the chart overlaps itself there, if there is one. No flags where there

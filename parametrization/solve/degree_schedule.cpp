@@ -63,12 +63,11 @@ SolveResult DegreeSchedule::raise_degree(double energy) {
     for (;;) {
       if (const Directive why = record_.directive(); why != Directive::Continue)
         return stopped(std::move(solved), why);
-      const bool last = map_.degree() == degree_;
-      if (last || setup_.solve.elevation == Elevation::Incremental) {
-        solved = optimize(last);
+      if (is_last() || setup_.solve.elevation == Elevation::Incremental) {
+        solved = optimize();
         if (was_limited(solved.status)) return solved;
       }
-      if (last) return solved;
+      if (is_last()) return solved;
       elevate();
     }
   } catch (const Stopped& stop) {  // between two solves
@@ -77,14 +76,14 @@ SolveResult DegreeSchedule::raise_degree(double energy) {
   }
 }
 
-SolveResult DegreeSchedule::optimize(bool last) {
+SolveResult DegreeSchedule::optimize() {
   if (prepare_) prepare_(map_);
   DegreeSolver solver(setup_, domain_, map_.shared_space(), map_.control_points());
   solver_ = &solver;
   if (state_) solver.resume(*std::exchange(state_, std::nullopt));
   solver.soft_start(record_);
-  SolveResult solved =
-      last ? solver.finish(record_) : solver.approach(setup_.solve.elevation_tolerance, record_);
+  SolveResult solved = is_last() ? solver.finish(record_)
+                                 : solver.approach(setup_.solve.elevation_tolerance, record_);
   solver_ = nullptr;
   map_ = map_.with(map_.shared_space(), solver.x());
   add_counts(counts_.injectivity_tests, solver.proven());

@@ -55,7 +55,8 @@ class DegreeSchedule {
 
  private:
   void minimize_gentle_energy();
-  SolveResult optimize(bool last);
+  bool is_last() const { return map_.degree() == degree_; }
+  SolveResult optimize();
   void elevate();
 
   const DegreeSolver::Setup& setup_;

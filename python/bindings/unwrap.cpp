@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/mesh_objects.h"
 #include "majorant/results/atlas_job.h"
 #include "majorant/results/object_layouts.h"
 #include "majorant/results/solver_ladder.h"
@@ -45,12 +44,6 @@ RepairOptions repair_options(const py::dict& keywords) {
   how.welding = method == "uv" || method == "edges" ? Welding::Soups : Welding::EqualPlaces;
   if (keyword<bool>(keywords, "welds_nothing")) how.welding = Welding::Nothing;
   return how;
-}
-
-std::string message_of(const Atlas& atlas) {
-  for (const Chart& chart : atlas.charts)
-    if (chart.status == atlas.status() && chart.status != Status::Converged) return chart.message;
-  return {};
 }
 
 // Opens the job with all that is asked of it.
@@ -93,7 +86,7 @@ void solve_job(AtlasJob& job, Run& run, bool into_square) {
                 "in the unit square its smallest triangles are too small for doubles; take "
                 "scale='model'");
   if (job.atlas.status() == Status::Failed)
-    throw Error(ErrorKind::Invalid, "no valid map: failed, " + message_of(job.atlas));
+    throw Error(ErrorKind::Invalid, "no valid map: failed, " + job.atlas.message());
   run([&] {
     job.prove();
     return true;
@@ -111,29 +104,18 @@ PolygonMesh with_objects(PolygonMesh mesh, const std::vector<Index>& objects) {
 py::tuple unwrap_objects(const PolygonMesh& given, const py::dict& keywords, Run& run) {
   const auto polygons = std::make_shared<PolygonMesh>(
       with_objects(given, keyword<std::vector<Index>>(keywords, "objects")));
-  const MeshObjects objects = objects_of(*polygons);
-  std::vector<ObjectLayout> layouts;
-  Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION},
-              {"command", "unwrap"}, {"status", ""},
-              {"message", ""},       {"objects", Json::array()}};
-  Status worst = Status::Converged;
-  for (Index k = 0; k < objects.count(); ++k) {
-    ObjectMesh object = object_mesh(*polygons, objects, k);
-    AtlasJob job(run.record());
-    open_job(job, run, object.mesh, keywords);
-    solve_job(job, run, true);
-    if (job.atlas.status() != Status::Converged) {
-      worst = job.atlas.status();
-      report["message"] = message_of(job.atlas);
-    }
-    report["options"] = job.asked;
-    report["objects"].push_back(object_section(objects.names[to_size(k)], job));
-    layouts.push_back({objects.names[to_size(k)], atlas_file(job), std::move(object)});
-  }
-  report["status"] = status_name(worst);
-  return py::make_tuple(std::make_shared<MapFile>(map_of_objects(std::move(layouts))), polygons,
-                        promise_of_objects(), true, status_name(worst),
-                        report["message"].get<std::string>(), json_text(report));
+  UnwrappedObjects objects =
+      unwrap_objects(*polygons, run.record(), [&](PolygonMesh object, AtlasJob& job) {
+        open_job(job, run, std::move(object), keywords);
+        solve_job(job, run, true);
+      });
+  const Json report{{"schema_version", 1},        {"version", MAJORANT_VERSION},
+                    {"command", "unwrap"},        {"status", status_name(objects.status)},
+                    {"message", objects.message}, {"options", objects.asked},
+                    {"objects", objects.sections}};
+  return py::make_tuple(std::make_shared<MapFile>(map_of_objects(std::move(objects.layouts))),
+                        polygons, promise_of_objects(), true, status_name(objects.status),
+                        objects.message, json_text(report));
 }
 
 }  // namespace
@@ -148,7 +130,7 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   solve_job(job, run, keyword<std::string>(keywords, "scale") == "unit");
   const auto file = run([&] { return std::make_shared<MapFile>(atlas_file(job)); });
   return py::make_tuple(file, job.polygons, promise_from(promise(job, "map.vtu")), true,
-                        status_name(job.atlas.status()), message_of(job.atlas),
+                        status_name(job.atlas.status()), job.atlas.message(),
                         json_text(atlas_report(job)));
 }
 

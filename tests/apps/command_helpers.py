@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 BINARY = os.environ.get('MAJORANT_BINARY', '')
 SOURCE = os.environ.get('MAJORANT_SOURCE_DIR', '')
@@ -58,6 +59,35 @@ def verb_names():
         return re.findall(r'^  (\w+) ', verbs[1].split('\n\n')[0], re.MULTILINE) if len(verbs) > 1 else []
     return [' '.join([verb] + inner) for verb in listed()
             for inner in ([[word] for word in listed(verb)] or [[]])]
+
+
+def read_png(data):
+    """(width, height, rows of RGB bytes) of what the program writes: 8-bit RGB."""
+    assert data[:8] == b'\x89PNG\r\n\x1a\n'
+    at, pixels = 8, b''
+    while at < len(data):
+        size, kind = struct.unpack('>I4s', data[at:at + 8])
+        body = data[at + 8:at + 8 + size]
+        if kind == b'IHDR':
+            width, height, depth, color = struct.unpack('>IIBB', body[:10])
+            assert (depth, color) == (8, 2)
+        if kind == b'IDAT':
+            pixels += body
+        at += 12 + size
+    raw, rows, before = zlib.decompress(pixels), [], bytes(3 * width)
+    for y in range(height):
+        start = y * (3 * width + 1)
+        kind, line = raw[start], raw[start + 1:start + 1 + 3 * width]
+        row = bytearray(line)
+        for i in range(3 * width):
+            left = row[i - 3] if i >= 3 else 0
+            up, corner = before[i], before[i - 3] if i >= 3 else 0
+            guess = left + up - corner
+            nearest = min((left, up, corner), key=lambda x: (abs(guess - x)))
+            row[i] = (line[i] + (0, left, up, (left + up) // 2, nearest)[kind]) % 256
+        rows.append(bytes(row))
+        before = row
+    return width, height, rows
 
 
 class CommandTest(unittest.TestCase):

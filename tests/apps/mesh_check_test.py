@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`majorant mesh check` on meshes that gmsh and VTK write, of every kind and degree; exit codes and what is said."""
 import base64
+import collections
 import json
 import os
 import re
@@ -10,7 +11,7 @@ import struct
 import unittest
 
 import command_helpers as helpers
-from command_helpers import INVALID, UNREADABLE, UNSUPPORTED, USAGE, CommandTest, majorant
+from command_helpers import INVALID, OK, UNREADABLE, UNSUPPORTED, USAGE, CommandTest, majorant
 
 try:
     import gmsh
@@ -199,6 +200,34 @@ class Page(CommandTest):
         self.run_ok('mesh', 'check', path, '-o', self.path('best.html'))
         data = self.data('best.html')
         self.assertEqual((data['faces'], data['faults'], data['facts']['status']), (8, [], 'valid'))
+
+
+class Picture(CommandTest):
+    FLIPPED = (214, 0, 190)
+
+    def colors(self, name):
+        """Every colour of the picture of 1000 by 800 pixels, with how many pixels have it."""
+        width, height, rows = helpers.read_png(self.read(name))
+        self.assertEqual((width, height), (1000, 800))
+        return collections.Counter(pixel for row in rows for pixel in zip(row[::3], row[1::3], row[2::3]))
+
+    def test_the_mesh_cut_open(self):
+        """What is not valid is magenta, as in every picture; the worst elements are marked, if any are listed."""
+        marked, number_of = (190, 0, 30), {}
+        for name, text in (('good', TETRAHEDRA), ('bad', TETRAHEDRA.replace('2 3 4 5 8', '3 2 4 5 8'))):
+            path = self.write('a.mesh', text)
+            for listed in (0, 1, 2):
+                picture = '%s%d.png' % (name, listed)
+                self.run_ok('mesh', 'check', path, '-o', self.path(picture), '--list', listed,
+                            code=INVALID if name == 'bad' else OK)
+                colors = self.colors(picture)
+                flipped = sum(count for color, count in colors.items()
+                              if color[0] > 0 and color[1] == 0 and abs(color[2] / color[0] - 190 / 214) < 0.02)
+                self.assertEqual(flipped > 1000, name == 'bad', (name, listed, flipped))
+                number_of[name, listed] = colors[marked]
+            self.assertEqual(number_of[name, 0], 0)
+            self.assertGreater(number_of[name, 1], 100)
+            self.assertGreater(number_of[name, 2], number_of[name, 1])
 
 
 class Public(CommandTest):

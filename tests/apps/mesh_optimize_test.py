@@ -90,7 +90,7 @@ class Optimized(CommandTest):
                 self.run_ok('mesh', 'check', self.path('b.mesh'))
 
     def test_a_worse_worst_element_is_said(self):
-        """Energies are means: the worst element may become worse. The line has a word of it, and what keeps it."""
+        """Where its neighbours cannot help it either. The line has a word of it, and what keeps it."""
         path = self.write('a.mesh', medit(4, lambda i, j, k: (0.7 * i + 0.1, j + 0.1, k + 0.25 * i + 0.1)))
         words = ('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--boundary', 'slide')
         ideal = self.run_ok(*words, '--report', self.path('r.json'))
@@ -100,6 +100,14 @@ class Optimized(CommandTest):
         self.assertIn('; the least one fell, --target initial', ideal.err)
         initial = self.run_ok(*words, '--target', 'initial')
         self.assertNotIn('fell', initial.err)
+
+    def test_worst_elements_weigh_more(self):
+        """Energies are means: here that of a graded box leaves a least scaled Jacobian of 0.106, of 0.174 before."""
+        path = self.write('a.mesh', medit(5, lambda i, j, k: (0.25 * i * i, float(j), float(k))))
+        self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--report', self.path('r.json'))
+        with open(self.path('r.json')) as f:
+            report = json.load(f)
+        self.assertGreater(report['mesh']['min_scaled_jacobian'], 0.145)
 
     def test_impossible_elements(self):
         """A corner of the boundary that is pulled through its cell: no file, the elements by name."""

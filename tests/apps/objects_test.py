@@ -100,6 +100,23 @@ class Objects(UnwrapTest):
         self.refused(UNREADABLE, 'check', written(objects[:-1]), '--objects', 'separate', says='has no chart')
         self.refused(UNREADABLE, 'check', written([{'name': 'box'}]), '--objects', 'separate', says='has no "charts"')
 
+    def test_objects_whose_vertices_are_split(self):
+        """As exporters write them: sides of faces that share no vertex are one surface all the same."""
+        text, count = '', 0
+        for k, n in enumerate((2, 3)):
+            points, faces = cube(n)
+            corners = [points[v] for face in faces for v in face]
+            text += 'o %d\n' % k + ''.join('v %r %r %r\n' % (p[0] + 5 * k, p[1], p[2]) for p in corners)
+            for face in faces:
+                text += 'f ' + ' '.join(str(count + i + 1) for i in range(len(face))) + '\n'
+                count += len(face)
+        split = self.write('split.obj', text)
+        self.run_ok('unwrap', split, '-o', self.out, '-o', self.path('out.vtu'), '--objects', 'separate',
+                    '--report', self.path('r.json'))
+        self.assertEqual([o['result']['charts'] for o in json.loads(self.read('r.json'))['objects']], [1, 1])
+        for out in (self.out, self.path('out.vtu')):
+            self.run_ok('check', out, '--certify', '--objects', 'separate', '--surface', split)
+
     def test_options_of_layouts(self):
         self.separate('--groups', '--padding', 8, '--charts', 3)
         text = self.read('out.obj').decode()
@@ -143,6 +160,7 @@ class Objects(UnwrapTest):
                             (['--weld', 1e-3], '--weld')):
             self.refused(USAGE, 'unwrap', self.room, '-o', self.path('x.obj'), '--objects', 'separate', *words, says=says)
         self.refused(USAGE, 'unwrap', self.room, '-o', self.path('x.ply'), '--objects', 'separate', says='.obj, .glb')
+        self.refused(USAGE, 'unwrap', self.room, '-o', self.path('x.glb'), '--objects', 'separate', says='one mesh')
         self.separate()
         self.run_ok('convert', self.out, '-o', self.path('x.vtu'))
         self.refused(USAGE, 'check', self.path('x.vtu'), '--objects', 'separate', says='.obj, .glb')

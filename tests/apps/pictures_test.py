@@ -4,40 +4,9 @@
 """-o map.svg and -o map.png: one scale, the flags of pictures, refusals in one line."""
 import json
 import re
-import struct
 import unittest
-import zlib
 
-from command_helpers import UNREADABLE, USAGE, CommandTest, generated, grid, majorant, obj_text
-
-
-def read_png(data):
-    """(width, height, rows of RGB bytes) of what the program writes: 8-bit RGB."""
-    assert data[:8] == b'\x89PNG\r\n\x1a\n'
-    at, pixels = 8, b''
-    while at < len(data):
-        size, kind = struct.unpack('>I4s', data[at:at + 8])
-        body = data[at + 8:at + 8 + size]
-        if kind == b'IHDR':
-            width, height, depth, color = struct.unpack('>IIBB', body[:10])
-            assert (depth, color) == (8, 2)
-        if kind == b'IDAT':
-            pixels += body
-        at += 12 + size
-    raw, rows, before = zlib.decompress(pixels), [], bytes(3 * width)
-    for y in range(height):
-        start = y * (3 * width + 1)
-        kind, line = raw[start], raw[start + 1:start + 1 + 3 * width]
-        row = bytearray(line)
-        for i in range(3 * width):
-            left = row[i - 3] if i >= 3 else 0
-            up, corner = before[i], before[i - 3] if i >= 3 else 0
-            guess = left + up - corner
-            nearest = min((left, up, corner), key=lambda x: (abs(guess - x)))
-            row[i] = (line[i] + (0, left, up, (left + up) // 2, nearest)[kind]) % 256
-        rows.append(bytes(row))
-        before = row
-    return width, height, rows
+from command_helpers import UNREADABLE, USAGE, CommandTest, generated, grid, majorant, obj_text, read_png
 
 
 class Pictures(CommandTest):

@@ -3,6 +3,7 @@
 """Charts that share a place of the layout: which ones do, what files say of it, what check demands."""
 import json
 import math
+import random
 
 from command_helpers import *
 from unwrap_helpers import *
@@ -74,6 +75,42 @@ class Stacks(UnwrapTest):
         layout, report = self.unwrap(mesh, '--stack', 'no')
         self.assertEqual(len(self.places(layout)), 6)
         self.assertEqual({c['stack'] for c in report['charts']}, {None})
+
+    def test_copies_whose_vertices_are_split(self):
+        """Also where faces of one copy stand between those of others."""
+        points, faces = row('ssm')
+        for step in (1, 5):
+            split, polygons = list(points), []
+            for k in range(len(faces)):
+                face = faces[k * step % len(faces)]
+                is_split = k * step % 4 > 1
+                polygons.append(tuple(range(len(split), len(split) + len(face))) if is_split else face)
+                split += [points[v] for v in face] if is_split else []
+            with self.subTest(step):
+                _, report = self.run_stacked(self.mesh(split, polygons), 'mirrored')
+                self.assertEqual([c['stack'] for c in report['charts']], [0, 0, 0])
+                self.assertEqual(sum(c['mirrored'] for c in report['charts']), 1)
+                said = self.run_ok('check', self.path('a.obj'), '--certify', '--stacked')
+                self.assertIn('1 stack of 3 charts, 1 mirrored', said.out)
+
+    def test_copies_are_cut_alike(self):
+        """Closed parts, each with numbers of its own, so that each would be cut elsewhere."""
+        part, faces = sphere(6)
+        part = [(1.2 * x + 0.2 * y * z, y + 0.3 * x * x, 0.8 * z + 0.1 * x * y * y) for x, y, z in part]
+        points, all_faces = [], []
+        for k, sense in enumerate('ssmsm'):
+            order = random.Random(k).sample(range(len(part)), len(part))
+            number = {v: len(points) + i for i, v in enumerate(order)}
+            points += moved([part[v] for v in order], k, sense == 'm')
+            turned = [tuple(number[v] for v in (reversed(f) if sense == 'm' else f)) for f in faces]
+            all_faces += random.Random(-k - 1).sample(turned, len(turned))
+        mesh = self.mesh(points, all_faces)
+        flags = ('--max-stretch', '1.02')
+        layout, report = self.run_stacked(mesh, 'mirrored', *flags)
+        self.assertEqual(len(self.places(layout)), len(layout.charts) // 5)
+        self.assertEqual(sum(c['mirrored'] for c in report['charts']), len(layout.charts) // 5 * 2)
+        layout, _ = self.run_stacked(mesh, 'equal', *flags)
+        self.assertEqual(sorted(map(len, self.places(layout)))[-1], 3)
 
     def test_stacks_in_tiles_and_every_format(self):
         mesh = self.mesh(*row('smsosmosms'))

@@ -16,6 +16,19 @@ class Placement(UnwrapTest):
         points, faces = both(sphere(3), torus(12, 8, 0))
         return self.mesh([tuple(factor * x for x in p) for p in points], faces)
 
+    def test_straight_charts_lie_along_the_square(self):
+        """The smallest box around a cross lies at 45 degrees."""
+        squares = [(1, 0), (0, 1), (1, 1), (2, 1), (1, 2)]
+        number, faces = {}, []
+        for x, y in squares:
+            faces.append(tuple(number.setdefault(p, len(number))
+                               for p in ((x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1))))
+        turned = [(0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, 0.0) for x, y in number]
+        layout, _ = self.unwrap(self.mesh(turned, faces), '--padding', '2')
+        for a, b in layout.outline(layout.charts[0]):
+            along = [abs(x - y) / layout.scale for x, y in zip(a, b)]
+            self.assertLess(min(along), 1e-9)
+
     def test_a_border_as_wide_as_the_padding(self):
         """By the digits: of one chart and of many, of meshes of any size."""
         for factor, padding, resolution in [(1, 4, 1024), (57.7, 16, 512), (1e-5, 0, 1024), (1e4, 60, 256)]:

@@ -238,7 +238,7 @@ def main():
                 name, ' '.join(flags), *found[:4], fill, gap, margin, padding, '  NEAR' if is_near else ''), flush=True)
     print('%d atlases, %d stacks, %d mirrored charts, up to %d tiles: %d nearer than their padding, %d lost; least excess '
           '%.3g px of distances, %.3g px of margins' % (count, stacks, mirrored, most, near, lost, *worst))
-    return near + lost > 0
+    return 1 if near + lost > 0 else 0
 
 
 if __name__ == '__main__':

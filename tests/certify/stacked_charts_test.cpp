@@ -277,6 +277,32 @@ TEST(StackedCharts, Layers) {
   EXPECT_EQ(of_layers({1, 2, 1}, ProofRequest::Stacks::Allowed), ProofStatus::Violated);
 }
 
+// Two squares whose vertices are apart and equal where they meet, in space, too, are one piece
+// within a layer, and two in two: what lies on the second is seen.
+TEST(StackedCharts, SplitPiecesOfLayers) {
+  PolygonMesh mesh;
+  for (const double left : {0.0, 1.0, 1.25}) {
+    const double height = left == 1.25 ? 7 : 0;
+    const auto v = static_cast<Index>(mesh.positions.size());
+    for (const Vector2& p : {Vector2(0, 0), Vector2(1, 0), Vector2(1, 1), Vector2(0, 1)}) {
+      mesh.texcoords.emplace_back(left + p.x(), p.y());
+      mesh.positions.emplace_back(left + p.x(), p.y(), height);
+    }
+    mesh.polygons.push_back({v, v + 1, v + 2, v + 3});
+  }
+  mesh.polygon_texcoords = mesh.polygons;
+  const auto of_layers = [&](Index first, Index second, Index above) {
+    ProofRequest request{.cuts = CutRule::Free, .overlap = ProofRequest::Overlap::Forbidden};
+    request.layers = {first, first, second, second, above, above};
+    return MapProof(to_map_file(mesh), "split", request).verdict();
+  };
+  EXPECT_EQ(of_layers(0, 0, 1), ProofStatus::Proven);
+  EXPECT_EQ(of_layers(0, 1, 2), ProofStatus::Proven);
+  EXPECT_EQ(of_layers(0, 1, 1), ProofStatus::Violated);
+  EXPECT_EQ(of_layers(0, 0, 0), ProofStatus::Violated);
+  EXPECT_EQ(of_layers(1, 0, 0), ProofStatus::Violated);
+}
+
 // Two cells of one quad in two layers: each is a chart.
 TEST(StackedCharts, AChartInTwoLayers) {
   const std::vector<Vector2> upper{{0.3, 0.8}, {0.35, 0.8}, {0.35, 0.85}, {0.3, 0.85}};

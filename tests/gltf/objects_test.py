@@ -38,6 +38,28 @@ class Objects(CommandTest):
         for issues in validated([out], self.path('.')):
             self.assertEqual([i for i in issues if i['severity'] < 2], [])
 
+    def test_random_files(self):
+        """Meshes whose vertices are split, or held apart by morph targets, strips, skins."""
+        for k in range(0, 60, 4):
+            source, out = self.write('in.glb', random_model(k).glb()), self.path('out.glb')
+            with self.subTest(k):
+                self.run_ok('unwrap', source, '-o', out, '--objects', 'separate')
+                self.run_ok('check', out, '--surface', source, '--certify', '--objects', 'separate')
+
+    def test_names_of_an_obj_tell_objects_apart(self):
+        for names, expected in ((['a', 'a'], ['a', 'a_2']), ([None, None], ['object', 'object_2']),
+                                ([None, 'object'], ['object', 'object_2']), (['a_2', None], ['a_2', 'object'])):
+            model = self.model()
+            for mesh, name in zip(model.json['meshes'], names):
+                mesh.pop('name')
+                mesh.update({'name': name} if name else {})
+            source, out = self.write('in.glb', model.glb()), self.path('out.obj')
+            with self.subTest(names):
+                self.run_ok('unwrap', source, '-o', out, '--objects', 'separate')
+                self.assertEqual([line[2:] for line in self.read('out.obj').decode().splitlines()
+                                  if line.startswith('o ')], expected)
+                self.run_ok('check', out, '--certify', '--objects', 'separate')
+
 
 if __name__ == '__main__':
     unittest.main()

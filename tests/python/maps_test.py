@@ -265,6 +265,9 @@ def test_objects_have_layouts_of_their_own(tmp_path):
     alone = majorant.unwrap(V[:6], F[:8])
     assert np.array_equal(r.corner_uv[r.input_faces < 8], alone.corner_uv)
     assert len(np.unique(r.charts[r.input_faces >= 8])) == r.report['objects'][1]['result']['charts']
+    strided = np.column_stack([numbers, numbers + 1]).astype(np.uint8)[:, 0]
+    for same in (strided, numbers[::-1].copy()[::-1], list(numbers)):
+        assert np.array_equal(majorant.unwrap(V, F, objects=same).corner_uv, r.corner_uv)
     r.save(tmp_path / 'a.vtu')
     pickle.loads(pickle.dumps(r)).save(tmp_path / 'a.obj')
     assert [line for line in (tmp_path / 'a.obj').read_text().splitlines() if line.startswith('o ')] == ['o 7', 'o 3']
@@ -277,6 +280,17 @@ def test_objects_have_layouts_of_their_own(tmp_path):
                         ({'objects': numbers, 'weld': 0.1}, 'weld')):
         with pytest.raises(majorant.UsageError, match=says):
             majorant.unwrap(V, F, **wrong)
+
+
+def test_the_status_of_objects_is_the_worst():
+    """Of a disk that converges, and of one with a limit of steps, in any order."""
+    disk, bumpy = helpers.grid(1, bump=0), helpers.grid(12, bump=2)
+    for (V, F), (W, G) in ((disk, bumpy), (bumpy, disk)):
+        V, F, numbers = np.vstack([V, W + 50]), np.vstack([F, G + len(V)]), np.repeat([0, 1], [len(F), len(G)])
+        r = majorant.unwrap(V, F, objects=numbers, max_iterations=1)
+        ends = [o['status'] for o in r.report['objects']]
+        assert sorted(ends) == ['converged', 'max_iterations']
+        assert r.status == r.report['status'] == 'max_iterations' and r.message == r.report['message']
 
 
 def test_unwrap_fits_the_unit_square():

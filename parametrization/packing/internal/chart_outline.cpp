@@ -1,8 +1,10 @@
 #include "majorant/parametrization/packing/internal/chart_outline.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "majorant/certify/boundary_loops.h"
@@ -95,6 +97,58 @@ ChartOutline turned_outline(const BezierMap& chart, const BoundaryLoops& boundar
   return out;
 }
 
+// Radians: edges that are this near to a direction, or to one across, run along it.
+constexpr double kAlong = 0.01;
+// The part of a boundary that runs along one direction, by length, from which on that one lies
+// along the sides of the square.
+constexpr double kStraight = 0.75;
+
+bool is_along(const Vector2& a, const Vector2& b) {
+  return std::min(std::abs(a.dot(b)), std::abs(cross(a, b))) <= 2 * kAlong;
+}
+
+// The direction that most of the boundary runs along, by its chords.
+std::optional<Vector2> straight_direction(const BoundaryLoops& boundary) {
+  constexpr double kQuarter = std::numbers::pi / 2;
+  std::vector<std::pair<double, double>> edges;  // angle in 0..pi/2, length
+  double whole = 0;
+  for (const PlanarCurve& curve : boundary.curves) {
+    const Vector2 along = curve.back() - curve.front();
+    const double angle = std::atan2(along.y(), along.x()) + 2 * kQuarter;
+    edges.emplace_back(angle - kQuarter * std::floor(angle / kQuarter), along.norm());
+    whole += along.norm();
+  }
+  std::sort(edges.begin(), edges.end());
+  const std::size_t count = edges.size();
+  for (std::size_t k = 0; k < count; ++k)
+    edges.emplace_back(edges[k].first + kQuarter, edges[k].second);
+  double length = 0, turned = 0, most = 0, best = 0;  // turned: sum of length times angle
+  for (std::size_t first = 0, last = 0; first < count; ++first) {
+    for (; last < first + count && edges[last].first <= edges[first].first + 2 * kAlong; ++last) {
+      length += edges[last].second;
+      turned += edges[last].first * edges[last].second;
+    }
+    if (length > most) {
+      most = length;
+      best = turned / length;
+    }
+    length -= edges[first].second;
+    turned -= edges[first].first * edges[first].second;
+  }
+  if (!(most >= kStraight * whole)) return std::nullopt;
+  return Vector2(std::cos(best), std::sin(best));
+}
+
+SmallestRectangle rectangle_along(const std::vector<Vector2>& points, const Vector2& side) {
+  Eigen::AlignedBox2d box;
+  for (const Vector2& p : points) box.extend(Vector2(p.dot(side), cross(side, p)));
+  SmallestRectangle out;
+  out.side = side;
+  out.along = box.sizes().x();
+  out.across = box.sizes().y();
+  return out;
+}
+
 }  // namespace
 
 double chart_area(const BezierMap& chart, double unit) {
@@ -136,7 +190,9 @@ ChartOutline chart_outline(const BezierMap& chart, double unit, double reach, Tu
     for (const PlanarCurve& curve : boundary.curves)
       rim.insert(rim.end(), curve.control_points.begin(),
                  curve.control_points.begin() + curve.degree + 1);
-    const SmallestRectangle box = smallest_rectangle(rim);
+    SmallestRectangle box = smallest_rectangle(rim);
+    const std::optional<Vector2> straight = straight_direction(boundary);
+    if (straight && !is_along(*straight, box.side)) box = rectangle_along(rim, *straight);
     rotation = box.along < box.across ? Vector2(-box.side.y(), -box.side.x())
                                       : Vector2(box.side.x(), -box.side.y());
   }

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <deque>
-#include <limits>
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/bernstein_space.h"
@@ -123,50 +122,9 @@ Quadrilateral corners(const BezierMesh& mesh, Index h) {
   return {corner(h), corner(previous(o)), corner(next(h)), corner(previous(h))};
 }
 
-FlipCounts flip_while(BezierMesh& mesh, std::vector<char>& is_fixed, long most,
-                      const FlipWish& wanted) {
-  require_degree(mesh);
-  const std::size_t count = mesh.opposite.size();
-  if (!is_fixed.empty() && is_fixed.size() != count)
-    throw InvalidArgument(
-        fmt::format("edge flips: {} flags for {} half-edges", is_fixed.size(), count));
-  std::deque<Index> queue;
-  std::vector<char> queued(count, 0), failed(count, 0);
-  const auto push = [&](Index h) {
-    if (mesh.opposite[h] < 0 || queued[h]) return;
-    queued[h] = 1;
-    queue.push_back(h);
-  };
-  for (std::size_t h = 0; h < count; ++h)
-    if (static_cast<Index>(h) < mesh.opposite[h]) push(static_cast<Index>(h));
-
-  FlipCounts counts;
-  while (!queue.empty() && counts.performed < most) {
-    const Index h = queue.front(), o = mesh.opposite[h];
-    queue.pop_front();
-    queued[h] = 0;
-    if (o < 0 || failed[h]) continue;
-    if (!is_fixed.empty() && (is_fixed[h] || is_fixed[o])) continue;
-    if (!wanted(mesh, h)) continue;
-    ++counts.intended;
-    if (!flip_edge(mesh, h)) {
-      failed[h] = failed[o] = 1;
-      continue;
-    }
-    ++counts.performed;
-    // Sides get other numbers; what was noted about a number is told to its new owner.
-    const FlippedSides moves = flipped_sides(h, o);
-    std::array<char, 4> fixed{};
-    for (std::size_t k = 0; k < 4 && !is_fixed.empty(); ++k) fixed[k] = is_fixed[moves.from[k]];
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (!is_fixed.empty()) is_fixed[moves.to[k]] = fixed[k];
-      const Index outside = mesh.opposite[moves.to[k]];
-      failed[moves.to[k]] = 0;
-      if (outside >= 0) failed[outside] = 0;
-      push(moves.to[k]);
-    }
-  }
-  return counts;
+bool wants_delaunay_flip(const Quadrilateral& quad) {
+  return quad.is_strictly_convex(Quadrilateral::kRounding) &&
+         quad.wants_delaunay_flip(Quadrilateral::kRounding);
 }
 
 }  // namespace
@@ -201,16 +159,48 @@ bool flip_edge(BezierMesh& mesh, Index half_edge) {
 }
 
 FlipCounts make_delaunay(BezierMesh& mesh, std::vector<char>& is_fixed) {
-  return flip_while(mesh, is_fixed, std::numeric_limits<long>::max(),
-                    [](const BezierMesh& m, Index h) {
-                      const Quadrilateral quad = corners(m, h);
-                      return quad.is_strictly_convex(Quadrilateral::kRounding) &&
-                             quad.wants_delaunay_flip(Quadrilateral::kRounding);
-                    });
-}
+  require_degree(mesh);
+  const std::size_t count = mesh.opposite.size();
+  if (!is_fixed.empty() && is_fixed.size() != count)
+    throw InvalidArgument(
+        fmt::format("edge flips: {} flags for {} half-edges", is_fixed.size(), count));
+  std::deque<Index> queue;
+  std::vector<char> queued(count, 0), failed(count, 0);
+  const auto push = [&](Index h) {
+    if (mesh.opposite[h] < 0 || queued[h]) return;
+    queued[h] = 1;
+    queue.push_back(h);
+  };
+  for (std::size_t h = 0; h < count; ++h)
+    if (static_cast<Index>(h) < mesh.opposite[h]) push(static_cast<Index>(h));
 
-FlipCounts flip_edges(BezierMesh& mesh, std::vector<char>& is_fixed, const FlipWish& wanted) {
-  return flip_while(mesh, is_fixed, Quadrilateral::kMostFlipsPerFace * mesh.face_count(), wanted);
+  FlipCounts counts;
+  while (!queue.empty()) {
+    const Index h = queue.front(), o = mesh.opposite[h];
+    queue.pop_front();
+    queued[h] = 0;
+    if (o < 0 || failed[h]) continue;
+    if (!is_fixed.empty() && (is_fixed[h] || is_fixed[o])) continue;
+    if (!wants_delaunay_flip(corners(mesh, h))) continue;
+    ++counts.intended;
+    if (!flip_edge(mesh, h)) {
+      failed[h] = failed[o] = 1;
+      continue;
+    }
+    ++counts.performed;
+    // Sides get other numbers; what was noted about a number is told to its new owner.
+    const FlippedSides moves = flipped_sides(h, o);
+    std::array<char, 4> fixed{};
+    for (std::size_t k = 0; k < 4 && !is_fixed.empty(); ++k) fixed[k] = is_fixed[moves.from[k]];
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (!is_fixed.empty()) is_fixed[moves.to[k]] = fixed[k];
+      const Index outside = mesh.opposite[moves.to[k]];
+      failed[moves.to[k]] = 0;
+      if (outside >= 0) failed[outside] = 0;
+      push(moves.to[k]);
+    }
+  }
+  return counts;
 }
 
 }  // namespace majorant

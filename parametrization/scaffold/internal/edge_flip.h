@@ -11,7 +11,6 @@
 // the same angle modulo 2 pi, and each is below pi. [MC20] Sec. 6.1.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "majorant/parametrization/maps/bezier_map.h"
@@ -37,12 +36,6 @@ bool flip_edge(BezierMesh& mesh, Index half_edge);
 // changed. The flags follow their edges. Throws InvalidArgument for another size of is_fixed
 // or a degree outside 1..8.
 FlipCounts make_delaunay(BezierMesh& mesh, std::vector<char>& is_fixed);
-
-// The same for any wish: edges for which wanted(mesh, h), asked for one of the two half-edges, says
-// that a flip would improve the mesh. Wishes that contradict each other are followed for 100 flips
-// per face at most.
-using FlipWish = std::function<bool(const BezierMesh& mesh, Index half_edge)>;
-FlipCounts flip_edges(BezierMesh& mesh, std::vector<char>& is_fixed, const FlipWish& wanted);
 
 }  // namespace majorant
 

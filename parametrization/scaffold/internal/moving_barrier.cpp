@@ -4,9 +4,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
+#include <mutex>
 
 #include "majorant/elements/bernstein.h"
+#include "majorant/elements/det_coefficients.h"
 #include "majorant/framework/backtracking.h"
 
 namespace majorant {
@@ -25,12 +29,6 @@ constexpr double kWidestGap = 0.1;
 constexpr double kSmallestGap = 1e-3;
 // The shortest part of a Newton step: what a shorter one may gain is below kGoodEnough by far.
 constexpr double kShortestStep = 1e-6;
-
-double factorial(int k) { return k < 2 ? 1.0 : k * factorial(k - 1); }
-
-double factorial(const MultiIndex& m) {
-  return factorial(m[0]) * factorial(m[1]) * factorial(m[2]);
-}
 
 double squared(double x) { return x * x; }
 
@@ -78,18 +76,22 @@ struct MovingBarrier::Workspace {
 };
 
 const MovingBarrier& MovingBarrier::of_degree(int degree) {
-  static const std::vector<MovingBarrier> tables = [] {
-    std::vector<MovingBarrier> all;
-    for (int n = 1; n <= kMaxDegree; ++n) all.push_back(MovingBarrier(n));
-    return all;
-  }();
-  return tables.at(to_size(degree - 1));
+  static std::array<std::once_flag, kMaxDegree> made;
+  static std::array<std::unique_ptr<const MovingBarrier>, kMaxDegree> tables;
+  const std::size_t k = to_size(degree - 1);
+  std::call_once(made.at(k), [&] { tables[k].reset(new MovingBarrier(degree)); });
+  return *tables[k];
 }
 
 MovingBarrier::MovingBarrier(int degree)
     : degree_(degree), coefficients_per_half_(control_point_count(2 * degree - 2)) {
-  add_pairs(0);
-  add_pairs(1);
+  add_pairs();
+}
+
+int MovingBarrier::row(int half, int node) const {
+  const auto [i, j, k] = TriangleIndices::of_degree(degree_).multi(node);
+  const int upper = (j + k) * (degree_ + 1) + j;
+  return half == 0 ? upper : (degree_ + 1) * (degree_ + 1) - 1 - upper;
 }
 
 int MovingBarrier::inner_point(int row) const {
@@ -98,34 +100,48 @@ int MovingBarrier::inner_point(int row) const {
   return inside ? (q - 1) * (degree_ - 1) + p - 1 : -1;
 }
 
-// det J = sum_{a<b} cross(c_a, c_b) (grad B_a x grad B_b), and with B_a = n!/a! lambda^a
-//   grad B_a x grad B_b = n!^2 / (a! b!) sum (a_x b_y - a_y b_x) lambda^(a+b-e_x-e_y)
-// over (x, y) = (0,1), (1,2), (2,0); lambda^m = m!/N! B_m of degree N = 2n-2.
-void MovingBarrier::add_pairs(int half) {
-  const int n = degree_, top = 2 * n - 2;
-  const TriangleIndices& nodes = TriangleIndices::of_degree(n);
-  const TriangleIndices& determinant = TriangleIndices::of_degree(top);
-  const auto row = [&](const MultiIndex& m) {
-    const int upper = (m[1] + m[2]) * (n + 1) + m[1];
-    return half == 0 ? upper : (n + 1) * (n + 1) - 1 - upper;
-  };
-  for (int i = 0; i < nodes.count(); ++i)
-    for (int j = i + 1; j < nodes.count(); ++j) {
-      const MultiIndex &a = nodes.multi(i), &b = nodes.multi(j);
-      Pair pair{row(a), row(b), inner_point(row(a)), inner_point(row(b)), half, {}, 0};
+// det J is bilinear and alternating in the control points: its coefficients are sums of weight *
+// cross(c_a, c_b) over pairs a < b, and the weights of a pair are the coefficients where c_a is
+// (1, 0), c_b is (0, 1) and all others are 0. A pair has at most three, of the exponents a + b less
+// one in two of the coordinates.
+void MovingBarrier::add_pairs() {
+  Cells face(1, 3);
+  face << 0, 1, 2;
+  const DetCoefficients det(BezierTriangleSpace(face, 3, degree_).element());
+  double scale = 1;  // of det.scaled()
+  for (int k = 2; k <= 2 * degree_ - 2; ++k) scale *= k;
+  const TriangleIndices& nodes = TriangleIndices::of_degree(degree_);
+  const TriangleIndices& products = TriangleIndices::of_degree(2 * degree_ - 2);
+  const int count = nodes.count();
+  std::vector<std::int64_t> c(to_size(2 * count));
+  std::vector<Pair> triangle;
+  for (int a = 0; a < count; ++a)
+    for (int b = a + 1; b < count; ++b) {
+      c[2 * a] = c[2 * b + 1] = 1;
+      const std::vector<std::int64_t> weights = det.scaled(c);
+      c[2 * a] = c[2 * b + 1] = 0;
+      const MultiIndex &i = nodes.multi(a), &j = nodes.multi(b);
+      Pair pair{a, b, -1, -1, 0, {}, 0};
       for (std::size_t x = 0; x < 3; ++x) {
-        const std::size_t y = (x + 1) % 3;
-        const int minor = a[x] * b[y] - a[y] * b[x];
-        if (minor == 0) continue;
-        MultiIndex m{a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+        MultiIndex m{i[0] + j[0], i[1] + j[1], i[2] + j[2]};
         --m[x];
-        --m[y];
-        const double weight = minor * squared(factorial(n)) * factorial(m) /
-                              (factorial(a) * factorial(b) * factorial(top));
-        pair.target[pair.targets++] = {
-            half * coefficients_per_half_ + determinant.local(m[0], m[1], m[2]), weight};
+        --m[(x + 1) % 3];
+        if (*std::min_element(m.begin(), m.end()) < 0) continue;
+        const int l = products.local(m[0], m[1], m[2]);
+        if (weights[l] != 0)
+          pair.target[to_size(pair.targets++)] = {l, static_cast<double>(weights[l]) / scale};
       }
-      if (pair.targets > 0) pairs_.push_back(pair);
+      if (pair.targets > 0) triangle.push_back(pair);
+    }
+  for (const int half : {0, 1})
+    for (Pair pair : triangle) {
+      pair.half = half;
+      pair.a = row(half, pair.a);
+      pair.b = row(half, pair.b);
+      pair.variable_a = inner_point(pair.a);
+      pair.variable_b = inner_point(pair.b);
+      for (Target& target : pair.target) target.coefficient += half * coefficients_per_half_;
+      pairs_.push_back(pair);
     }
 }
 

@@ -70,8 +70,9 @@ class MovingBarrier {
   struct Workspace;
 
   explicit MovingBarrier(int degree);
-  void add_pairs(int half);
-  int inner_point(int row) const;  // -1: outer
+  void add_pairs();
+  int row(int half, int node) const;  // of a node of a half
+  int inner_point(int row) const;     // -1: outer
   template <class Add>
   void for_targets(const Points2& grid, const Add& add) const;
   void evaluate(const Points2& grid, Vec& b) const;

@@ -19,9 +19,6 @@ struct Quadrilateral {
   // The same where the corners come from unfolding two triangles in space: that rounds more
   // than the plane does; 300 times kRounding leaves its distances room.
   static constexpr double kUnfoldedRounding = 1e-12;
-  // Flips per face before giving up: Delaunay flips, of a few per face, always come to an
-  // end; this ends contradicting wishes.
-  static constexpr long kMostFlipsPerFace = 100;
 
   Vector2 a, d, b, c;
 

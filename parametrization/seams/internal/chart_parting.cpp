@@ -17,12 +17,14 @@
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
+#include "majorant/parametrization/seams/cut_paths.h"
 #include "majorant/parametrization/seams/internal/cut_costs.h"
+#include "majorant/parametrization/seams/internal/pieces.h"
 
 namespace majorant {
 namespace {
 
-// Relative: a border is longer than another by more than rounding.
+// Relative: a border costs more than another by more than rounding.
 constexpr double kLonger = 1e-9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
@@ -30,7 +32,8 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 // have [CSAD04]. What is not divided are polygons of the file, but where there is only one.
 class TwoParts {
  public:
-  explicit TwoParts(const SurfaceMesh& mesh) : mesh_(mesh), tiles_(mesh.face_count()) {
+  TwoParts(const SurfaceMesh& mesh, const CutPreferences& wanted)
+      : mesh_(mesh), cost_(cut_costs(mesh, wanted)), tiles_(mesh.face_count()) {
     join_polygons();
     normal_.assign(to_size(mesh.face_count()), Vector3::Zero());
     for (Index f = 0; f < mesh.face_count(); ++f) normal_[tiles_.find(f)] += area_vector(mesh, f);
@@ -171,7 +174,8 @@ class TwoParts {
     }
   }
 
-  // Tiles with one neighbour in their part, and a longer border with the other, go over to it.
+  // Tiles with one neighbour in their part, and a border with the other that costs more, go over to
+  // it.
   void smooth() {
     const std::vector<std::vector<Index>> sides = sides_of_tiles();
     const std::array<Vector3, 2> planes = planes_of_parts();
@@ -188,7 +192,7 @@ class TwoParts {
         std::set<Index> own;
         for (const Index h : sides[t]) {
           const Index n = tiles_.find(face_of(mesh_.opposite(h)));
-          (part_[n] == mine ? inside : border) += mesh_.edge_length(h);
+          (part_[n] == mine ? inside : border) += cost_[h];
           if (part_[n] == mine) own.insert(n);
         }
         if (own.size() > 1 || sizes[1 - other] == 1 || !(border > inside * (1 + kLonger)) ||
@@ -203,6 +207,7 @@ class TwoParts {
   }
 
   const SurfaceMesh& mesh_;
+  const Vec cost_;
   UnionFind tiles_;              // faces: those of a polygon
   std::vector<Vector3> normal_;  // of tiles, by their first faces: twice the area
   std::vector<int> part_;        // likewise, 0 or 1
@@ -364,15 +369,31 @@ class Across {
   double price_ = kFar;
 };
 
+// The same cuts along straighter paths, where that leaves as many parts, each planar.
+std::vector<char> smoothed(const SurfaceMesh& chart, const CutPreferences& wanted,
+                           std::vector<char> is_cut, const StopCheck& stop) {
+  std::vector<char> straight = is_cut;
+  smooth_cuts(chart, {}, cut_costs(chart, wanted), straight, stop);
+  if (straight == is_cut) return is_cut;
+  const auto parts = [&](const std::vector<char>& flags) {
+    return chart.cut_along(flags, nullptr).split(stop);
+  };
+  const std::vector<SurfacePiece> after = parts(straight);
+  const bool is_planar_each = std::all_of(
+      after.begin(), after.end(), [](const SurfacePiece& part) { return is_planar(*part.mesh); });
+  return is_planar_each && after.size() == parts(is_cut).size() ? straight : is_cut;
+}
+
 }  // namespace
 
-std::vector<char> cut_in_two(const SurfaceMesh& chart, const StopCheck& stop) {
-  return TwoParts(chart).cut(stop);
+std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& wanted,
+                             const StopCheck& stop) {
+  return smoothed(chart, wanted, TwoParts(chart, wanted).cut(stop), stop);
 }
 
 std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,
                              PathsAcross paths, const StopCheck& stop) {
-  return Across(chart, wanted).cut(paths, stop);
+  return smoothed(chart, wanted, Across(chart, wanted).cut(paths, stop), stop);
 }
 
 double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,

@@ -101,8 +101,10 @@ const Vector3& MapPieces::position(Index cell, int point) const {
 
 // ---- Edges of cells ----
 
-bool MapPieces::same_control_points(const CellEdge& edge, const CellEdge& other,
-                                    bool is_reversed) const {
+bool MapPieces::same_control_points(const std::vector<Index>& node, const CellEdge& edge,
+                                    const CellEdge& other) const {
+  const auto start = [&](const CellEdge& e) { return node[coarse_.vertices(e.cell, e.edge)]; };
+  const bool is_reversed = start(edge) != start(other);
   const std::vector<int>&mine = edge_points_[edge.edge], &theirs = edge_points_[other.edge];
   for (std::size_t i = 0; i < mine.size(); ++i)
     if (map_.cells(map_cell(edge.cell), mine[is_reversed ? mine.size() - 1 - i : i]) !=
@@ -161,8 +163,7 @@ void MapPieces::number_edges() {
     Index plane = -1;
     for (const CellEdge& other : sides_of(edges.number[h])) {
       if (3 * other.cell + other.edge >= h) break;
-      const bool is_reversed = node[coarse_.vertices(other.cell, other.edge)] != node[vertex(h)];
-      if (!same_control_points(here, other, is_reversed)) continue;
+      if (!same_control_points(node, here, other)) continue;
       plane = of(other.cell).plane_edge[other.edge];
       break;
     }

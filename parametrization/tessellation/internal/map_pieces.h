@@ -90,7 +90,9 @@ class MapPieces {
   std::vector<Index> nodes_of_corners() const;
   void number_edges();
   void fill_lattice(int refine);
-  bool same_control_points(const CellEdge& edge, const CellEdge& other, bool is_reversed) const;
+  // node: as nodes_of_corners().
+  bool same_control_points(const std::vector<Index>& node, const CellEdge& edge,
+                           const CellEdge& other) const;
   Edge seen_from(const CellEdge& other, const Edge& edge) const;
   Vector2 evaluate(Index cell, const Vector3& xi) const;
   Vector3 flat_point(Index cell, const Vector3& xi) const;

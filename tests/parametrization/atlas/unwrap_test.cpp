@@ -14,7 +14,7 @@
 #include "majorant/energies/make_energy.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
-#include "majorant/parametrization/atlas/internal/congruent_charts.h"
+#include "majorant/parametrization/seams/congruent_surfaces.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
 #include "random.h"

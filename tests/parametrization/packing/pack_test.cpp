@@ -187,6 +187,17 @@ TEST(Pack, the_same_charts_are_packed_the_same_way) {
   }
 }
 
+// The smallest box of a cross of five squares lies at 45 degrees.
+TEST(Pack, straight_charts_lie_along_the_sides) {
+  const test::Corners cross{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},
+                            {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
+  for (const double angle : {0.0, 0.2, 0.7, 1.5, 3.0}) {
+    const Packing packing = pack({test::polygon_chart(test::turned(cross, angle, {4, 5}))});
+    const auto uv = packing.charts[0].control_uv();
+    EXPECT_NEAR((uv.colwise().maxCoeff() - uv.colwise().minCoeff()).maxCoeff(), 3, 1e-9) << angle;
+  }
+}
+
 // A triangle so thin that most turns round it to nothing.
 TEST(Pack, what_rounding_turns_over_is_turned_otherwise) {
   const double thin = std::ldexp(1, -60);

@@ -329,40 +329,6 @@ TEST(MakeDelaunay, RespectsFixedEdges) {
   }
 }
 
-TEST(FlipEdges, FollowsWishesAndEnds) {
-  BezierMesh mesh = curved(jittered_grid(6, 0.1, 1), 2, 0.05, 2);
-  std::vector<char> none;
-  EXPECT_EQ(flip_edges(mesh, none, [](const BezierMesh&, Index) { return false; }).intended, 0);
-  // A wish that never ends.
-  const FlipCounts counts = flip_edges(mesh, none, [](const BezierMesh&, Index) { return true; });
-  EXPECT_LE(counts.performed, 100 * mesh.face_count());
-  expect_sound(mesh);
-  // Valences closer to 6.
-  BezierMesh irregular = curved(inserted_points(60, 2), 2, 0, 1);
-  const auto deviation = [](const BezierMesh& m) {
-    std::vector<int> valence(64, 0);
-    for (Index h = 0; h < 3 * m.face_count(); ++h) ++valence[m.from_vertex(h)];
-    return valence;
-  };
-  const auto better = [&](const BezierMesh& m, Index h) {
-    const std::vector<int> valence = deviation(m);
-    const auto next = [](Index s) { return s % 3 == 2 ? s - 2 : s + 1; };
-    const Index o = m.opposite[h];
-    const auto cost = [&](Index v, int change) {
-      const int d = valence[v] + change - 6;
-      return d * d;
-    };
-    const std::array<Index, 2> lose{m.from_vertex(h), m.to_vertex(h)};
-    const std::array<Index, 2> gain{m.to_vertex(next(h)), m.to_vertex(next(o))};
-    int change = 0;
-    for (const Index v : lose) change += cost(v, -1) - cost(v, 0);
-    for (const Index v : gain) change += cost(v, 1) - cost(v, 0);
-    return change < 0;
-  };
-  EXPECT_GT(flip_edges(irregular, none, better).performed, 10);
-  expect_sound(irregular);
-}
-
 }  // namespace
 }  // namespace majorant
 

@@ -301,7 +301,7 @@ TEST(CutChart, InTwoConnectedParts) {
         SurfaceMesh::from_polygons(grid(1)), SurfaceMesh::from_polygons(sphere_with_holes(8, 12)),
         SurfaceMesh::from_polygons(polygon_mesh(
             {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}}, {{0, 1, 2, 3, 4}}))}) {
-    const std::vector<char> flags = cut_in_two(chart);
+    const std::vector<char> flags = cut_in_two(chart, {});
     const std::vector<SurfaceMesh> parts = pieces_of(chart, flags);
     ASSERT_EQ(parts.size(), 2u);
     for (const SurfaceMesh& part : parts) EXPECT_NO_THROW(part.require_planar());
@@ -311,6 +311,20 @@ TEST(CutChart, InTwoConnectedParts) {
     const bool is_one_polygon = chart.input_face(0) == chart.input_face(chart.face_count() - 1);
     for (const Index p : polygons[0]) EXPECT_TRUE(is_one_polygon || !polygons[1].contains(p));
   }
+}
+
+// A bump whose sides are alike: its two parts meet where cuts are cheap, if planes leave the
+// choice.
+TEST(CutChart, InTwoPartsWhereCutsAreCheap) {
+  const SurfaceMesh chart = SurfaceMesh::from_polygons(
+      grid(16, [](double x, double y) { return 0.3 * std::sin(3 * x) * std::sin(3 * y); }));
+  CutPreferences dear;
+  const std::vector<char> plain = cut_in_two(chart, {});
+  dear.weight.assign(plain.size(), 1);
+  for (std::size_t h = 0; h < plain.size(); ++h)
+    if (plain[h]) dear.weight[h] = 8;
+  EXPECT_LT(cost_of_cuts(chart, dear, cut_in_two(chart, dear)),
+            0.5 * cost_of_cuts(chart, dear, plain));
 }
 
 TEST(CutChart, AcrossWhereThatIsShort) {

@@ -1,4 +1,4 @@
-#include "majorant/parametrization/atlas/internal/congruent_charts.h"
+#include "majorant/parametrization/seams/congruent_surfaces.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
@@ -7,16 +7,15 @@
 #include <map>
 #include <utility>
 
-#include "majorant/elements/bernstein.h"
 #include "majorant/mesh/geometry.h"
 
 namespace majorant {
 namespace {
 
-// Half a texel of a chart that is 4096 of them wide.
+// Half a texel of a surface that is 4096 of them wide.
 constexpr double kSamePlace = 1e-4;
 
-// The distance that vertices may have of those of the chart that they lie on.
+// The distance that vertices may have of those of the surface that they lie on.
 double close_to(const SurfaceMesh& mesh) { return kSamePlace * diagonal(mesh.positions()); }
 
 // The faces of two surfaces, matched from one pair of half-edges on.
@@ -100,14 +99,48 @@ class Matching {
   std::vector<Index> partner_;  // of every half-edge
 };
 
-// The first match of one boundary half-edge with any other.
+// Distances of the vertices of a surface from its middle, the mean of the corners of its faces:
+// motions keep them.
+Vec distances_from_middle(const SurfaceMesh& mesh) {
+  Vector3 middle = Vector3::Zero();
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    middle += mesh.positions().row(mesh.from_vertex(h)).transpose();
+  middle /= mesh.half_edge_count();
+  return (mesh.positions().rowwise() - middle.transpose()).rowwise().norm();
+}
+
+// A half-edge that few others lie on: the first of the boundary; of closed surfaces the one that
+// starts farthest out.
+Index first_half_edge(const SurfaceMesh& mesh, const Vec& distance) {
+  Index start = 0;
+  if (!mesh.boundary_loops().empty()) {
+    while (mesh.opposite(start) >= 0) ++start;
+    return start;
+  }
+  for (Index h = 1; h < mesh.half_edge_count(); ++h)
+    if (distance[mesh.from_vertex(h)] > distance[mesh.from_vertex(start)]) start = h;
+  return start;
+}
+
+// The first match of one half-edge with any other.
 std::optional<StackPlace> matched(const SurfaceMesh& on, const SurfaceMesh& under,
                                   std::size_t chart, ChartSense sense) {
-  Index start = 0;
-  while (on.opposite(start) >= 0) ++start;
+  const Vec distance_on = distances_from_middle(on), distance_under = distances_from_middle(under);
+  const Index start = first_half_edge(on, distance_on);
+  const double close = close_to(under);
+  const auto may_lie_on = [&](Index v, Index w) {
+    return std::abs(distance_on[v] - distance_under[w]) <= close;
+  };
   Matching matching(on, under, sense);
-  for (Index g = 0; g < under.half_edge_count(); ++g)
-    if (under.opposite(g) < 0 && matching.match(start, g)) return matching.place(chart);
+  for (Index g = 0; g < under.half_edge_count(); ++g) {
+    if ((under.opposite(g) < 0) != (on.opposite(start) < 0)) continue;
+    const bool is_same = sense == ChartSense::Same;
+    const Index from = is_same ? under.from_vertex(g) : under.to_vertex(g);
+    const Index to = is_same ? under.to_vertex(g) : under.from_vertex(g);
+    if (may_lie_on(on.from_vertex(start), from) && may_lie_on(on.to_vertex(start), to) &&
+        matching.match(start, g))
+      return matching.place(chart);
+  }
   return std::nullopt;
 }
 
@@ -137,7 +170,6 @@ std::vector<std::optional<StackPlace>> stack_places(
   std::map<std::vector<Index>, std::vector<std::size_t>> kinds;  // the first ones, by their numbers
   for (std::size_t k = 0; k < surfaces.size() && stacking != Stacking::None; ++k) {
     const SurfaceMesh& mesh = *surfaces[k];
-    if (mesh.boundary_loops().empty()) continue;
     std::vector<std::size_t>& firsts = kinds[numbers_of(mesh)];
     for (const ChartSense sense : {ChartSense::Same, ChartSense::Mirrored})
       for (std::size_t i = 0; i < firsts.size() && !places[k]; ++i) {
@@ -152,21 +184,14 @@ std::vector<std::optional<StackPlace>> stack_places(
   return places;
 }
 
-BezierMap map_on(const BezierMap& under, const BezierMap& map, const StackPlace& place) {
-  const TriangleIndices& ix = TriangleIndices::of_degree(map.degree());
-  const double sign = place.sense == ChartSense::Mirrored ? -1 : 1;
-  Vec x(map.control_points().size());
-  for (Index f = 0; f < map.mesh().face_count(); ++f)
-    for (int l = 0; l < ix.count(); ++l) {
-      std::array<int, 3> multi{};
-      for (std::size_t k = 0; k < 3; ++k)
-        multi[to_size(place.corner[to_size(f)][k])] = ix.multi(l)[k];
-      const Index node =
-          under.space().cells()(place.face[to_size(f)], ix.local(multi[0], multi[1], multi[2]));
-      const Vector2 uv = under.control_points().segment<2>(2 * node);
-      x.segment<2>(2 * map.space().cells()(f, l)) = Vector2(sign * uv.x(), uv.y());
+std::vector<char> flags_on(const std::vector<char>& under, const StackPlace& place) {
+  std::vector<char> flags(3 * place.face.size());
+  for (std::size_t f = 0; f < place.face.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t start = place.sense == ChartSense::Same ? k : (k + 1) % 3;
+      flags[3 * f + k] = under[to_size(3 * place.face[f] + place.corner[f][start])];
     }
-  return map.with(map.shared_space(), std::move(x));
+  return flags;
 }
 
 }  // namespace majorant

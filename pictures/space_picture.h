@@ -1,0 +1,55 @@
+// A picture of triangles in space, seen from one side without perspective and painted from behind
+// to the front: a cut through a mesh of volumes, with what is to be seen marked over it.
+//
+//   SpacePicture picture;
+//   picture.title = "part.msh: 2 of 384 elements are not valid";
+//   const Vector3 a(0, 0, 0), b(1, 0, 0), c(0, 0, 1);
+//   picture.triangles.push_back({{a, b, c}, Color{200, 200, 200}});
+//   write_space_png("part.png", picture);
+//
+// Triangles that pierce each other are painted one over the other: not for those.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/types.h"
+#include "majorant/pictures/color_scale.h"
+
+namespace majorant {
+
+struct SpaceTriangle {
+  std::array<Vector3, 3> corners;
+  Color color;  // of a side that looks at the eye; darker, the more it looks away
+  // Whether the side from a corner to the next one is drawn.
+  std::array<bool, 3> has_edge{};
+};
+
+// Over all triangles.
+struct SpaceMark {
+  std::vector<std::array<Vector3, 2>> lines;
+  Vector3 at;  // of the text
+  std::string text;
+};
+
+struct SpacePicture {
+  std::string title;
+  Vector3 eye = Vector3(1, 0.7, 0.6);  // the direction to it; upright is z, or y seen from above
+  std::vector<SpaceTriangle> triangles;
+  std::vector<SpaceMark> marks;
+  // The colours from left to right below the picture, what they are of, and names of places of
+  // them, 0 to 1.
+  std::string legend;
+  std::vector<Color> colors;
+  std::vector<std::pair<double, std::string>> ticks;
+};
+
+// 1000 by 800 pixels. Throws Error(Unwritable).
+void write_space_png(const std::string& path, const SpacePicture& picture);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
