@@ -10,12 +10,13 @@
     folded      quads with a corner whose sine is not positive
     angles      mean of |angle - 90 degrees| over corners
 
-QuadriFlow is called with its defaults and seed 0; where it makes nothing the line says so. Seconds are those of the
-processor, of QuadriFlow from the first call on to the last. Debian: apt-get install blender.
+QuadriFlow is called with its defaults, which do not follow sharp edges, and seed 0, and quads without features; with
+--sharp both follow them. Where QuadriFlow makes nothing the line says so. Seconds are those of the processor, of
+QuadriFlow from the first call on to the last. Debian: apt-get install blender.
 
 Sample runs:
   bench/blender_quads.py                                   # SHARED/data/public/closed, 4000 quads
-  bench/blender_quads.py 'closed/spot*' --count 1000
+  bench/blender_quads.py 'closed/spot*' --count 1000 --sharp
 """
 import argparse
 import math
@@ -32,7 +33,7 @@ CLOSE, CALLS = 0.05, 6
 
 
 # ------------------------------------------------------------------ inside of Blender
-def remesh_all(folder, count):
+def remesh_all(folder, count, is_sharp):
     """NAME.npz (vertices, faces) of the folder -> NAME_quads.npz (vertices, faces, seconds)."""
     import bpy
     for path in sorted(Path(folder).glob('*.npz')):
@@ -44,7 +45,7 @@ def remesh_all(folder, count):
             bpy.context.collection.objects.link(thing)
             bpy.context.view_layer.objects.active = thing
             thing.select_set(True)
-            bpy.ops.object.quadriflow_remesh(mode='FACES', target_faces=asked, seed=0)
+            bpy.ops.object.quadriflow_remesh(mode='FACES', target_faces=asked, seed=0, use_preserve_sharp=is_sharp)
             faces = [list(polygon.vertices) for polygon in thing.data.polygons]
             vertices = np.array([list(vertex.co) for vertex in thing.data.vertices])
             thing.select_set(False)
@@ -98,8 +99,8 @@ def run_blender(options, meshes, folder):
     import common
     for path, (vertices, faces) in meshes.items():
         np.savez(Path(folder) / (path.stem + '.npz'), vertices=vertices, faces=faces)
-    done = common.run([options.blender, '-b', '--factory-startup', '--python', __file__, '--', folder, options.count],
-                      options.timeout)
+    done = common.run([options.blender, '-b', '--factory-startup', '--python', __file__, '--', folder, options.count,
+                       int(options.sharp)], options.timeout)
     if done.code != 0:
         sys.exit('blender: %s' % (done.stderr + done.stdout)[-2000:])
     found = {path: Path(folder) / (path.stem + '_quads.npz') for path in meshes}
@@ -111,7 +112,7 @@ def run_majorant(options, path, folder):
     out = Path(folder) / (path.stem + '.obj')
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = common.run([options.binary, 'quads', path, '-o', out, '--count', options.count, '--quiet', '--threads', 1,
-                       *options.flags.split()], options.timeout)
+                       *(() if options.sharp else ('--features', 'none'))], options.timeout)
     if done.code not in (0, 4):
         sys.exit(done.stderr)
     return read_obj(out), resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
@@ -128,7 +129,7 @@ def main():
     common.add_options(parser, timeout=3000)
     parser.add_argument('patterns', nargs='*', default=['closed/*.obj'], help='below SHARED/data/public')
     parser.add_argument('--count', type=int, default=4000)
-    parser.add_argument('--flags', default='', help='options of quads, in one word')
+    parser.add_argument('--sharp', action='store_true', help='edges of quads follow sharp edges')
     parser.add_argument('--blender', default='blender', help='the program')
     options = parser.parse_args()
     public, rows, ratios, deviation = options.shared / 'data/public', [], [], {'QuadriFlow': [], 'quads': []}
@@ -159,6 +160,6 @@ def main():
 if __name__ == '__main__':
     if 'bpy' in sys.modules:
         words = sys.argv[sys.argv.index('--') + 1:]
-        remesh_all(words[0], int(words[1]))
+        remesh_all(words[0], int(words[1]), bool(int(words[2])))
     else:
         sys.exit(main())

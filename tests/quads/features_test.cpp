@@ -120,7 +120,9 @@ TEST(Features, QuadsCoverThem) {
     EXPECT_EQ(made.check.feature_lines, made.feature_lines);
     EXPECT_NEAR(static_cast<double>(made.check.count), 1500, kCountClose * 1500);
     // The sides of the ridge are bent.
-    if (name != "ridge") EXPECT_LT(made.check.hausdorff.to_surface, 1e-9);
+    if (name != "ridge") {
+      EXPECT_LT(made.check.hausdorff.to_surface, 1e-9);
+    }
   }
 }
 

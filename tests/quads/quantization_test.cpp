@@ -1,0 +1,99 @@
+#include "majorant/quads/internal/quantization.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "majorant/io/read_mesh.h"
+#include "majorant/parametrization/initialization/start.h"
+#include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/quads/internal/border.h"
+#include "majorant/quads/internal/extraction.h"
+#include "parametrization/fields/closed_surfaces.h"
+#include "public_data.h"
+
+namespace majorant {
+namespace {
+
+// What quantize() was asked last, and what it said.
+struct Instance {
+  std::vector<double> wanted;
+  std::vector<Index> least, edges;
+};
+
+// As quad_mesh() asks: arcs that would join cones get an edge, one after the other.
+Instance instance_of(const SeamlessLattice& lattice, const TMesh& t_mesh, long count) {
+  const double length =
+      std::sqrt(static_cast<double>(lattice.twice_area()) / 2 / static_cast<double>(count));
+  Instance asked;
+  for (const TArc& arc : t_mesh.arcs)
+    asked.wanted.push_back(static_cast<double>(arc.length()) / length);
+  asked.least.assign(t_mesh.arcs.size(), 0);
+  for (;;) {
+    asked.edges = quantize(t_mesh, asked.wanted, asked.least);
+    const std::vector<Index> more = ExtractedQuads(lattice, t_mesh, asked.edges).joining_arcs();
+    if (more.empty()) return asked;
+    for (const Index arc : more) asked.least[arc] = asked.edges[arc] + 1;
+  }
+}
+
+// A line: sides of each patch, half-arcs, then what was asked and said by arc.
+std::string json_of(const std::string& name, const TMesh& t_mesh, const Instance& asked) {
+  std::vector<std::string> patches;
+  for (const TPatch& patch : t_mesh.patches) {
+    std::vector<std::string> sides;
+    for (const auto& side : patch.sides) sides.push_back(fmt::format("{}", side));
+    patches.push_back(fmt::format("[{}]", fmt::join(sides, ", ")));
+  }
+  return fmt::format(
+      "{{\"name\": \"{}\", \"patches\": [{}], \"wanted\": {}, \"least\": {}, \"edges\": {}}}\n",
+      name, fmt::join(patches, ", "), asked.wanted, asked.least, asked.edges);
+}
+
+// In the file that MAJORANT_QUANTIZATIONS names, if any, for quantization_oracle_test.py.
+TEST(Quantization, SidesAgree) {
+  std::vector<std::pair<std::string, SurfaceMesh>> surfaces;
+  surfaces.emplace_back("cube", SurfaceMesh::from_polygons(cube(6)));
+  surfaces.emplace_back("sphere", SurfaceMesh::from_polygons(sphere(8)));
+  if (const auto folder = public_data("closed"); !folder.empty())
+    for (const auto& file : std::filesystem::directory_iterator(folder))
+      surfaces.emplace_back(file.path().stem().string(),
+                            SurfaceMesh::from_polygons(read_mesh(file.path().string())));
+  const char* const path = std::getenv("MAJORANT_QUANTIZATIONS");
+  std::ofstream file;
+  if (path != nullptr) file.open(path);
+  for (const auto& [name, mesh] : surfaces) {
+    if (path == nullptr && mesh.face_count() > 1000) continue;
+    RunRecord record;
+    ParametrizationOptions options;
+    options.map.degree = 1;
+    const ParametrizationResult solved =
+        parametrize(make_seamless(mesh, {}, record).map, options, record);
+    ASSERT_TRUE(solved.map) << name;
+    SeamlessLattice lattice(mesh, *solved.map);
+    const TMesh t_mesh = trace_t_mesh(lattice);
+    for (const long count : {500, 4000}) {
+      const Instance asked = instance_of(lattice, t_mesh, count);
+      for (std::size_t a = 0; a < asked.edges.size(); ++a)
+        EXPECT_GE(asked.edges[a], asked.least[a]);
+      for (const TPatch& patch : t_mesh.patches)
+        for (std::size_t s = 0; s < 2; ++s)
+          EXPECT_EQ(sum_of(patch.sides[s], asked.edges), sum_of(patch.sides[s + 2], asked.edges));
+      file << json_of(fmt::format("{} {}", name, count), t_mesh, asked);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
