@@ -39,12 +39,25 @@ class ArcNumbers {
         least_(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1) {}
 
   std::vector<Index> at(double edge_length) {
-    return without_bad_quads([&] { return joined_at(edge_length); });
+    const std::vector<Index> edges = without_bad_quads([&] { return joined_at(edge_length); });
+    return refined(edges, edge_length).value_or(edges);
+  }
+
+  // As few as possible.
+  std::vector<Index> fewest() {
+    constexpr double kLongest = std::numeric_limits<double>::infinity();
+    return without_bad_quads([&] { return joined_at(kLongest); });
   }
 
   // The numbers at the edge length at which there are about as many quads as asked.
   std::vector<Index> for_count(double asked) {
-    return without_bad_quads([&] { return closest_to(asked); });
+    double length = 0;
+    const std::vector<Index> edges = without_bad_quads([&] { return closest_to(asked, length); });
+    const std::optional<std::vector<Index>> closer = refined(edges, length);
+    const bool is_close =
+        closer &&
+        std::abs(static_cast<double>(quad_count(mesh_, *closer)) / asked - 1) <= kCountClose;
+    return is_close ? *closer : edges;
   }
 
  private:
@@ -63,34 +76,56 @@ class ArcNumbers {
   // Arcs that would join two of these get an edge, one after the other; where there would be no
   // quads then, the longest arc without edges does.
   std::vector<Index> joined_at(double edge_length) {
-    std::vector<double> wanted;
-    for (const TArc& arc : mesh_.arcs)
-      wanted.push_back(static_cast<double>(arc.length()) / edge_length);
+    Quantization quantization(mesh_, wanted_at(edge_length), least_);
     for (;;) {
-      std::vector<Index> edges = quantize(mesh_, wanted, least_, stop_);
+      std::vector<Index> edges = quantization.numbers(Effort::First, stop_);
       std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).joining_arcs();
       if (more.empty() && quad_count(mesh_, edges) == 0) more = {longest_without_edges(edges)};
       if (more.empty()) return edges;
-      for (const Index arc : more) least_[arc] = edges[arc] + 1;
+      for (const Index arc : more) {
+        least_[arc] = edges[arc] + 1;
+        quantization.raise(arc, least_[arc]);
+      }
     }
   }
 
-  std::vector<Index> closest_to(double asked) {
+  // The numbers nearest to the lengths, where these join nothing either.
+  std::optional<std::vector<Index>> refined(const std::vector<Index>& edges,
+                                            double edge_length) const {
+    std::vector<Index> nearest =
+        Quantization(mesh_, wanted_at(edge_length), least_).numbers(Effort::Least, stop_);
+    ExtractedQuads quads(lattice_, mesh_, nearest);
+    if (nearest == edges || quad_count(mesh_, nearest) == 0 || !quads.joining_arcs().empty() ||
+        !quads.arcs_of_bad_quads().empty())
+      return std::nullopt;
+    return nearest;
+  }
+
+  std::vector<double> wanted_at(double edge_length) const {
+    std::vector<double> wanted;
+    for (const TArc& arc : mesh_.arcs)
+      wanted.push_back(static_cast<double>(arc.length()) / edge_length);
+    return wanted;
+  }
+
+  // length receives that of their edges.
+  std::vector<Index> closest_to(double asked, double& length) {
     constexpr int kSteps = 12;
     constexpr double kNearEnough = 0.005;
-    double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
+    double next = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
     std::vector<Index> best;
     double least_off = std::numeric_limits<double>::infinity();
     for (int step = 0; step < kSteps; ++step) {
-      std::vector<Index> edges = joined_at(length);
+      std::vector<Index> edges = joined_at(next);
       const double ratio = static_cast<double>(quad_count(mesh_, edges)) / asked;
       const double off = std::abs(std::log(ratio));
       if (off < least_off) {
         least_off = off;
+        length = next;
         best = std::move(edges);
       }
       if (off <= kNearEnough) break;
-      length *= std::sqrt(ratio);
+      next *= std::sqrt(ratio);
     }
     return best;
   }
@@ -266,8 +301,7 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
     result.check = std::move(made.check);
     result.least_count.reset();
     if (static_cast<double>(result.check.count) <= (1 + kCountClose) * asked) return;
-    const long least = quad_count(t_mesh, ArcNumbers(lattice, t_mesh, Arcs::Joined, stop)
-                                              .at(std::numeric_limits<double>::infinity()));
+    const long least = quad_count(t_mesh, ArcNumbers(lattice, t_mesh, Arcs::Joined, stop).fewest());
     result.least_count = std::min(least, long{result.check.count});
   };
   const auto attempt_for = [&](Arcs arcs, double part) {

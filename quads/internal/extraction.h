@@ -3,7 +3,7 @@
 //
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice);
-//   const std::vector<Index> edges(t_mesh.arcs.size(), 0);   // by arc, as quantize() has them
+//   const std::vector<Index> edges(t_mesh.arcs.size(), 0);   // by arc, as Quantization has them
 //   ExtractedQuads extracted(lattice, t_mesh, edges);
 //   if (extracted.joining_arcs().empty()) polygons = extracted.polygons();
 //
@@ -30,7 +30,7 @@ namespace majorant {
 
 class ExtractedQuads {
  public:
-  // All of them outlive this. edges: by arc, as quantize() has them.
+  // All of them outlive this. edges: by arc, as Quantization has them.
   ExtractedQuads(const SeamlessLattice& lattice, const TMesh& mesh,
                  const std::vector<Index>& edges);
 

@@ -4,15 +4,16 @@
 //   SeamlessLattice lattice(*mesh, map);
 //   const TMesh t_mesh = trace_t_mesh(lattice);
 //   const std::vector<double> wanted(t_mesh.arcs.size(), 2.4);   // edges on each arc
-//   const std::vector<Index> n = quantize(t_mesh, wanted, std::vector<Index>(wanted.size(), 1));
+//   const std::vector<Index> least(wanted.size(), 1);
+//   const std::vector<Index> n = Quantization(t_mesh, wanted, least).numbers(Effort::Least);
 //
-// Rounded, then brought to agree along shortest paths from patch to patch, then improved by closed
-// paths that lower sum (n - wanted)^2 / max(wanted, 1), in rounds over all arcs until one lowers
-// nothing, 20 at most. Each arc lies between two patches, so a change by one goes on through a
-// patch, to its opposite side or back on its own: a bi-directed flow [HWB23], which arcs of the
-// border, of one patch, may start and end. Not a proven minimum.
+// They minimize sum (n - wanted)^2 / max(wanted, 1). Each arc lies between two patches, so a change
+// by one goes on through a patch, to its opposite side or back on its own: a bi-directed flow
+// [HWB23], which arcs of the border, of one patch, may start and end. Its relaxation to halves is a
+// flow in a graph with every node twice, found along cheapest paths; halves are branched on.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
@@ -20,9 +21,28 @@
 
 namespace majorant {
 
-// wanted: >= 0, least: >= 0, by arc. Throws Error(Infeasible) where no numbers were found; Stopped.
-std::vector<Index> quantize(const TMesh& mesh, const std::vector<double>& wanted,
-                            const std::vector<Index>& least, const StopCheck& stop = {});
+// What is searched: the first numbers that are found, close to the least sum; or all others too
+// that may have a lower one, in at most kMostDescents steps of the search, so that it is the least
+// sum where these were enough.
+enum class Effort { First, Least };
+inline constexpr long kMostDescents = 200;
+
+class Quantization {
+ public:
+  // wanted: >= 0, least: >= 0, by arc.
+  Quantization(const TMesh& mesh, std::vector<double> wanted, const std::vector<Index>& least);
+  ~Quantization();
+
+  // least: at least that of before.
+  void raise(Index arc, Index least);
+
+  // Edges by arc. Throws Error(Infeasible) where no numbers were found; Stopped.
+  std::vector<Index> numbers(Effort effort, const StopCheck& stop = {});
+
+ private:
+  class Relaxed;
+  std::unique_ptr<Relaxed> relaxed_;
+};
 
 // The number of quads.
 long quad_count(const TMesh& mesh, const std::vector<Index>& edges);

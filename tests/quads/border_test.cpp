@@ -176,7 +176,8 @@ TEST(Border, LatticeAndPatchesEndOnIt) {
       EXPECT_EQ(uses[h], h % 2 == 1 && t_mesh.is_on_border(arc_of(h)) ? 0 : 1);
     // With an edge at least for every arc nothing is joined.
     const std::vector<double> wanted(t_mesh.arcs.size(), 2);
-    const std::vector<Index> edges = quantize(t_mesh, wanted, std::vector<Index>(wanted.size(), 1));
+    const std::vector<Index> edges =
+        Quantization(t_mesh, wanted, std::vector<Index>(wanted.size(), 1)).numbers(Effort::Least);
     ExtractedQuads extracted(lattice, t_mesh, edges);
     EXPECT_TRUE(extracted.joining_arcs().empty());
     const QuadCheck check = check_quads(extracted.polygons(), &mesh);

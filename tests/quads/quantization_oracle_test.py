@@ -11,7 +11,7 @@ import numpy as np
 from scipy.optimize import Bounds, LinearConstraint, milp
 from scipy.sparse import coo_matrix
 
-GAP = 0.05  # of the sum: what is known of quantize(), which proves nothing
+GAP = 0.001  # of the sum: the search for 500 quads on scorpion ends before all is proven
 
 
 def least_sum(instance):
@@ -57,7 +57,7 @@ class Oracle(unittest.TestCase):
                            stdout=subprocess.DEVNULL)
             with open(path) as file:
                 instances = [json.loads(line) for line in file]
-        self.assertGreaterEqual(len(instances), 4)
+        self.assertGreaterEqual(len(instances), 4 if os.environ.get('MAJORANT_SHARED_DATA') is None else 18)
         for instance in instances:
             with self.subTest(instance['name']):
                 ours, least = least_sum(instance)

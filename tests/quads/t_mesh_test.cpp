@@ -93,7 +93,8 @@ TEST(Quantization, OppositeSidesAgreeAndQuadsAreAMesh) {
       for (const TArc& arc : t_mesh.arcs)
         wanted.push_back(static_cast<double>(arc.length()) / length);
       const std::vector<Index> edges =
-          quantize(t_mesh, wanted, std::vector<Index>(t_mesh.arcs.size(), 1));
+          Quantization(t_mesh, wanted, std::vector<Index>(t_mesh.arcs.size(), 1))
+              .numbers(Effort::First);
       for (const TPatch& patch : t_mesh.patches)
         for (std::size_t s = 0; s < 2; ++s)
           EXPECT_EQ(sum_of(patch.sides[s], edges), sum_of(patch.sides[s + 2], edges));
