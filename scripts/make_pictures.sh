@@ -23,6 +23,9 @@ $majorant parametrize meshes/cap.obj --degree 3 --energy mips --quiet --size 900
   --view 0.6,1,0.6 -o $out/cap_conformal.png
 $majorant seamless meshes/buckle.obj --degree 3 --quiet --size 900,900 --view 0.5,0.7,2 \
   -o $out/buckle_seamless.png
+for mesh in buckle creature; do
+  $majorant quads meshes/$mesh.obj --count 1500 --quiet -o $out/quads_$mesh.png
+done
 $majorant parametrize meshes/helix.obj --bijective --degree 3 --quiet -o $out/helix.svg
 $majorant deform meshes/bar.obj --handles meshes/bar.json --bijective --degree 2 --quiet \
   -o $out/bar.svg
