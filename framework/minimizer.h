@@ -157,8 +157,6 @@ class StoppingTest {
   bool on_plateau() const;
   bool falls_visibly() const;
   double remaining(std::ptrdiff_t window) const;
-  Stop idle(bool near_minimum, bool promises) const;
-  Stop no_step(const StepResult& step, bool near_minimum) const;
 
   StoppingRules rules_;
   double smallest_scale_;  // an energy that vanishes at its minimum has no relative scale there

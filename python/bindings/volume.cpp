@@ -104,12 +104,13 @@ py::tuple optimize_volume(const SharedVolume& mesh, const py::dict& keywords,
   return py::make_tuple(moved(std::move(result.points)), is_valid, report);
 }
 
-// version: "2.2", "4.1" or empty, that of the file. What the file has beside what is written.
+// version: "2.2", "4.1" or empty, that of the file; encoding: "binary" or empty, that of the file.
+// Returns what the file has beside what is written.
 std::vector<std::string> write_volume(const SharedVolume& mesh, const std::string& path,
-                                      const std::string& version, bool binary) {
+                                      const std::string& version, const std::string& encoding) {
   GmshChoice choice;
   if (!version.empty()) choice.version = version == "2.2" ? GmshVersion::Old : GmshVersion::New;
-  if (binary) choice.encoding = GmshEncoding::Binary;
+  if (encoding == "binary") choice.encoding = GmshEncoding::Binary;
   Run run;
   return run([&] {
     std::vector<std::string> left_out;
@@ -133,7 +134,7 @@ void bind_volumes(py::module_& module) {
   module.def("optimize_volume", &optimize_volume, py::arg("mesh"), py::arg("keywords"),
              py::arg("callback"));
   module.def("write_volume", &write_volume, py::arg("mesh"), py::arg("path"), py::arg("version"),
-             py::arg("binary"));
+             py::arg("encoding"));
 }
 
 }  // namespace majorant::python
