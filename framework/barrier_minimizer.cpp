@@ -16,7 +16,7 @@
 #include "majorant/framework/internal/colored_batches.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/problem_parts.h"
-#include "majorant/framework/violation.h"
+#include "majorant/framework/feasibility.h"
 
 namespace majorant {
 namespace {

@@ -5,8 +5,9 @@
 //   const SolveResult result = method.minimize(problem, y0, nullptr);
 //   if (result.status != Status::Converged) std::cerr << result.message << "\n";
 //
-// The methods are in newton.h, first_order.h, barrier_minimizer.h and ceres_minimizer.h. A method
-// of one's own derives from Stepper (stepper.h), which applies the stopping rules below.
+// The methods are in newton.h, first_order.h, barrier_minimizer.h and ceres_minimizer.h. Not for
+// methods of one's own that give directions, nor for loops that do something between steps: these
+// derive from Stepper, or drive one (stepper.h), which applies the stopping rules below.
 #pragma once
 
 #include <cstddef>

@@ -16,8 +16,9 @@
 //     if (row.outcome != StepResult::Outcome::Moved) in_vain += row.record.seconds.sum();
 //
 // Solvers, starts and measurements announce what they begin and note their steps; progress lines,
-// reports and CSV files show it. No solver is here: who decides from a step whether to go on is
-// StoppingTest (minimizer.h).
+// reports and CSV files show it. Not for deciding from a step whether to go on, which StoppingTest
+// does (minimizer.h), nor for looking at the map itself on its way: that is SolveOptions::watch
+// (parametrization/maps/map_options.h).
 #pragma once
 
 #include <algorithm>

@@ -6,8 +6,9 @@
 //
 // Nothing is removed and nothing moves: every polygon of the file is there, in order, its vertices
 // where the file has them. What cannot be one surface is taken apart along edges and in vertices.
-// A mesh without defects comes out as SurfaceMesh::from_polygons makes it, bit for bit; who wants a
-// mesh refused rather than repaired calls that, or refuses repairs that are not empty.
+// A mesh without defects comes out as SurfaceMesh::from_polygons makes it, bit for bit. Not for who
+// wants a mesh refused rather than repaired: that function refuses it. Nor for filling holes or
+// remeshing.
 //
 //     welded            vertices at one place become one, the first of them: of a file in which no
 //                       face shares a vertex with another (STL, soups), else only on request; never

@@ -7,6 +7,9 @@
 // Cells of the most dimensions are checked; those of fewer are their boundary. Triangles and quads
 // of a surface in space are checked against the normal of the straight cell: det J there is the
 // component of the normal of the curved cell along it, which at quads is that of the diagonals.
+//
+// Not for maps of surfaces, which have cuts and may overlap: MapProof (certify/map_proof.h).
+// Nothing is said of cells that overlap without sharing a side.
 #pragma once
 
 #include <vector>

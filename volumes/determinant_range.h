@@ -9,6 +9,9 @@
 //
 // det J is by reference coordinates: those of the unit simplex, and [0, 1] on segments. Every bound
 // holds for the map of the nodes as the doubles they are.
+//
+// Not for whole meshes, whose sides must agree, too: check_volume_mesh(). Not for steps of a
+// solver, which ElementSpace::largest_step() bounds (elements/element_space.h).
 #pragma once
 
 #include <array>

@@ -9,6 +9,9 @@
 // The energy is a mean; elements that would end worse than the worst one of a valid mesh weigh
 // more. Tetrahedra, hexahedra, wedges, and triangles and quads of the plane, in one mesh; straight
 // or curved. Numbers, order and regions of cells stay.
+//
+// Not for what only another mesh can mend: no cell is split, flipped or removed, and the surface
+// that boundary nodes were made for is known by these nodes alone.
 #pragma once
 
 #include <span>

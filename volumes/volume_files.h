@@ -9,6 +9,8 @@
 // places: version, encoding, numbers, order, tags and sections that nothing is known of are those
 // of the input, and what nobody moved comes back bit by bit. A .msh may be written in another
 // version or encoding; every mesh whose nodes the format has a place for as .msh and .vtu.
+//
+// Not for surfaces and their maps: io/io.h.
 #pragma once
 
 #include <functional>

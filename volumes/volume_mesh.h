@@ -7,6 +7,9 @@
 // What the nodes of a cell are is said by its type: points that the map takes on a lattice, as in
 // most formats, or its control points. Cells of points and edges are kept, and nothing is asked of
 // them.
+//
+// Not for surfaces that are mapped (mesh/surface_mesh.h), nor for cells known to be valid: nothing
+// is checked here (check_volume_mesh.h).
 #pragma once
 
 #include <compare>

@@ -9,7 +9,7 @@
 #include "arrays.h"
 #include "kept.h"
 #include "majorant/framework/detail/packed_symmetric.h"
-#include "majorant/framework/violation.h"
+#include "majorant/framework/feasibility.h"
 
 namespace majorant::python {
 namespace {

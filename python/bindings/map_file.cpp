@@ -21,6 +21,7 @@
 #include "majorant/results/object_layouts.h"
 #include "majorant/results/write_map.h"
 #include "mesh.h"
+#include "module.h"
 #include "run.h"
 
 namespace majorant::python {

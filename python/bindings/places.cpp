@@ -1,5 +1,4 @@
-#include "places.h"
-
+// From places to points of surfaces: preimages of a map, nearest points.
 #include <string>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/parametrization/baking/nearest_point.h"
 #include "map_file.h"
+#include "module.h"
 #include "run.h"
 
 namespace majorant::python {

@@ -1,5 +1,4 @@
-#include "unwrap.h"
-
+// Any mesh to charts side by side.
 #include <pybind11/stl.h>
 
 #include <array>
@@ -15,6 +14,8 @@
 #include "majorant/results/object_layouts.h"
 #include "majorant/results/solver_ladder.h"
 #include "map_file.h"
+#include "mesh.h"
+#include "module.h"
 #include "options.h"
 #include "run.h"
 
@@ -119,8 +120,6 @@ py::tuple unwrap_objects(const PolygonMesh& given, const py::dict& keywords, Run
                         objects.message, json_text(report));
 }
 
-}  // namespace
-
 py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
                       const py::object& callback) {
   Run run(keyword<double>(keywords, "time_limit"), keyword<int>(keywords, "max_iterations"),
@@ -134,6 +133,12 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   return py::make_tuple(file, job.polygons, promise_from(promise(job, "map.vtu")), true,
                         status_name(job.atlas.status()), job.atlas.message(),
                         json_text(atlas_report(job)));
+}
+
+}  // namespace
+
+void bind_unwrap(py::module_& module) {
+  module.def("unwrap", &unwrap_mesh, py::arg("mesh"), py::arg("keywords"), py::arg("callback"));
 }
 
 }  // namespace majorant::python

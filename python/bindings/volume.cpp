@@ -1,5 +1,5 @@
-#include "volume.h"
-
+// Meshes of volumes as the package's VolumeMesh has them: read or made of arrays, checked,
+// optimized, written.
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -12,6 +12,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/results/volume_report.h"
 #include "majorant/volumes/volume_files.h"
+#include "module.h"
 #include "options.h"
 #include "run.h"
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "majorant/elements/bernstein.h"
-#include "majorant/elements/bezier_solid_spaces.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/rounding.h"
 
