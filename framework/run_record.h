@@ -189,7 +189,7 @@ class RunObserver {
   virtual ~RunObserver() = default;
   // The run begins something else.
   virtual void begin(Activity /*activity*/) {}
-  // What of the activity is under way, until the next step: "raising the degree to 2".
+  // A part of the activity is under way, until the next step: "raising the degree to 2".
   virtual void announce(std::string_view /*part*/) {}
   // A step was tried: of a minimizer by itself one that was taken, before the next one. y: the
   // point it reached, empty where the rows are those of a RunRecord. Anything but Continue ends the

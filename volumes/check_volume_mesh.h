@@ -57,7 +57,7 @@ struct VolumeCheck {
 // Stopped.
 VolumeCheck check_volume_mesh(const VolumeMesh& mesh, const StopCheck& stop = {});
 
-// Where the least det J of a checked cell was found.
+// Returns the place of the least det J that was found in a checked cell.
 Vector3 place_of(const VolumeMesh& mesh, const CheckedCell& cell);
 
 }  // namespace majorant
