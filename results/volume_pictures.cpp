@@ -107,7 +107,7 @@ class ElementPage {
   std::vector<Vector2> uv_;
   std::vector<std::array<Index, 3>> cells_;
   std::vector<int> numbers_, rows_;  // by cell
-  // Of the element that is being added: its face next to where det J is least, how far from it.
+  // The face of the element that is being added which is next to the least det J; its distance.
   Index nearest_face_ = 0;
   double nearest_ = 0;
 };

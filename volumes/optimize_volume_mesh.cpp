@@ -285,7 +285,7 @@ class VolumeOptimizer {
     return builder.build();
   }
 
-  // By proofs of that depth first, then by the deepest where these hold steps back.
+  // Optimizes by proofs of that depth first, then by the deepest where these hold steps back.
   void optimize(int first) {
     record_.begin(Activity::Solving);
     StepObserver noted([&](const TraceEntry& row, const Vec&) {

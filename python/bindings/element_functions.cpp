@@ -14,7 +14,7 @@
 namespace majorant::python {
 namespace {
 
-// Of the elements: their unknowns, an element a row, and their numbers.
+// The unknowns of the elements, an element a row, and their numbers.
 py::tuple arguments_of(const ElementDofs& dofs, VecIn x, std::span<const Index> batch) {
   const int n = dofs.local_size();
   const auto count = static_cast<py::ssize_t>(batch.size());
