@@ -1,11 +1,12 @@
-// Texture coordinates per polygon corner, from the map of the surface that the polygons became. For
-// mesh data structures without an adapter in this folder; maps of triangles have it at once:
-// BezierMap::corner_uv().
+// Texture coordinates per polygon corner, from the map of the surface that the polygons became.
 //
 //   const PolygonMesh polygons = read_mesh(path);  // or filled from any mesh data structure
 //   const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
 //   const ParametrizationResult result = parametrize(mesh, {});
 //   const std::vector<std::vector<Vector2>> uv = corner_uv(polygons, *result.map);
+//
+// Not for mesh data structures with an adapter in this folder, which does all of it (cgal.h,
+// eigen.h, openmesh.h), nor for maps of triangles, which have it at once: BezierMap::corner_uv().
 #pragma once
 
 #include <algorithm>

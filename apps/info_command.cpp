@@ -67,7 +67,7 @@ void describe_polygons(const PolygonMesh& mesh, Description& out) {
     out.report["polygons"][std::to_string(corners)] = count;
 }
 
-// Of what faces use, in model units.
+// The size of what faces use, in model units.
 void describe_size(const SurfaceMesh& mesh, Description& out) {
   const Vector3 low = mesh.origin() + Vector3(mesh.positions().colwise().minCoeff());
   const Vector3 high = mesh.origin() + Vector3(mesh.positions().colwise().maxCoeff());

@@ -33,7 +33,7 @@ std::string wrong_density(const std::string& word) {
   return fmt::format("'{}' is neither a number of pixels > 0 nor a file", word);
 }
 
-// By polygon.
+// Returns the density of each polygon.
 std::vector<double> densities(const std::string& path, const PolygonMesh& polygons,
                               const StopCheck& stop) {
   const MaterialDensities said = read_densities(path, stop);

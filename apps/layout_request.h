@@ -26,9 +26,9 @@ struct LayoutRequest {
   void add_to(CLI::App& verb);
   // The file that --texel-density names, or empty.
   std::string density_file() const;
-  // Whether every object of the file has a layout of its own.
+  // True where every object of the file has a layout of its own.
   bool is_of_objects() const { return objects == "separate"; }
-  // Whether charts have several scales, or places: several tiles, one place for several charts.
+  // True where charts have several scales, tiles, or one place for several of them.
   bool has_own_sizes() const { return udim > 0 || !texel_density.empty() || stack != "no"; }
   // Options that need the unit square, as words, or empty.
   std::string needs_unit_square() const;

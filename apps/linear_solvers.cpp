@@ -38,9 +38,11 @@ void add_linear_solver_to(CLI::App& verb, std::string& name) {
       ->check(one_of({"auto", "direct", "cholmod", "mumps", "cg-hypre"}));
 }
 
-LinearSolvers::LinearSolvers(std::string name, const std::string& petsc_options, bool quiet,
-                             Runs runs)
-    : name_(std::move(name)), petsc_words_(petsc_words(petsc_options)), quiet_(quiet), runs_(runs) {
+LinearSolvers::LinearSolvers(std::string name, const CommonOptions& common, Runs runs)
+    : name_(std::move(name)),
+      petsc_words_(petsc_words(common.petsc_options)),
+      quiet_(common.quiet),
+      runs_(runs) {
   const auto* const rung = std::find(kRungNames.begin(), kRungNames.end(), name_);
   try {
     if (name_ == "cholmod")

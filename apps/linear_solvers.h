@@ -1,6 +1,6 @@
 // --linear-solver: what solves Newton's systems of a run, and whether a factor fits into memory.
 //
-//   LinearSolvers solvers("cg-hypre", "", common.quiet);   // loads the plugin that has it
+//   LinearSolvers solvers("cg-hypre", common);   // loads the plugin that has it
 //   solvers.apply(options.solve);
 //   solvers.foresee(*mesh, options);
 //   parametrize(mesh, options);
@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/command.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/machine_memory.h"
 #include "majorant/results/solver_ladder.h"
@@ -28,11 +29,9 @@ class LinearSolvers {
  public:
   enum class Runs { One, Several };  // Several at a time have nothing but the direct one
 
-  // name: as that option takes it. petsc_options: as --petsc-options has them. Throws
-  // Error(Unreadable) where PETSc is asked for and not there, Error(Unsupported) where CHOLMOD is,
-  // Error(Usage) for options that PETSc refuses.
-  LinearSolvers(std::string name, const std::string& petsc_options, bool quiet,
-                Runs runs = Runs::One);
+  // name: as that option takes it. Throws Error(Unreadable) where PETSc is asked for and not there,
+  // Error(Unsupported) where CHOLMOD is, Error(Usage) for options that PETSc refuses.
+  LinearSolvers(std::string name, const CommonOptions& common, Runs runs = Runs::One);
   LinearSolvers(const LinearSolvers&) = delete;
   LinearSolvers& operator=(const LinearSolvers&) = delete;
 

@@ -53,7 +53,7 @@ MapRun::MapRun(MapTask task, MapVerb& request, const std::vector<std::string>& o
                     {{request.solve.scaffold_file}, {".vtu", ".svg"}},
                     {{request.outputs.distortion}, {".csv"}}},
                    inputs);
-  solvers_.emplace(request.solve.linear_solver, request.common.petsc_options, request.common.quiet);
+  solvers_.emplace(request.solve.linear_solver, request.common);
   threads_.emplace(usable_threads(request.common.threads));
 }
 
@@ -92,7 +92,7 @@ void MapRun::place() {
   const Turned turn = outputs.turns_map()                             ? Turned::Required
                       : outputs.turns(*job_.result.map, request_.map) ? Turned::Free
                                                                       : Turned::Held;
-  if (!job_.place(turn, outputs.normalize))
+  if (!job_.place(turn, outputs.normalize ? LayoutSize::UnitSquare : LayoutSize::Model))
     job_.result.message +=
         fmt::format("; leave out {}", outputs.normalize ? "--normalize" : "--align");
   if (job_.is_left_unturned && !request_.common.quiet)

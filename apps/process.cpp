@@ -172,7 +172,7 @@ FreeMemoryOnly::FreeMemoryOnly() {
   const std::optional<std::size_t> free = reading_memory();
   if (!free || data == 0) return;
   rlimit limit = before_;
-  // Of what is mapped, what the heap has not given to anybody.
+  // Bytes that are mapped, and that the heap has not given to anybody.
   const std::size_t unused = ::mallinfo2().keepcost;
   const rlim_t least =
       data * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) + *free - std::min(*free, unused);

@@ -134,8 +134,9 @@ class Log {
 
 class Progress::Display {
  public:
-  Display(bool is_verbose, std::vector<Activity> stages) : is_verbose_(is_verbose) {
-    if (!is_verbose && isatty(STDERR_FILENO))
+  Display(const CommonOptions& options, std::vector<Activity> stages)
+      : is_verbose_(options.verbose) {
+    if (!is_verbose_ && isatty(STDERR_FILENO))
       live_.emplace(std::move(stages));
     else
       log_.emplace();
@@ -171,7 +172,7 @@ class Progress::Display {
 };
 
 Progress::Progress(const CommonOptions& options, std::vector<Activity> stages) {
-  if (!options.quiet) display_ = std::make_unique<Display>(options.verbose, std::move(stages));
+  if (!options.quiet) display_ = std::make_unique<Display>(options, std::move(stages));
 }
 
 Progress::~Progress() = default;

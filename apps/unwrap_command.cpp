@@ -861,8 +861,7 @@ int unwrap_file(UnwrapVerb request) {
     }
     return mesh;
   });
-  LinearSolvers solvers(request.solve.linear_solver, "", request.common.quiet,
-                        LinearSolvers::Runs::Several);
+  LinearSolvers solvers(request.solve.linear_solver, request.common, LinearSolvers::Runs::Several);
   if (request.unwrap.layout.is_of_objects()) {
     ObjectsRun run(request, std::move(polygons), strictness, solvers, record);
     run.solve();

@@ -101,7 +101,7 @@ GlobalInjectivity check_boundary(const BezierMap& map, const InjectivityOptions&
 // BoundaryLoops::half_edge.
 GlobalInjectivity check_layout(const BoundaryLoops& boundary,
                                const InjectivityOptions& options = {});
-// What is proven of a map that is violated, and where: "overlaps itself near (0.25, 1.5)".
+// Returns in words what is violated and where: "overlaps itself near (0.25, 1.5)".
 // Boundaries that only touch are no overlap, and are told apart where that is proven.
 std::string meeting_words(const GlobalInjectivity& proof);
 

@@ -89,7 +89,7 @@ class Piece {
       std::array<Vector2, BezierTriangleSpace::kMaxDegree + 1> row;  // from corner 0 to corner 1
       for (int j = 0; j <= m; ++j) row[j] = at(m - j, j);
       for (int l = 0; l <= m; ++l) {
-        // Of corners (2, 0, middle): k, m - l, l; of (1, 2, middle): m - l, k, l.
+        // The half of corners (2, 0, middle) has k, m - l, l; that of (1, 2, middle) m - l, k, l.
         half[0].at(k, m - l) = row[0];
         half[1].at(m - l, k) = row[m - l];
         for (int j = 0; j < m - l; ++j) row[j] = (row[j] + row[j + 1]) / 2;
@@ -101,8 +101,8 @@ class Piece {
     return half;
   }
 
-  // Whether the control points surround the origin as far as their box tells, and the lines along
-  // the chords of their sides.
+  // True where the control points surround the origin as far as their box tells, and the lines
+  // along the chords of their sides.
   bool may_reach_origin() const {
     const int count = control_point_count(degree_);
     Vector2 low = points_[0], high = points_[0];
@@ -131,7 +131,8 @@ class Piece {
     double largest = 0;
     for (int p = 0; p < control_point_count(degree_); ++p)
       largest = std::max(largest, points_[p].norm());
-    // Of A f: rounding of de Casteljau's averages, of the difference to uv, and of the product.
+    // A f is off by rounding of de Casteljau's averages, of the difference to uv, and of the
+    // product.
     const double rounding = straight.norm() * kUnitRoundoff<double> * (8 * degree_ + 16) * largest;
     Vector2 t(1.0 / 3, 1.0 / 3);
     for (int step = 0; step < kMostSteps; ++step) {
@@ -273,7 +274,7 @@ std::shared_ptr<const BoxTree> boxes_of(const BezierMap& map) {
   return std::make_shared<const BoxTree>(std::move(boxes));
 }
 
-// Whether both are the same point of the surface, on an edge or at a vertex that their faces share.
+// True where both are one point of the surface, on an edge or at a vertex that their faces share.
 bool is_same_point(const SurfaceMesh& mesh, const Found& a, const Found& b) {
   if (!a.preimage.on_edge || !b.preimage.on_edge || a.preimage.face == b.preimage.face)
     return false;
@@ -307,7 +308,7 @@ class Search {
  public:
   Search(const BezierMap& map, const BoxTree& tree) : map_(map), tree_(tree) {}
 
-  // By ascending faces, shared points once. Valid until the next call.
+  // Returns them by ascending faces, shared points once. Valid until the next call.
   const std::vector<Found>& preimages(const Vector2& uv) {
     found_.clear();
     if (!uv.allFinite()) return found_;

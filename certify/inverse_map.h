@@ -35,8 +35,8 @@ class BoxTree;
 struct Preimage {
   Index face = -1;
   Barycentric barycentric = Barycentric::Zero();  // >= 0, sum 1 to rounding
-  // Whether it may lie on an edge of the face: of straight faces exactly, of curved ones to within
-  // rounding. Then it may be a preimage of points just outside.
+  // True where it may lie on an edge of the face: exactly of straight faces, to within rounding of
+  // curved ones. It may be a preimage of points just outside then.
   bool on_edge = false;
   // False: det J is not provably positive around it, so that there may be more, or none.
   bool proven = true;

@@ -436,7 +436,7 @@ class MapProof::Judge {
     return stacks_ && !stacks_->is_first[to_size(stacks_->chart[cell])];
   }
 
-  // By cell: its layer; charts that lie on another one are each a group of their own.
+  // Returns the layer of each cell; charts that lie on another one are each a group of their own.
   std::vector<Index> layer_groups() const {
     Index layers = 0;
     for (const Index number : request_.layers) layers = std::max(layers, number + 1);
@@ -446,7 +446,7 @@ class MapProof::Judge {
     return group;
   }
 
-  // By layer; of charts that lie on each other one alone.
+  // Returns the loops of each layer; of charts that lie on each other those of one alone.
   std::map<Index, BoundaryLoops> layers_of(const BoundaryLoops& all) const {
     std::map<Index, BoundaryLoops> layers;
     std::map<Index, Index> number;  // in its layer, of a chart

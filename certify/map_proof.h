@@ -59,8 +59,8 @@ struct ProofRequest {
   // Allowed: charts may lie exactly on others, mirrored ones, too: that is no
   // overlap, and what is proven is the map with mirrored charts turned back.
   enum class Stacks { Forbidden, Allowed } stacks = Stacks::Forbidden;
-  // By cell, or empty: charts of different layers may lie on each other, those of one layer not,
-  // whatever `stacks` says. A chart that is in two layers counts as two.
+  // The layer of each cell, or empty: charts of different layers may lie on each other, those of
+  // one layer not, whatever `stacks` says. A chart that is in two layers counts as two.
   std::vector<Index> layers = {};
   // Compared: vertices and input_face of the file must be those of the surface. A .vtu has a cell
   // for every face and names it; an .obj may have pieces of faces, with vertices of their own, and

@@ -44,7 +44,7 @@ struct LayoutPromise {
   bool simple_boundaries = false;  // each map is injective as a whole (global_injectivity.h)
   double distance = 0;             // of any two maps before; but for a part of 1e-12
   std::vector<char> fixed = {};    // flags of maps; pairs of two of these need not keep it
-  // Of every map, once moved: it contains all control points. Empty: anywhere.
+  // Boxes, one for each map, that hold all its control points once it is moved. Empty: anywhere.
   std::vector<Eigen::AlignedBox2d> boxes = {};
 };
 

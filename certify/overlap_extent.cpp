@@ -10,9 +10,9 @@ namespace {
 
 using Corners = std::array<Vector2, 3>;
 
-// Of an edge of a curved face: 16 pieces a face.
+// Segments of an edge of a curved face: 16 pieces a face.
 constexpr int kSegments = 4;
-// Of the smaller piece: an overlap of less is one of rounding, along an edge that both have.
+// An overlap of a smaller part of the smaller piece is one of rounding, along an edge of both.
 constexpr double kLeastPart = 1e-9;
 // Pairs of pieces whose boxes meet; beyond, how much overlaps is not said. Some four seconds.
 constexpr std::size_t kMostPairs = 100'000'000;

@@ -79,7 +79,7 @@ class Charts {
   Index count() const { return count_; }
   const std::vector<Index>& of_cells() const { return chart_; }
 
-  // By chart: its polygons, in an order of their own.
+  // Returns for each chart its polygons, in an order of their own.
   std::vector<Outline> outlines() const {
     std::vector<Outline> list(to_size(count_));
     std::vector<char> is_done(is_in_polygon_);

@@ -11,6 +11,9 @@
 // Charts of equal polygons, all positive, cover every point equally often: a disc does as often as
 // its border winds around the point. That one chart covers none twice, nor one of another chart's,
 // is true of all of its stack then, whatever polygons a file names.
+//
+// Not for charts that lie on each other nearly: these overlap. Not for finding copies before there
+// is a layout: stack_places() (parametrization/seams/congruent_surfaces.h).
 #pragma once
 
 #include <string>

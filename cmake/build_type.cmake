@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Without a build type compilers optimize nothing, and energies that a program compiles itself run
-# 26 times slower (docs/packaging.md). Where nobody has chosen one it is Release, for a project that
+# 26 times slower (docs/library.md). Where nobody has chosen one it is Release, for a project that
 # includes this one, too.
 get_property(is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
 if(NOT is_multi_config AND NOT CMAKE_BUILD_TYPE)

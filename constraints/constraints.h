@@ -1,5 +1,5 @@
 // Constraints of maps: what is eliminated exactly, and, in local_injectivity.h, what every step
-// must hold. Points and single unknowns are held without a mesh: framework/fixed_points.h.
+// must hold. Points and single unknowns are held without a mesh: framework/constraint.h.
 //
 //   builder.add(FixedPoints({{12, {0.1, 0.2}}}));              // a pin in the plane
 //   builder.add(AxisAlignment(space, {{12, 0}, {40, 1}}));     // edges along the axes
@@ -16,7 +16,6 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/constraint.h"
-#include "majorant/framework/fixed_points.h"
 #include "majorant/mesh/seams.h"
 
 namespace majorant {

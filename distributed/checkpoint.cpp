@@ -32,7 +32,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are written as memory has them");
 
 constexpr std::string_view kMagic = "majorckp";
-// Of the format: raised where the bytes or what the header must have change.
+// The version of the format: raised where the bytes or what the header must have change.
 constexpr std::uint64_t kVersion = 1;
 
 template <class T>
@@ -68,7 +68,7 @@ Vec numbers(ByteCursor& in, std::size_t count) {
 // What comes after the header.
 struct Sizes {
   std::size_t vertices, faces, others;
-  // Of a file of so many bytes, which cannot hold more.
+  // bytes: of the file, which cannot hold more than that.
   Sizes(const HeaderReader& header, std::size_t bytes) {
     const auto most = static_cast<std::int64_t>(bytes);
     vertices = static_cast<std::size_t>(header.integer("vertices", 0, most));
@@ -222,7 +222,7 @@ CheckpointFile read_checkpoint_file(const std::string& path) {
 
 namespace {
 
-// Of a face, its first nodes: a triangle's.
+// The first nodes of a face are the corners of a triangle.
 constexpr Index kCorners = 3;
 
 Json to_json(const RunState& state) {
@@ -241,7 +241,7 @@ Json to_json(const RunState& state) {
           {"remedies", remedies}};
 }
 
-// Of all but the points and the levels.
+// Reads all but the points and the levels.
 RunState from_json(const HeaderReader& told) {
   constexpr int kMany = std::numeric_limits<int>::max();
   const auto count = [&](const HeaderReader& in, const char* key, int most) {
@@ -262,7 +262,7 @@ RunState from_json(const HeaderReader& told) {
   return state;
 }
 
-// Of every face the numbers of its control points but the corners'.
+// The numbers of a face's control points but the corners'.
 Index others_of(int degree) { return 2 * ((degree + 1) * (degree + 2) / 2 - kCorners); }
 
 // Calls visit(place in the numbers of the faces, node) for these points.

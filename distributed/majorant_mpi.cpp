@@ -177,7 +177,7 @@ CheckpointFile read_fitting(const std::string& path, const MapRequest& request, 
   return file;
 }
 
-// Of reports: what was kept, and what the run went on from.
+// The section of reports on what was kept, and what the run went on from.
 Json checkpoint_section(const CheckpointRequest& request, const CheckpointWriter& writer) {
   return {{"file", request.file},
           {"every", request.every},

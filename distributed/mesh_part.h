@@ -37,7 +37,7 @@ class MeshPart final : public MapPart {
   std::string obstacle(const BezierMap& map, const Vec& rest_det, int depth) const override;
   MapMeasures measure(const BezierMap& map, const EnergySum& energy,
                       std::string& unproven) const override;
-  // Of one unknown per vertex. Collective.
+  // The partition of one unknown per vertex. Collective.
   Partition vertices() const;
 
   std::shared_ptr<const Ranks> shared_ranks;

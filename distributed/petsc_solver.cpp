@@ -31,7 +31,7 @@ class MumpsFactor {
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;
 
-  // Of the values that the matrix has now; by its inertia, not by what a Cholesky variant believes.
+  // Factorizes the values that the matrix has now; judged by inertia, not by a Cholesky variant.
   // Throws Error(Unsupported) where MUMPS runs out of memory or fails otherwise.
   FactorStatus factorize();
   void solve(_p_Vec* r, _p_Vec* p) const;

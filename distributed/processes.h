@@ -27,7 +27,7 @@ class Processes {
   Processes& operator=(const Processes&) = delete;
 
   const std::shared_ptr<const Ranks>& ranks() const { return ranks_; }
-  // Of petsc_options those that nothing has asked for until now: misspelt ones, say.
+  // Returns those of petsc_options that nothing has asked for until now: misspelt ones, say.
   std::vector<std::string> unused_options() const;
   // Ends every rank with this exit code, whatever it does at the moment.
   [[noreturn]] void abort(int code) const;

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "majorant/elements/bezier_solid_spaces.h"
+#include "majorant/elements/bernstein_space.h"
 
 namespace majorant {
 namespace {

@@ -5,9 +5,10 @@
 //
 // A space numbers the nodes of its cells, tabulates what the contraction of energies/ needs on a
 // quadrature rule, and proves that det J is positive, at a map and along a line of maps. Nothing
-// above this layer knows what a basis function is. To write a new element, describe its Bernstein
-// polynomials (bernstein_space.h, docs/elements.md); to derive from ElementSpace is for bases that
-// are none.
+// above this layer knows what a basis function is.
+//
+// Not to be derived from for an element of Bernstein polynomials: describe these
+// (bernstein_space.h, docs/elements.md), and all of it follows. Deriving is for other bases.
 #pragma once
 
 #include <memory>

@@ -14,6 +14,9 @@
 // Kernels of the library call the formula point by point; energies/vectorized.h has others. A
 // density with a member `Density with_parameters(const Vec&) const` takes TermState::parameters,
 // which may change between steps.
+//
+// Not for functions of few unknowns that integrate nothing, as springs or penalties: make_term()
+// (terms/local_term.h).
 #pragma once
 
 #include <cstddef>

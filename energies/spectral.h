@@ -7,9 +7,10 @@
 // `spectral` takes h(Sigma, sigma), sigma signed; `invariant` takes k(x, y) of x = |alpha|^2,
 // y = |beta|^2 and is cheaper and exact at similarities (no square roots): prefer it where the
 // density is smooth in x and y. Both are differentiated by Dual2. h must be even under B -> -B,
-// that is symmetric in its arguments: energy_factory() and make_energy() try that at one point. For
-// densities that are not isotropic, or not planar, see density() in make_energy.h, and
-// for formulas that are told of the element the end of that file.
+// that is symmetric in its arguments: energy_factory() and make_energy() try that at one point.
+//
+// Not for densities that are not isotropic, or not planar: density() (make_energy.h); nor for
+// formulas that are told of their element: the end of that file.
 #pragma once
 
 #include <string>

@@ -4,6 +4,9 @@
 //   steep.free_scale = FreeScale::Arbitrary;   // for spectral("mine", h, steep)
 //
 // Drivers decide by these facts and never by a name. No includes: kernels see this file.
+//
+// Not for what a term is asked: names and supported curvatures are in its DensityTraits
+// (energy_factory.h).
 #pragma once
 
 namespace majorant {

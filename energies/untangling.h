@@ -129,7 +129,7 @@ class SolidUntanglingDensity final {
     for (const double entry : z) sum += entry * entry;
     return sum;
   }
-  // Of the entry r, row by row: the other two rows and columns in the order that makes it positive.
+  // The minor of entry r, row by row: the other rows and columns in the order that has its sign +.
   static double minor(const double (&z)[size], int r) {
     const int i = (r / 3 + 1) % 3, k = (r / 3 + 2) % 3, j = (r % 3 + 1) % 3, l = (r % 3 + 2) % 3;
     return z[3 * i + j] * z[3 * k + l] - z[3 * i + l] * z[3 * k + j];

@@ -4,10 +4,11 @@
 //   auto mine = spectral("mine", [](auto S, auto s) { return S / s + s / S; });
 //   options.map.energy = {{energy_factory(mine, vectorized(mine))}};
 //
-// Not the usual way: kernels of the library call formulas point by point, which compiles in a
-// fraction of the time. Here the file that asks compiles the whole contraction, with that file's
-// flags: -march=native or the like makes the difference. The formula sees SIMD batches: no
-// branches, no comparisons; no data of elements. What is gained: docs/energies.md.
+// Not for formulas that are still being written, or that branch: the kernels of the library call
+// any formula point by point, and the file that has it compiles in a fraction of the time. Here the
+// file that asks compiles the whole contraction, with that file's flags: -march=native or the like
+// makes the difference. The formula sees SIMD batches: no branches, no comparisons; no data of
+// elements. What is gained: docs/energies.md.
 #pragma once
 
 #include "majorant/energies/detail/contraction_kernel.h"

@@ -13,10 +13,10 @@
 #include "majorant/framework/barrier_path.h"
 #include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/feasibility.h"
 #include "majorant/framework/internal/colored_batches.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/problem_parts.h"
-#include "majorant/framework/violation.h"
 
 namespace majorant {
 namespace {
@@ -147,7 +147,7 @@ class Phases {
     });
   }
 
-  // By minima of the violation of all bounds that have a measure, also of those that are met: a
+  // Leads inside by minima of the violation of all bounds that have a measure, met ones too: a
   // barrier of little weight lets a point creep along its bound. Others hold on the way.
   bool minimize_violation() {
     const double scale = this->scale(), mu = options_.first_gap * scale / m_;
@@ -189,7 +189,7 @@ class Phases {
     return fmt::format("'{}' by {:.3g} at {}", v.bound->name(), v.amount, v.place);
   }
 
-  // By relaxed bounds that are tightened, which needs no measure.
+  // Leads inside by relaxed bounds that are tightened, which needs no measure.
   bool tighten() {
     const auto point = [this] { return problem_.expand(result_.y); };
     const double mu = options_.first_gap * scale() / m_;
@@ -257,7 +257,7 @@ class Phases {
     return largest;
   }
 
-  // Whether the stepper's problem, without the energy, has a Hessian whose parts are all
+  // True where the stepper's problem, without the energy, has a Hessian whose parts are all
   // semidefinite.
   bool is_convex_here() const {
     TermChanges changes;

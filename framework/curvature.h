@@ -7,6 +7,8 @@
 //
 // No includes, nothing but aggregates and inlined functions: kernels compiled for special
 // instruction sets see this file.
+//
+// Not for asking what a term can do: it says that itself (EnergyTerm::supports()).
 #pragma once
 
 namespace majorant {

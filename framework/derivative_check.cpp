@@ -208,7 +208,7 @@ class ElementCheck {
     Vec column;  // of the Hessian, where it is exact
   };
 
-  // Of fourth order by local unknown i.
+  // Differences of fourth order by local unknown i.
   Differences differences(int i, double h) {
     const Index u = probe_.unknowns()[to_size(i)];
     const double here = x_[u];

@@ -13,6 +13,9 @@
 // At a kink the derivatives are those of one side: abs(x) has slope 1 at 0; min and max take their
 // first argument where both are equal; hypot(0, 0) has derivatives 0, a subgradient. Where a
 // function has no finite derivative (sqrt at 0, asin at 1, atan2(0, 0)) neither has the result.
+//
+// Not for functions of many variables: a sum of functions of few each is a term, differentiated
+// element by element (terms/local_term.h).
 #pragma once
 
 #include <array>

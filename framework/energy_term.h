@@ -1,8 +1,8 @@
 // An energy term: a sum over elements of functions of few unknowns each.
 //
-// This is the raw extension point. Most energies of maps do not need it: give a density of the
-// Jacobian to make_energy() (energies/make_energy.h) and the chain rule is done for you. Implement
-// EnergyTerm for anything else - springs, edge lengths, penalties on chosen unknowns:
+// This is the raw extension point, for elements of many unknowns, models of curvature of one's own,
+// or memory shared by a batch. Not for densities of a Jacobian, whose chain rule make_energy()
+// (energies/make_energy.h) does, nor for what a lambda says: make_term() (terms/local_term.h).
 //
 //   class Springs final : public EnergyTerm {
 //     std::string_view name() const override { return "springs"; }

@@ -11,7 +11,8 @@
 //
 // The message is one line that names the place and the remedy. Meshes that were read from a file
 // are told of by its name, lines and numbers from 1, as it has them; all else counts from 0, as
-// programs do. Numerical trouble inside a solve is never thrown: it is a Status (minimizer.h).
+// programs do. Not for numerical trouble inside a solve, which is never thrown: it is a Status
+// (run_record.h).
 //
 // Nothing else leaves the library, but std::bad_alloc, Stopped where a stop check of the caller's
 // says so (stop_check.h), and whatever the caller's own code throws - terms, constraints, checkers,

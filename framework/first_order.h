@@ -7,8 +7,10 @@
 // L-BFGS [LN89] has M^-1 as its initial inverse Hessian and learns from the steps. It pays where
 // factorizing dominates and accuracy beyond the projected Hessian is not needed. Gradient flow
 // converges linearly, with a rate that depends on how well M matches the Hessian: a yardstick and a
-// cheap first approach. Both take many iterations where steps leave the reach of the metric;
-// Newton's method (newton.h) is the default, and can keep each of its factors for a few such steps.
+// cheap first approach.
+//
+// Not where steps leave the reach of the metric: both take many iterations there. Newton's method
+// (newton.h) is the default, and can keep each of its factors for a few such steps.
 #pragma once
 
 #include <functional>

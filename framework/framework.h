@@ -1,6 +1,5 @@
 // Sparse optimization without meshes, whole: problems of small energy terms, exact elimination of
-// linear constraints, checkers that every step obeys, and minimizers. For maps of surfaces there is
-// majorant.h.
+// linear constraints, checkers that every step obeys, and minimizers.
 //
 //   const Problem problem = builder.build();
 //   const NewtonMinimizer newton(NewtonOptions{});
@@ -12,10 +11,10 @@
 //     energy_term.h               EnergyTerm: a sum over elements of functions of few unknowns;
 //                                 check_derivatives()
 //     curvature.h                 which matrix stands for second derivatives
-//     constraint.h                affine equations, eliminated exactly
-//     fixed_points.h              pins: points and single unknowns that are held
-//     feasibility.h               what a line search holds; bounds with barriers
-//     violation.h                 how far a start is outside of a bound, as an energy
+//     constraint.h                affine equations, eliminated exactly; points and single unknowns
+//                                 that are held
+//     feasibility.h               what a line search holds; bounds with barriers, and how far a
+//                                 start is outside of them, as an energy
 //     problem.h                   ProblemBuilder, Problem: terms, constraints, checkers; Evaluator
 //     dual2.h                     derivatives of formulas, of first and second order
 //
@@ -35,7 +34,8 @@
 //     linear_solver.h             sparse patterns and factorizations: ours, others to plug in
 //
 // Not here, since they need libraries that are asked for by name: ceres_minimizer.h (the solvers of
-// Ceres, majorant::ceres) and cholmod_solver.h (CHOLMOD, majorant::cholmod).
+// Ceres, majorant::ceres) and cholmod_solver.h (CHOLMOD, majorant::cholmod). Not for maps of
+// surfaces: parametrize() (majorant.h) puts their problems together.
 #pragma once
 
 #include "majorant/framework/barrier_minimizer.h"
@@ -46,7 +46,6 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/first_order.h"
-#include "majorant/framework/fixed_points.h"
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/line_search.h"
 #include "majorant/framework/linear_solver.h"
@@ -58,7 +57,6 @@
 #include "majorant/framework/stepper.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
-#include "majorant/framework/violation.h"
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
 // SPDX-License-Identifier: BSD-3-Clause

@@ -5,8 +5,9 @@
 //   const SolveResult result = method.minimize(problem, y0, nullptr);
 //   if (result.status != Status::Converged) std::cerr << result.message << "\n";
 //
-// The methods are in newton.h, first_order.h, barrier_minimizer.h and ceres_minimizer.h. A method
-// of one's own derives from Stepper (stepper.h), which applies the stopping rules below.
+// The methods are in newton.h, first_order.h, barrier_minimizer.h and ceres_minimizer.h. Not for
+// methods of one's own that give directions, nor for loops that do something between steps: these
+// derive from Stepper, or drive one (stepper.h), which applies the stopping rules below.
 #pragma once
 
 #include <cstddef>
@@ -157,8 +158,6 @@ class StoppingTest {
   bool on_plateau() const;
   bool falls_visibly() const;
   double remaining(std::ptrdiff_t window) const;
-  Stop idle(bool near_minimum, bool promises) const;
-  Stop no_step(const StepResult& step, bool near_minimum) const;
 
   StoppingRules rules_;
   double smallest_scale_;  // an energy that vanishes at its minimum has no relative scale there

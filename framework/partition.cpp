@@ -26,10 +26,6 @@ class OneProcess final : public Ranks {
 
 using Neighbour = Partition::Neighbour;
 
-const std::vector<Index>& sent(const Neighbour& n, bool from_owners) {
-  return from_owners ? n.owned : n.copies;
-}
-
 }  // namespace
 
 double Ranks::sum(double value) const {
@@ -101,29 +97,35 @@ void Partition::number() {
   counts[static_cast<std::size_t>(ranks_->rank())] = owned_;
   ranks_->sum(counts);
   double sum = 0;
+  GlobalIndex next = 0;  // the number of this rank's next one
   for (std::size_t r = 0; r < counts.size(); ++r) {
-    if (r == static_cast<std::size_t>(ranks_->rank())) first_ = static_cast<GlobalIndex>(sum);
+    if (r == static_cast<std::size_t>(ranks_->rank())) next = static_cast<GlobalIndex>(sum);
     sum += counts[r];
   }
   global_size_ = static_cast<GlobalIndex>(sum);
   Vec numbers(size_);
-  GlobalIndex next = first_;
   for (Index i = 0; i < size_; ++i) numbers[i] = owns(i) ? static_cast<double>(next++) : -1.0;
   copy_from_owners(numbers);
   global_.resize(to_size(size_));
   for (Index i = 0; i < size_; ++i) global_[i] = static_cast<GlobalIndex>(numbers[i]);
 }
 
+// The unknowns whose values this rank sends to that neighbour.
+const std::vector<Index>& Partition::sent(const Neighbour& n, Receivers to) {
+  return to == Receivers::Copies ? n.owned : n.copies;
+}
+
 // Returns what the other ranks send to this one, neighbour by neighbour: values of owners for
 // copies, or the other way round.
-std::vector<double> Partition::send(const Vec& values, bool from_owners) const {
+std::vector<double> Partition::send(const Vec& values, Receivers to) const {
+  const Receivers here = to == Receivers::Copies ? Receivers::Owners : Receivers::Copies;
   require_size("Partition: the vector", values.size(), size_);
   std::vector<double> out, in;
   std::size_t out_size = 0, in_size = 0;
   for (const Neighbour& n : neighbours_) {
     if (n.rank == ranks_->rank()) continue;
-    out_size += sent(n, from_owners).size();
-    in_size += sent(n, !from_owners).size();
+    out_size += sent(n, to).size();
+    in_size += sent(n, here).size();
   }
   out.reserve(out_size);
   in.resize(in_size);
@@ -131,11 +133,11 @@ std::vector<double> Partition::send(const Vec& values, bool from_owners) const {
   auto place = in.begin();
   for (const Neighbour& n : neighbours_) {
     if (n.rank == ranks_->rank()) continue;
-    const auto& mine = sent(n, from_owners);
+    const auto& mine = sent(n, to);
     const auto begin = out.size();
     for (const Index i : mine) out.push_back(values[i]);
     if (!mine.empty()) outgoing.push_back({n.rank, {out.data() + begin, mine.size()}});
-    const std::size_t count = sent(n, !from_owners).size();
+    const std::size_t count = sent(n, here).size();
     if (count > 0)
       incoming.push_back({n.rank, {place, place + static_cast<std::ptrdiff_t>(count)}});
     place += static_cast<std::ptrdiff_t>(count);
@@ -146,7 +148,7 @@ std::vector<double> Partition::send(const Vec& values, bool from_owners) const {
 
 void Partition::copy_from_owners(Vec& y) const {
   if (is_whole_) return;
-  const std::vector<double> in = send(y, true);
+  const std::vector<double> in = send(y, Receivers::Copies);
   auto value = in.begin();
   for (const Neighbour& n : neighbours_) {
     if (n.rank == ranks_->rank())
@@ -158,7 +160,7 @@ void Partition::copy_from_owners(Vec& y) const {
 
 void Partition::add_to_owners(Vec& g) const {
   if (is_whole_) return;
-  const std::vector<double> in = send(g, false);
+  const std::vector<double> in = send(g, Receivers::Owners);
   auto value = in.begin();
   for (const Neighbour& n : neighbours_) {
     if (n.rank == ranks_->rank())

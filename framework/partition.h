@@ -107,7 +107,6 @@ class Partition {
   bool owns(Index local) const { return is_copy_.empty() || !is_copy_[local]; }
   // Owned unknowns are numbered rank by rank, in their order; a copy has its owner's number.
   GlobalIndex global(Index local) const { return global_.empty() ? local : global_[local]; }
-  GlobalIndex first_global() const { return first_; }  // of this rank's own
   GlobalIndex global_size() const { return global_size_; }
 
   void copy_from_owners(Vec& y) const;
@@ -136,7 +135,9 @@ class Partition {
 
  private:
   void number();
-  std::vector<double> send(const Vec& values, bool from_owners) const;
+  enum class Receivers { Copies, Owners };
+  std::vector<double> send(const Vec& values, Receivers to) const;
+  static const std::vector<Index>& sent(const Neighbour& n, Receivers to);
 
   std::shared_ptr<const Ranks> ranks_;
   Index size_, owned_;
@@ -144,7 +145,7 @@ class Partition {
   std::vector<Neighbour> neighbours_;  // by rank
   std::vector<char> is_copy_;          // size(), or empty: none
   std::vector<GlobalIndex> global_;    // size(), or empty: as they are
-  GlobalIndex first_ = 0, global_size_;
+  GlobalIndex global_size_;
 };
 
 // Returns how the reduced unknowns of a problem are shared; one process has all of them.

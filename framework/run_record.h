@@ -16,8 +16,9 @@
 //     if (row.outcome != StepResult::Outcome::Moved) in_vain += row.record.seconds.sum();
 //
 // Solvers, starts and measurements announce what they begin and note their steps; progress lines,
-// reports and CSV files show it. No solver is here: who decides from a step whether to go on is
-// StoppingTest (minimizer.h).
+// reports and CSV files show it. Not for deciding from a step whether to go on, which StoppingTest
+// does (minimizer.h), nor for looking at the map itself on its way: that is SolveOptions::watch
+// (parametrization/maps/map_options.h).
 #pragma once
 
 #include <algorithm>
@@ -188,7 +189,7 @@ class RunObserver {
   virtual ~RunObserver() = default;
   // The run begins something else.
   virtual void begin(Activity /*activity*/) {}
-  // What of the activity is under way, until the next step: "raising the degree to 2".
+  // A part of the activity is under way, until the next step: "raising the degree to 2".
   virtual void announce(std::string_view /*part*/) {}
   // A step was tried: of a minimizer by itself one that was taken, before the next one. y: the
   // point it reached, empty where the rows are those of a RunRecord. Anything but Continue ends the

@@ -11,6 +11,9 @@
 // Who catches Stopped keeps the state it had before: solvers return the last accepted point with
 // the status that belongs to it, readers and starts let it pass. Tasks of a parallel loop may throw
 // it, too (parallel.h).
+//
+// Not for the limits of a whole run, of which RunRecord (run_record.h) makes the checks, nor for
+// ends that a solver finds by itself: StoppingRules (minimizer.h).
 #pragma once
 
 #include <cstddef>

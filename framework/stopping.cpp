@@ -31,6 +31,16 @@ std::string stalled_at(StepLimit limit) {
          "wrong, or its Hessian is nearly singular";
 }
 
+// The stop at a step that was not taken. held: the one where nothing but the line search failed.
+Stop no_step(const StepResult& step, const Stop& held) {
+  using Outcome = StepResult::Outcome;
+  if (step.outcome == Outcome::Stopped) return {stopped_status(step.why), Stopped(step.why).what()};
+  if (step.outcome == Outcome::Breakdown)
+    return {Status::Failed, step.why_none.empty() ? "no finite direction" : step.why_none};
+  if (step.outcome == Outcome::AtMinimum) return {Status::Converged, "decrement"};
+  return held;
+}
+
 }  // namespace
 
 StoppingRules first_order_rules() {
@@ -84,7 +94,9 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
     const bool held = step.outcome == StepResult::Outcome::Blocked ||
                       step.outcome == StepResult::Outcome::NoDecrease;
     if (!held || since == Since::Same || ++idle_ > rules_.stall_iterations)
-      advice.stop = no_step(step, near_minimum);
+      advice.stop =
+          no_step(step, near_minimum ? Stop{Status::Converged, near_minimum_at(step.limit)}
+                                     : Stop{Status::Stalled, stalled_at(step.limit)});
     return advice;
   }
   if (r.energy < -kUnbounded * std::max(1.0, smallest_scale_ / kSmallestScale)) {
@@ -109,7 +121,13 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   limit_ = idle_ == 0 ? StepLimit::None : std::max(limit_, held ? StepLimit::Checker : step.limit);
   const bool falls = plateau || (promises && since == Since::Same && falls_visibly());
   const bool goes_on = near_minimum && falls && held_ == 0;
-  if (idle_ >= rules_.stall_iterations && !goes_on) advice.stop = idle(near_minimum, promises);
+  if (idle_ >= rules_.stall_iterations && !goes_on) {
+    if (near_minimum)
+      advice.stop =
+          Stop{Status::Converged, promises ? near_minimum_at(limit_) : "relative decrease"};
+    else
+      advice.stop = Stop{Status::Stalled, stalled_at(limit_), true};
+  }
   advice.fallback = idle_ == 0 && r.step_bound >= rules_.fallback_step;
   return advice;
 }
@@ -145,21 +163,6 @@ double StoppingTest::remaining(std::ptrdiff_t window) const {
 bool StoppingTest::falls_visibly() const {
   const auto last = std::min<std::ptrdiff_t>(rules_.stall_iterations, std::ssize(decreases_));
   return std::any_of(decreases_.end() - last, decreases_.end(), [](double d) { return d > 0; });
-}
-
-Stop StoppingTest::idle(bool near_minimum, bool promises) const {
-  if (!near_minimum) return {Status::Stalled, stalled_at(limit_), true};
-  return {Status::Converged, promises ? near_minimum_at(limit_) : "relative decrease"};
-}
-
-Stop StoppingTest::no_step(const StepResult& step, bool near_minimum) const {
-  using Outcome = StepResult::Outcome;
-  if (step.outcome == Outcome::Stopped) return {stopped_status(step.why), Stopped(step.why).what()};
-  if (step.outcome == Outcome::Breakdown)
-    return {Status::Failed, step.why_none.empty() ? "no finite direction" : step.why_none};
-  if (step.outcome == Outcome::AtMinimum) return {Status::Converged, "decrement"};
-  if (near_minimum) return {Status::Converged, near_minimum_at(step.limit)};
-  return {Status::Stalled, stalled_at(step.limit)};
 }
 
 }  // namespace majorant

@@ -4,6 +4,8 @@
 //   const Cells F = (Cells(2, 3) << 0, 1, 2, 0, 2, 3).finished();
 //   const Vec x = Vec::Zero(2 * 4);                // unknowns, node by node
 //   std::vector<double> area(to_size(static_cast<Index>(F.rows())));
+//
+// Not for sparse matrices, which are a SparsePattern and its values (linear_solver.h).
 #pragma once
 
 #include <Eigen/Core>

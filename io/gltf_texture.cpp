@@ -75,7 +75,7 @@ void visit_variants(const Gltf& primitive, const Visit& visit) {
       visit(mapping["material"].get<std::size_t>());
 }
 
-// Whether a material, or a part of one, shows a texture by this set of coordinates.
+// True where a material, or a part of one, shows a texture by this set of coordinates.
 bool shows_by(const Gltf& value, std::size_t set) {
   if (!value.is_object()) return false;
   for (const auto& [key, member] : value.items()) {

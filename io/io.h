@@ -199,7 +199,7 @@ void write_ply(const std::string& path, const MapFile& map, const PolygonMesh* i
 // folder. Of new vertices, on straight pieces of curves, all attributes lie between those of the
 // corners.
 //
-// Of other inputs: one mesh, of one primitive, with normals where all corners have them, colours
+// Other inputs become one mesh, of one primitive, with normals where all corners have them, colours
 // where all vertices have one, and _INPUT_VERTEX, the vertex of the input (from 0) as two 16-bit
 // numbers, low and high; files with new vertices have that, too. No names, groups, materials,
 // points and lines.

@@ -148,7 +148,7 @@ class CellTransform {
             if (map.uv_rounding.rows() > 0)
               error += std::abs(static_cast<double>(weight)) * rounding(map, point)[axis];
           });
-      // Of as many weights, terms and sums, each rounded once.
+      // Rounding of as many weights, terms and sums, each rounded once.
       const double own = 3 * static_cast<double>(inputs.size()) * kUnitRoundoff<Quad> * magnitudes;
       result.value[axis] = static_cast<double>(exact);
       const double cut_off = std::abs(static_cast<double>(exact - Quad(result.value[axis])));
@@ -196,7 +196,7 @@ class CellTransform {
     return map.uv_rounding.row(point);
   }
 
-  // By point; -1 for those of no cell.
+  // Returns the first cell of each point; -1 for those of no cell.
   static std::vector<Index> first_cells(const MapFile& map) {
     std::vector<Index> first(to_size(static_cast<Index>(map.uv.rows())), -1);
     for (auto cell = static_cast<Index>(map.cells.rows()); cell-- > 0;)
@@ -204,7 +204,7 @@ class CellTransform {
     return first;
   }
 
-  // Whether `other`, which comes before `cell`, has the edge that result k is of, with k in its
+  // True where `other`, which comes before `cell`, has the edge that result k is of, with k in its
   // place.
   bool has_edge_of(const MapFile& map, Index other, Index cell, int k) const {
     const std::vector<int>& mine = inputs_[k];

@@ -30,8 +30,8 @@ std::pair<std::string_view, std::string_view> directive_words(std::string_view l
 
 // Lines `o` of one name are one object, as are the polygons before the first of them.
 MeshObjects objects_of(const PolygonMesh& mesh);
-// By cell of to_map_file(mesh): ProofRequest::layers of a file whose objects have layouts of their
-// own.
+// Returns, by cell of to_map_file(mesh), ProofRequest::layers of a file whose objects have layouts
+// of their own.
 std::vector<Index> object_of_cells(const MeshObjects& objects, const MapFile& file);
 
 // The same of a file that claims its objects by their charts; none where it claims none. name: for

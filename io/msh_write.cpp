@@ -74,7 +74,7 @@ class MshText {
     text_.add("$EndNodeData\n");
   }
 
-  // Of nodes or elements.
+  // Adds the input numbers of nodes or elements.
   void add_input_numbers(std::string_view name, const Eigen::VectorXi& numbers) {
     if (numbers.size() == 0) return;
     add("${}\n{}\n", name, numbers.size());

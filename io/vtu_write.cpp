@@ -61,7 +61,7 @@ class VtuText {
     text_ += "\n</DataArray>\n";
   }
 
-  // Of the text that is to be made: it grows without being copied.
+  // Makes room for a text of that size: it grows without being copied.
   void reserve(std::size_t size) { text_.reserve(size); }
   std::string take() { return std::move(text_); }
 

@@ -1,6 +1,6 @@
 // All public headers of mesh/: polygons as files have them, triangles as the library relies on
-// them, and the way from one to the other. Where one of them is enough, include that: it compiles
-// faster.
+// them, and the way from one to the other. Not for reading files (io/read_mesh.h), nor where one of
+// them is enough: that compiles faster.
 //
 //   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
 //

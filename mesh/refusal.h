@@ -7,8 +7,8 @@
 //     if (refusal.hint() == Hint::CutOpen) unwrap(mesh, {}, record);
 //   }
 //
-// what() is the whole message in the words of the library, as of any Error: programs that have no
-// others need nothing of this.
+// Not for programs without words of their own: what() is the whole message in those of the library,
+// as of any Error.
 #pragma once
 
 #include <functional>

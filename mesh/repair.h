@@ -6,8 +6,9 @@
 //
 // Nothing is removed and nothing moves: every polygon of the file is there, in order, its vertices
 // where the file has them. What cannot be one surface is taken apart along edges and in vertices.
-// A mesh without defects comes out as SurfaceMesh::from_polygons makes it, bit for bit; who wants a
-// mesh refused rather than repaired calls that, or refuses repairs that are not empty.
+// A mesh without defects comes out as SurfaceMesh::from_polygons makes it, bit for bit. Not for who
+// wants a mesh refused rather than repaired: that function refuses it. Nor for filling holes or
+// remeshing.
 //
 //     welded            vertices at one place become one, the first of them: of a file in which no
 //                       face shares a vertex with another (STL, soups), else only on request; never
@@ -72,8 +73,9 @@ enum class Orientation { MadeConsistent, AsGiven };
 // have no area get rest triangles, without which a map cannot be judged.
 enum class Numerics { ForSolving, AsGiven };
 
-// What becomes one where no distance is given: nothing; vertices at equal positions where no face
-// shares a vertex with another; in any other mesh edges between equal positions, too, as above.
+// The vertices that become one where no distance is given: none; those at equal positions where no
+// face shares a vertex with another; in any other mesh those of edges between equal positions, too,
+// as above.
 enum class Welding { Nothing, Soups, EqualPlaces };
 
 struct RepairOptions {
@@ -121,8 +123,7 @@ struct RepairedSurface {
   std::shared_ptr<const SurfaceMesh> mesh;
   // #F by 3: which corner of its polygon every corner of a face is.
   Cells polygon_corner;
-  // By vertex of the file, the name under which the mesh has it: itself, or that of the vertex that
-  // it was welded to.
+  // The vertex of the mesh that each vertex of the file is: itself, or the one it was welded to.
   std::vector<Index> welded;
   std::vector<char> texture_seams;  // 3 #F, both sides: the texture coordinates of the file differ
   std::vector<Repair> repairs;      // one per kind, in the order above; empty: nothing was wrong

@@ -11,6 +11,9 @@
 // Nodes are vertices where three or more seam edges, one, or two with different turns meet, and
 // vertices of the boundary. A vertex whose angles add up to another multiple of 90 degrees than
 // 360 is a cone; its index is (4 - quarter turns) / 4. [MC20] Sec. 7.
+//
+// Not for charts whose sides need not fit: choose_cuts() (parametrization/seams/choose_cuts.h)
+// flags half-edges, and what is cut along them is a mesh without seams.
 #pragma once
 
 #include <vector>

@@ -7,8 +7,7 @@
 //
 // What is asked for:
 //     solve/parametrize.h           parametrize(), one map; deform(), a planar mesh by handles
-//     maps/map_options.h            what a map shall be: degree, energy, pins
-//     solve/solve_options.h         how it is looked for
+//     maps/map_options.h            what a map shall be, how it is looked for; a map on its way
 //     maps/map_extension.h          terms, constraints and checkers of one's own
 //     atlas/unwrap.h                unwrap(): any surface as charts in one square
 //     seams/choose_cuts.h           where a surface is cut
@@ -21,12 +20,14 @@
 //     maps/measure.h                energies, extremes, proofs of a finished map
 //     maps/distortion.h             what it does to areas, angles and textures
 //     maps/map_file.h               a finished map as files hold it
-//     maps/map_observer.h           a map on its way
 //     tessellation/tessellate_map.h straight triangles, valid as they stand
 //
 // What a problem of one's own is made of:
 //     maps/map_problem.h            the problem of a map on one space
 //     maps/rest_shapes_of.h         the shapes of the faces that it is measured against
+//
+// Not for files and pictures of maps: io/io.h, pictures/pictures.h; nor for the proofs of what a
+// file holds: certify/certify.h.
 #pragma once
 
 #include "majorant/parametrization/atlas/unwrap.h"
@@ -36,7 +37,6 @@
 #include "majorant/parametrization/maps/distortion.h"
 #include "majorant/parametrization/maps/map_extension.h"
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/parametrization/maps/map_observer.h"
 #include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure.h"
@@ -44,7 +44,6 @@
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/parametrization/solve/solve_options.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

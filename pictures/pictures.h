@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "majorant/parametrization/maps/map_file.h"
-#include "majorant/parametrization/maps/map_observer.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 

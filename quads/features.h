@@ -4,6 +4,8 @@
 //   const std::vector<char> is_feature = sharp_edges(*mesh, kCornerTurn);
 //   const FeatureLines features = feature_lines(*mesh, is_feature);
 //   std::cout << features.lines.size() << " lines\n";
+//
+// Not for the creases that cuts of an atlas follow: choose_cuts.h weighs those.
 #pragma once
 
 #include <vector>

@@ -10,6 +10,8 @@
 // that they are a manifold of the same topology before any is placed; places on the surface by the
 // map; smoothing. Borders and features are covered by edges of quads, with a vertex at every
 // corner. docs/quads.md. What is returned has been judged by check_quads() and is valid.
+//
+// Not for quads that are smaller in some places than in others: all are about as large.
 #pragma once
 
 #include <array>

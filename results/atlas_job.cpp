@@ -50,7 +50,8 @@ bool is_mirrored(const Chart& chart) {
   return chart.place && chart.place->sense == ChartSense::Mirrored;
 }
 
-// By chart: the number of its stack, in the order of the lowest charts; -1: on no other.
+// Returns for each chart the number of its stack, in the order of the lowest charts; -1: on no
+// other.
 std::vector<int> stacks_of(const Atlas& atlas) {
   std::vector<int> stack(atlas.charts.size(), -1);
   for (const Chart& chart : atlas.charts)

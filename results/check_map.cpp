@@ -245,7 +245,8 @@ void check_stacks(const MapFile& file, const StackedCharts& found, const Claims&
       return findings.add_violation("charts lie on each other that are not claimed to");
 }
 
-// By face: the layer that it is compared in. Of charts on each other the first one is alone in its.
+// Returns the layer that each face is compared in. The first of charts on each other is alone in
+// its.
 std::vector<Index> layers_of(const CheckRequest& request, const StackedCharts& stacks) {
   if (!request.layers.empty() || stacks.stacks == 0) return request.layers;
   std::vector<Index> layers;

@@ -179,7 +179,8 @@ void MapJob::solve() {
   result.initialize_seconds += start_seconds;
 }
 
-bool MapJob::place(Turned turn, bool into_square) {
+bool MapJob::place(Turned turn, LayoutSize size) {
+  const bool into_square = size == LayoutSize::UnitSquare;
   record.begin(Activity::Measuring);
   const Vector2 along = turn == Turned::Held ? Vector2(1, 0) : layout_direction(*result.map);
   const EnergySum& measured = options.map.energy;

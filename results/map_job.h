@@ -43,6 +43,9 @@ SeamlessMethod method_called(std::string_view name);
 // to be turned.
 enum class Turned { Held, Free, Required };
 
+// The size of a result: that of the surface, or that of the unit square.
+enum class LayoutSize { Model, UnitSquare };
+
 // Filled in this order: open(), a start where there is one, `options`, solve(), place(), prove().
 // solve() is optional: majorant-mpi solves on several processes what it has opened on one.
 struct MapJob {
@@ -73,7 +76,7 @@ struct MapJob {
   void solve();
   // Moves the result: turned along its longer side, or into the unit square, and proven anew. Where
   // it cannot be proven in there, the status is Failed, the message says so, and it returns false.
-  bool place(Turned turn, bool into_square);
+  bool place(Turned turn, LayoutSize size);
   // Proves that the map is injective as a whole, as it is now: after everything that moves it.
   // Takes milliseconds, a second or so where curves run along each other; limits do not end it.
   void prove();

@@ -100,7 +100,7 @@ class MaterialReader {
   ModelTexture& texture_;
 };
 
-// Of another kind than map_Kd, which lies in the old layout.
+// A map of another kind than map_Kd lies in the old layout.
 bool is_other_map(std::string_view word) {
   constexpr std::array<std::string_view, 7> kMaps{"bump", "norm",  "disp",    "decal",
                                                   "refl", "map_d", "map_bump"};

@@ -30,7 +30,7 @@ struct ModelTexture {
 // Error(Unreadable) for files that cannot be read; Stopped.
 ModelTexture read_texture(const PolygonMesh& polygons, const StopCheck& stop = {});
 
-// Whether models of that name hold textures: .obj, .glb, .gltf.
+// True where models of that name hold textures: .obj, .glb, .gltf.
 bool may_have_texture(const std::string& model);
 // The image and the material file that stand beside an OBJ of that name.
 std::string texture_file(const std::string& obj);

@@ -18,7 +18,7 @@
 
 namespace majorant {
 
-// By polygon of the mesh that `file` was made from, of the array `chart`; -1 where it has no cell.
+// Returns the chart of each polygon of the mesh that `file` was made from; -1 where it has no cell.
 std::vector<int> chart_of_polygons(const MapFile& file, const PolygonMesh& polygons);
 
 // `usemtl 1001` and so on before the first polygon of every run in one tile. Materials of the input

@@ -15,9 +15,10 @@
 // there is not looked at, so a long step may pass over a gap between two feasible parts. By itself
 // it moves the minimum away from where g = 0; minimized by BarrierMinimizer
 // (framework/barrier_minimizer.h) its weight falls to 0. The penalty min(g, 0)^2 starts anywhere
-// and ends outside by about |multiplier| / (2 weight). Scale g to size about 1. For g = 0 rather
-// than >= 0, make_least_squares() is the penalty; for a bound on a single unknown Bounds is exact
-// and faster.
+// and ends outside by about |multiplier| / (2 weight). Scale g to size about 1.
+//
+// Not for g = 0: make_least_squares() is its penalty; nor for a bound on a single unknown, where
+// Bounds is exact and faster.
 //
 // The lambda: as in local_term.h.
 #pragma once
@@ -31,7 +32,6 @@
 #include <utility>
 
 #include "majorant/framework/feasibility.h"
-#include "majorant/framework/violation.h"
 #include "majorant/terms/local_term.h"
 
 namespace majorant {

@@ -9,8 +9,9 @@
 //     });
 //
 // Vectors are columns of numbers, double or dual ones; all else is as in local_term.h and
-// least_squares.h. Where all blocks have one size, nodes say the same (make_least_squares<N,
-// Block>).
+// least_squares.h.
+//
+// Not for blocks that all have one size: nodes say the same (make_least_squares<N, Block>).
 #pragma once
 
 #include <array>

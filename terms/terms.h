@@ -1,5 +1,5 @@
-// Terms, whole: energies that are not densities of a Jacobian; those of lambdas, their derivatives
-// by dual numbers, and linear constraints made soft. For densities: energies/energies.h.
+// Terms, whole: energies of lambdas, their derivatives by dual numbers, and linear constraints made
+// soft. Not for densities of a Jacobian: energies/energies.h.
 //
 //   const auto barrier = make_term<1>("x0 > 1", Cells::Zero(1, 1), [](Index, const auto& z) {
 //     using std::log;

@@ -7,6 +7,9 @@
 // Cells of the most dimensions are checked; those of fewer are their boundary. Triangles and quads
 // of a surface in space are checked against the normal of the straight cell: det J there is the
 // component of the normal of the curved cell along it, which at quads is that of the diagonals.
+//
+// Not for maps of surfaces, which have cuts and may overlap: MapProof (certify/map_proof.h).
+// Nothing is said of cells that overlap without sharing a side.
 #pragma once
 
 #include <vector>
@@ -54,7 +57,7 @@ struct VolumeCheck {
 // Stopped.
 VolumeCheck check_volume_mesh(const VolumeMesh& mesh, const StopCheck& stop = {});
 
-// Where the least det J of a checked cell was found.
+// Returns the place of the least det J that was found in a checked cell.
 Vector3 place_of(const VolumeMesh& mesh, const CheckedCell& cell);
 
 }  // namespace majorant

@@ -53,7 +53,7 @@ class PieceFrame {
   std::array<Point, 6> slot_{};
 };
 
-// Of a cell whose det J is constant in a factor (degree 0 there) a corner has no exponents in it.
+// A corner has no exponents in a factor in which det J is constant (degree 0 there).
 PieceFrame::Point corner_point(const ReferenceCell& cell, const PieceFrame& frame,
                                int coefficient) {
   PieceFrame::Point point = frame.corner(cell.det().basis().exponents(coefficient));
@@ -96,7 +96,7 @@ void find_control_points(const ReferenceCell& cell, const double* nodes, Control
                                     roundings * kSmallest);
 }
 
-// By how much coefficients of det J may be off: derivatives are n times differences, in coordinate
+// Bounds how much coefficients of det J are off: derivatives are n times differences, in coordinate
 // d of size S_d = 2 max |c_d| and off by e_d = 2 error_d; det J has D! terms with a factor of each
 // coordinate, and prod (S_d + e_d) - prod S_d <= sum_d e_d prod_{k != d} (S_k + e_k).
 double perturbation(const ReferenceCell& cell, const ControlPoints& points) {

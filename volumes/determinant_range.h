@@ -9,6 +9,9 @@
 //
 // det J is by reference coordinates: those of the unit simplex, and [0, 1] on segments. Every bound
 // holds for the map of the nodes as the doubles they are.
+//
+// Not for whole meshes, whose sides must agree, too: check_volume_mesh(). Not for steps of a
+// solver, which ElementSpace::largest_step() bounds (elements/element_space.h).
 #pragma once
 
 #include <array>
@@ -29,7 +32,8 @@ struct DeterminantRange {
   std::array<double, 6> at{};           // homogeneous coordinates of where det J is `high`
 };
 
-// How close low and high must be, of the larger of their magnitudes, where that takes few pieces.
+// Bisection ends where high - low is at most this part of the larger of their magnitudes, if it
+// takes few pieces to get there.
 inline constexpr double kRangeTolerance = 0.01;
 
 // nodes: of triangles and quads x, y of each, of others x, y, z. Throws Error(Unsupported) for

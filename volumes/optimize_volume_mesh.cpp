@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -15,11 +17,12 @@
 #include "majorant/energies/make_energy.h"
 #include "majorant/energies/solid_energies.h"
 #include "majorant/energies/untangling.h"
+#include "majorant/framework/constraint.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 #include "majorant/volumes/internal/control_net.h"
 #include "majorant/volumes/internal/held_points.h"
-#include "majorant/volumes/internal/straight_points.h"
+#include "majorant/volumes/internal/node_orders.h"
 #include "majorant/volumes/internal/target_shapes.h"
 
 namespace majorant {
@@ -46,6 +49,47 @@ EnergyFactory untangling_energy(int dim) {
   return dim == 3 ? energy_factory(SolidUntanglingDensity(1))
                   : energy_factory(UntanglingDensity(1));
 }
+
+// Control points where the straight cells of their corners have them: a mesh of fewer unknowns,
+// which folds in fewer ways. Rows N x = sum of w_c x_c over the corners c of a cell, of points that
+// nothing holds; integers.
+class StraightPoints final : public Constraint {
+ public:
+  // All three must outlive this.
+  StraightPoints(const VolumeMesh& mesh, const ControlNet& net, const HeldPoints& held)
+      : mesh_(mesh), net_(net), held_(held) {}
+
+  void append_rows(ConstraintRows& rows) const override {
+    const int dim = net_.dim();
+    std::vector<char> is_done(to_size(net_.count()), 0);
+    for (const ControlNet::Part& part : net_.parts()) {
+      const CellType& type = mesh_.blocks[to_size(part.block)].type;
+      const std::vector<std::array<int, 8>> weights = corner_weights(type.shape, type.degree);
+      const Cells& cells = part.space->cells();
+      const int corners = corner_count(type.shape);
+      for (Index e = 0; e < cells.rows(); ++e)
+        for (Index k = corners; k < cells.cols(); ++k) {
+          const Index point = cells(e, k);
+          if (!held_.is_free(point) || is_done[to_size(point)] != 0) continue;
+          is_done[to_size(point)] = 1;
+          const std::array<int, 8>& of_corners = weights[to_size(k)];
+          for (int d = 0; d < dim; ++d) {
+            rows.begin_row(fmt::format("straight coordinate {} of control point {}", d, point));
+            rows.add(dim * point + d, std::accumulate(of_corners.begin(), of_corners.end(), 0));
+            for (int c = 0; c < corners; ++c)
+              if (of_corners[to_size(c)] != 0)
+                rows.add(dim * cells(e, c) + d, -of_corners[to_size(c)]);
+            rows.end_row(0);
+          }
+        }
+    }
+  }
+
+ private:
+  const VolumeMesh& mesh_;
+  const ControlNet& net_;
+  const HeldPoints& held_;
+};
 
 class VolumeOptimizer {
  public:
@@ -241,7 +285,7 @@ class VolumeOptimizer {
     return builder.build();
   }
 
-  // By proofs of that depth first, then by the deepest where these hold steps back.
+  // Optimizes by proofs of that depth first, then by the deepest where these hold steps back.
   void optimize(int first) {
     record_.begin(Activity::Solving);
     StepObserver noted([&](const TraceEntry& row, const Vec&) {

@@ -9,6 +9,9 @@
 // The energy is a mean; elements that would end worse than the worst one of a valid mesh weigh
 // more. Tetrahedra, hexahedra, wedges, and triangles and quads of the plane, in one mesh; straight
 // or curved. Numbers, order and regions of cells stay.
+//
+// Not for what only another mesh can mend: no cell is split, flipped or removed, and the surface
+// that boundary nodes were made for is known by these nodes alone.
 #pragma once
 
 #include <span>
@@ -23,7 +26,7 @@
 
 namespace majorant {
 
-// What the elements should look like.
+// The shape that the elements should have.
 enum class VolumeTarget {
   Ideal,    // regular, of the size that the elements around their corners have in the mean
   Initial,  // the affine elements of their corners, where these are not turned around
@@ -37,7 +40,7 @@ enum class VolumeBoundary {
 };
 
 struct VolumeOptions {
-  // Of the dimension of the mesh: find_volume_energy(); empty: symmetric Dirichlet.
+  // An energy of the dimension of the mesh (find_volume_energy()); empty: symmetric Dirichlet.
   EnergySum energy;
   VolumeTarget target = VolumeTarget::Ideal;
   // Edge lengths of VolumeTarget::Size: one, or one for each checked cell, in their order.
@@ -60,9 +63,9 @@ struct VolumeResult {
   double initial_value = 0, value = 0;     // means of the density; the first after untangling
   int untangling_iterations = 0;
 
-  // Whether all elements are proven to be valid at `points`: what is written then.
+  // True where all elements are proven to be valid at `points`, which may be written then.
   bool is_valid() const { return after.is_valid() && status != Status::Infeasible; }
-  // Whether the worst element of a valid mesh became worse, by more than is told apart.
+  // True where the worst element of a valid mesh became visibly worse.
   bool least_fell() const;
 };
 
@@ -70,8 +73,8 @@ struct VolumeResult {
 std::span<const NamedEnergy> volume_energies(int dim);
 const NamedEnergy* find_volume_energy(std::string_view name, int dim);
 
-// Whether x may be the length of edges: positive, and doubles hold the square of its volume, of dim
-// dimensions, and the inverse of that.
+// True where x may be the length of edges: it is positive, and doubles hold x^(2 dim), the square
+// of a volume, and its inverse.
 bool is_edge_length(double x, int dim);
 
 // The record has the limits, and gets the trace. Throws Error(Unsupported) for surfaces in space,

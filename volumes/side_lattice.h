@@ -24,8 +24,8 @@ struct SideLattice {
   Cells triangles;  // #T by 3, positive in `place`
 };
 
-// Of a cell of two or three dimensions, in the plane of the cell itself; edges have `steps`
-// segments, at least 1. nodes: x, y, z of each.
+// Returns the sides of a cell of two or three dimensions, for one of two the cell itself; edges
+// have `steps` segments, at least 1. nodes: x, y, z of each.
 std::vector<SideLattice> side_lattices(const CellType& type, const double* nodes, int steps);
 
 }  // namespace majorant

@@ -53,7 +53,7 @@ class VtuText {
     numbers_.push_back(block.numbers[to_size(cell)]);
     regions_.push_back(block.regions[to_size(cell)]);
   }
-  // Of the cell that was added last.
+  // Adds the columns of the cell that was added last.
   void add_check(const CheckedCell& cell) {
     low_.push_back(cell.range.low);
     high_.push_back(cell.range.high);
@@ -115,7 +115,7 @@ std::string vtu_content(const VolumeMesh& mesh) {
   return out.take();
 }
 
-// Of the .msh that was read, and as whose content.
+// The format of the .msh that was read, and as whose content.
 GmshFormat format_of_source(const VolumeMesh& mesh) {
   return read_gmsh_format(mesh.file, mesh.source->with_points(mesh.points));
 }

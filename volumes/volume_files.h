@@ -9,6 +9,8 @@
 // places: version, encoding, numbers, order, tags and sections that nothing is known of are those
 // of the input, and what nobody moved comes back bit by bit. A .msh may be written in another
 // version or encoding; every mesh whose nodes the format has a place for as .msh and .vtu.
+//
+// Not for surfaces and their maps: io/io.h.
 #pragma once
 
 #include <functional>
@@ -22,28 +24,28 @@
 
 namespace majorant {
 
-// By the extension, .gz aside, and what the file begins with. Throws Error(Unreadable) with the
-// place; Error(Unsupported) for pyramids, degrees above 4, cells, versions and node sets that are
-// not known, by name; Stopped.
+// The format is known by the extension, .gz aside, and by what the file begins with. Throws
+// Error(Unreadable) with the place; Error(Unsupported) for pyramids, degrees above 4, cells,
+// versions and node sets that are not known, by name; Stopped.
 VolumeMesh read_volume_mesh(const std::string& path, const StopCheck& stop = {});
 
 enum class GmshVersion { Old, New };  // 2.2, 4.1
 enum class GmshEncoding { Text, Binary };
-// Of a .msh that is written; what is not given is as in the .msh that was read, else 4.1 and text.
+// Form of a .msh to be written; what is not given is as in the .msh that was read, else 4.1, text.
 struct GmshChoice {
   std::optional<GmshVersion> version;
   std::optional<GmshEncoding> encoding;
 };
 
-// Whether the mesh can be written under that name. Throws Error(Usage) for other extensions than
+// Throws Error(Usage) where the mesh cannot be written under that name: for other extensions than
 // that of its file, .msh and .vtu, for a choice where it is no .msh, and for nodes that the format
 // has no cells for.
 void require_volume_format(const std::string& path, const VolumeMesh& mesh,
                            const GmshChoice& choice = {});
 
-// What a file of that name has of the mesh. left_out: what its own file has beside that. Throws as
-// require_volume_format(), and Error(Unsupported) where a file of the same format has no place for
-// a coordinate, or holds it compressed, and for tags that MSH 2.2 cannot hold.
+// Returns the bytes of the mesh in a file of that name. left_out: what its own file has beside it.
+// Throws as require_volume_format(), and Error(Unsupported) where a file of the same format has no
+// place for a coordinate, or holds it compressed, and for tags that MSH 2.2 cannot hold.
 std::string volume_mesh_content(const std::string& path, const VolumeMesh& mesh,
                                 const GmshChoice& choice = {},
                                 std::vector<std::string>* left_out = nullptr);

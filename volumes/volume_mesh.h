@@ -7,6 +7,9 @@
 // What the nodes of a cell are is said by its type: points that the map takes on a lattice, as in
 // most formats, or its control points. Cells of points and edges are kept, and nothing is asked of
 // them.
+//
+// Not for surfaces that are mapped (mesh/surface_mesh.h), nor for cells known to be valid: nothing
+// is checked here (check_volume_mesh.h).
 #pragma once
 
 #include <compare>
@@ -26,8 +29,8 @@ int dimension(CellShape shape);
 int corner_count(CellShape shape);
 std::string_view plural_of(CellShape shape);  // "tetrahedra"
 
-// What the nodes of a cell are: values of its map on the lattice of its degree, on that of the
-// Gauss-Lobatto points (MFEM's), or control points of Bernstein polynomials.
+// The meaning of the nodes of a cell: values of its map on the lattice of its degree, on that of
+// the Gauss-Lobatto points (MFEM's), or control points of Bernstein polynomials.
 enum class NodeKind { Uniform, GaussLobatto, ControlPoints };
 
 // Serendipity: quads, hexahedra and wedges of degree 2 with nodes at corners and edges alone; the
@@ -72,9 +75,9 @@ struct VolumeMesh {
   std::vector<CellBlock> blocks;
   std::shared_ptr<const MeshSource> source;
 
-  // Of the cells of most dimensions: those that are a mesh; the others are their boundary.
+  // The largest dimension of a cell. Cells of it are the mesh; the others are their boundary.
   int dimension() const;
-  // Whether all points have one z: triangles and quads are then cells of the plane.
+  // True where all points have one z: triangles and quads are cells of the plane then.
   bool is_planar() const;
 };
 

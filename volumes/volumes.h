@@ -1,6 +1,7 @@
 // All public headers of volumes/: meshes of tetrahedra, hexahedra, wedges, triangles and quads,
-// straight or curved; which elements are valid, proven, and how they are made so. Where one is
-// enough, include that.
+// straight or curved; which elements are valid, proven, and how they are made so. Not for maps of
+// solids that a program puts together: spaces (elements/elements.h) and energies do without meshes
+// of files.
 //
 //   VolumeMesh cells = read_volume_mesh("part.msh");
 //   RunRecord record;

@@ -19,7 +19,7 @@ constexpr std::size_t kColumn = 28;                  // where what an option doe
 constexpr std::size_t kNarrowest = 50, kUsual = 80;  // columns of a terminal
 constexpr std::size_t kWidest = 110;                 // that is still read with ease
 
-// Of the terminal on stdout; what COLUMNS says, where there is none.
+// Returns the width of the terminal on stdout; what COLUMNS says, where there is none.
 std::size_t help_width() {
   winsize size{};
   if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)

@@ -20,7 +20,7 @@ namespace majorant::app {
 // In the order of the help.
 enum class OptionGroup { Files, Map, Constraints, Charts, Solver, Pictures, General };
 
-// Of the options that are added to the verb from now on.
+// Begins a group of options: those that are added to the verb from now on.
 void begin_group(CLI::App& verb, OptionGroup group);
 
 // What the program is, its verbs, and what follows them: for a command line without words.

@@ -171,7 +171,7 @@ int check_as_quads(const Request& request, const PolygonMesh& quads, const Polyg
   return written.conclude(check.is_valid() ? kSuccess : kInvalid);
 }
 
-// By cell: its object, where those have layouts of their own.
+// Returns the object of each cell, where objects have layouts of their own.
 std::vector<Index> layers_of(const Request& request, const PolygonMesh* mesh, const MapFile& file) {
   if (request.objects == "together") return {};
   if (mesh != nullptr) return object_of_cells(objects_of(*mesh), file);

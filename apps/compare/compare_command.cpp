@@ -68,16 +68,16 @@ struct LinearSolverRun {
   std::string name;
   std::string description;  // LinearSolver::description()
   std::string message;      // why there is nothing else: it cannot be loaded, or it failed
-  // Of the processor, all threads; of several repetitions the median.
+  // Seconds of the processor, all threads: the median of several repetitions.
   double analyze_seconds = 0, factorize_seconds = 0, solve_seconds = 0;
   std::size_t memory_bytes = 0;  // that the process had at most beyond what it had before
   double residual = 0;           // |H p + g| / |g|
 };
 
-// Of iterative solvers; direct ones do not look at it.
+// The residual asked of iterative solvers; direct ones do not look at it.
 constexpr double kAskedResidual = 1e-8;
 
-// Of one measurement: as many repetitions as fit into this, three at least, twenty at most.
+// A measurement repeats as often as fits into this, three times at least, twenty at most.
 constexpr double kMeasuredSeconds = 0.3;
 constexpr std::size_t kFewest = 3, kMost = 20;
 

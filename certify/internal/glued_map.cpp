@@ -10,7 +10,7 @@
 namespace majorant {
 namespace {
 
-// By vertex: the group of its faces; -1 where they are of several.
+// Returns for each vertex the group of its faces; -1 where they are of several.
 std::vector<Index> group_of_vertices(const SurfaceMesh& mesh, const std::vector<Index>& group) {
   std::vector<Index> of_vertex(to_size(mesh.vertex_count()), 0);
   if (group.empty()) return of_vertex;

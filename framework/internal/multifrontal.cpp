@@ -276,7 +276,7 @@ void MultifrontalFactor::forward(Index f, double* x) {
   // Those above all tasks have none.
   double* const outside = inside < below.size() ? outside_.data() + outside_places_[f] : nullptr;
   double* const own = permuted_.data() + front.first;
-  // Of right-hand sides with few entries, all but the fronts above these.
+  // Right-hand sides with few entries have zeros in all fronts but those above them.
   if (std::all_of(own, own + front.columns, [](double value) { return value == 0; })) {
     std::fill_n(outside, below.size() - inside, 0.0);
     return;

@@ -16,7 +16,7 @@ std::map<Index, int> cones_of(const MapFile& map);
 inline constexpr std::string_view kConesComment =
     "cones: vertices count from 0; angle = quarter_turns * 90 degrees";
 std::string cone_comment(Index vertex, int quarter_turns);
-// Whether a text is one of these.
+// True where a text is one of these.
 bool is_cone_comment(std::string_view text);
 
 }  // namespace majorant

@@ -38,7 +38,7 @@ class GltfOutput {
 
   // Bytes behind all others; the buffer view's number. stride: of elements, 0: none is said.
   std::size_t add_view(std::string_view bytes, std::size_t stride, Target target);
-  // Of elements of this size, one behind the other; those of vertices are padded where they have
+  // Adds elements of this size, one behind the other; those of vertices are padded where they have
   // to. entry: the accessor but for its buffer view.
   std::size_t add_accessor(Gltf entry, std::string_view bytes, std::size_t size, Target target);
   // min and max of what was rounded to floats.

@@ -224,7 +224,7 @@ class GltfReader {
     return fmt::format("mesh {}, primitive {}", mesh, primitive);
   }
 
-  // Whether a primitive is a surface.
+  // True where a primitive is a surface.
   static bool has_triangles(const Gltf& primitive) {
     const auto mode = primitive.find("mode");
     const bool is_other =

@@ -83,7 +83,7 @@ class ObjReader {
     if (texcoords > 0) mesh_.polygon_texcoords.reserve(faces);
   }
 
-  // Whether nothing that was read depends on the lines before: indices that count backwards, and
+  // True where nothing that was read depends on the lines before: indices that count backwards, and
   // warnings, which name lines.
   bool is_independent() const {
     return !counts_backwards_ && dropped_.is_empty() && skipped_lines_ == 0;

@@ -33,7 +33,7 @@ class CpuWatch {
   std::clock_t started_ = std::clock();
 };
 
-// Of the steps on the coarsest mesh, which cost next to nothing.
+// The number of steps on the coarsest mesh, which cost next to nothing.
 constexpr int kAnyNumber = std::numeric_limits<int>::max();
 
 // Of the radius: points of two circles with the same spacing, computed from sums of other edges.
@@ -133,7 +133,7 @@ class Multiresolution {
   }
 
  private:
-  // Whether the map is kept from overlaps.
+  // True where the map is kept from overlaps.
   bool is_apart() const { return asked_.injectivity == MapInjectivity::Global; }
 
   // Vertices of the levels above the coarsest.
@@ -294,7 +294,7 @@ class Multiresolution {
     if (solved.y.allFinite()) set(level, problem.expand(solved.y));
   }
 
-  // By vertex: those where the energy is high, and their neighbours.
+  // Flags vertices where the energy is high, and their neighbours.
   std::vector<char> compressed_parts(LevelRecord& record) {
     Vec mean = Vec::Zero(mesh_.vertex_count());
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
@@ -381,7 +381,7 @@ class Multiresolution {
     return x;
   }
 
-  // By face of the level; empty where all are 1.
+  // Returns the weight of each face of the level; empty where all are 1.
   Vec weights_of(const Level& level) const {
     if (asked_.face_weight.size() == 0) return {};
     Vec weight(static_cast<Index>(level.face.size()));

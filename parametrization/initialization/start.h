@@ -7,8 +7,8 @@
 //   const Start made = make_seamless(*mesh, {}, record);        // the start of `majorant seamless`
 //   ParametrizationResult result = parametrize(made.map, options, record);
 //
-// A start is valid, not good: parametrize() makes it good, and finds a start itself for a disk that
-// is given none (initial_map() in parametrize.h).
+// Not for results: a start is valid, not good. parametrize() makes it good, and finds a start
+// itself for a disk that is given none (initial_map() in parametrize.h).
 #pragma once
 
 #include <optional>

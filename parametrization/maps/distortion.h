@@ -6,8 +6,8 @@
 //
 // All of it comes from the singular values sigma_1 >= sigma_2 of the map J from the surface to the
 // plane. At an isometry everything is 1. Area, sigma_1, sigma_2 and stretch depend on the scale of
-// the layout: multiply J by it first (layout_scale()). Not a criterion of
-// validity: that is proven, not sampled (MapMeasures::min_det).
+// the layout: multiply J by it first (layout_scale()). Not for validity,
+// which is proven, not sampled (MapMeasures::min_det).
 #pragma once
 
 #include <array>

@@ -20,7 +20,6 @@
 #pragma once
 
 #include <concepts>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -28,7 +27,7 @@
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/framework/constraint.h"
 #include "majorant/framework/feasibility.h"
-#include "majorant/parametrization/maps/map_observer.h"
+#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 
@@ -85,8 +84,6 @@ class MapExtension {
   std::vector<std::shared_ptr<const FeasibilityChecker>> checkers_;
   std::vector<MapObserver> observers_;
 };
-
-using MapExtender = std::function<void(MapExtension&)>;
 
 }  // namespace majorant
 

@@ -8,6 +8,9 @@
 // (corners, edges 01, 12, 20, interior recursively). It is deliberately weaker than BezierMap: a
 // file written by somebody else may be discontinuous, inverted or inconsistent, and `check` must be
 // able to hold it in order to say so.
+//
+// Not for evaluating or optimizing: to_bezier_map() makes a BezierMap of it, or says why it is
+// none.
 #pragma once
 
 #include <string>

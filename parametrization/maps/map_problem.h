@@ -5,6 +5,9 @@
 //   auto injectivity = std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure);
 //   Problem problem = map_problem(spec, space, start, terms, injectivity).problem;
 //   SolveResult r = LbfgsMinimizer().minimize(problem, problem.reduce(start), {});
+//
+// Not for who wants the map: parametrize() raises the degree, refines quadrature and gets runs out
+// of stalls, of which nothing is here.
 #pragma once
 
 #include <memory>

@@ -83,7 +83,7 @@ struct SigmaRange {
   }
 
  private:
-  // Whether bounds say so: sigma_1 <= |J|, and sigma_2 >= det J / |J| where that is positive.
+  // True where bounds say so: sigma_1 <= |J|, and sigma_2 >= det J / |J| where that is positive.
   bool is_inside(const Eigen::Matrix2d& J) const {
     constexpr double kRounding = 1e-12;      // far more than that of all products here
     constexpr double kLeastSquare = 1e-280;  // products have all their digits
@@ -93,7 +93,7 @@ struct SigmaRange {
   }
 };
 
-// Of all faces at one point, together with those that were `known`.
+// The range of all faces at one point, together with those that were `known`.
 SigmaRange sigmas_at(const BezierMap& map, const RestShapes& rest, const Barycentric& point,
                      const SigmaRange& known) {
   const Eigen::MatrixX2d g = bernstein_gradients(map.degree(), point);

@@ -8,6 +8,9 @@
 // made by repair(), mesh/repair.h): these are measured against that, so that a map of them has a
 // distortion at all. Their own would be infinite whatever the map. Energies weigh faces by the
 // areas of the shapes at rest: a regularized face of longest edge L counts with some 1e-6 L^2 / 2.
+//
+// Not for elements other than the triangles of a surface: curved_shapes() and the others of
+// elements/rest_shapes.h.
 #pragma once
 
 #include "majorant/elements/rest_shapes.h"

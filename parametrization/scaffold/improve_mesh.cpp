@@ -252,9 +252,9 @@ void PairEnergy::minimize(Vec& x) const {
 constexpr double kCoplanar = 1e-12;
 // Sharper or flatter angles are not made: square root of the unit roundoff.
 constexpr double kSine = 1e-8;
-// Of a pair's energy: less may come from unfinished Newton.
+// A gain of a smaller part of a pair's energy may come from unfinished Newton.
 constexpr double kGain = 1e-9;
-// Of a pair's energy: ten times what ends its minimization.
+// Parts of a pair's energy that count as none: ten times what ends its minimization.
 constexpr double kSameEnergy = 1e-12;
 // The place of the rule among the measuring ones: good to 1e-5 on mild maps.
 constexpr std::size_t kRuleOfMaps = 1;

@@ -21,10 +21,10 @@
 #include "majorant/framework/newton.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/run_record.h"
+#include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/solve/internal/map_domain.h"
 #include "majorant/parametrization/solve/internal/quadrature_levels.h"
-#include "majorant/parametrization/solve/solve_options.h"
 #include "majorant/parametrization/solve/solver_rules.h"
 
 namespace majorant {

@@ -27,15 +27,8 @@
 #include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure.h"
-#include "majorant/parametrization/solve/solve_options.h"
 
 namespace majorant {
-
-struct ParametrizationOptions {
-  MapOptions map = {};      // what: degree, energy, boundary, pins, ...
-  SolveOptions solve = {};  // how: curvature, tolerance, quadrature, ...
-  MapExtender extend = {};  // what else: terms, constraints, checkers of one's own; may be empty
-};
 
 // The outcome of terms and checkers that a MapExtension added, in the order in which they were
 // added for the last degree.

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "majorant/framework/run_record.h"
+#include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/solve/pins.h"
-#include "majorant/parametrization/solve/solve_options.h"
 
 namespace majorant {
 

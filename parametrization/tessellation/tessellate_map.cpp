@@ -78,7 +78,7 @@ class WholeCells {
   CornerMesh coarse_;
 };
 
-// By vertex number, else by position; none of `taken`, which are those of the cell's other corners:
+// Found by vertex number, else by position; none of `taken`, those of the cell's other corners:
 // a polygon may have a vertex twice.
 std::size_t corner_at(const MapFile& map, Index point, const PolygonMesh& input, std::size_t face,
                       std::span<const std::size_t> taken) {

@@ -1,10 +1,10 @@
-#include "check.h"
-
+// Results judged again.
 #include <string>
 
 #include "majorant/results/check_map.h"
 #include "map_file.h"
 #include "mesh.h"
+#include "module.h"
 #include "run.h"
 
 namespace majorant::python {

@@ -90,23 +90,35 @@ void copy_into(std::vector<double>& out, const py::handle& array, std::size_t co
   out.assign(numbers.data(), numbers.data() + count);
 }
 
-// Asks Python. Outside of its domain a density is +inf.
-void answer(const PythonDensity& density, Points& points, bool models) {
+// The points as Python gets them, (n, dim, dim).
+py::array_t<double> jacobians(const PythonDensity& density, const Points& points) {
+  return py::array_t<double>(
+      {static_cast<py::ssize_t>(points.count()), static_cast<py::ssize_t>(density.dim),
+       static_cast<py::ssize_t>(density.dim)},
+      points.J.data());
+}
+
+// Asks Python for values. Outside of its domain a density is +inf.
+void evaluate(const PythonDensity& density, Points& points) {
   const py::gil_scoped_acquire lock;
   const std::size_t n = points.count();
   const auto size = static_cast<std::size_t>(points.size);
-  py::array_t<double> J({static_cast<py::ssize_t>(n), static_cast<py::ssize_t>(density.dim),
-                         static_cast<py::ssize_t>(density.dim)},
-                        points.J.data());
-  const py::handle callee = density.density->get();
-  copy_into(points.value, callee.attr("evaluate")(J), n);
+  const auto J = jacobians(density, points);
+  copy_into(points.value, density.density->get().attr("evaluate")(J), n);
   for (std::size_t q = 0; q < n; ++q) {
     const bool inside = density.is_inside(points.J.data() + q * size);
     if (!inside || std::isnan(points.value[q]))
       points.value[q] = std::numeric_limits<double>::infinity();
   }
-  if (!models) return;
-  const py::tuple derivatives = callee.attr("differentiate")(J);
+}
+
+// Asks Python for gradients and Hessians.
+void differentiate(const PythonDensity& density, Points& points) {
+  const py::gil_scoped_acquire lock;
+  const std::size_t n = points.count();
+  const auto size = static_cast<std::size_t>(points.size);
+  const py::tuple derivatives =
+      density.density->get().attr("differentiate")(jacobians(density, points));
   copy_into(points.g, derivatives[0], n * size);
   copy_into(points.H, derivatives[1], n * size * size);
 }
@@ -123,7 +135,7 @@ void values(const void* object, const ContractionView& table, const BatchView& b
             double* scratch, double* f) {
   const auto& density = *static_cast<const PythonDensity*>(object);
   Points points = recorded(density.dim, table, batch, scratch);
-  answer(density, points, false);
+  evaluate(density, points);
   const JacobianFunction function = player(points);
   kernels(density.dim).values(&function, table, batch, scratch, f);
 }
@@ -133,7 +145,8 @@ void local(const void* object, const ContractionView& table, const BatchView& ba
            double* hessian) {
   const auto& density = *static_cast<const PythonDensity*>(object);
   Points points = recorded(density.dim, table, batch, scratch);
-  answer(density, points, true);
+  evaluate(density, points);
+  differentiate(density, points);
   const JacobianFunction function = player(points);
   kernels(density.dim).local(&function, table, batch, curvature, scratch, f, gradient, hessian);
 }

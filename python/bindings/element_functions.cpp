@@ -9,12 +9,12 @@
 #include "arrays.h"
 #include "kept.h"
 #include "majorant/framework/detail/packed_symmetric.h"
-#include "majorant/framework/violation.h"
+#include "majorant/framework/feasibility.h"
 
 namespace majorant::python {
 namespace {
 
-// Of the elements: their unknowns, an element a row, and their numbers.
+// The unknowns of the elements, an element a row, and their numbers.
 py::tuple arguments_of(const ElementDofs& dofs, VecIn x, std::span<const Index> batch) {
   const int n = dofs.local_size();
   const auto count = static_cast<py::ssize_t>(batch.size());

@@ -1,11 +1,10 @@
-#include "errors.h"
-
 #include <new>
 #include <string>
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/refusal.h"
+#include "module.h"
 
 namespace majorant::python {
 namespace {

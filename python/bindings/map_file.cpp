@@ -21,6 +21,7 @@
 #include "majorant/results/object_layouts.h"
 #include "majorant/results/write_map.h"
 #include "mesh.h"
+#include "module.h"
 #include "run.h"
 
 namespace majorant::python {
@@ -146,7 +147,7 @@ py::array cells_turned_over(const MapFile& file) {
                                    .cast<int>()));
 }
 
-// Of the longer side of the layout.
+// The direction of the longer side of the layout.
 std::pair<double, double> direction_of(const MapFile& file) {
   const Vector2 direction = layout_direction(file.uv, file.cells);
   return {direction.x(), direction.y()};

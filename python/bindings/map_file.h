@@ -22,9 +22,6 @@ using Promise = std::tuple<int, bool, bool, bool, bool, bool, bool>;
 Promise promise_from(const ProofRequest& request);
 Promise promise_of_objects();
 
-// Registers MapFile, read_map, save_map, svg_text, what plots need, and multi_indices.
-void bind_map_files(pybind11::module_& module);
-
 }  // namespace majorant::python
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

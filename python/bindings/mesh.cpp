@@ -6,6 +6,7 @@
 
 #include "arrays.h"
 #include "majorant/io/read_mesh.h"
+#include "module.h"
 #include "run.h"
 
 namespace majorant::python {

@@ -11,9 +11,6 @@ namespace majorant::python {
 
 using SharedPolygons = std::shared_ptr<PolygonMesh>;
 
-// Registers Mesh, mesh_of_arrays and read_mesh.
-void bind_meshes(pybind11::module_& module);
-
 }  // namespace majorant::python
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

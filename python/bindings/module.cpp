@@ -1,10 +1,10 @@
 // majorant._core: the library as the Python package majorant uses it. Not for others: names and
 // arguments change with the package, which checks what users pass and says what it means.
+#include "module.h"
+
 #include <dlfcn.h>
 #include <pybind11/stl.h>
 
-#include "check.h"
-#include "errors.h"
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/linear_solver.h"
@@ -12,16 +12,6 @@
 #include "majorant/parametrization/maps/energy_text.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "map_file.h"
-#include "mesh.h"
-#include "places.h"
-#include "problem.h"
-#include "quads.h"
-#include "run.h"
-#include "solve.h"
-#include "space.h"
-#include "terms.h"
-#include "volume.h"
 
 namespace majorant::python {
 namespace {
@@ -74,6 +64,7 @@ PYBIND11_MODULE(_core, module) {
   bind_meshes(module);
   bind_map_files(module);
   bind_solvers(module);
+  bind_unwrap(module);
   bind_check(module);
   bind_places(module);
   bind_spaces(module);

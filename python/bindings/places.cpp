@@ -1,5 +1,4 @@
-#include "places.h"
-
+// From places to points of surfaces: preimages of a map, nearest points.
 #include <string>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/parametrization/baking/nearest_point.h"
 #include "map_file.h"
+#include "module.h"
 #include "run.h"
 
 namespace majorant::python {
@@ -24,7 +24,7 @@ std::unique_ptr<InverseMap> inverse_of(const MapFile& file) {
   });
 }
 
-// Of each row of uv: face, barycentric coordinates, whether that is undecided.
+// Returns for each row of uv: face, barycentric coordinates, whether that is undecided.
 py::tuple locate(const InverseMap& inverse, const Doubles& uv, int threads) {
   const auto points = matrix<Points2>(uv);
   Run run;
@@ -38,8 +38,8 @@ py::tuple locate(const InverseMap& inverse, const Doubles& uv, int threads) {
                         moved(std::move(found.barycentric)), moved(std::move(undecided)));
 }
 
-// Of each preimage of each row of uv: the row, face, barycentric coordinates, whether it is
-// undecided.
+// Returns for each preimage of each row of uv: the row, face, barycentric coordinates, whether it
+// is undecided.
 py::tuple locate_all(const InverseMap& inverse, const Doubles& uv, int threads) {
   const auto points = matrix<Points2>(uv);
   Run run;
@@ -67,7 +67,7 @@ std::unique_ptr<SurfaceTree> tree_of(const Doubles& positions, const Integers& f
   return std::make_unique<SurfaceTree>(matrix<Points3>(positions), matrix<Cells>(faces));
 }
 
-// Of each row of `points`: face, barycentric coordinates, distance.
+// Returns for each row of `points`: face, barycentric coordinates, distance.
 py::tuple nearest(const SurfaceTree& tree, const Doubles& points, int threads) {
   const auto places = matrix<Points3>(points);
   Run run;

@@ -1,4 +1,5 @@
-#include "problem.h"
+// Optimization problems of Python's own.
+#include "majorant/framework/problem.h"
 
 #include <pybind11/stl.h>
 
@@ -15,8 +16,8 @@
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/framework/problem.h"
 #include "majorant/terms/inequality.h"
+#include "module.h"
 #include "options.h"
 #include "run.h"
 #include "space.h"

@@ -1,5 +1,3 @@
-#include "quads.h"
-
 #include <pybind11/stl.h>
 
 #include <array>
@@ -15,6 +13,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/results/quad_job.h"
 #include "mesh.h"
+#include "module.h"
 #include "options.h"
 #include "run.h"
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "majorant/framework/energy_term.h"
+#include "module.h"
 
 namespace majorant::python {
 namespace {

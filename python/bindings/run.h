@@ -95,9 +95,6 @@ class Run final : public RunObserver {
   RunRecord record_;
 };
 
-// Registers Step.
-void bind_steps(py::module_& module);
-
 }  // namespace majorant::python
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -1,5 +1,4 @@
-#include "solve.h"
-
+// The solvers of maps.
 #include <pybind11/stl.h>
 
 #include <string>
@@ -11,9 +10,9 @@
 #include "majorant/results/solver_ladder.h"
 #include "map_file.h"
 #include "mesh.h"
+#include "module.h"
 #include "options.h"
 #include "run.h"
-#include "unwrap.h"
 
 namespace majorant::python {
 namespace {
@@ -116,7 +115,6 @@ void bind_solvers(py::module_& module) {
   add("parametrize", &parametrize_mesh);
   add("seamless", &seamless_mesh);
   add("deform", &deform_mesh);
-  add("unwrap", &unwrap_mesh);
 }
 
 }  // namespace majorant::python

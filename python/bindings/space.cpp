@@ -4,6 +4,7 @@
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "mesh.h"
+#include "module.h"
 #include "run.h"
 
 namespace majorant::python {

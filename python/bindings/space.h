@@ -19,9 +19,6 @@ struct Space {
   std::shared_ptr<const SurfaceMesh> mesh;  // of triangles; null for other elements
 };
 
-// Registers Space, triangle_space, tetrahedron_space and quad_space.
-void bind_spaces(pybind11::module_& module);
-
 }  // namespace majorant::python
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -12,6 +12,7 @@
 #include "majorant/terms/least_squares.h"
 #include "majorant/terms/local_term.h"
 #include "majorant/terms/quadratic_penalty.h"
+#include "module.h"
 #include "options.h"
 #include "space.h"
 

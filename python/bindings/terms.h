@@ -14,9 +14,6 @@ struct Term {
   std::shared_ptr<const EnergyTerm> term;
 };
 
-// Registers Term, energy_terms, penalty, linear_term, element_term and robust_loss.
-void bind_terms(pybind11::module_& module);
-
 }  // namespace majorant::python
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

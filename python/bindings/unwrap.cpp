@@ -1,5 +1,4 @@
-#include "unwrap.h"
-
+// Any mesh to charts side by side.
 #include <pybind11/stl.h>
 
 #include <array>
@@ -11,9 +10,12 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/results/atlas_job.h"
+#include "majorant/results/map_job.h"
 #include "majorant/results/object_layouts.h"
 #include "majorant/results/solver_ladder.h"
 #include "map_file.h"
+#include "mesh.h"
+#include "module.h"
 #include "options.h"
 #include "run.h"
 
@@ -75,11 +77,11 @@ void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& key
   job.options.chart = read_options(keywords, *job.surface.mesh, job.surface.welded);
 }
 
-// Charts in place and proven.
-void solve_job(AtlasJob& job, Run& run, bool into_square) {
+// Charts in place, of that size, and proven.
+void solve_job(AtlasJob& job, Run& run, LayoutSize size) {
   const bool is_placed = run([&] {
     job.solve();
-    return !into_square || job.place();
+    return size == LayoutSize::Model || job.place();
   });
   if (!is_placed)
     throw Error(ErrorKind::Invalid,
@@ -107,7 +109,7 @@ py::tuple unwrap_objects(const PolygonMesh& given, const py::dict& keywords, Run
   UnwrappedObjects objects =
       unwrap_objects(*polygons, run.record(), [&](PolygonMesh object, AtlasJob& job) {
         open_job(job, run, std::move(object), keywords);
-        solve_job(job, run, true);
+        solve_job(job, run, LayoutSize::UnitSquare);
       });
   const Json report{{"schema_version", 1},        {"version", MAJORANT_VERSION},
                     {"command", "unwrap"},        {"status", status_name(objects.status)},
@@ -118,8 +120,6 @@ py::tuple unwrap_objects(const PolygonMesh& given, const py::dict& keywords, Run
                         objects.message, json_text(report));
 }
 
-}  // namespace
-
 py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
                       const py::object& callback) {
   Run run(keyword<double>(keywords, "time_limit"), keyword<int>(keywords, "max_iterations"),
@@ -127,11 +127,18 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   if (!keywords["objects"].is_none()) return unwrap_objects(*given, keywords, run);
   AtlasJob job(run.record());
   open_job(job, run, *given, keywords);
-  solve_job(job, run, keyword<std::string>(keywords, "scale") == "unit");
+  const bool is_unit = keyword<std::string>(keywords, "scale") == "unit";
+  solve_job(job, run, is_unit ? LayoutSize::UnitSquare : LayoutSize::Model);
   const auto file = run([&] { return std::make_shared<MapFile>(atlas_file(job)); });
   return py::make_tuple(file, job.polygons, promise_from(promise(job, "map.vtu")), true,
                         status_name(job.atlas.status()), job.atlas.message(),
                         json_text(atlas_report(job)));
+}
+
+}  // namespace
+
+void bind_unwrap(py::module_& module) {
+  module.def("unwrap", &unwrap_mesh, py::arg("mesh"), py::arg("keywords"), py::arg("callback"));
 }
 
 }  // namespace majorant::python

@@ -1,5 +1,5 @@
-#include "volume.h"
-
+// Meshes of volumes as the package's VolumeMesh has them: read or made of arrays, checked,
+// optimized, written.
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -12,6 +12,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/results/volume_report.h"
 #include "majorant/volumes/volume_files.h"
+#include "module.h"
 #include "options.h"
 #include "run.h"
 
@@ -104,12 +105,13 @@ py::tuple optimize_volume(const SharedVolume& mesh, const py::dict& keywords,
   return py::make_tuple(moved(std::move(result.points)), is_valid, report);
 }
 
-// version: "2.2", "4.1" or empty, that of the file. What the file has beside what is written.
+// version: "2.2", "4.1" or empty, that of the file; encoding: "binary" or empty, that of the file.
+// Returns what the file has beside what is written.
 std::vector<std::string> write_volume(const SharedVolume& mesh, const std::string& path,
-                                      const std::string& version, bool binary) {
+                                      const std::string& version, const std::string& encoding) {
   GmshChoice choice;
   if (!version.empty()) choice.version = version == "2.2" ? GmshVersion::Old : GmshVersion::New;
-  if (binary) choice.encoding = GmshEncoding::Binary;
+  if (encoding == "binary") choice.encoding = GmshEncoding::Binary;
   Run run;
   return run([&] {
     std::vector<std::string> left_out;
@@ -133,7 +135,7 @@ void bind_volumes(py::module_& module) {
   module.def("optimize_volume", &optimize_volume, py::arg("mesh"), py::arg("keywords"),
              py::arg("callback"));
   module.def("write_volume", &write_volume, py::arg("mesh"), py::arg("path"), py::arg("version"),
-             py::arg("binary"));
+             py::arg("encoding"));
 }
 
 }  // namespace majorant::python

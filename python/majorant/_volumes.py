@@ -97,7 +97,7 @@ class VolumeMesh:
         cells for."""
         left_out = _core.write_volume(self._volume, _arrays.path(path),
                                       _options.choice('msh_version', msh_version, ('', '2.2', '4.1')),
-                                      _options.truth('binary', binary))
+                                      'binary' if _options.truth('binary', binary) else '')
         if left_out:
             warnings.warn(f'{os.fspath(path)}: does not hold {", ".join(left_out)}', stacklevel=2)
 

@@ -16,7 +16,6 @@
 
 #include "exact_polynomials.h"
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/elements/bezier_solid_spaces.h"
 #include "product_elements.h"
 #include "support.h"
 

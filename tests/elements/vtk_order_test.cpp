@@ -2,7 +2,7 @@
 // vtkLagrangeWedge give as PointIndexFromIJK.
 #include <gtest/gtest.h>
 
-#include "majorant/elements/bezier_solid_spaces.h"
+#include "majorant/elements/bernstein_space.h"
 
 namespace majorant {
 namespace {

@@ -4,7 +4,6 @@
 #include "energies/density_fixture.h"
 #include "energies/linear_tetrahedra.h"
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/elements/bezier_solid_spaces.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/problem.h"
 

@@ -21,8 +21,8 @@ namespace majorant {
 
 class ControlNet {
  public:
-  // Of the cells of most dimensions, whose sides agree. Throws Error(Unsupported) for cells of a
-  // surface in space and for serendipity cells.
+  // The net of the cells of most dimensions, whose sides agree. Throws Error(Unsupported) for cells
+  // of a surface in space and for serendipity cells.
   ControlNet(const VolumeMesh& mesh, const std::vector<CellSide>& sides);
 
   // The cells of a block as elements, numbered as they are there.

@@ -56,13 +56,14 @@ struct GmshDocument {
 int gmsh_node_count(int type);
 int gmsh_dimension(int type);
 
-// Of the section $MeshFormat. These throw as read_volume_mesh().
+// Reads the section $MeshFormat. These throw as read_volume_mesh().
 GmshFormat read_gmsh_format(const std::string& path, std::string content);
 GmshDocument read_gmsh_document(const std::string& path, std::string content,
                                 const StopCheck& stop);
 
-// Of a mesh: rows of points from 1, numbers of cells from 1 as they come, regions as entities and
-// physical groups. Throws Error(Unsupported) for nodes that are not those of a lattice.
+// Makes a document of a mesh: rows of points from 1, numbers of cells from 1 as they come, regions
+// as entities and physical groups. Throws Error(Unsupported) for nodes that are not those of a
+// lattice.
 GmshDocument gmsh_document_of(const VolumeMesh& mesh);
 
 // Nodes and elements in their order, with their tags. left_out: what that version or encoding has

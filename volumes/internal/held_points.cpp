@@ -25,7 +25,7 @@ constexpr double kFlat = 1e-12;
 // Sines of angles between planes: below the first they are one plane, above the second two, and
 // points between planes of angles in between are held.
 constexpr double kSamePlane = 1e-9, kOtherPlane = 1e-3;
-// Of det J, in parts of the product of its columns' sizes: far above the rounding of control
+// Rounding of det J, in parts of the product of its columns' sizes: far above that of control
 // points.
 constexpr double kRounding = 1e-12;
 
@@ -242,7 +242,7 @@ void HeldPoints::hold(Index point) {
   for (int d = 0; d < net_.dim(); ++d) held_[to_size(net_.dim() * point + d)] = 1;
 }
 
-// Of every connected piece the coordinates of one point that nothing else of the piece holds.
+// Holds in every connected piece the coordinates of one point that nothing else of it holds.
 void HeldPoints::hold_pieces() {
   UnionFind pieces(net_.count());
   for (const ControlNet::Part& part : net_.parts()) {

@@ -19,9 +19,9 @@ class HeldPoints final : public Constraint {
 
   void append_rows(ConstraintRows& rows) const override;
 
-  // Of each coordinate of a control point, whether it stays.
+  // Flags the coordinates of control points that stay.
   const std::vector<char>& held() const { return held_; }
-  // Whether nothing of a control point stays, in no plane either.
+  // True where nothing of a control point stays, in no plane either.
   bool is_free(Index point) const;
   Index sides() const { return sides_; }                // that are held
   Index curved_sides() const { return curved_sides_; }  // of these under Slide: in no plane

@@ -27,7 +27,7 @@ struct CellSide {
 // The key of a side with these corners.
 CellSide::Key side_key(std::span<const Index> corners);
 
-// Of all cells of most dimensions, sorted by their keys, then as the cells are.
+// Returns the sides of all cells of most dimensions, sorted by their keys, then as the cells are.
 std::vector<CellSide> sides_of(const VolumeMesh& mesh);
 
 // use(cells of a side), one side after the other.

@@ -114,7 +114,7 @@ class GmshOrder {
     if (shape == CellShape::Tetrahedron) add(shape, inside({1, 2, 3}), n - 4);
     if (shape == CellShape::Hexahedron) add(shape, inside({1, 3, 4}), n - 2);
     if (shape != CellShape::Wedge || n < 3) return;
-    // Of each inner node of the triangle, those of a segment: the ends first.
+    // Each inner node of the triangle has those of a segment: the ends first.
     const std::size_t begin = out_.size();
     add_triangle(inside({1, 2}), between(0, 1), between(0, 2), n - 3);
     const std::vector<Exponents> of_triangle(out_.begin() + static_cast<std::ptrdiff_t>(begin),

@@ -184,8 +184,8 @@ class ContinuousNodes {
 
   Index count() const { return count_; }
 
-  // Of the nodes of an element, in VTK's order. cell: its number; -1 for one of the boundary. Empty
-  // where the boundary is on nothing that elements have.
+  // Returns the nodes of an element, in VTK's order. cell: its number; -1 for one of the boundary.
+  // Empty where the boundary is on nothing that elements have.
   std::vector<Index> of(const MfemElement& element, Index cell) const {
     const CellShape shape = element.shape->shape;
     if (nodes_.count(shape) == 0) nodes_[shape] = {vtk_order(shape, n_), corner_weights(shape, n_)};

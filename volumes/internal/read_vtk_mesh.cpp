@@ -110,7 +110,7 @@ class EncodedPoints final : public MeshSource {
   Region region_;
 };
 
-// Of a file that does not say where its points stand as doubles.
+// The source of a file that does not say where its points stand as doubles.
 class UnwritablePoints final : public MeshSource {
  public:
   UnwritablePoints(std::string file, std::string content, Points3 original, std::string why)

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "majorant/elements/bernstein.h"
-#include "majorant/elements/bezier_solid_spaces.h"
+#include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/rounding.h"
 
@@ -142,7 +142,7 @@ std::vector<Number> serendipity_row(const Exponents& node, const std::vector<Exp
   return row;
 }
 
-// By rows: control points by the nodes that cells have.
+// The matrix, by rows, of control points by the nodes that cells have.
 template <class Number>
 std::vector<Number> control_matrix(const CellType& type, const BernsteinElement& element) {
   const std::vector<Exponents> nodes = element.functions(element.degrees());

@@ -21,8 +21,8 @@ BernsteinElement bernstein_element(CellShape shape, int degree);
 
 class ReferenceCell {
  public:
-  // Of a shape of two or three dimensions and a degree up to CellType::kMaxDegree; made once, at
-  // the first call, from any thread.
+  // The cell of a shape of two or three dimensions and a degree up to CellType::kMaxDegree; made
+  // once, at the first call, from any thread.
   static const ReferenceCell& of(const CellType& type);
 
   const CellType& type() const { return type_; }

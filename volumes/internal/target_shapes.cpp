@@ -113,7 +113,7 @@ class TargetShapes {
     rest.measure *= integer_power(factor, rest.dim);
   }
 
-  // Of each corner the mean det of the straight cells around it, with its sign: together they are
+  // Measures at each corner the mean det of the straight cells around it, with its sign: they are
   // the star of the corner, wherever that is. Where that is not positive, the mean of all cells; of
   // their magnitudes where these cancel; of the box of the mesh where all are flat.
   void measure_surroundings() {

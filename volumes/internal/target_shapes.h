@@ -9,8 +9,8 @@
 
 namespace majorant {
 
-// Of each part of the net. Throws InvalidArgument for sizes that are not positive, or not as many
-// as there are cells, or 1.
+// Returns the shapes of each part of the net. Throws InvalidArgument for sizes that are not
+// positive, or not as many as there are cells, or 1.
 std::vector<RestShapes> target_shapes(const VolumeMesh& mesh, const ControlNet& net,
                                       const VolumeOptions& options);
 

@@ -87,7 +87,8 @@ class Entities {
   }
   const std::map<EntityName, GmshDocument::Entity>& all() const { return all_; }
 
-  // Of every node: that of the file, else of the element of fewest dimensions that has it.
+  // Returns the entity of each node: that of the file, else of the element of fewest dimensions
+  // that has it.
   std::vector<EntityName> of_nodes() const {
     std::unordered_map<std::int64_t, EntityName> found;
     for (const GmshDocument::Element& e : document_.elements) {
@@ -254,7 +255,7 @@ class OldFormat {
  public:
   OldFormat(const GmshDocument& document, GmshWriter& out) : document_(document), out_(out) {}
 
-  // Whether elements are in more physical groups than one, of which the first is written.
+  // Returns whether elements are in more physical groups than one, of which the first is written.
   bool write() {
     require_small_tags();
     out_.begin_section("Nodes");

@@ -160,7 +160,7 @@ class Decimation {
   }
 
  private:
-  // Of every free vertex, as they come.
+  // Returns a candidate for every free vertex, as they come.
   std::vector<Candidate> candidates() {
     const auto count = static_cast<Index>(free_.size());
     std::vector<Candidate> all(free_.size());

@@ -18,9 +18,9 @@
 #include "majorant/framework/problem.h"
 #include "majorant/framework/stepper.h"
 #include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/scaffold/scaffold.h"
-#include "majorant/parametrization/solve/solve_options.h"
 #include "majorant/parametrization/solve/solver_rules.h"
 
 namespace majorant {

@@ -113,7 +113,7 @@ bool MapPieces::same_control_points(const std::vector<Index>& node, const CellEd
   return true;
 }
 
-// By vertex of the coarse mesh: the same for vertices that are one in the map.
+// Returns a number for each vertex of the coarse mesh, one for vertices that are one in the map.
 std::vector<Index> MapPieces::nodes_of_corners() const {
   const auto vertices = static_cast<Index>(positions_.size());
   const bool is_named = map_.input_vertex.size() > 0;

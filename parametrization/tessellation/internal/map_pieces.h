@@ -101,7 +101,7 @@ class MapPieces {
   CornerMesh coarse_;
   std::vector<Cell> cells_;
   std::array<std::vector<int>, 3> edge_points_;  // bezier_edge_points()
-  // Of edge e sides edge_begin_[e] to edge_begin_[e + 1] - 1.
+  // Edge e has the sides edge_begin_[e] to edge_begin_[e + 1] - 1.
   std::vector<Index> edge_begin_;
   std::vector<CellEdge> edge_sides_;
   std::vector<int> plane_sides_;  // by plane edge

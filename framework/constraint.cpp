@@ -1,4 +1,4 @@
-#include "majorant/framework/fixed_points.h"
+#include "majorant/framework/constraint.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,39 @@
+// What each file of the module _core registers in it; module.cpp calls all of them.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace majorant::python {
+
+namespace py = pybind11;
+
+// The library's exceptions as those of majorant/_errors.py: Error and Stopped by kind,
+// std::bad_alloc as MemoryError, all else that the library throws as InternalError. Exceptions of
+// Python pass through the library as they are.
+void translate_errors();
+
+void bind_steps(py::module_& module);      // Step, of callbacks
+void bind_meshes(py::module_& module);     // Mesh, mesh_of_arrays, read_mesh
+void bind_map_files(py::module_& module);  // MapFile, read_map, save_map, svg_text, multi_indices,
+                                           // what plots need
+// parametrize, seamless and deform; unwrap. Each takes a Mesh, keywords (options.h) and a callback,
+// and returns
+//     (MapFile, Mesh, promise, input, status, message, report)
+// for Python to make a Map of: the mesh as writers want it, what files must be proven to be,
+// whether formats of meshes keep its polygons, and the report as JSON. Raises where there is no
+// valid map.
+void bind_solvers(py::module_& module);
+void bind_unwrap(py::module_& module);
+void bind_check(py::module_& module);     // check_map
+void bind_places(py::module_& module);    // InverseMap, SurfaceTree
+void bind_spaces(py::module_& module);    // Space, triangle_space, tetrahedron_space, quad_space
+void bind_terms(py::module_& module);     // Term, energy_terms, penalty, linear_term, element_term,
+                                          // robust_loss
+void bind_problems(py::module_& module);  // Problem
+void bind_quads(py::module_& module);     // Quads, quad_mesh, save_quads
+void bind_volumes(py::module_& module);   // Volume, read_volume, make_volume, check_volume, ...
+
+}  // namespace majorant::python
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
