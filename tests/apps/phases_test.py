@@ -117,8 +117,8 @@ class Terminal(CommandTest):
         self.assertTrue(any('iteration' in line for line in live) or verb == ['unwrap'])
 
     def test_the_chart_of_a_step(self):
-        """Charts of 2,000 faces and more are solved one by one: their steps say which one it is."""
-        points, faces = grid(32)
+        """Charts of 5,000 faces and more are solved one by one: their steps say which one it is."""
+        points, faces = grid(52)
         moved = [(x + 9, y, z) for x, y, z in points]
         twice = faces + [tuple(v + len(points) for v in face) for face in faces]
         mesh = self.write('two.obj', obj_text(points + moved, twice))
