@@ -58,9 +58,9 @@ class LiveLine {
 
   void begin(Activity activity) {
     const std::lock_guard lock(mutex_);
+    if (activity_ != activity) part_.clear();  // a chart may be solved more than once
     activity_ = activity;
     since_ = Clock::now();
-    part_.clear();
     step_.clear();
     show();
   }
