@@ -43,7 +43,8 @@ std::size_t terminal_width() {
 // The line at the bottom of a terminal.
 class LiveLine {
  public:
-  explicit LiveLine(std::vector<Activity> stages) : stages_(std::move(stages)) {
+  explicit LiveLine(std::vector<Activity> stages)
+      : stages_(std::move(stages)), cuts_(std::ranges::count(stages_, Activity::Cutting) > 0) {
     try {
       thread_ = std::jthread([this](const std::stop_token& ended) { tick(ended); });
     } catch (const std::system_error&) {  // no room for a thread: shown when something happens
@@ -57,13 +58,21 @@ class LiveLine {
 
   void begin(Activity activity) {
     const std::lock_guard lock(mutex_);
+    if (activity_ != activity) part_.clear();  // a chart may be solved more than once
     activity_ = activity;
     since_ = Clock::now();
     step_.clear();
     show();
   }
+  void say_of_part(std::string_view text) {
+    const std::lock_guard lock(mutex_);
+    part_ = text;
+    step_.clear();
+    show();
+  }
   void say_of_step(std::string text) {
     const std::lock_guard lock(mutex_);
+    if (!cuts_) part_.clear();
     step_ = std::move(text);
     show();
   }
@@ -77,8 +86,9 @@ class LiveLine {
   }
   void show() const {
     if (!activity_) return;
-    const std::string text = fmt::format("{}{} {:.1f} s  {}", bar(), activity_name(*activity_),
-                                         seconds_since(since_), step_);
+    const std::string text = fmt::format("{}{} {:.1f} s  {}{}{}", bar(), activity_name(*activity_),
+                                         seconds_since(since_), part_,
+                                         part_.empty() || step_.empty() ? "" : "  ", step_);
     show_live(std::string_view(text).substr(0, terminal_width() - 1));
   }
 
@@ -92,11 +102,13 @@ class LiveLine {
   }
 
   const std::vector<Activity> stages_;
+  const bool cuts_;   // then parts are charts, and last for many steps; else until the next step
   std::mutex mutex_;  // of all below
   std::condition_variable_any changed_;
   std::optional<Activity> activity_;
   Clock::time_point since_;
-  std::string step_;  // the last one, or what came after it
+  std::string part_;  // what was announced
+  std::string step_;  // the last one of it
   std::jthread thread_;
 };
 
@@ -155,7 +167,7 @@ class Progress::Display {
     say("{}\n", line(e));
   }
   void announce(std::string_view part) {
-    if (live_) live_->say_of_step(std::string(part));
+    if (live_) live_->say_of_part(part);
     if (log_) log_->announce(part);
   }
   void finish() {

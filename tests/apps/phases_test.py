@@ -100,7 +100,7 @@ class Terminal(CommandTest):
             text = self.said(*verb, generated('cap'), self.path('a.vtu'))
             *live, last = text.split(CLEAR)
             shown = [re.fullmatch(r'\[(#+)(\.*)\] (\d) of (\d) (\w+) \d+\.\d s  '
-                                  r'(degree .*|raising the degree to 2|chart 1 of 1)?', line) for line in live]
+                                  r'((chart 1 of 1  )?degree .*|raising the degree to 2|chart 1 of 1)?', line) for line in live]
             names = [line[5] for line in shown]
             self.assertTrue(all((len(line[1]), len(line[1] + line[2])) == (int(line[3]), int(line[4]))
                                 for line in shown), live)
@@ -115,6 +115,17 @@ class Terminal(CommandTest):
             self.assertTrue(last.endswith('\n'))
             self.assertNotIn('\x1b', last)
         self.assertTrue(any('iteration' in line for line in live) or verb == ['unwrap'])
+
+    def test_the_chart_of_a_step(self):
+        """Charts of 5,000 faces and more are solved one by one: their steps say which one it is."""
+        points, faces = grid(52)
+        moved = [(x + 9, y, z) for x, y, z in points]
+        twice = faces + [tuple(v + len(points) for v in face) for face in faces]
+        mesh = self.write('two.obj', obj_text(points + moved, twice))
+        live = self.said('unwrap', mesh, self.path('a.obj')).split(CLEAR)
+        steps = [line for line in live if 'iteration' in line]
+        self.assertEqual({line.split('s  ')[1].split('  degree')[0] for line in steps},
+                         {'chart 1 of 2', 'chart 2 of 2'})
 
     def test_check(self):
         self.run_ok('parametrize', generated('cap'), self.path('a.vtu'), '--degree', '2', '--quiet')

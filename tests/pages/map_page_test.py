@@ -50,6 +50,23 @@ class MapPage(CommandTest):
         for fault in faults:  # not hidden by others
             self.assertIn(fault['seen'], [f['face'] for f in faults])
 
+    def test_elements_are_not_faces(self):
+        """The page of elements of a mesh of volumes says elements, by the numbers of the input."""
+        vertices = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)]
+        mesh = self.write('a.mesh', '\n'.join([
+            'MeshVersionFormatted 2', 'Dimension 3', 'Vertices 5',
+            *('%d %d %d 0' % point for point in vertices),
+            'Tetrahedra 2', '1 2 3 4 7', '3 2 4 5 8', 'End', '']))
+        self.run_ok('mesh', 'check', mesh, '-o', self.path('bad.html'), code=INVALID)
+        text = self.play('facts', 'bad.html')['text']
+        for words in ('2 elements · invalid · 1 element fails', 'element 2 (tetrahedra, region 8)',
+                      'element 1 ', 'Point at an element'):
+            self.assertIn(words, ' '.join(text.split()))
+        self.assertNotIn('straight', text)  # they are
+        self.assertNotIn(' face', text.split('all of the report')[0])
+        found = self.play('faults', 'bad.html')
+        self.assertEqual(len(found), 1)
+
     def test_draw_calls(self):
         points = {'handles': [{'vertex': 0, 'target': 'initial'}]}
         closed = self.write('torus.obj', obj_text(*torus(10, 6, 0)))

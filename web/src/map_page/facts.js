@@ -4,7 +4,7 @@
 // What is known of the map, in words: one line below the title, numbers, proofs, faults.
 
 import {byId, element} from './elements.js';
-import {middleOf} from './map_data.js';
+import {middleOf, nameOf} from './map_data.js';
 import {count, degreeName, readable} from './numbers.js';
 import {captionsOf} from './pair.js';
 import {extremePlaces, sampleSingularValues} from './sampling.js';
@@ -17,6 +17,9 @@ const resultNames = [
   ['seam_length_relative', 'seam length'], ['fill', 'square filled'],
 ];
 
+const failing = (map) => count(map.faults.length, ...(map.isOfElements
+    ? ['element fails', 'elements fail'] : ['face fails', 'faces fail']));
+
 const wordsOf = (status) => String(status ?? 'status').replaceAll('_', ' ');
 
 // frame: of the film; null: of the map itself.
@@ -28,14 +31,15 @@ export function summaryOf(map, frame, other = null) {
     return [`iteration ${readable(iteration)}, ${degreeName(degree)}`,
             count(map.faceCount, 'face'), `energy ${readable(energy, 6)}`].join(' \u00b7 ');
   }
-  const parts = [`${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
+  const parts = [map.isOfElements ? count(new Set(map.chart).size, 'element')
+                                  : `${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
   const energy = map.claims.energy;
   const value = facts.result?.value ?? map.claims.value;
   if (energy && Number.isFinite(value)) parts.push(`${energy} ${readable(value)}`);
   else if (energy) parts.push(energy);
   if (facts.status) parts.push(wordsOf(facts.status));
   if (facts.result?.overlaps) parts.push(String(facts.result.overlaps));
-  if (map.faults.length > 0) parts.push(count(map.faults.length, 'face fails', 'faces fail'));
+  if (map.faults.length > 0) parts.push(failing(map));
   return parts.join(' \u00b7 ');
 }
 
@@ -132,7 +136,7 @@ export function listOverlaps(app) {
 
 const kListed = 200;
 
-// Faces that fail, as buttons that show them.
+// Faces or elements that fail, as buttons that show them.
 export function listFaults(app) {
   const {faults} = app.map;
   if (faults.length === 0) return;
@@ -141,8 +145,8 @@ export function listFaults(app) {
   const items = faults.slice(0, kListed).map(({face, text}) => element('li', {},
       element('button', {
         type: 'button', onclick: () => app.focusOn({face, xi: [1 / 3, 1 / 3, 1 / 3]}),
-      }, `face ${readable(face)}`), ` ${text}`));
-  section.append(element('h2', {}, count(faults.length, 'face fails', 'faces fail')),
+      }, nameOf(app.map, face)), ` ${text.replace(/^element \d+ /, '')}`));
+  section.append(element('h2', {}, failing(app.map)),
                  element('ul', {}, ...items));
   if (faults.length > kListed)
     section.append(element('p', {className: 'note'}, `The first ${kListed} are listed.`));

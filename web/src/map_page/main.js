@@ -20,7 +20,7 @@ import {Marks, themeColor} from './marks.js';
 import {differenceScale, link, makeRoom} from './pair.js';
 import {partnerOf} from './partner.js';
 import {pictureOf} from './picture.js';
-import {addSearch, listCharts} from './places.js';
+import {addSearch, facesOfChart, listCharts} from './places.js';
 import {followPointer} from './pointer.js';
 import {Readout, measure} from './readout.js';
 import {Scale} from './scales.js';
@@ -45,6 +45,7 @@ function titlesOf(map, scales) {
     'sigma-min': 'Smaller singular value \u03c3\u2082',
     'difference': `Density of ${map.claims.energy}, A less B`,
   };
+  if (map.isOfElements) return {chart: 'Elements', texture: 'Texture'};  // no distortion to see
   const titles = {texture: 'Texture'};
   for (const name of Object.keys(scales)) titles[name] = known[name];
   if (map.chart) titles.chart = 'Charts';
@@ -61,10 +62,11 @@ function makeApp() {
     scales.difference = differenceScale(map, other, energy, scales.area);
   const isDeformation = map.claims.init === 'planar';
   const state = new State({
-    show: scales[data.show] ? data.show : scales.difference ? 'density' : 'texture',
+    show: map.isOfElements ? 'chart' : scales[data.show] ? data.show
+        : scales.difference ? 'density' : 'texture',
     texture: 'checker', squares: 0, rest: isDeformation, wipe: 0, range: null, brush: null,
     edges: true, seams: true, cones: true, points: true, scaffold: true, faults: true,
-    overlaps: map.cones.length === 0, square: map.isInSquare,
+    overlaps: map.cones.length === 0, square: map.isInSquare && !map.isOfElements,
     hovered: null, pinned: null, frame: null, pictureScale: 1, isTransparent: false, theme: 0,
   });
   return {
@@ -171,6 +173,8 @@ function addViews(app) {
   app.goHome = () => allViews.forEach((view) => view.setPose(view.homePose));
   app.focusOn = (place) => {
     state.set({pinned: place});
+    if (app.map.isOfElements)
+      return app.showFaces(facesOfChart(app.map, app.map.chart[place.face]));
     for (const view of allViews) view.focusOn(place);
   };
   app.showFaces = (faces) => allViews.forEach((view) => view.showFaces(faces));

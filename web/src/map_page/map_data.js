@@ -4,6 +4,7 @@
 // What the page holds (docs/pictures.md), as arrays.
 
 import {cellSize, lastTriangle, restInverse} from './bezier.js';
+import {readable} from './numbers.js';
 
 function bytesOf(base64) {
   const text = atob(base64);
@@ -138,12 +139,19 @@ export function readMap(data) {
   map.shownBounds = map.snapshots.reduce(
       (all, {uv}) => unionOf(all, boundsOf(turnedAlong(map.direction, uv), 2)), map.turnedBounds);
   map.bounds = boundsOf(map.positions, 3);
+  // Not a map of a surface, but the sides of elements of a mesh of volumes, a chart for each element,
+  // whose number is that of the input.
+  map.isOfElements = map.facts.command === 'mesh check';
   // Made for the unit square, or of whoever knows none but that.
   map.isInSquare = Boolean(map.claims.normalized) || map.scaleIsAssumed;
   map.contacts = contactsOf(map);
   addGeometry(map);
   return map;
 }
+
+// "face 12" of the page, or the element that it is a part of.
+export const nameOf = (map, face) => (map.isOfElements ? `element ${map.inputFace[face]}`
+                                                       : `face ${readable(face)}`);
 
 // Of the map, or of the straight map of the same corners: at xi on a face.
 export function evaluate(map, face, xi, uv = map.uv) {

@@ -4,7 +4,7 @@
 // Going to a face, a vertex, a chart by its number.
 
 import {byId, element} from './elements.js';
-import {cornersOf} from './map_data.js';
+import {cornersOf, nameOf} from './map_data.js';
 import {count, percent, readable} from './numbers.js';
 
 const kMiddle = [1 / 3, 1 / 3, 1 / 3];
@@ -23,11 +23,16 @@ function placeOfVertex(map, vertex) {
 const finders = {
   face: ({faceCount}, face) => (face < faceCount ? {face, xi: kMiddle} : null),
   vertex: placeOfVertex,
+  element: ({inputFace}, number) => {
+    const face = inputFace.indexOf(number);
+    return face < 0 ? null : {face, xi: kMiddle};
+  },
 };
 
 export function addSearch(app) {
   const {map} = app;
   const form = byId('search'), kind = byId('search-kind'), number = byId('search-number');
+  if (map.isOfElements) kind.replaceChildren(element('option', {}, 'element'));
   form.addEventListener('submit', (event) => {
     event.preventDefault();
     const wanted = Number(number.value);
@@ -53,6 +58,9 @@ function chartsOf(map) {
   return [...charts.values()].sort((a, b) => b.area - a.area);
 }
 
+export const facesOfChart = (map, chart) =>
+    Array.from(map.chart.keys()).filter((face) => map.chart[face] === chart);
+
 // The face whose corners are nearest to the mean of all in the layout.
 function middleFace(map, faces) {
   const middleOf = (face) => cornersOf(map, face).reduce(
@@ -76,9 +84,11 @@ export function listCharts(app) {
   };
   const items = charts.slice(0, kMostCharts).map((entry) => element('li', {},
       element('button', {type: 'button', onclick: () => show(entry)},
-              `chart ${readable(entry.chart)}`),
-      ` ${count(entry.faces.length, 'face')}, ${percent(entry.area / total)} of the area`));
-  section.append(element('h2', {}, count(charts.length, 'chart')), element('ul', {}, ...items));
+              map.isOfElements ? nameOf(map, entry.faces[0]) : `chart ${readable(entry.chart)}`),
+      `${map.isOfElements ? '' : ` ${count(entry.faces.length, 'face')},`}` +
+          ` ${percent(entry.area / total)} of the area`));
+  section.append(element('h2', {}, count(charts.length, map.isOfElements ? 'element' : 'chart')),
+                 element('ul', {}, ...items));
   if (charts.length > kMostCharts)
     section.append(element('p', {className: 'note'}, `The largest ${kMostCharts} are listed.`));
 }

@@ -31,13 +31,15 @@ function linesOf(app, place) {
   const valueOf = (name) => readable(values[name], 6) +
       (others ? ` | ${readable(others[name], 6)}` : '');
   const {face} = place;
-  const lines = [['face', readable(face)]];
   const input = map.inputFace?.[face];
+  const position = ['x y z', ['x', 'y', 'z'].map((name) => readable(values[name], 6)).join('  ')];
+  if (map.isOfElements) return [['element', String(input)], position];
+  const lines = [['face', readable(face)]];
   if (input !== undefined && input !== face) lines.push(['of the input', readable(input)]);
   if (map.chart) lines.push(['chart', readable(map.chart[face])]);
   if (others) lines.push(['', 'A | B']);
   lines.push(['u', valueOf('u')], ['v', valueOf('v')]);
-  lines.push(['x y z', ['x', 'y', 'z'].map((name) => readable(values[name], 6)).join('  ')]);
+  lines.push(position);
   for (const name of ['sigma-max', 'sigma-min', 'area', 'angle', 'density'])
     if (name in values) lines.push([app.symbols[name], valueOf(name)]);
   if (others && 'density' in values)
@@ -72,8 +74,10 @@ export class Readout {
     if (state.hovered) columns.push(column('Pointed at', state.hovered));
     if (columns.length === 0)
       columns.push(element('p', {className: 'note'},
-                           'Point at a face for its numbers and, at a cut, for its other side; ' +
-                               'click to keep them.'));
+                           this.app.map.isOfElements
+                               ? 'Point at an element for its number; click to keep it.'
+                               : 'Point at a face for its numbers and, at a cut, for its other ' +
+                                   'side; click to keep them.'));
     this.body.replaceChildren(...columns);
     const said = state.pinned ? linesOf(this.app, state.pinned).map((l) => l.join(' ')).join(', ')
                               : '';

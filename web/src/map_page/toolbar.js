@@ -20,8 +20,9 @@ const titles = {
 };
 
 // What is shown on the map.
-export function makeChoices({state, titles}) {
-  choice(byId('show'), Object.keys(titles).map((name) => [name, labels[name], titles[name]]),
+export function makeChoices({state, map, titles}) {
+  choice(byId('show'), Object.keys(titles).map((name) => [
+    name, map.isOfElements && name === 'chart' ? 'elements' : labels[name], titles[name]]),
          state, 'show', (name) => state.set({show: name, brush: null, range: null}));
 }
 
@@ -59,7 +60,8 @@ function addTextures({state, map}) {
   });
 }
 
-function addSlider({state, map}) {
+function addSlider({state, map, other}) {
+  byId('wipe').parentElement.hidden = Math.max(map.degree, other?.degree ?? 1) === 1;
   byId('wipe').addEventListener('input', () => state.set({wipe: byId('wipe').value / 100}));
   state.watch(['wipe'], () => {
     byId('wipe').value = 100 * state.wipe;
