@@ -12,7 +12,8 @@ namespace {
 // Of texels that hardly a reading has a part of: they stay.
 constexpr double kLeast = 1e-3;
 // How far a value lies outside of the range of its texels, in that range: where a filter rounds off
-// what bends, less. Beside it a quarter of the step of 8 bits.
+// what bends, less. Beside it a quarter of the step of 8 bits. What is set lies no farther outside
+// of the range of all.
 constexpr double kOutside = 0.5;
 constexpr double kQuarterOfStep = 0.25 / 255;
 // Readings between two polls.
@@ -98,9 +99,10 @@ void level_seams(Raster& raster, Transfer transfer, const std::vector<std::size_
         if (place[l] >= 0) entries.push_back({place[k], place[l], weight * reading.weights[l]});
     }
   }
-  if (size == 0) return;
+  if (rhs.isZero(0)) return;
   stop.poll();
   const SparseSpd normal_equations(size, 1, entries, "texels around charts cannot be levelled");
+  const Vec beyond = kOutside * (all.most - all.least);
   for (Index c = 0; c < channels; ++c) {
     stop.poll();
     const Vec raised = normal_equations.solve(rhs.col(c));
@@ -108,8 +110,8 @@ void level_seams(Raster& raster, Transfer transfer, const std::vector<std::size_
       if (raised[i] == 0) continue;
       const std::size_t texel = free[to_size(i)];
       const int x = column(texel), y = row(texel), channel = static_cast<int>(c);
-      const double value =
-          std::clamp(decoder(raster, x, y, channel) + raised[i], all.least[c], all.most[c]);
+      const double value = std::clamp(decoder(raster, x, y, channel) + raised[i],
+                                      all.least[c] - beyond[c], all.most[c] + beyond[c]);
       raster.set(x, y, channel,
                  raster.depth() == PixelDepth::Float
                      ? static_cast<float>(value)
