@@ -14,7 +14,7 @@ D the diagonal; and a checkerboard of 64 cells along D. One sample a texel, wher
   second layout is cut, the difference of what a bilinear filter reads on the two sides, less that of the first
   texture there, which is 0 where the first layout is not cut; in codes of 1/255, of a second atlas of floats, so
   that no rounding is in it. Crowded are points at which one of the layouts has another part of the surface, or the other
-  side of the cut, within two or three texels: what is read there no baker can help; they are counted, and left out.
+  side of the cut, within a filter's reach: what is read there no baker can help; they are counted, and left out.
 * Copies: from a mesh to a coarser one; compared with the formula at the points of the mesh that the copy shows. With
   --blender PROGRAM (3.4 of Debian 12) also by Cycles, which looks for them along normals (selected to active, rays
   from 2 % of the diagonal outside, 16 samples): compared at the points that it finds, which it bakes as well; then
@@ -40,7 +40,7 @@ CHARTS = 4740
 STRIP, APART = 0.2, 1.7
 OFF = 3  # codes
 APART_AT_LEAST = 3  # texels, of the two sides of a cut: filters of both read two each way
-FAR = 2.5  # texels from what a filter reads at one point: another part of the surface
+FAR = 1.5  # texels from what a filter reads at one point, sqrt 2 at most: another part of the surface
 OUTSIDE, SAMPLES = 0.02, 16  # Blender's: where rays begin, of the diagonal; rays of a texel
 
 

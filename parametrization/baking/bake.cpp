@@ -12,6 +12,7 @@
 
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/polygon_mesh.h"
+#include "majorant/parametrization/baking/seam_levelling.h"
 #include "majorant/parametrization/baking/texel_grid.h"
 #include "majorant/parametrization/maps/distortion.h"
 
@@ -27,6 +28,14 @@ constexpr int kReach = 2;
 // Straight pieces along the edge of a curved face, for what it covers of texels beside its centres:
 // chords of 8 leave a 64th of the sagitta.
 constexpr int kPiecesOfCurve = 8;
+// Texels between the points of a border at which seams are levelled.
+constexpr double kBetweenReadings = 0.25;
+// What a filter reads at a point of a border lies no farther than the diagonal of a texel, and a
+// little for its stretch; beyond is another part of the surface.
+constexpr double kReachOfFilter = 1.5;
+// By how much of their range the values on both sides of a cut differ at most: else the source has
+// a seam there, and what is right is not known.
+constexpr double kSeamOfSource = 1.0 / 255;
 
 Vector3 position_at(const SurfaceMesh& mesh, const SurfacePlace& place) {
   Vector3 p = Vector3::Zero();
@@ -156,6 +165,12 @@ class Band {
           return true;
     return false;
   }
+  bool has_none_beside(int x, int y) {
+    for (int row = y - 1; row <= y + 1; ++row)
+      for (int column = std::max(x - 1, 0); column <= std::min(x + 1, width_ - 1); ++column)
+        if (at(column, row).texel != Texel::Centre) return true;
+    return false;
+  }
 
   int top() const { return top_; }
   int bottom() const { return bottom_; }
@@ -172,6 +187,20 @@ SurfacePlace shown(const std::vector<Preimage>& found) {
   const Preimage& one = proven == found.end() ? found.front() : *proven;
   return {one.face, one.barycentric};
 }
+
+// Where the surface lies that a texel beside a border shows.
+struct Beside {
+  std::size_t texel;
+  Vector3 position;
+  bool is_free;  // its centre lies in no chart
+};
+
+// What a filter should read along a half-edge of a border.
+struct BorderValues {
+  std::vector<FilterReading> readings;
+  std::vector<float> values;  // channels together
+  std::vector<float> across;  // those on the other side of a cut; the same beside none
+};
 
 // Memory of a task, and the face that its last answer came from.
 struct Scratch {
@@ -196,6 +225,7 @@ class Baker {
         baked_{{options.width, options.height, values.channels, options.depth}, {}} {
     const Index charts =
         chart_of_.empty() ? 0 : *std::max_element(chart_of_.begin(), chart_of_.end()) + 1;
+    beside_.resize(to_size((options.height + kRowsOfBand - 1) / kRowsOfBand));
     has_texel_ = std::vector<std::atomic<char>>(to_size(charts));
   }
 
@@ -217,6 +247,7 @@ class Baker {
     all.texels = static_cast<long>(texels_.size());
     all.charts = static_cast<Index>(has_texel_.size());
     for (const auto& has : has_texel_) all.charts_without_texels += has ? 0 : 1;
+    if (has_margin() && options_.samples == 1) level(stop);
     fill_from_nearest(baked_.image, texels_, options_.padding, stop);
     return std::move(baked_);
   }
@@ -308,6 +339,12 @@ class Baker {
       counts.misses += is_covered ? 1 : 0;
     }
     texels_[to_size(y) * to_size(options_.width) + to_size(x)] = texel;
+    if (has_margin() && (beyond != nullptr || texel == Texel::Centre) && has_value(texel) &&
+        band.has_none_beside(x, y))
+      remember(
+          x, y,
+          beyond == nullptr ? std::optional(covered.place) : place_at(grid_.center(x, y), beyond),
+          beyond != nullptr);
     const bool is_encoded = options_.depth != PixelDepth::Float && has_value(texel);
     for (int c = 0; c < values_.channels; ++c)
       baked_.image.set(x, y, c,
@@ -326,6 +363,113 @@ class Baker {
     const bool is_wide = band.has_center_beside(x, y, chart_of(covered.place.face),
                                                 [&](Index face) { return chart_of(face); });
     return is_wide ? covered.beside : nullptr;
+  }
+
+  void remember(int x, int y, const std::optional<SurfacePlace>& place, bool is_free) {
+    if (place)
+      beside_[to_size(y / kRowsOfBand)].push_back(
+          {to_size(y) * to_size(options_.width) + to_size(x),
+           position_at(layout_.map().mesh(), *place), is_free});
+  }
+
+  // Sets what is shown around charts so that a filter reads at their borders what is there.
+  void level(const StopCheck& stop) {
+    std::vector<Beside> beside;
+    std::vector<std::size_t> free;
+    for (std::vector<Beside>& of_band : beside_) {
+      for (const Beside& one : of_band)
+        if (one.is_free) free.push_back(one.texel);
+      beside.insert(beside.end(), of_band.begin(), of_band.end());
+      of_band = {};
+    }
+    const std::vector<Index>& opposite = layout_.map().mesh().opposites();
+    std::vector<Index> border;
+    for (std::size_t h = 0; h < opposite.size(); ++h)
+      if (opposite[h] < 0) border.push_back(static_cast<Index>(h));
+    std::vector<BorderValues> found(border.size());
+    parallel_tasks(static_cast<Index>(border.size()), [&](Index task, int) {
+      stop.poll();
+      read_border(border[to_size(task)], beside, found[to_size(task)]);
+    });
+    std::vector<FilterReading> readings;
+    std::vector<float> values, across;
+    for (const BorderValues& one : found) {
+      readings.insert(readings.end(), one.readings.begin(), one.readings.end());
+      values.insert(values.end(), one.values.begin(), one.values.end());
+      across.insert(across.end(), one.across.begin(), one.across.end());
+    }
+    found = {};
+    const auto count = static_cast<Index>(readings.size());
+    using Floats = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::Map<const Floats> here(values.data(), count, values_.channels),
+        there(across.data(), count, values_.channels);
+    if (count == 0) return;
+    const Eigen::RowVectorXf most_apart =
+        static_cast<float>(kSeamOfSource) * (here.colwise().maxCoeff() - here.colwise().minCoeff());
+    std::vector<Index> kept;
+    for (Index r = 0; r < count; ++r)
+      if (((here.row(r) - there.row(r)).cwiseAbs() - most_apart).maxCoeff() <= 0) kept.push_back(r);
+    RowMatrix targets(static_cast<Index>(kept.size()), values_.channels);
+    std::vector<FilterReading> used;
+    for (const Index r : kept) {
+      targets.row(static_cast<Index>(used.size())) = here.row(r).cast<double>();
+      used.push_back(readings[to_size(r)]);
+    }
+    level_seams(baked_.image, options_.transfer, free, used, targets, stop);
+  }
+
+  // Along a half-edge of a border: the points at which all that a filter reads is near.
+  void read_border(Index half_edge, const std::vector<Beside>& beside, BorderValues& found) const {
+    const BezierMap& map = layout_.map();
+    const Index other = continuation_.across(half_edge);
+    const auto on = [](Index h, double t) {
+      SurfacePlace place{face_of(h), Barycentric::Zero()};
+      place.barycentric[corner_of(h)] = 1 - t;
+      place.barycentric[(corner_of(h) + 1) % 3] = t;
+      return place;
+    };
+    const auto uv_at = [&](double t) {
+      const SurfacePlace place = on(half_edge, t);
+      return map.evaluate(place.face, place.barycentric);
+    };
+    const Vector2 texels(options_.width, options_.height);
+    double length = 0;
+    for (int k = 0; k < kPiecesOfCurve; ++k)
+      length += (uv_at((k + 1.0) / kPiecesOfCurve) - uv_at(1.0 * k / kPiecesOfCurve))
+                    .cwiseProduct(texels)
+                    .norm();
+    const double of_surface =
+        (position_at(map.mesh(), on(half_edge, 1)) - position_at(map.mesh(), on(half_edge, 0)))
+            .norm();
+    const double reach = kReachOfFilter * of_surface / length;
+    const int count = static_cast<int>(std::ceil(length / kBetweenReadings));
+    Scratch scratch(values_.channels);
+    for (int k = 0; k < count; ++k) {
+      const double t = (k + 0.5) / count;
+      const SurfacePlace place = on(half_edge, t);
+      FilterReading reading;
+      if (!reading_at(baked_.image, uv_at(t), reading) ||
+          !is_near(reading, beside, position_at(map.mesh(), place), reach) ||
+          !value_at(place, scratch.value, scratch.likely))
+        continue;
+      scratch.one = scratch.value;
+      if (other >= 0 && !value_at(on(other, 1 - t), scratch.one, scratch.likely)) continue;
+      reading.length = length / count;
+      found.readings.push_back(reading);
+      found.values.insert(found.values.end(), scratch.value.begin(), scratch.value.end());
+      found.across.insert(found.across.end(), scratch.one.begin(), scratch.one.end());
+    }
+  }
+
+  static bool is_near(const FilterReading& reading, const std::vector<Beside>& beside,
+                      const Vector3& position, double reach) {
+    return std::all_of(reading.texels.begin(), reading.texels.end(), [&](std::size_t texel) {
+      const auto found =
+          std::lower_bound(beside.begin(), beside.end(), texel,
+                           [](const Beside& one, std::size_t t) { return one.texel < t; });
+      return found != beside.end() && found->texel == texel &&
+             (found->position - position).norm() <= reach;
+    });
   }
 
   // The point of the surface at this point of the layout, or of a piece that is continued there;
@@ -379,6 +523,7 @@ class Baker {
   ChartContinuation continuation_;
   std::vector<Index> chart_of_;  // by face
   std::vector<Texel> texels_;
+  std::vector<std::vector<Beside>> beside_;   // by band
   std::vector<std::atomic<char>> has_texel_;  // by chart
   BakedImage baked_;
 };

@@ -8,10 +8,10 @@
 //
 // Every texel whose centre lies in a chart gets the value there. Others that a bilinear filter
 // reads at a point of a chart get that of the surface as it goes on beyond the chart's border,
-// across cuts: the two sides of a cut look alike. Where a chart is so thin that it has no centre
-// around, they get the value at the middle of what is covered, of the face that covers most of it;
-// charts without any centre have texels so. What is around is filled from the nearest of these
-// texels.
+// across cuts, levelled so that the filter reads at borders what is there: the two sides of a cut
+// look alike. Where a chart is so thin that it has no centre around, they get the value at the
+// middle of what is covered, of the face that covers most of it; charts without any centre have
+// texels so. What is around is filled from the nearest of these texels.
 //
 // Not for layouts outside of [0, 1]^2, of which nothing is seen: is_in_unit_square().
 #pragma once

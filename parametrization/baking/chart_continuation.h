@@ -32,6 +32,8 @@ class ChartContinuation {
 
   // barycentric: sum 1, of any sign. The result has none below 0.
   SurfacePlace at(const SurfacePlace& place) const;
+  // The half-edge on the other side of an edge or a cut; -1 at the border of the surface.
+  Index across(Index half_edge) const { return across_[to_size(half_edge)]; }
 
  private:
   SurfacePlace nearest(Index face, const Vector3& point) const;
