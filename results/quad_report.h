@@ -1,7 +1,8 @@
 // What reports and lines say of a quad mesh that was judged.
 //
 //   const QuadCheck check = check_quads(polygons, mesh.get());
-//   const Json section = quads_section(check, QuadsComparedWith::Surface);
+//   const Json section =
+//       quads_section(check, QuadsComparedWith::Surface, QuadsFeatures::NotAsked);
 //   std::cout << describe(check, QuadsComparedWith::Surface) << "\n";
 #pragma once
 
