@@ -100,7 +100,8 @@ class Terminal(CommandTest):
             text = self.said(*verb, generated('cap'), self.path('a.vtu'))
             *live, last = text.split(CLEAR)
             shown = [re.fullmatch(r'\[(#+)(\.*)\] (\d) of (\d) (\w+) \d+\.\d s  '
-                                  r'(degree .*|(chart 1 of 1  )?iteration .*|raising the degree to 2|chart 1 of 1)?', line) for line in live]
+                                  r'(degree .*|(chart 1 of 1  )?iteration .*|raising the degree to 2|'
+                                  r'chart 1 of 1)?', line) for line in live]
             names = [line[5] for line in shown]
             self.assertTrue(all((len(line[1]), len(line[1] + line[2])) == (int(line[3]), int(line[4]))
                                 for line in shown), live)
