@@ -20,15 +20,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::string line(const TraceEntry& e) {
+std::string without_degree(const TraceEntry& e) {
   const std::string phase =
       e.phase == Phase::Newton ? "" : fmt::format("  ({})", phase_name(e.phase));
   const std::string level = e.level == 0 ? "" : fmt::format("  (level {})", e.level);
   // With a scaffold the sum of both energies decreases.
   const double decrease = e.record.relative_decrease;
-  return fmt::format("degree {}  iteration {:3}  energy {:.8g}  {} {:.1e}  step {:.2g}{}{}",
-                     e.degree, e.record.iteration, e.energy, decrease < 0 ? "increase" : "decrease",
+  return fmt::format("iteration {:3}  energy {:.8g}  {} {:.1e}  step {:.2g}{}{}",
+                     e.record.iteration, e.energy, decrease < 0 ? "increase" : "decrease",
                      std::abs(decrease), e.record.step, phase, level);
+}
+
+std::string line(const TraceEntry& e) {
+  return fmt::format("degree {}  {}", e.degree, without_degree(e));
 }
 
 // The number of characters that fit on one line: a line that wraps cannot be taken away.
@@ -70,10 +74,11 @@ class LiveLine {
     step_.clear();
     show();
   }
-  void say_of_step(std::string text) {
+  // After a chart there is room for the energy on 80 columns without the degree that most have.
+  void say_of_step(const TraceEntry& e) {
     const std::lock_guard lock(mutex_);
     if (!cuts_) part_.clear();
-    step_ = std::move(text);
+    step_ = cuts_ && e.degree == 1 ? without_degree(e) : line(e);
     show();
   }
 
@@ -159,7 +164,7 @@ class Progress::Display {
     if (log_) log_->begin(activity);
   }
   void note(const TraceEntry& e) {
-    if (live_) return live_->say_of_step(line(e));
+    if (live_) return live_->say_of_step(e);
     const bool is_told = is_verbose_ || e.degree != degree_ || e.record.iteration % 10 == 0;
     degree_ = e.degree;
     if (!is_told) return;

@@ -7,7 +7,7 @@
 //   progress.finish();   // before the line that sums up
 //
 // A terminal shows which of the stages it is, for how long, what of it is under way and the last
-// step: "[##..] 2 of 4 solving 1.2 s  chart 3 of 17  degree 1  iteration 7 ..."; twice a second it
+// step: "[##..] 2 of 4 solving 1.2 s  chart 3 of 17  iteration 7 ..."; twice a second it
 // is shown anew, by a thread of its own, so that it never stands still. Elsewhere every activity
 // leaves a line with its seconds, steps leave one for the first of a degree and every tenth, or for
 // each when verbose, and so does what is announced of cuts. Quiet runs say nothing.
