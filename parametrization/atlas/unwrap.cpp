@@ -27,6 +27,7 @@
 #include "majorant/mesh/texture_borders.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/atlas/internal/kept_islands.h"
+#include "majorant/parametrization/initialization/strip_unfolding.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/maps/smallest_rectangle.h"
 #include "majorant/parametrization/solve/normalized_start.h"
@@ -92,9 +93,16 @@ constexpr int kMostCuts = 2;
 constexpr double kSeen = 0.3, kSurely = 0.85;
 
 // What a layout costs, besides its seams in square roots of the area, creases a quarter, and its
-// stretch (choose_cuts.h): each chart, and the boxes of all charts for their area. A chart that
-// fills a twentieth of its box is worth a short cut; one that fills half of it, none.
+// stretch (choose_cuts.h): each chart, and the square that all charts need for their area. A chart
+// that fills a twentieth of its box is worth a short cut; one that fills half of it, none, unless
+// it is so long that the square is mostly empty.
 constexpr double kChartCost = 0.1, kFillCost = 0.1;
+// Charts longer than this part of the longest one are divided together with it: its halves are
+// shorter.
+constexpr double kAsLong = 0.7;
+// In square roots of a chart's area: how near two sides of a cut lie on each other once the chart
+// is unfolded, where that has no gap. Rounding is a millionth of it.
+constexpr double kClosed = 1e-9;
 // Layouts packed at most on the way to a fill, each of which takes as long as the first one.
 constexpr int kMostFills = 16;
 
@@ -117,6 +125,7 @@ struct Division {
   std::vector<char> cut = {};  // 3 #F flags of its mesh, none where there is no way
   double cost = 0;             // of the cut, model units
   double saved = 0;            // area of boxes: of the chart minus those of its parts
+  double longest = 0;          // side of the boxes of its parts
   double price = 0;            // cost per area of the smaller part
 };
 
@@ -285,7 +294,9 @@ class Unwrapping {
         if (may_be_cut(k) && (!is_over || atlas_.charts[k].status == Status::Failed))
           bad.push_back(k);
       if (bad.empty()) break;
-      if (is_over)
+      if (const std::vector<std::size_t> sewn = sew(bad); !sewn.empty())
+        solve_charts(sewn);
+      else if (is_over)
         solve_charts(cut_charts(bad, cuts_of(bad, {})));
       else
         recut(bad, [&](const StopCheck& stop) { return cuts_of(bad, stop); });
@@ -304,6 +315,61 @@ class Unwrapping {
     if (chart.status == Status::Failed) return true;
     const bool is_done = chart.status == Status::Converged || chart.status == Status::Stalled;
     return is_done && is_stretched(options_, chart) && task.mesh->face_count() > kFewestFaces;
+  }
+
+  // Closes cuts of unfolded charts whose two sides lie on each other, as where a flat ring was cut
+  // open; the numbers of the charts that are to be mapped anew, of these.
+  std::vector<std::size_t> sew(const std::vector<std::size_t>& bad) {
+    std::map<Index, std::pair<std::size_t, std::vector<Index>>> slits;  // by first face
+    Flags is_cut = atlas_.cuts.is_cut;
+    for (const std::size_t k : bad) {
+      if (atlas_.charts[k].status != Status::Failed || !is_cut_where_it_overlaps(tasks_[k]))
+        continue;
+      std::vector<Index> closed = closed_cuts(tasks_[k]);
+      if (closed.empty()) continue;
+      for (const Index h : closed) is_cut[h] = is_cut[surface_.opposite(h)] = 0;
+      slits[tasks_[k].faces.front()] = {k, std::move(closed)};
+    }
+    std::vector<std::size_t> sewn;
+    if (slits.empty()) return sewn;
+    for (SurfacePiece& piece : surface_.cut_along(is_cut, nullptr).split()) {
+      const auto found = slits.find(piece.face.front());
+      if (found == slits.end() || !is_planar(*piece.mesh)) continue;
+      const auto& [k, closed] = found->second;
+      remove_cuts(surface_, options_.cuts, closed, atlas_.cuts);
+      tasks_[k] = task_of(std::move(piece.mesh), std::move(piece.face));
+      sewn.push_back(k);
+    }
+    return sewn;
+  }
+
+  static bool is_planar(const SurfaceMesh& mesh) {
+    const Topology t = mesh.topology();
+    return t.boundary_loops > 0 && t.euler_characteristic() + t.boundary_loops == 2;
+  }
+
+  // Half-edges of the surface, of cuts that nobody asked for.
+  std::vector<Index> closed_cuts(const Task& task) const {
+    const SurfaceMesh& mesh = *task.mesh;
+    const Flags& given = options_.cuts.given;
+    const Vec uv = unfolded(mesh);
+    const double near = kClosed * std::sqrt(mesh.area());
+    const auto are_near = [&](Index a, Index b) {
+      return (uv.segment<2>(2 * a) - uv.segment<2>(2 * b)).norm() <= near;
+    };
+    std::vector<Index> closed;
+    for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+      if (mesh.opposite(h) >= 0) continue;
+      const Index one = 3 * task.faces[face_of(h)] + corner_of(h), other = surface_.opposite(one);
+      if (other < 0 || (!given.empty() && (given[one] || given[other]))) continue;
+      const auto face = std::lower_bound(task.faces.begin(), task.faces.end(), face_of(other));
+      if (face == task.faces.end() || *face != face_of(other)) continue;
+      const Index o = 3 * static_cast<Index>(face - task.faces.begin()) + corner_of(other);
+      if (are_near(mesh.from_vertex(h), mesh.to_vertex(o)) &&
+          are_near(mesh.to_vertex(h), mesh.from_vertex(o)))
+        closed.push_back(one);
+    }
+    return closed;
   }
 
   // u, v of the vertices of a piece of the chart.
@@ -460,7 +526,36 @@ class Unwrapping {
     const std::size_t most = is_counted ? asked - tasks_.size() : 0;
     order.resize(std::min({order.size(), most, std::max<std::size_t>(1, tasks_.size() / 2)}));
     for (const auto& [unused, k] : order) next.push_back(k);
-    return next;
+    return next.empty() && !is_counted && is_of_one_scale() ? too_long() : next;
+  }
+
+  // All charts that are about as long as the longest one, where the square that holds it is larger
+  // than boxes need and the layout costs less once they are divided. Stopped.
+  std::vector<std::size_t> too_long() {
+    std::vector<double> length;
+    double boxes = 0;
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      const SmallestRectangle box = box_of(atlas_.charts[k], all_vertices(k));
+      boxes += area_of(box);
+      length.push_back(std::max(box.along, box.across));
+    }
+    const double longest = *std::max_element(length.begin(), length.end());
+    const double square = std::max(boxes, longest * longest), area = surface_.area();
+    if (!(kFillCost * (square - boxes) / area > kChartCost)) return {};
+    std::vector<std::size_t> next;
+    double left = 0, cost = 0;
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      left = std::max(left, length[k] > kAsLong * longest ? 0 : length[k]);
+      if (!(length[k] > kAsLong * longest)) continue;
+      const Division* const division = may_be_divided(k) ? division_of(k) : nullptr;
+      if (!division) return {};
+      left = std::max(left, division->longest);
+      boxes -= division->saved;
+      cost += division->cost / std::sqrt(area) + kChartCost;
+      next.push_back(k);
+    }
+    const double saved = square - std::max(boxes, left * left);
+    return kFillCost * saved / area > cost ? next : std::vector<std::size_t>();
   }
 
   double gain_of(const Division& division) const {
@@ -469,18 +564,18 @@ class Unwrapping {
   }
   // The same if its parts filled their boxes and the cut cost nothing.
   double gain_at_most(std::size_t k) const {
-    const double box = box_of(atlas_.charts[k], all_vertices(k));
+    const double box = area_of(box_of(atlas_.charts[k], all_vertices(k)));
     return kFillCost * (box - atlas_.charts[k].stretch.image_area) / surface_.area() - kChartCost;
   }
 
-  // The area of the smallest rectangle around its vertices there.
-  static double box_of(const Chart& chart, const std::vector<Index>& vertices) {
+  // The smallest rectangle around its vertices there.
+  static SmallestRectangle box_of(const Chart& chart, const std::vector<Index>& vertices) {
     std::vector<Vector2> points;
     for (const Index v : vertices)
       points.emplace_back(chart.map->control_points().segment<2>(2 * v));
-    const SmallestRectangle box = smallest_rectangle(points);
-    return box.along * box.across;
+    return smallest_rectangle(points);
   }
+  static double area_of(const SmallestRectangle& box) { return box.along * box.across; }
   std::vector<Index> all_vertices(std::size_t k) const {
     std::vector<Index> all(to_size(tasks_[k].mesh->vertex_count()));
     std::iota(all.begin(), all.end(), 0);
@@ -497,13 +592,15 @@ class Unwrapping {
       division.cut = cut_across(*task.mesh, task.wanted, PathsAcross::BetweenEnds, record_.stop());
       if (is_any(division.cut)) {
         division.cost = cost_of_cuts(*task.mesh, task.wanted, division.cut);
-        division.saved = box_of(chart, all_vertices(k));
+        division.saved = area_of(box_of(chart, all_vertices(k)));
         double smallest = std::numeric_limits<double>::infinity();
         std::vector<Index> uncut_vertex;
         for (const SurfacePiece& part : task.mesh->cut_along(division.cut, &uncut_vertex).split()) {
           std::vector<Index> vertices;
           for (const Index v : part.vertex) vertices.push_back(uncut_vertex[v]);
-          division.saved -= box_of(chart, vertices);
+          const SmallestRectangle box = box_of(chart, vertices);
+          division.saved -= area_of(box);
+          division.longest = std::max({division.longest, box.along, box.across});
           smallest = std::min(smallest, part.mesh->area());
         }
         division.price = division.cost / smallest;
@@ -685,7 +782,7 @@ class Unwrapping {
     const double area = surface_.area();
     double boxes = 0;
     for (std::size_t k = 0; k < tasks_.size(); ++k) {
-      boxes += box_of(atlas_.charts[k], all_vertices(k));
+      boxes += area_of(box_of(atlas_.charts[k], all_vertices(k)));
       const Division* const division = may_be_divided(k) ? division_of(k) : nullptr;
       if (division) by_price.emplace_back(division->price, k);
       if (division && division->saved > 0)

@@ -637,6 +637,28 @@ SurfaceCuts cuts_near_one(const SurfaceMesh& mesh, const CutOptions& options,
   return out;
 }
 
+// The flags of these half-edges, both sides, and what is counted of them.
+void set_cuts(const SurfaceMesh& mesh, const CutOptions& options,
+              const std::vector<Index>& half_edges, char flag, SurfaceCuts& cuts) {
+  const std::vector<Index> component = face_components(mesh.opposites());
+  const int sign = flag ? 1 : -1;
+  for (const Index h : half_edges) {
+    const Index o = mesh.opposite(h);
+    if (o < 0 || cuts.is_cut[h] == flag) continue;
+    cuts.is_cut[h] = cuts.is_cut[o] = flag;
+    const double length = sign * mesh.edge_length(h);
+    cuts.length += length;
+    cuts.edges += sign;
+    cuts.components[component[face_of(h)]].length += length;
+    if (options.method == CutMethod::Automatic) continue;
+    cuts.added_length += length;
+    cuts.added_edges += sign;
+  }
+  for (ComponentCuts& facts : cuts.components) facts.pieces = 0;
+  const auto pieces = component_faces(mesh.cut_along(cuts.is_cut, nullptr).opposites());
+  for (const std::vector<Index>& faces : pieces) ++cuts.components[component[faces.front()]].pieces;
+}
+
 }  // namespace
 
 std::vector<char> cut_further(const SurfaceMesh& chart, const CutPreferences& wanted,
@@ -660,22 +682,12 @@ double estimated_stretch(const SurfaceMesh& chart, const StopCheck& stop) {
 
 void add_cuts(const SurfaceMesh& mesh, const CutOptions& options,
               const std::vector<Index>& half_edges, SurfaceCuts& cuts) {
-  const std::vector<Index> component = face_components(mesh.opposites());
-  for (const Index h : half_edges) {
-    const Index o = mesh.opposite(h);
-    if (o < 0 || cuts.is_cut[h]) continue;
-    cuts.is_cut[h] = cuts.is_cut[o] = 1;
-    const double length = mesh.edge_length(h);
-    cuts.length += length;
-    ++cuts.edges;
-    cuts.components[component[face_of(h)]].length += length;
-    if (options.method == CutMethod::Automatic) continue;
-    cuts.added_length += length;
-    ++cuts.added_edges;
-  }
-  for (ComponentCuts& facts : cuts.components) facts.pieces = 0;
-  const auto pieces = component_faces(mesh.cut_along(cuts.is_cut, nullptr).opposites());
-  for (const std::vector<Index>& faces : pieces) ++cuts.components[component[faces.front()]].pieces;
+  set_cuts(mesh, options, half_edges, 1, cuts);
+}
+
+void remove_cuts(const SurfaceMesh& mesh, const CutOptions& options,
+                 const std::vector<Index>& half_edges, SurfaceCuts& cuts) {
+  set_cuts(mesh, options, half_edges, 0, cuts);
 }
 
 void require_usable_sizes(const SurfaceMesh& mesh, const StopCheck& stop) {

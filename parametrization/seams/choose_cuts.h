@@ -142,6 +142,9 @@ CutPreferences preferences_on(const std::vector<Index>& faces, const CutPreferen
 // Takes these half-edges of the surface, one side or both, to the cuts that there are.
 void add_cuts(const SurfaceMesh& mesh, const CutOptions& options,
               const std::vector<Index>& half_edges, SurfaceCuts& cuts);
+// Takes these from them: what is cut there hangs together again.
+void remove_cuts(const SurfaceMesh& mesh, const CutOptions& options,
+                 const std::vector<Index>& half_edges, SurfaceCuts& cuts);
 
 // Throws Error(Unsupported) as choose_cuts() for sizes, with any options.
 void require_usable_sizes(const SurfaceMesh& mesh, const StopCheck& stop = {});

@@ -34,6 +34,22 @@ class Creases(UnwrapTest):
                     self.assertLess(report['result']['value'], UNSHEARED)
                     self.assertEqual(report['status'], 'converged')
 
+    def test_flat_rings_are_whole(self):
+        """A gear of n quads a side: two faces with a hole, the bore, the rim; nothing is cut in a plane but to divide it."""
+        for n, variant in ((1, 1), (2, 0)):
+            with self.subTest(n=n):
+                points, faces = model('gear', n, variant)
+                mesh = self.mesh(points, faces)
+                _, report = self.unwrap(mesh)
+                self.assertLessEqual(report['result']['charts'], 6)
+                self.run_ok('unwrap', mesh, self.path('cuts.vtu'))
+                height = max(p[2] for p in points)
+                faces = seam_where(self.path('cuts.vtu'), points, lambda p: p[2] in (0, height))
+                inside = seam_where(self.path('cuts.vtu'), points,
+                                    lambda p: p[2] in (0, height) and 0.41 < math.hypot(*p[:2]) < 0.9)
+                self.assertGreater(faces, 1)
+                self.assertEqual(inside, 0)
+
     def marked(self, marks):
         """Of a sphere whose halves are marked: the length of its seams, and the part of it between the halves."""
         points, faces = sphere(8)
@@ -92,6 +108,15 @@ class OneOrMany(UnwrapTest):
         self.assertEqual(whole['result']['charts'], 1)
         self.assertGreater(auto['result']['charts'], 1)
         self.assertGreater(auto['result']['fill'], 1.5 * whole['result']['fill'])
+
+    def test_long_charts_are_divided_for_the_square(self):
+        """A box sixty times as long as wide fills the box around its chart, but no square."""
+        mesh = self.mesh(*open_box(8, 1, 1, 60))
+        _, whole = self.unwrap(mesh, '--charts', 'one')
+        _, auto = self.unwrap(mesh)
+        self.assertLess(whole['result']['fill'], 0.1)
+        self.assertGreater(auto['result']['fill'], 2 * whole['result']['fill'])
+        self.assertLessEqual(auto['result']['charts'], 6)
 
     def test_fill(self):
         mesh = self.mesh(*sphere(8))
