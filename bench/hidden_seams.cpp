@@ -4,9 +4,9 @@
 //     seam      its length, in square roots of the area; without the weights, with them, ratio
 //     visible   mean visibility under the seams (visibility_of_cuts()), likewise
 //     charts    with the weights
-//     mirrored  of a surface that is its own mirror image in a coordinate plane, to a thousandth of
-//               its diagonal: the part of the seams, by length, whose mirror image is within one
-//               mean edge of a seam
+//     mirrored  of a surface that is its own mirror image in a coordinate plane, one of a hundred
+//               vertices aside to a mean edge: the part of the seams, by length, whose mirror image
+//               is within one mean edge of a seam; without the weights, with them
 //
 // Sample run:
 //   build/release/bench/hidden_seams ../shared/data/public/closed/*.obj
