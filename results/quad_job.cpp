@@ -206,9 +206,9 @@ void QuadJob::solve(const std::string& source) {
     throw Error(ErrorKind::Infeasible,
                 fmt::format("{}: its components do not make valid quads together: {}",
                             polygons.file, check.defects.front()));
-  const auto asked = static_cast<double>(asked_count);
-  if (static_cast<double>(check.count) > (1 + kCountClose) * asked) least_count = least;
-  if (!options.edge_length && std::abs(check.count - asked) > kCountClose * asked)
+  const auto wanted = static_cast<double>(asked_count);
+  if (static_cast<double>(check.count) > (1 + kCountClose) * wanted) least_count = least;
+  if (!options.edge_length && std::abs(check.count - wanted) > kCountClose * wanted)
     warnings.push_back(
         fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found",
                     polygons.file, check.count, asked_count, 100 * kCountClose));
