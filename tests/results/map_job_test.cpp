@@ -51,7 +51,7 @@ TEST(MapJob, WhatIsMovedIsProvenAndTold) {
   job.solve();
   ASSERT_TRUE(job.has_result());
   const double value = job.result.measures.value;
-  ASSERT_TRUE(job.place(Turned::Held, true));
+  ASSERT_TRUE(job.place(Turned::Held, LayoutSize::UnitSquare));
   job.prove();
   EXPECT_EQ(job.boundary.result, ProofStatus::Proven);
   EXPECT_TRUE(job.is_normalized);
@@ -77,7 +77,7 @@ TEST(MapJob, TheBoundaryIsProvenOnce) {
   job.result.boundary->pairs_tested = -7;
   job.prove();
   EXPECT_EQ(job.boundary.pairs_tested, -7);
-  ASSERT_TRUE(job.place(Turned::Free, true));
+  ASSERT_TRUE(job.place(Turned::Free, LayoutSize::UnitSquare));
   job.prove();
   EXPECT_EQ(job.boundary.result, ProofStatus::Proven);
   EXPECT_GE(job.boundary.pairs_tested, 0);
