@@ -141,8 +141,8 @@ TEST(Bake, BothSidesOfACutLookAlike) {
 // What lies beyond a fold bends away from the plane of the face before it.
 TEST(Bake, BothSidesOfAFoldLookAlike) {
   const BezierMap map =
-      apart(*surface(grid(4, [](double x, double) { return std::abs(x - 0.5); })));
-  BakeOptions options = floats(96, 64);
+      apart(*surface(grid(4, [](double x, double) { return std::max(x - 0.5, 0.0); })));
+  BakeOptions options = floats(64, 64);
   options.padding = 1;
   const auto same = same_places(map.mesh(), map.mesh());
   const BakedImage baked = bake(InverseMap(map), options, *same, position_values(map.mesh()));
@@ -153,14 +153,14 @@ TEST(Bake, BothSidesOfAFoldLookAlike) {
          {Vector2(0.05 + 0.8 * 0.5, 0.1 + 0.8 * y), Vector2(0.95 - 0.35 * y, 0.1 + 0.35 * 0.5)}) {
       std::array<float, 3> value{};
       sample(baked.image, decoder, uv, Filter::Bilinear, value.data());
-      EXPECT_NEAR(value[2], 0, 2e-4) << uv.transpose();  // a texel is 0.01 and 0.03 wide
+      EXPECT_NEAR(value[2], 0, 2e-4) << uv.transpose();  // a texel is 0.02 and 0.04 wide
     }
   }
-  const TexelGrid texels(96, 64);
+  const TexelGrid texels(64, 64);
   const InverseMap layout(map);
   int centers = 0;
   for (int y = 0; y < 64; ++y)
-    for (int x = 0; x < 96; ++x)
+    for (int x = 0; x < 64; ++x)
       for (const Preimage& found : layout.preimages(texels.center(x, y))) {
         std::array<float, 3> value{};
         position_values(map.mesh()).at({found.face, found.barycentric}, value.data());
