@@ -21,7 +21,7 @@
 // nor for starts on the boundary: they must be inside, but for a BarrierChecker's bounds
 // (of_bounds(); feasibility.h has the code). A start that does not meet such bounds is first led
 // inside: by minima of their violation, which is what Bounds and Inequality measure
-// (violation.h), else by barriers of bounds relaxed as far as the point needs it, tightened as it
+// (feasibility.h), else by barriers of bounds relaxed as far as the point needs it, tightened as it
 // comes nearer.
 #pragma once
 

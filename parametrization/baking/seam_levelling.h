@@ -3,11 +3,12 @@
 // [Liu, Ferguson, Jacobson and Gingold, Seamless: Seam erasure and seam-aware decoupling of shape
 // from mesh resolution, 2017], but for texels in charts, which keep what they show.
 //
-//   std::vector<FilterReading> readings = ...;   // along the borders, some in each texel
-//   level_seams(image, Transfer::Srgb, free, readings, values);
+//   Raster image(64, 64, 3, PixelDepth::Eight);
+//   FilterReading reading;
+//   if (reading_at(image, {0.25, 0.5}, reading))
+//     level_seams(image, Transfer::Srgb, {12, 13}, {reading}, RowMatrix::Constant(1, 3, 0.5));
 //
-// The least of
-//   sum of length (reading - value)^2 + kLeast sum of (texel - what it was)^2
+// The least sum of length (reading - value)^2 over the readings and kLeast (texel - what it was)^2
 // over the texels that are free, by one factorization for all channels, in linear light.
 #pragma once
 

@@ -3,6 +3,8 @@
 //
 //   const auto places = stack_places({mesh, mesh}, Stacking::Equal, {});
 //   if (places[1]) is_cut = flags_on(is_cut, *places[1]);
+//
+// Not for parts that repeat within one surface: whole surfaces are compared, face by face.
 #pragma once
 
 #include <array>
