@@ -23,7 +23,7 @@ ALWAYS = {
     '--charts': 'auto demands nothing of --seams uv and FILE', '--preset': 'padding and resolution',
     '--cones': '', '--start': '', '--surface': '', '--cuts': '', '--certify': '', '--plan': '', '--methods': '',
     '--petsc-options': 'for whichever solver a run comes to',
-    '--linear-solvers': 'measures them', '--list': '', '--quads': '',
+    '--linear-solvers': 'measures them', '--list': '', '--quads': '', '--features': '',
     '--count': '', '--edge-length': '', '--target': '', '--msh-version': '', '--binary': '',
 }
 
