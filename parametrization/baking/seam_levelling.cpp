@@ -12,8 +12,8 @@ namespace {
 // Of texels that hardly a reading has a part of: they stay.
 constexpr double kLeast = 1e-3;
 // How far a value lies outside of the range of its texels, in that range: where a filter rounds off
-// what bends, less. Beside it a quarter of the step of 8 bits. What is set lies no farther outside
-// of the range of all.
+// what bends, less. Beside it, of the range of all values, a quarter of a step of 8 bits. What is
+// set lies no farther outside of the range of all.
 constexpr double kOutside = 0.5;
 constexpr double kQuarterOfStep = 0.25 / 255;
 // Readings between two polls.
@@ -70,6 +70,8 @@ void level_seams(Raster& raster, Transfer transfer, const std::vector<std::size_
   std::vector<SparseSpd::Entry> entries;
   RowMatrix rhs = RowMatrix::Zero(size, channels);
   for (Index i = 0; i < size; ++i) entries.push_back({i, i, kLeast});
+  if (readings.empty()) return;
+  const Vec step = kQuarterOfStep * (values.colwise().maxCoeff() - values.colwise().minCoeff());
   Range all(channels);
   for (std::size_t r = 0; r < readings.size(); ++r) {
     if (r % kBlock == 0) stop.poll();
@@ -84,7 +86,7 @@ void level_seams(Raster& raster, Transfer transfer, const std::vector<std::size_
       misread -= reading.weights[k] * texel;
       place[k] = unknown(reading.texels[k]);
     }
-    const Vec slack = kOutside * (here.most - here.least) + Vec::Constant(channels, kQuarterOfStep);
+    const Vec slack = kOutside * (here.most - here.least) + step;
     if (!((value - here.least + slack).minCoeff() >= 0 &&
           (here.most + slack - value).minCoeff() >= 0))
       continue;
