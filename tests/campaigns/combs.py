@@ -6,8 +6,9 @@
 A comb is a flat sheet whose teeth are slits apart; handles at the tips of every other tooth push it
 against its neighbours. `deform --bijective` keeps the teeth from passing through each other, with
 scaffold triangles in every slit that become long and thin. Widths of teeth and slits, lengths, cells
-and targets are made from the number of the comb, the same everywhere. Exit code 0 if every run
-converges and its file passes `check --certify`.
+and targets are made from the number of the comb, the same everywhere. Exit code 0 if every file passes
+`check --certify` and all runs but --stalled of them converge: at a corner of the feasible set the last
+digits, which are others with every instruction set, decide whether a run gets out (one in 60).
 
 Sample runs:
   tests/campaigns/combs.py                                      # 50 combs of 12 teeth
@@ -85,7 +86,7 @@ def problem_of(number, teeth):
 
 # ------------------------------------------------------------------ runs
 def solve(options, number, folder):
-    """One row, and whether it is as it should be."""
+    """One row, and whether its file is valid."""
     vertices, faces, handles, way = problem_of(number, options.teeth)
     stem = folder / ('comb_%03d' % number)
     mesh, pulled, out = stem.with_suffix('.obj'), stem.with_suffix('.json'), stem.with_suffix('.vtu')
@@ -102,7 +103,7 @@ def solve(options, number, folder):
     row = [number, len(faces), way, report['status'], report['message'], len(common.steps_taken(report)),
            '%.1f' % done.seconds, '%.9g' % report['result']['value'],
            '%.2g' % report['result']['handle_distance']]
-    return row, report['status'] == 'converged' and checked.code == 0
+    return row, checked.code == 0
 
 
 def parse_arguments():
@@ -112,6 +113,7 @@ def parse_arguments():
     parser.add_argument('--count', type=int, default=50, help='combs')
     parser.add_argument('--only', metavar='N,N', help='these combs')
     parser.add_argument('--teeth', type=int, default=12)
+    parser.add_argument('--stalled', type=int, default=0, help='how many may stall')
     parser.add_argument('--folder', type=Path, help='for the files; a temporary one if not given')
     return parser.parse_args()
 
@@ -124,9 +126,9 @@ def main():
         folder.mkdir(parents=True, exist_ok=True)
         runs = [solve(options, number, folder) for number in numbers]
     print('\n'.join(common.markdown_table(HEADER, [row for row, _ in runs])))
-    good = sum(fine for _, fine in runs)
+    good = sum(row[3] == 'converged' for row, valid in runs if valid)
     print('\nconverged and valid: %d of %d' % (good, len(runs)))
-    return 0 if good == len(runs) else 1
+    return 0 if all(valid for _, valid in runs) and good >= len(runs) - options.stalled else 1
 
 
 if __name__ == '__main__':
