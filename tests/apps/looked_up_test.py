@@ -80,7 +80,7 @@ class LookedUp(CommandTest):
         self.assertLessEqual(here, set(words) | {'.', 'TEMPORARY', 'out_0.vtu'}, here)
         self.assertEqual([name for name in home if not name.startswith(('.openmpi', '.pmix'))], [])
 
-    @unittest.skipUnless(os.path.exists(PYTHON), 'no Python package')
+    @unittest.skipUnless(os.path.exists(os.path.join(PYTHON, 'majorant')), 'no Python package')
     def test_the_python_package(self):
         """Python with -I: without its own look for modules in the current directory."""
         script = ('import sys; sys.path.insert(0, %r); import majorant; V, F = majorant.read_mesh("in.obj"); '
