@@ -294,30 +294,24 @@ class QuadPlacer {
     std::optional<std::string> why;
     const auto consider = [&](const auto& make) {
       std::optional<JudgedQuads> made;
-      std::optional<std::string> failed = why_infeasible([&] { made = make(edges); });
+      std::optional<std::string> failed = why_infeasible([&] { made = make(); });
       if (made && !made->check.is_valid()) failed = made->check.defects.front();
       if (failed) {
         if (!why) why = std::move(failed);
-      } else if (made && (!best || made->check.angle_deviation < best->check.angle_deviation)) {
+      } else if ((!best || made->check.angle_deviation < best->check.angle_deviation)) {
         best = std::move(made);
       }
     };
-    const auto in_rectangles = [&](const std::vector<Index>& numbers) {
-      return smoothed_quads(mesh_, features_, lattice_, t_mesh_, numbers, record_);
-    };
-    const auto on_grid = [&](const std::vector<Index>& numbers) {
-      return on_integer_grid(numbers);
-    };
-    if (options_.placing != QuadPlacing::IntegerGrid) consider(in_rectangles);
-    if (options_.placing != QuadPlacing::Rectangles) consider(on_grid);
-    if (options_.placing == QuadPlacing::IntegerGrid && !best) consider(in_rectangles);
-    if (!best) throw Error(ErrorKind::Infeasible, why.value_or("no quads"));
+    if (options_.placing != QuadPlacing::IntegerGrid)
+      consider([&] { return smoothed_quads(mesh_, features_, lattice_, t_mesh_, edges, record_); });
+    if (options_.placing != QuadPlacing::Rectangles)
+      consider([&] { return on_integer_grid(edges); });
+    if (!best) throw Error(ErrorKind::Infeasible, why.value_or(""));
     return *std::move(best);
   }
 
  private:
-  // Nothing where there is no such map.
-  std::optional<JudgedQuads> on_integer_grid(const std::vector<Index>& edges) const {
+  JudgedQuads on_integer_grid(const std::vector<Index>& edges) const {
     const StopCheck& stop = record_.start_stop();
     const long count = quad_count(t_mesh_, edges);
     const double area =
@@ -328,7 +322,10 @@ class QuadPlacer {
     const GridTranslations grid(map_, lattice_, t_mesh_, edges, step * std::round(length / step));
     const std::optional<BezierMap> whole =
         integer_grid_map(map_, lattice_, grid, {options_.first_degree, options_.last_degree}, stop);
-    if (!whole) return std::nullopt;
+    if (!whole)
+      throw Error(ErrorKind::Infeasible,
+                  fmt::format("no integer-grid map of degree {} to {} was reached",
+                              options_.first_degree, options_.last_degree));
     const IntegerGrid found(roomy_, *whole, grid.edge_length(), stop);
     if (quad_count(found.t_mesh(), found.edges()) != count)
       throw Error(ErrorKind::Infeasible, "the integer-grid map has another number of quads");

@@ -27,10 +27,10 @@
 
 namespace majorant {
 
-// The map that has quads as unit squares. Rectangles: every rectangle of the motorcycle graph by
-// itself, in the seamless map. IntegerGrid: the seamless map with its cones and translations led to
-// whole numbers, where that is possible with every triangle positive, else Rectangles. Best: both,
-// of which that with better angles is taken.
+// The map in which vertices of quads are placed. Rectangles: the seamless map, every rectangle of
+// the motorcycle graph by itself. IntegerGrid: the seamless map after its cones and translations
+// were led to whole numbers, with det J > 0 on every triangle. Best: both, of which that is taken
+// whose quads are valid and, where both are, have the better angles.
 enum class QuadPlacing { Rectangles, IntegerGrid, Best };
 
 struct QuadMeshOptions {
@@ -43,7 +43,7 @@ struct QuadMeshOptions {
   std::optional<std::vector<char>> features = {};
   SeamlessOptions map = {};  // cones and how the map is found
   QuadPlacing placing = QuadPlacing::Best;
-  // Of the integer-grid map, tried one after the other until one is there; 1 to 8.
+  // Of the integer-grid map: tried one after the other until one gets there; 1 to 8.
   int first_degree = 1, last_degree = 3;
   int threads = 0;  // as SolveOptions has it
 };
