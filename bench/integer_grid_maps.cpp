@@ -26,6 +26,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/quads/quad_mesh.h"
 
@@ -62,6 +63,8 @@ std::optional<Row> row_of(const SurfaceMesh& mesh, long count, int degree, std::
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::Infeasible) throw;
     why = error.what();
+    const std::string prefix = message_prefix(mesh);
+    if (why.starts_with(prefix)) why.erase(0, prefix.size());
     return std::nullopt;
   }
 }
