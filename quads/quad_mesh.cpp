@@ -18,6 +18,7 @@
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/extraction.h"
+#include "majorant/quads/internal/integer_grid_map.h"
 #include "majorant/quads/internal/quantization.h"
 #include "majorant/quads/internal/smoothing.h"
 #include "majorant/quads/internal/t_mesh.h"
@@ -167,6 +168,11 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
                 message_prefix(mesh) +
                     "the surface has a border, where cones are those of the field that follows it; "
                     "leave them out");
+  if (options.first_degree < 1 || options.last_degree < options.first_degree ||
+      options.last_degree > BezierTriangleSpace::kMaxDegree)
+    throw InvalidArgument(fmt::format("quad_mesh: degrees {} to {} are not some of 1..{}",
+                                      options.first_degree, options.last_degree,
+                                      BezierTriangleSpace::kMaxDegree));
   if (options.features && !options.features->empty() &&
       options.features->size() != to_size(mesh.half_edge_count()))
     throw InvalidArgument("quad_mesh: features must have 3 #F entries");
@@ -231,6 +237,9 @@ struct JudgedQuads {
   std::vector<Index> patch_of;
   std::vector<std::array<Index, 2>> feature_edges;
   QuadCheck check;
+  Index patches = 0;
+  QuadPlacing placed = QuadPlacing::Rectangles;
+  int degree = 1;
 };
 
 // features: of `mesh`.
@@ -247,7 +256,8 @@ JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const std::vector<char>& fea
     record.begin(Activity::Proving);
     check = check_quads(quads, &mesh, features, stop);
   }
-  return {std::move(quads), extracted.patches(), std::move(held.feature_edges), std::move(check)};
+  return {std::move(quads), extracted.patches(), std::move(held.feature_edges), std::move(check),
+          static_cast<Index>(t_mesh.patches.size())};
 }
 
 // work(), or what it says where it finds that it is not possible.
@@ -262,6 +272,80 @@ std::optional<std::string> why_infeasible(const Work& work) {
   return std::nullopt;
 }
 
+// Quads of one T-mesh, of whatever numbers, placed in one of the two ways.
+class QuadPlacer {
+ public:
+  // All of them outlive this. features: of `mesh`.
+  QuadPlacer(const SurfaceMesh& mesh, const std::vector<char>& features, const RoomySurface& roomy,
+             const BezierMap& map, const SeamlessLattice& lattice, const TMesh& t_mesh,
+             const QuadMeshOptions& options, const RunRecord& record)
+      : mesh_(mesh),
+        features_(features),
+        roomy_(roomy),
+        map_(map),
+        lattice_(lattice),
+        t_mesh_(t_mesh),
+        options_(options),
+        record_(record) {}
+
+  // Throws Error(Infeasible) where none are valid.
+  JudgedQuads place(const std::vector<Index>& edges) const {
+    std::optional<JudgedQuads> best;
+    std::optional<std::string> why;
+    const auto consider = [&](const auto& make) {
+      std::optional<JudgedQuads> made;
+      std::optional<std::string> failed = why_infeasible([&] { made = make(); });
+      if (made && !made->check.is_valid()) failed = made->check.defects.front();
+      if (failed) {
+        if (!why) why = std::move(failed);
+      } else if ((!best || made->check.angle_deviation < best->check.angle_deviation)) {
+        best = std::move(made);
+      }
+    };
+    if (options_.placing != QuadPlacing::IntegerGrid)
+      consider([&] { return smoothed_quads(mesh_, features_, lattice_, t_mesh_, edges, record_); });
+    if (options_.placing != QuadPlacing::Rectangles)
+      consider([&] { return on_integer_grid(edges); });
+    if (!best) throw Error(ErrorKind::Infeasible, why.value_or(""));
+    return *std::move(best);
+  }
+
+ private:
+  JudgedQuads on_integer_grid(const std::vector<Index>& edges) const {
+    const StopCheck& stop = record_.start_stop();
+    const long count = quad_count(t_mesh_, edges);
+    const double area =
+        static_cast<double>(lattice_.twice_area()) / 2 * lattice_.unit() * lattice_.unit();
+    // Of few digits, so that its multiples are exact.
+    const double length = std::sqrt(area / static_cast<double>(count));
+    const double step = std::ldexp(1.0, std::ilogb(length) - 20);
+    const GridTranslations grid(map_, lattice_, t_mesh_, edges, step * std::round(length / step));
+    const std::optional<BezierMap> whole =
+        integer_grid_map(map_, lattice_, grid, {options_.first_degree, options_.last_degree}, stop);
+    if (!whole)
+      throw Error(ErrorKind::Infeasible,
+                  fmt::format("no integer-grid map of degree {} to {} was reached",
+                              options_.first_degree, options_.last_degree));
+    const IntegerGrid found(roomy_, *whole, grid.edge_length(), stop);
+    if (quad_count(found.t_mesh(), found.edges()) != count)
+      throw Error(ErrorKind::Infeasible, "the integer-grid map has another number of quads");
+    JudgedQuads made =
+        smoothed_quads(mesh_, features_, found.lattice(), found.t_mesh(), found.edges(), record_);
+    made.placed = QuadPlacing::IntegerGrid;
+    made.degree = whole->degree();
+    return made;
+  }
+
+  const SurfaceMesh& mesh_;
+  const std::vector<char>& features_;
+  const RoomySurface& roomy_;
+  const BezierMap& map_;
+  const SeamlessLattice& lattice_;
+  const TMesh& t_mesh_;
+  const QuadMeshOptions& options_;
+  const RunRecord& record_;
+};
+
 // Returns the quads of a surface with these features (3 #F, or empty: none). Throws
 // Error(Infeasible) where there are none.
 QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
@@ -272,11 +356,11 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
   const BezierMap map = seamless_map(roomy, options, record, result.status);
   SeamlessLattice lattice(roomy.mesh, map, roomy.is_feature);
   const TMesh t_mesh = trace_t_mesh(lattice, stop);
-  result.patches = static_cast<Index>(t_mesh.patches.size());
   for (const TNode& node : t_mesh.nodes)
     result.cones += node.is_cone() && node.side != Side::Border;
   const double asked = asked_of(mesh, options);
   result.asked = std::lround(asked);
+  const QuadPlacer placer(mesh, features, roomy, map, lattice, t_mesh, options, record);
   // Arcs without edges leave the best angles; other numbers of quads are other meshes, of which one
   // may be valid, or have the count that was asked for, where the first is not, or has not.
   using Arcs = ArcNumbers::Arcs;
@@ -292,13 +376,15 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                             : numbers.for_count(part * asked);
     const double off = std::abs(static_cast<double>(quad_count(t_mesh, edges)) / asked - 1);
     if (result.check.count > 0 && off >= least_off) return;
-    JudgedQuads made = smoothed_quads(mesh, features, lattice, t_mesh, edges, record);
-    if (!made.check.is_valid()) throw Error(ErrorKind::Infeasible, made.check.defects.front());
+    JudgedQuads made = placer.place(edges);
     least_off = off;
     result.quads = std::move(made.quads);
     result.patch_of = std::move(made.patch_of);
     result.feature_edges = std::move(made.feature_edges);
     result.check = std::move(made.check);
+    result.patches = made.patches;
+    result.placed = made.placed;
+    result.degree = made.degree;
     result.least_count.reset();
     if (static_cast<double>(result.check.count) <= (1 + kCountClose) * asked) return;
     const long least = quad_count(t_mesh, ArcNumbers(lattice, t_mesh, Arcs::Joined, stop).fewest());
@@ -320,8 +406,11 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
   const double most = std::max(kMostTimes, kFew / std::max(asked, 1.0));
   // With features that were not given so many are not taken.
   const bool may_be_more = features.empty() || options.features;
-  for (double part = kGrowth; may_be_more && result.check.count == 0 && part <= most;
-       part *= kGrowth)
+  const auto is_closer = [&](double part) {
+    const auto count = static_cast<double>(result.check.count);
+    return count == 0 || (!options.edge_length && part * asked < count);
+  };
+  for (double part = kGrowth; may_be_more && is_closer(part) && part <= most; part *= kGrowth)
     attempt_for(Arcs::Joined, part);
   if (result.check.count > 0) return result;
   // How many would do. With features fewer of these are tried next.

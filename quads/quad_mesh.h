@@ -8,8 +8,9 @@
 // A seamless map (start.h), optimized at degree 1, on integers; its motorcycle graph, which cuts
 // the surface into rectangles; whole numbers of edges for their sides; quads from these alone, so
 // that they are a manifold of the same topology before any is placed; places on the surface by the
-// map; smoothing. Borders and features are covered by edges of quads, with a vertex at every
-// corner. docs/quads.md. What is returned has been judged by check_quads() and is valid.
+// map, and by an integer-grid map; smoothing. Borders and features are covered by edges of quads,
+// with a vertex at every corner. docs/quads.md. What is returned has been judged by check_quads()
+// and is valid.
 //
 // Not for quads that are smaller in some places than in others: all are about as large.
 #pragma once
@@ -26,6 +27,12 @@
 
 namespace majorant {
 
+// The map in which vertices of quads are placed. Rectangles: the seamless map, every rectangle of
+// the motorcycle graph by itself. IntegerGrid: the seamless map after its cones and translations
+// were led to whole numbers, with det J > 0 on every triangle. Best: both, of which that is taken
+// whose quads are valid and, where both are, have the better angles.
+enum class QuadPlacing { Rectangles, IntegerGrid, Best };
+
 struct QuadMeshOptions {
   // Of the two at most one: the number of quads, or the length of their edges, in model units.
   // Neither: half as many quads as the surface has faces.
@@ -35,7 +42,10 @@ struct QuadMeshOptions {
   // Nothing: sharp_edges() of kCornerTurn, none where cones are given.
   std::optional<std::vector<char>> features = {};
   SeamlessOptions map = {};  // cones and how the map is found
-  int threads = 0;           // as SolveOptions has it
+  QuadPlacing placing = QuadPlacing::Best;
+  // Of the integer-grid map: tried one after the other until one gets there; 1 to 8.
+  int first_degree = 1, last_degree = 3;
+  int threads = 0;  // as SolveOptions has it
 };
 
 struct QuadMesh {
@@ -57,6 +67,8 @@ struct QuadMesh {
   std::optional<long> least_count;
   Index cones = 0, patches = 0;
   std::vector<Index> patch_of;  // by quad: the rectangle of the motorcycle graph that it is in
+  QuadPlacing placed = QuadPlacing::Rectangles;  // never Best
+  int degree = 1;                                // of the map that has placed them
   Status status = Status::Converged;  // of the map's optimization, which a limit may have ended
 };
 

@@ -197,6 +197,7 @@ void QuadJob::solve(const std::string& source) {
     add_features(made, piece, *this);
     asked_count += made.asked;
     patches += made.patches;
+    degree = std::max(degree, made.degree);
     least += made.least_count.value_or(made.check.count);
     if (made.status != Status::Converged) status = made.status;
   }
@@ -224,7 +225,7 @@ Json quad_report(const QuadJob& job) {
   section["features"] = {{"asked", job.feature_lines},
                          {"covered", job.feature_lines - job.relaxed.size()},
                          {"relaxed", job.relaxed.size()}};
-  section["degree"] = 1;
+  section["degree"] = job.degree;
   Json input = input_section(job.polygons, *job.surface.mesh);
   for (const Repair& repair : job.surface.repairs) input["repairs"].push_back(describe(repair));
   std::vector<std::string> warnings = job.polygons.warnings;

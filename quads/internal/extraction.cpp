@@ -11,12 +11,6 @@
 namespace majorant {
 namespace {
 
-bool contains(const SeamlessLattice& lattice, Index face, LatticePoint p) {
-  for (Index h = 3 * face; h < 3 * face + 3; ++h)
-    if (side(lattice.corner(h), lattice.corner(next(h)), p) < 0) return false;
-  return true;
-}
-
 // The distance of point k of an arc that is cut into `count` edges.
 std::int64_t cut(std::int64_t length, Index k, Index count) {
   return static_cast<std::int64_t>(WideInteger{length} * k / count);
@@ -240,11 +234,11 @@ void ExtractedQuads::place_arcs() {
       for (Index k = 0; k <= intervals; ++k) {
         const std::int64_t distance = arc.begin + cut(arc.length(), k, intervals);
         while (leg + 1 < line.legs.size() &&
-               !contains(lattice_, line.legs[leg].face, line.legs[leg].at(distance)))
+               !lattice_.contains(line.legs[leg].face, line.legs[leg].at(distance)))
           ++leg;
         const Place place{line.legs[leg].face, line.legs[leg].at(distance),
                           line.legs[leg].direction};
-        if (!contains(lattice_, place.face, place.at))
+        if (!lattice_.contains(place.face, place.at))
           throw Error(ErrorKind::Infeasible, "a point of a patch's side is in none of its faces");
         places_[a].push_back(place);
         const Index vertex = k == intervals ? arc.node[1] : vertex_on(2 * a, k);
@@ -296,7 +290,7 @@ void ExtractedQuads::walk(Place& place, LatticePoint by) const {
     }
     if (out >= 0 && surface.opposite(out) < 0) break;
     if (out < 0) {
-      if (!contains(lattice_, place.face, goal)) break;
+      if (!lattice_.contains(place.face, goal)) break;
       place.at = goal;
       return;
     }

@@ -152,6 +152,12 @@ LatticePoint SeamlessLattice::beyond(Index half_edge, LatticePoint p) const {
   return turned(p - shift_[half_edge], -turns_[half_edge]);
 }
 
+bool SeamlessLattice::contains(Index face, LatticePoint p) const {
+  for (Index h = 3 * face; h < 3 * face + 3; ++h)
+    if (side(corners_[h], corners_[next(h)], p) < 0) return false;
+  return true;
+}
+
 WideInteger SeamlessLattice::twice_area() const {
   WideInteger sum = 0;
   for (Index h = 0; h < surface_.half_edge_count(); h += 3)

@@ -83,6 +83,8 @@ class SeamlessLattice {
   // Of an edge of the border or of a feature.
   int direction_of(Index half_edge) const;
   LatticePoint corner(Index half_edge) const { return corners_[half_edge]; }
+  // Whether a point of the chart of a face lies in it, or on its edges.
+  bool contains(Index face, LatticePoint p) const;
   // Of the chart of the face of a half-edge towards that of the opposite one: p' = i^-turns (p -
   // t).
   int turns(Index half_edge) const { return turns_[half_edge]; }
