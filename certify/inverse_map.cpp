@@ -8,9 +8,10 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 
-#include "majorant/certify/box_pairs.h"
+#include "majorant/certify/internal/stabbing_tree.h"
 #include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
@@ -18,6 +19,20 @@
 #include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
+
+// A straight face, in a line of the cache.
+struct alignas(64) StraightFace {
+  std::array<Vector2, 3> corner;
+  Index face = -1;
+  int sense = 0;  // the sign of its area; 0: none
+};
+
+// The faces by the places of a tree of their boxes.
+struct PlacesOfFaces {
+  StabbingTree tree;
+  std::vector<StraightFace> straight;  // none of a curved map
+};
+
 namespace {
 
 constexpr int kMostControlPoints = control_point_count(BezierTriangleSpace::kMaxDegree);
@@ -227,10 +242,10 @@ void append_of_piece(const Piece& piece, int depth, std::vector<Found>& found) {
 }
 
 // Exactly: of a triangle of either orientation.
-void append_of_triangle(const std::array<Vector2, 3>& corner, const Vector2& uv,
+void append_of_triangle(const StraightFace& triangle, const Vector2& uv,
                         std::vector<Found>& found) {
-  const int sense = orientation(corner[0], corner[1], corner[2]);
-  Found one{{}, 0};
+  const auto& [corner, face, sense] = triangle;
+  Found one{{face}, 0};
   std::array<double, 3> weight{};
   for (int k = 0; k < 3; ++k) {
     const Vector2 &a = corner[(k + 1) % 3], &b = corner[(k + 2) % 3];
@@ -256,7 +271,27 @@ void append_of_triangle(const std::array<Vector2, 3>& corner, const Vector2& uv,
   found.push_back(one);
 }
 
-std::shared_ptr<const BoxTree> boxes_of(const BezierMap& map) {
+// The same, at once where no sign is near to rounding: all but never otherwise.
+void append_of_face(const StraightFace& triangle, const Vector2& uv, std::vector<Found>& found) {
+  const Vector2 a = triangle.corner[0] - uv, b = triangle.corner[1] - uv,
+                c = triangle.corner[2] - uv;
+  const std::array<double, 3> left{b.x() * c.y(), c.x() * a.y(), a.x() * b.y()};
+  const std::array<double, 3> right{b.y() * c.x(), c.y() * a.x(), a.y() * b.x()};
+  std::array<double, 3> weight;
+  int inside = static_cast<int>(triangle.sense != 0), outside = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double error = orientation_error(left[k], right[k]);
+    weight[k] = triangle.sense * (left[k] - right[k]);
+    outside |= static_cast<int>(weight[k] < -error);
+    inside &= static_cast<int>(weight[k] > error);
+  }
+  if (outside != 0) return;
+  if (inside == 0) return append_of_triangle(triangle, uv, found);
+  const double sum = weight[0] + weight[1] + weight[2];
+  found.push_back({{triangle.face, Barycentric(weight[0], weight[1], weight[2]) / sum}, 0});
+}
+
+std::vector<Box2> boxes_of(const BezierMap& map) {
   const auto points = map.control_uv();
   const Cells& cells = map.space().cells();
   std::vector<Box2> boxes;
@@ -271,7 +306,23 @@ std::shared_ptr<const BoxTree> boxes_of(const BezierMap& map) {
     }
     boxes.push_back(box);
   }
-  return std::make_shared<const BoxTree>(std::move(boxes));
+  return boxes;
+}
+
+std::shared_ptr<const PlacesOfFaces> places_of(const BezierMap& map) {
+  const auto places =
+      std::make_shared<PlacesOfFaces>(PlacesOfFaces{StabbingTree(boxes_of(map)), {}});
+  if (map.degree() > 1) return places;
+  const auto points = map.control_uv();
+  places->straight.resize(to_size(places->tree.size()));
+  for (Index place = 0; place < places->tree.size(); ++place) {
+    StraightFace& one = places->straight[to_size(place)];
+    one.face = places->tree.box_at(place);
+    for (Index k = 0; k < 3; ++k)
+      one.corner[to_size(k)] = points.row(map.space().cells()(one.face, k));
+    one.sense = orientation(one.corner[0], one.corner[1], one.corner[2]);
+  }
+  return places;
 }
 
 // True where both are one point of the surface, on an edge or at a vertex that their faces share.
@@ -306,16 +357,19 @@ bool is_on_border(const SurfaceMesh& mesh, const Found& p) {
 // The search for the preimages of one point after the other; its memory serves all of them.
 class Search {
  public:
-  Search(const BezierMap& map, const BoxTree& tree) : map_(map), tree_(tree) {}
+  Search(const BezierMap& map, const PlacesOfFaces& places) : map_(map), places_(places) {}
 
   // Returns them by ascending faces, shared points once. Valid until the next call.
   const std::vector<Found>& preimages(const Vector2& uv) {
+    candidates_.clear();
     found_.clear();
     if (!uv.allFinite()) return found_;
-    candidates_.clear();
-    uv_ = uv;
-    // One pointer, for std::function to keep it without an allocation.
-    tree_.visit_meeting({uv, uv}, [this](Index face) { visit(face); });
+    if (map_.degree() == 1)
+      places_.tree.visit(uv, [&](Index place) {
+        append_of_face(places_.straight[to_size(place)], uv, candidates_);
+      });
+    else
+      places_.tree.visit(uv, [&](Index place) { solve(places_.tree.box_at(place), uv); });
     if (candidates_.size() < 2) return candidates_;
     std::stable_sort(candidates_.begin(), candidates_.end(), [](const Found& a, const Found& b) {
       return a.preimage.face < b.preimage.face;
@@ -328,16 +382,9 @@ class Search {
   }
 
  private:
-  void visit(Index face) {
+  void solve(Index face, const Vector2& uv) {
     of_face_.clear();
-    if (map_.degree() == 1) {
-      const auto points = map_.control_uv();
-      const auto nodes = map_.space().cells().row(face);
-      append_of_triangle({points.row(nodes[0]), points.row(nodes[1]), points.row(nodes[2])}, uv_,
-                         of_face_);
-    } else {
-      append_of_piece(Piece(map_, face, uv_), 0, of_face_);
-    }
+    append_of_piece(Piece(map_, face, uv), 0, of_face_);
     for (Found& one : of_face_) {
       one.preimage.face = face;
       candidates_.push_back(one);
@@ -345,8 +392,7 @@ class Search {
   }
 
   const BezierMap& map_;
-  const BoxTree& tree_;
-  Vector2 uv_;
+  const PlacesOfFaces& places_;
   std::vector<Found> of_face_, candidates_, found_;
 };
 
@@ -389,6 +435,19 @@ std::vector<Index> near_after_near(const Points2& uv, const Box2& box) {
   return order;
 }
 
+std::span<const Index> rows_of_task(const std::vector<Index>& order, Index task) {
+  const std::size_t first = to_size(task) * to_size(kPointsOfTask);
+  return std::span(order).subspan(first, std::min(order.size() - first, to_size(kPointsOfTask)));
+}
+
+// Together, for the memory to bring many at a time.
+Points2 rows_of(const Points2& uv, std::span<const Index> rows) {
+  Points2 gathered(static_cast<Index>(rows.size()), 2);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    gathered.row(static_cast<Index>(i)) = uv.row(rows[i]);
+  return gathered;
+}
+
 Box2 layout_box(const BezierMap& map) {
   const auto points = map.control_uv();
   return {points.colwise().minCoeff(), points.colwise().maxCoeff()};
@@ -396,11 +455,11 @@ Box2 layout_box(const BezierMap& map) {
 
 }  // namespace
 
-InverseMap::InverseMap(BezierMap map) : map_(std::move(map)), tree_(boxes_of(map_)) {}
+InverseMap::InverseMap(BezierMap map) : map_(std::move(map)), places_(places_of(map_)) {}
 
 std::vector<Preimage> InverseMap::preimages(const Vector2& uv) const {
   std::vector<Preimage> result;
-  Search search(map_, *tree_);
+  Search search(map_, *places_);
   for (const Found& one : search.preimages(uv)) result.push_back(one.preimage);
   return result;
 }
@@ -414,11 +473,12 @@ InverseMap::Points InverseMap::locate(const Points2& uv, const StopCheck& stop) 
   const std::vector<Index> order = near_after_near(uv, layout_box(map_));
   parallel_tasks((count + kPointsOfTask - 1) / kPointsOfTask, [&](Index task, int) {
     stop.poll();
-    Search search(map_, *tree_);
-    const Index last = std::min(count, (task + 1) * kPointsOfTask);
-    for (Index i = task * kPointsOfTask; i < last; ++i) {
-      const Index k = order[to_size(i)];
-      const std::vector<Found>& found = search.preimages(uv.row(k));
+    Search search(map_, *places_);
+    const std::span<const Index> rows = rows_of_task(order, task);
+    const Points2 gathered = rows_of(uv, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Index k = rows[i];
+      const std::vector<Found>& found = search.preimages(gathered.row(static_cast<Index>(i)));
       if (found.empty()) {
         points.barycentric.row(k).setZero();
         continue;
@@ -443,11 +503,12 @@ InverseMap::Lists InverseMap::locate_all(const Points2& uv, const StopCheck& sto
   const std::vector<Index> order = near_after_near(uv, layout_box(map_));
   parallel_tasks(tasks, [&](Index task, int) {
     stop.poll();
-    Search search(map_, *tree_);
-    const Index last = std::min(count, (task + 1) * kPointsOfTask);
-    for (Index i = task * kPointsOfTask; i < last; ++i) {
-      const Index k = order[to_size(i)];
-      const std::vector<Found>& found = search.preimages(uv.row(k));
+    Search search(map_, *places_);
+    const std::span<const Index> rows = rows_of_task(order, task);
+    const Points2 gathered = rows_of(uv, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Index k = rows[i];
+      const std::vector<Found>& found = search.preimages(gathered.row(static_cast<Index>(i)));
       lists.begin[to_size(k) + 1] = static_cast<Index>(found.size());
       for (const Found& one : found) of_task[to_size(task)].push_back(one.preimage);
     }
@@ -456,9 +517,8 @@ InverseMap::Lists InverseMap::locate_all(const Points2& uv, const StopCheck& sto
   lists.preimages.resize(to_size(lists.begin.back()));
   for (Index task = 0; task < tasks; ++task) {
     auto next = of_task[to_size(task)].begin();
-    const Index last = std::min(count, (task + 1) * kPointsOfTask);
-    for (Index i = task * kPointsOfTask; i < last; ++i) {
-      const std::size_t k = to_size(order[to_size(i)]);
+    for (const Index row : rows_of_task(order, task)) {
+      const std::size_t k = to_size(row);
       const Index found = lists.begin[k + 1] - lists.begin[k];
       std::copy_n(next, found, lists.preimages.begin() + lists.begin[k]);
       next += found;

@@ -30,7 +30,7 @@
 
 namespace majorant {
 
-class BoxTree;
+struct PlacesOfFaces;
 
 struct Preimage {
   Index face = -1;
@@ -73,7 +73,7 @@ class InverseMap {
 
  private:
   BezierMap map_;
-  std::shared_ptr<const BoxTree> tree_;  // of the boxes around the control points of the faces
+  std::shared_ptr<const PlacesOfFaces> places_;
 };
 
 }  // namespace majorant

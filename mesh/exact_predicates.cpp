@@ -4,10 +4,8 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "majorant/framework/rounding.h"
 #include "majorant/mesh/exact_integers.h"
 
 namespace majorant {
@@ -31,15 +29,9 @@ int exact_orientation(const Vector2& a, const Vector2& b, const Vector2& c) {
 }  // namespace
 
 int orientation(const Vector2& a, const Vector2& b, const Vector2& c) {
-  // The rounding of a determinant, relative to the two products: what four roundings can be off
-  // [She97].
-  constexpr double kRounding = (3 + 16 * kUnitRoundoff<double>)*kUnitRoundoff<double>;
   const double left = (b.x() - a.x()) * (c.y() - a.y()), right = (b.y() - a.y()) * (c.x() - a.x());
   const double area = left - right;
-  // The last: more than products lose that underflow.
-  const double error =
-      kRounding * (std::abs(left) + std::abs(right)) + std::numeric_limits<double>::min();
-  if (std::abs(area) > error) return area > 0 ? 1 : -1;
+  if (std::abs(area) > orientation_error(left, right)) return area > 0 ? 1 : -1;
   return exact_orientation(a, b, c);
 }
 

@@ -6,9 +6,21 @@
 // Filtered: tens of nanoseconds unless the points are close to collinear. Finite numbers only.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
+#include "majorant/framework/rounding.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {
+
+// By how much rounding puts left - right off at most, left = (a - c).x (b - c).y and right =
+// (a - c).y (b - c).x as they are computed [She97]: a larger difference has the sign of the
+// orientation of a, b, c. The last term: more than products lose that underflow.
+inline double orientation_error(double left, double right) {
+  constexpr double kFourRoundings = (3 + 16 * kUnitRoundoff<double>)*kUnitRoundoff<double>;
+  return kFourRoundings * (std::abs(left) + std::abs(right)) + std::numeric_limits<double>::min();
+}
 
 // +1 where a, b, c turn left (the triangle is positive), -1 where they turn right, 0 on one line.
 int orientation(const Vector2& a, const Vector2& b, const Vector2& c);

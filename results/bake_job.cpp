@@ -128,6 +128,7 @@ SurfaceValues values_of_images(const BakeJob& job) {
   }
   if (each.size() == 1) return each.front();
   const Course course = each.front().course;
+  const Transfer seen = each.front().seen;
   const SurfaceMesh& mesh = *job.carrier.mesh;
   return {channels,
           [each = std::move(each), of = job.image_of_polygon, channels, &mesh](
@@ -139,7 +140,7 @@ SurfaceValues values_of_images(const BakeJob& job) {
             for (std::size_t c = 0; c < 3; ++c) value[c] = found[is_grey ? 0 : c];
             if (channels == 4) value[3] = has_alpha ? found[to_size(own.channels - 1)] : 1.0F;
           },
-          0, course};
+          0, course, seen};
 }
 
 // What the carrier is asked for, and the names of its channels.

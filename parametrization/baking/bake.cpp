@@ -28,7 +28,7 @@ constexpr int kReach = 2;
 // Straight pieces along the edge of a curved face, for what it covers of texels beside its centres:
 // chords of 8 leave a 64th of the sagitta.
 constexpr int kPiecesOfCurve = 8;
-// Texels between the points of a border at which seams are levelled.
+// Texels between the points of a border at which seams are levelled and closed.
 constexpr double kBetweenReadings = 0.25;
 // What a filter reads at a point of a border lies no farther than the diagonal of a texel, and a
 // little for its stretch; beyond is another part of the surface.
@@ -165,13 +165,6 @@ class Band {
           return true;
     return false;
   }
-  bool has_none_beside(int x, int y) {
-    for (int row = y - 1; row <= y + 1; ++row)
-      for (int column = std::max(x - 1, 0); column <= std::min(x + 1, width_ - 1); ++column)
-        if (at(column, row).texel != Texel::Centre) return true;
-    return false;
-  }
-
   int top() const { return top_; }
   int bottom() const { return bottom_; }
 
@@ -188,11 +181,10 @@ SurfacePlace shown(const std::vector<Preimage>& found) {
   return {one.face, one.barycentric};
 }
 
-// Where the surface lies that a texel beside a border shows.
-struct Beside {
+// Where the surface lies that a texel around a chart shows.
+struct Around {
   std::size_t texel;
   Vector3 position;
-  bool is_free;  // its centre lies in no chart
 };
 
 // What a filter should read along a half-edge of a border.
@@ -200,6 +192,12 @@ struct BorderValues {
   std::vector<FilterReading> readings;
   std::vector<float> values;  // channels together
   std::vector<float> across;  // those on the other side of a cut; the same beside none
+};
+
+// What a filter reads along a cut, and what the surface has there on both sides.
+struct CutValues {
+  std::vector<SeamReading> seams;
+  std::array<std::vector<double>, 2> values;  // channels together
 };
 
 // Memory of a task, and the face that its last answer came from.
@@ -225,7 +223,7 @@ class Baker {
         baked_{{options.width, options.height, values.channels, options.depth}, {}} {
     const Index charts =
         chart_of_.empty() ? 0 : *std::max_element(chart_of_.begin(), chart_of_.end()) + 1;
-    beside_.resize(to_size((options.height + kRowsOfBand - 1) / kRowsOfBand));
+    around_.resize(to_size((options.height + kRowsOfBand - 1) / kRowsOfBand));
     has_texel_ = std::vector<std::atomic<char>>(to_size(charts));
   }
 
@@ -249,6 +247,7 @@ class Baker {
     for (const auto& has : has_texel_) all.charts_without_texels += has ? 0 : 1;
     if (has_margin() && options_.samples == 1) level(stop);
     fill_from_nearest(baked_.image, texels_, options_.padding, stop);
+    if (has_margin() && values_.course == Course::Picture) close(stop);
     return std::move(baked_);
   }
 
@@ -306,7 +305,7 @@ class Baker {
       }
   }
 
-  bool has_margin() const { return options_.padding > 0 && values_.course == Course::Continuous; }
+  bool has_margin() const { return options_.padding > 0 && values_.course != Course::OfFaces; }
 
   void cover_part(const Piece& piece, const Box2& box, Covered& texel) const {
     const ClippedTriangle part = clipped(piece.uv, box);
@@ -339,12 +338,7 @@ class Baker {
       counts.misses += is_covered ? 1 : 0;
     }
     texels_[to_size(y) * to_size(options_.width) + to_size(x)] = texel;
-    if (has_margin() && (beyond != nullptr || texel == Texel::Centre) && has_value(texel) &&
-        band.has_none_beside(x, y))
-      remember(
-          x, y,
-          beyond == nullptr ? std::optional(covered.place) : place_at(grid_.center(x, y), beyond),
-          beyond != nullptr);
+    if (has_margin() && beyond != nullptr && has_value(texel)) remember(x, y, *beyond);
     const bool is_encoded = options_.depth != PixelDepth::Float && has_value(texel);
     for (int c = 0; c < values_.channels; ++c)
       baked_.image.set(x, y, c,
@@ -365,23 +359,18 @@ class Baker {
     return is_wide ? covered.beside : nullptr;
   }
 
-  void remember(int x, int y, const std::optional<SurfacePlace>& place, bool is_free) {
-    if (place)
-      beside_[to_size(y / kRowsOfBand)].push_back(
+  void remember(int x, int y, const Piece& beyond) {
+    if (const auto place = place_at(grid_.center(x, y), &beyond))
+      around_[to_size(y / kRowsOfBand)].push_back(
           {to_size(y) * to_size(options_.width) + to_size(x),
-           position_at(layout_.map().mesh(), *place), is_free});
+           position_at(layout_.map().mesh(), *place)});
   }
 
   // Sets what is shown around charts so that a filter reads at their borders what is there.
   void level(const StopCheck& stop) {
-    std::vector<Beside> beside;
     std::vector<std::size_t> free;
-    for (std::vector<Beside>& of_band : beside_) {
-      for (const Beside& one : of_band)
-        if (one.is_free) free.push_back(one.texel);
-      beside.insert(beside.end(), of_band.begin(), of_band.end());
-      of_band = {};
-    }
+    for (const std::vector<Around>& of_band : around_)
+      for (const Around& one : of_band) free.push_back(one.texel);
     const std::vector<Index>& opposite = layout_.map().mesh().opposites();
     std::vector<Index> border;
     for (std::size_t h = 0; h < opposite.size(); ++h)
@@ -389,7 +378,7 @@ class Baker {
     std::vector<BorderValues> found(border.size());
     parallel_tasks(static_cast<Index>(border.size()), [&](Index task, int) {
       stop.poll();
-      read_border(border[to_size(task)], beside, found[to_size(task)]);
+      read_border(border[to_size(task)], found[to_size(task)]);
     });
     std::vector<FilterReading> readings;
     std::vector<float> values, across;
@@ -418,42 +407,104 @@ class Baker {
     level_seams(baked_.image, options_.transfer, free, used, targets, stop);
   }
 
-  // Along a half-edge of a border: the points at which all that a filter reads is near.
-  void read_border(Index half_edge, const std::vector<Beside>& beside, BorderValues& found) const {
-    const BezierMap& map = layout_.map();
-    const Index other = continuation_.across(half_edge);
-    const auto on = [](Index h, double t) {
-      SurfacePlace place{face_of(h), Barycentric::Zero()};
-      place.barycentric[corner_of(h)] = 1 - t;
-      place.barycentric[(corner_of(h) + 1) % 3] = t;
-      return place;
-    };
-    const auto uv_at = [&](double t) {
-      const SurfacePlace place = on(half_edge, t);
-      return map.evaluate(place.face, place.barycentric);
-    };
+  // The point of a half-edge that is this part of it from its start.
+  static SurfacePlace along(Index half_edge, double part) {
+    SurfacePlace place{face_of(half_edge), Barycentric::Zero()};
+    place.barycentric[corner_of(half_edge)] = 1 - part;
+    place.barycentric[(corner_of(half_edge) + 1) % 3] = part;
+    return place;
+  }
+  Vector2 uv_at(Index half_edge, double part) const {
+    const SurfacePlace place = along(half_edge, part);
+    return layout_.map().evaluate(place.face, place.barycentric);
+  }
+  double texels_along(Index half_edge) const {
     const Vector2 texels(options_.width, options_.height);
     double length = 0;
     for (int k = 0; k < kPiecesOfCurve; ++k)
-      length += (uv_at((k + 1.0) / kPiecesOfCurve) - uv_at(1.0 * k / kPiecesOfCurve))
+      length += (uv_at(half_edge, (k + 1.0) / kPiecesOfCurve) -
+                 uv_at(half_edge, 1.0 * k / kPiecesOfCurve))
                     .cwiseProduct(texels)
                     .norm();
-    const double of_surface =
-        (position_at(map.mesh(), on(half_edge, 1)) - position_at(map.mesh(), on(half_edge, 0)))
-            .norm();
-    const double reach = kReachOfFilter * of_surface / length;
+    return length;
+  }
+
+  // Moves what is shown at cuts so that a filter reads the same on both sides.
+  void close(const StopCheck& stop) {
+    const std::vector<Index>& opposite = layout_.map().mesh().opposites();
+    std::vector<Index> cut;
+    for (std::size_t h = 0; h < opposite.size(); ++h)
+      if (const auto half_edge = static_cast<Index>(h);
+          opposite[h] < 0 && half_edge < continuation_.across(half_edge))
+        cut.push_back(half_edge);
+    std::vector<CutValues> found(cut.size());
+    parallel_tasks(static_cast<Index>(cut.size()), [&](Index task, int) {
+      stop.poll();
+      read_cut(cut[to_size(task)], found[to_size(task)]);
+    });
+    std::vector<SeamReading> seams;
+    std::array<std::vector<double>, 2> values;
+    for (const CutValues& one : found) {
+      seams.insert(seams.end(), one.seams.begin(), one.seams.end());
+      for (std::size_t side = 0; side < 2; ++side)
+        values[side].insert(values[side].end(), one.values[side].begin(), one.values[side].end());
+    }
+    found = {};
+    if (seams.empty()) return;
+    std::vector<std::size_t> kept;
+    for (const SeamReading& seam : seams)
+      for (const FilterReading& side : seam.sides)
+        for (const std::size_t texel : side.texels)
+          if (texels_[texel] == Texel::Centre || texels_[texel] == Texel::Miss)
+            kept.push_back(texel);
+    std::sort(kept.begin(), kept.end());
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+    const auto rows = static_cast<Index>(seams.size());
+    const Eigen::Map<const RowMatrix> here(values[0].data(), rows, values_.channels),
+        there(values[1].data(), rows, values_.channels);
+    const Transfer seen = options_.transfer == Transfer::Srgb ? Transfer::Srgb : values_.seen;
+    close_seams(baked_.image, options_.transfer, seen, kept, seams, here, there, stop);
+  }
+
+  // Along a cut, from the side of a half-edge.
+  void read_cut(Index half_edge, CutValues& found) const {
+    const Index other = continuation_.across(half_edge);
+    const double length = std::max(texels_along(half_edge), texels_along(other));
+    const double reach_here = reach_along(half_edge), reach_there = reach_along(other);
     const int count = static_cast<int>(std::ceil(length / kBetweenReadings));
     Scratch scratch(values_.channels);
     for (int k = 0; k < count; ++k) {
       const double t = (k + 0.5) / count;
-      const SurfacePlace place = on(half_edge, t);
+      SeamReading seam;
+      seam.length = length / count;
+      if (!reading_at(baked_.image, uv_at(half_edge, t), seam.sides[0]) ||
+          !reading_at(baked_.image, uv_at(other, 1 - t), seam.sides[1]) ||
+          !is_near(seam.sides[0], along(half_edge, t), reach_here) ||
+          !is_near(seam.sides[1], along(other, 1 - t), reach_there) ||
+          !value_at(along(half_edge, t), scratch.value, scratch.likely) ||
+          !value_at(along(other, 1 - t), scratch.one, scratch.likely))
+        continue;
+      found.seams.push_back(seam);
+      found.values[0].insert(found.values[0].end(), scratch.value.begin(), scratch.value.end());
+      found.values[1].insert(found.values[1].end(), scratch.one.begin(), scratch.one.end());
+    }
+  }
+
+  // Along a half-edge of a border: the points at which all that a filter reads is near.
+  void read_border(Index half_edge, BorderValues& found) const {
+    const Index other = continuation_.across(half_edge);
+    const double length = texels_along(half_edge), reach = reach_along(half_edge);
+    const int count = static_cast<int>(std::ceil(length / kBetweenReadings));
+    Scratch scratch(values_.channels);
+    for (int k = 0; k < count; ++k) {
+      const double t = (k + 0.5) / count;
+      const SurfacePlace place = along(half_edge, t);
       FilterReading reading;
-      if (!reading_at(baked_.image, uv_at(t), reading) ||
-          !is_near(reading, beside, position_at(map.mesh(), place), reach) ||
-          !value_at(place, scratch.value, scratch.likely))
+      if (!reading_at(baked_.image, uv_at(half_edge, t), reading) || !has_values(reading) ||
+          !is_near(reading, place, reach) || !value_at(place, scratch.value, scratch.likely))
         continue;
       scratch.one = scratch.value;
-      if (other >= 0 && !value_at(on(other, 1 - t), scratch.one, scratch.likely)) continue;
+      if (other >= 0 && !value_at(along(other, 1 - t), scratch.one, scratch.likely)) continue;
       reading.length = length / count;
       found.readings.push_back(reading);
       found.values.insert(found.values.end(), scratch.value.begin(), scratch.value.end());
@@ -461,15 +512,43 @@ class Baker {
     }
   }
 
-  static bool is_near(const FilterReading& reading, const std::vector<Beside>& beside,
-                      const Vector3& position, double reach) {
+  // By how far what is read along a half-edge lies apart on the surface at most.
+  double reach_along(Index half_edge) const {
+    const SurfaceMesh& mesh = layout_.map().mesh();
+    const double of_surface =
+        (position_at(mesh, along(half_edge, 1)) - position_at(mesh, along(half_edge, 0))).norm();
+    return kReachOfFilter * of_surface / texels_along(half_edge);
+  }
+
+  // Whether all that is read at a point of a border shows the surface near it, as far as it shows
+  // any point of the surface.
+  bool is_near(const FilterReading& reading, const SurfacePlace& place, double reach) const {
+    const Vector3 position = position_at(layout_.map().mesh(), place);
     return std::all_of(reading.texels.begin(), reading.texels.end(), [&](std::size_t texel) {
-      const auto found =
-          std::lower_bound(beside.begin(), beside.end(), texel,
-                           [](const Beside& one, std::size_t t) { return one.texel < t; });
-      return found != beside.end() && found->texel == texel &&
-             (found->position - position).norm() <= reach;
+      const auto shown_at = position_of(texel);
+      return !shown_at || (*shown_at - position).norm() <= reach;
     });
+  }
+
+  bool has_values(const FilterReading& reading) const {
+    return std::all_of(reading.texels.begin(), reading.texels.end(),
+                       [&](std::size_t texel) { return has_value(texels_[texel]); });
+  }
+
+  // Where the surface lies that a texel shows.
+  std::optional<Vector3> position_of(std::size_t texel) const {
+    const auto width = to_size(options_.width);
+    const std::size_t row = texel / width;
+    const std::vector<Around>& around = around_[row / to_size(kRowsOfBand)];
+    const auto found =
+        std::lower_bound(around.begin(), around.end(), texel,
+                         [](const Around& one, std::size_t t) { return one.texel < t; });
+    if (found != around.end() && found->texel == texel) return found->position;
+    if (texels_[texel] != Texel::Centre) return std::nullopt;
+    const auto place =
+        place_at(grid_.center(static_cast<int>(texel % width), static_cast<int>(row)), nullptr);
+    if (!place) return std::nullopt;
+    return position_at(layout_.map().mesh(), *place);
   }
 
   // The point of the surface at this point of the layout, or of a piece that is continued there;
@@ -523,7 +602,7 @@ class Baker {
   ChartContinuation continuation_;
   std::vector<Index> chart_of_;  // by face
   std::vector<Texel> texels_;
-  std::vector<std::vector<Beside>> beside_;   // by band
+  std::vector<std::vector<Around>> around_;   // by band, ascending
   std::vector<std::atomic<char>> has_texel_;  // by chart
   BakedImage baked_;
 };
@@ -655,7 +734,7 @@ SurfaceValues texture_values(const BezierMap& layout, const Raster& image, Trans
           [&layout, &image, decoder, filter](const SurfacePlace& place, float* value) {
             sample(image, *decoder, layout.evaluate(place.face, place.barycentric), filter, value);
           },
-          0, filter == Filter::Nearest ? Course::OfFaces : Course::Continuous};
+          0, filter == Filter::Nearest ? Course::OfFaces : Course::Picture, transfer};
 }
 
 bool is_in_unit_square(const BezierMap& map) {

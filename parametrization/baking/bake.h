@@ -41,6 +41,7 @@ PlaceOf nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, doub
 
 // How what a surface carries goes on across the edges of its faces.
 enum class Course {
+  Picture,     // as Continuous; texels in charts give way by some codes, for cuts not to be seen
   Continuous,  // it may be mixed: what lies beyond a chart's border is shown around it
   OfFaces      // numbers, normals of flat faces: the nearest of the chart's own are shown around it
 };
@@ -51,6 +52,7 @@ struct SurfaceValues {
   std::function<void(const SurfacePlace& place, float* value)> at;  // from several threads
   float background = 0;                                             // where nothing is known
   Course course = Course::Continuous;
+  Transfer seen = Transfer::Linear;  // of a picture: in what differences are seen
 };
 // What these refer to outlives them.
 SurfaceValues position_values(const SurfaceMesh& mesh);  // x y z of the file; NaN: nothing

@@ -171,6 +171,48 @@ TEST(Bake, BothSidesOfAFoldLookAlike) {
   EXPECT_GT(centers, 1000);
 }
 
+// A fold inside of both charts that ends at the cut: no texel around the charts mends it. Pictures
+// give way there, measurements do not.
+TEST(Bake, FoldsThatEndAtACut) {
+  const BezierMap map = apart(*surface(grid(4, flat)));
+  const auto same = same_places(map.mesh(), map.mesh());
+  SurfaceValues values{
+      1, [positions = position_values(map.mesh())](const SurfacePlace& place, float* value) {
+        std::array<float, 3> p{};
+        positions.at(place, p.data());
+        *value = p[1] + std::abs(p[1] - 0.5F);
+      }};
+  BakeOptions options = floats(64, 64);
+  options.padding = 1;
+  const auto most_apart = [&](const Raster& image) {
+    const ColorDecoder decoder(image, Transfer::Linear);
+    float most = 0;
+    for (int k = 20; k <= 180; ++k) {
+      const double y = k / 200.0;
+      float left = 0, right = 0;
+      sample(image, decoder, {0.45, 0.1 + 0.8 * y}, Filter::Bilinear, &left);
+      sample(image, decoder, {0.95 - 0.35 * y, 0.275}, Filter::Bilinear, &right);
+      most = std::max(most, std::abs(left - right));
+    }
+    return most * 255;  // values from 0.5 to 1.5
+  };
+  const Raster exact = bake(InverseMap(map), options, *same, values).image;
+  values.course = Course::Picture;
+  const Raster closed = bake(InverseMap(map), options, *same, values).image;
+  EXPECT_GT(most_apart(exact), 1);
+  EXPECT_LT(most_apart(closed), 1);
+  const TexelGrid texels(64, 64);
+  const InverseMap layout(map);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      for (const Preimage& found : layout.preimages(texels.center(x, y))) {
+        float value = 0;
+        values.at({found.face, found.barycentric}, &value);
+        EXPECT_EQ(exact.value(x, y, 0), value);
+        EXPECT_LE(std::abs(closed.value(x, y, 0) - value), 3.01 / 255);
+      }
+}
+
 TEST(Bake, LevellingHasNoUnit) {
   const BezierMap map =
       apart(*surface(grid(4, [](double x, double) { return std::abs(x - 0.5); })));
