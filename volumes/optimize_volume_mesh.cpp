@@ -36,6 +36,8 @@ constexpr double kLatticePart = 0.9;
 // Newton steps in which a mesh comes free that is tangled inside alone; the public ones take 6, 8
 // and 134.
 constexpr int kHeldSteps = 200;
+// The same where some of the boundary is let go of: gmsh's models that come free so take 2.
+constexpr int kReleasedSteps = 20;
 
 // Scaled Jacobians are told apart above this.
 constexpr double kSameScaledJacobian = 1e-3;
@@ -201,11 +203,14 @@ class VolumeOptimizer {
     record_.announce("untangling");
     if (options_.boundary == VolumeBoundary::Free) {
       HeldPoints border(mesh_, sides_of(mesh_), *net_, x_, VolumeBoundary::Fixed);
+      int steps = kHeldSteps;
       for (auto forced = border.impossible_cells(mesh_); !forced.empty();
-           forced = border.impossible_cells(mesh_))
+           forced = border.impossible_cells(mesh_)) {
         border.release(forced, *held_);
-      UntangledPoint inside = descended(x_, border, nullptr,
-                                        {.first_eps = kFirstEpsHeld, .max_iterations = kHeldSteps});
+        steps = kReleasedSteps;
+      }
+      UntangledPoint inside =
+          descended(x_, border, nullptr, {.first_eps = kFirstEpsHeld, .max_iterations = steps});
       if (inside.verdict.feasible) x_ = std::move(inside.x);
       if (inside.verdict.feasible || record_.stop()() != Directive::Continue) return;
     }
