@@ -109,8 +109,11 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
   const Index bad = count - before.count(ProofStatus::Proven);
   std::string text =
       fmt::format("{}: {}: {}", request.input, status_name(result.status), elements_in_words(mesh));
-  if (!result.is_valid())
-    return one_line(text + fmt::format("; {}; no mesh is written\n", result.message));
+  if (!result.is_valid()) {
+    const bool may_move = !result.impossible.empty() && request.boundary != "free";
+    return one_line(text + fmt::format("; {}; no mesh is written{}\n", result.message,
+                                       may_move ? "; --boundary free moves these nodes, too" : ""));
+  }
   if (bad > 0)
     text += fmt::format("; {} {} not valid, none is left", bad, bad == 1 ? "was" : "were");
   text += fmt::format(

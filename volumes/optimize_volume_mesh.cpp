@@ -36,6 +36,8 @@ constexpr double kLatticePart = 0.9;
 // Newton steps in which a mesh comes free that is tangled inside alone; the public ones take 6, 8
 // and 134.
 constexpr int kHeldSteps = 200;
+// The same where some of the boundary is let go of: gmsh's models that come free so take 2.
+constexpr int kReleasedSteps = 20;
 
 // Scaled Jacobians are told apart above this.
 constexpr double kSameScaledJacobian = 1e-3;
@@ -193,19 +195,24 @@ class VolumeOptimizer {
     return is_affine ? rule : guarded_rule(rule, space.degree(), kLatticePart);
   }
 
-  // A free boundary is held at first: it keeps the size, so that eps may be large, and most meshes
-  // are tangled inside alone. A curved mesh that does not come free is untangled as a straight one,
-  // as far as nothing is held, and from there once more.
+  // A free boundary is held at first, but where that makes elements impossible: it keeps the shape,
+  // and the size, so that eps may be large, and most meshes are tangled inside alone. A curved mesh
+  // that does not come free is untangled as a straight one, as far as nothing is held, and from
+  // there once more.
   void untangle() {
     record_.announce("untangling");
     if (options_.boundary == VolumeBoundary::Free) {
-      const HeldPoints border(mesh_, sides_of(mesh_), *net_, x_, VolumeBoundary::Fixed);
-      if (border.impossible_cells(mesh_).empty()) {
-        UntangledPoint inside = descended(
-            x_, border, nullptr, {.first_eps = kFirstEpsHeld, .max_iterations = kHeldSteps});
-        if (inside.verdict.feasible) x_ = std::move(inside.x);
-        if (inside.verdict.feasible || record_.stop()() != Directive::Continue) return;
+      HeldPoints border(mesh_, sides_of(mesh_), *net_, x_, VolumeBoundary::Fixed);
+      int steps = kHeldSteps;
+      for (auto forced = border.impossible_cells(mesh_); !forced.empty();
+           forced = border.impossible_cells(mesh_)) {
+        border.release(forced, *held_);
+        steps = kReleasedSteps;
       }
+      UntangledPoint inside =
+          descended(x_, border, nullptr, {.first_eps = kFirstEpsHeld, .max_iterations = steps});
+      if (inside.verdict.feasible) x_ = std::move(inside.x);
+      if (inside.verdict.feasible || record_.stop()() != Directive::Continue) return;
     }
     UntangledPoint point = descended(x_, nullptr);
     const bool is_curved = std::any_of(net_->parts().begin(), net_->parts().end(),

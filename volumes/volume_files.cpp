@@ -28,14 +28,18 @@ std::string first_word(const std::string& path, const std::string& content, cons
   return std::string(words.next());
 }
 
-// VTK's number of a cell with these nodes; Gauss-Lobatto nodes become control points.
+// VTK's number of a cell with these nodes; Gauss-Lobatto nodes become control points. The quadratic
+// cells have the nodes of Lagrange cells of degree 2, in their order, and are known to more
+// programs.
 int vtk_number(const CellType& type) {
   const int shape = static_cast<int>(type.shape);
-  constexpr int kStraight[] = {1, 3, 5, 9, 10, 13, 12}, kLagrange[] = {1, 68, 69, 70, 71, 73, 72},
-                kBezier[] = {1, 75, 76, 77, 78, 80, 79}, kSerendipity[] = {0, 0, 0, 23, 0, 26, 25};
+  constexpr int kStraight[] = {1, 3, 5, 9, 10, 13, 12}, kQuadratic[] = {1, 21, 22, 28, 24, 32, 29},
+                kLagrange[] = {1, 68, 69, 70, 71, 73, 72}, kBezier[] = {1, 75, 76, 77, 78, 80, 79},
+                kSerendipity[] = {0, 0, 0, 23, 0, 26, 25};
   if (type.degree == 1) return kStraight[shape];
   if (type.set == NodeSet::Serendipity) return kSerendipity[shape];
-  return type.kind == NodeKind::Uniform ? kLagrange[shape] : kBezier[shape];
+  if (type.kind != NodeKind::Uniform) return kBezier[shape];
+  return type.degree == 2 ? kQuadratic[shape] : kLagrange[shape];
 }
 
 class VtuText {
@@ -49,7 +53,9 @@ class VtuText {
   void add_cell(const CellBlock& block, Index cell, std::span<const Index> nodes) {
     for (const Index node : nodes) connectivity_.push_back(node);
     offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
-    types_.push_back(static_cast<std::uint8_t>(vtk_number(block.type)));
+    const int type = vtk_number(block.type);
+    types_.push_back(static_cast<std::uint8_t>(type));
+    has_lattice_hexahedra_ = has_lattice_hexahedra_ || type == 72 || type == 79;
     numbers_.push_back(block.numbers[to_size(cell)]);
     regions_.push_back(block.regions[to_size(cell)]);
   }
@@ -60,12 +66,14 @@ class VtuText {
     scaled_.push_back(cell.scaled_jacobian);
   }
 
+  // In version 1.0, which meshio reads, too, unless it has hexahedra whose order of nodes changed
+  // after it.
   std::string take() {
     fmt::format_to(std::back_inserter(text_),
-                   "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
+                   "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"{}\" "
                    "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
                    "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<CellData>\n",
-                   points_.size() / 3, types_.size());
+                   has_lattice_hexahedra_ ? "2.2" : "1.0", points_.size() / 3, types_.size());
     array("number", "Int64", 1, numbers_);
     array("region", "Int32", 1, regions_);
     if (!scaled_.empty()) {
@@ -102,6 +110,7 @@ class VtuText {
   std::vector<std::int64_t> connectivity_, offsets_, numbers_;
   std::vector<std::int32_t> regions_;
   std::vector<std::uint8_t> types_;
+  bool has_lattice_hexahedra_ = false;  // Lagrange or Bezier
   std::string text_;
 };
 

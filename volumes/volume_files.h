@@ -56,8 +56,9 @@ void write_volume_mesh(const std::string& path, const VolumeMesh& mesh,
                        const std::function<void(const VolumeMesh& written)>& verify = {});
 
 // These cells of a mesh as a .vtu: each with all of its points, which none shares, CellData number,
-// region, min_det_low, min_det_high, scaled_jacobian. Nodes on a lattice make Lagrange cells,
-// control points Bezier ones; of Gauss-Lobatto nodes the control points are written.
+// region, min_det_low, min_det_high, scaled_jacobian. Nodes on a lattice make quadratic and
+// Lagrange cells, control points Bezier ones; of Gauss-Lobatto nodes the control points are
+// written.
 void write_cells_vtu(const std::string& path, const VolumeMesh& mesh,
                      const std::vector<const CheckedCell*>& cells);
 

@@ -18,6 +18,10 @@ try:
 except ImportError:
     gmsh = None
 try:
+    import meshio
+except ImportError:
+    meshio = None
+try:
     from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 except ImportError:
     vtkXMLUnstructuredGridReader = None
@@ -148,6 +152,7 @@ class Verdicts(CommandTest):
         self.check_refusal(UNREADABLE, 'none.mesh')
         self.check_refusal(UNREADABLE, self.write('a.msh', 'hello'))
         self.check_refusal(UNSUPPORTED, self.write('a.obj', 'v 0 0 0\n'))
+        self.check_refusal(UNREADABLE, self.write('n.mesh', TETRAHEDRA.replace('Tetrahedra 2', 'Tetrahedra 1')))
         self.check_refusal(UNSUPPORTED, self.write('p.mesh', TETRAHEDRA.replace('Tetrahedra 2', 'Pyramids 2')))
         self.check_refusal(USAGE, self.write('a.mesh', TETRAHEDRA), '-o', self.path('bad.obj'))
         self.check_refusal(UNREADABLE, self.write('b.mesh', TETRAHEDRA[:100]))
@@ -159,7 +164,55 @@ class Verdicts(CommandTest):
         self.assertEqual(done.out, '')
 
 
+class DegreesOfVtk(CommandTest):
+    """Degrees that differ between the directions of a cell are not those of any number of points."""
+
+    def check(self, kind, points, degrees, code, says):
+        array = '' if degrees is None else (
+            '<CellData HigherOrderDegrees="D"><DataArray type="Float64" Name="D" NumberOfComponents="3" format="ascii">'
+            '%s</DataArray></CellData>' % degrees)
+        path = self.write('a.vtu', (
+            '<VTKFile type="UnstructuredGrid" version="2.2" byte_order="LittleEndian"><UnstructuredGrid>'
+            '<Piece NumberOfPoints="{0}" NumberOfCells="1">{1}<Points><DataArray type="Float64" NumberOfComponents="3" '
+            'format="ascii">{2}</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity" format="ascii">'
+            '{3}</DataArray><DataArray type="Int64" Name="offsets" format="ascii">{0}</DataArray><DataArray '
+            'type="UInt8" Name="types" format="ascii">{4}</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>'
+            ).format(points, array, '0 1 2 ' * points, ' '.join(map(str, range(points))), kind))
+        done = majorant('mesh', 'check', path)
+        self.assertEqual(done.code, code, done.err)
+        self.assertIn(says, done.err)
+
+    def test_that_differ(self):
+        quad, tetrahedron, hexahedron, wedge = 70, 71, 72, 73
+        one = 'the same in all directions'
+        for kind, points, degrees in ((quad, 16, '1 7 0'), (quad, 12, None), (quad, 14, None), (hexahedron, 64, '1 3 7'),
+                                      (hexahedron, 24, None), (wedge, 18, '1 1 5'), (wedge, 12, None)):
+            with self.subTest(kind=kind, points=points):
+                self.check(kind, points, degrees, UNSUPPORTED, one)
+        self.check(quad, 16, '1 7 0', UNSUPPORTED, 'cell 0 of degrees 1, 7; ')
+        for kind, points in ((quad, 13), (hexahedron, 10), (wedge, 17), (tetrahedron, 12)):
+            with self.subTest(kind=kind, points=points):
+                self.check(kind, points, None, UNREADABLE, 'points')
+        self.check(quad, 16, '3 3', UNREADABLE, 'D')
+        self.check(quad, 16, '3 3 0', INVALID, '')  # all points in one place
+        self.check(tetrahedron, 10, '2 0 0', INVALID, '')
+
+
 class BadElements(CommandTest):
+    @unittest.skipIf(meshio is None, 'no meshio')
+    def test_as_a_vtu_for_meshio(self):
+        """Which reads the version 1.0 alone, and quadratic cells by name."""
+        text = ('MeshVersionFormatted 2\nDimension 3\nVertices 10\n' + ''.join(
+            '%d %d %d 0\n' % at for at in ((0, 0, 0), (0, 2, 0), (2, 0, 0), (0, 0, 2), (0, 1, 0), (1, 1, 0), (1, 0, 0),
+                                           (0, 0, 1), (0, 1, 1), (1, 0, 1))) +
+            'TetrahedraP2 1\n1 2 3 4 5 6 7 8 9 10 3\nEnd\n')
+        self.run_ok('mesh', 'check', self.write('a.mesh', text), '-o', self.path('bad.vtu'), code=INVALID)
+        mesh = meshio.read(self.path('bad.vtu'))
+        self.assertEqual([(block.type, len(block.data)) for block in mesh.cells], [('tetra10', 1)])
+        self.assertEqual(list(mesh.cell_data['region'][0]), [3])
+        again = self.run_ok('mesh', 'check', self.path('bad.vtu'), code=INVALID)
+        self.assertIn('1 tetrahedra of degree 2', again.out)
+
     @unittest.skipIf(vtkXMLUnstructuredGridReader is None, 'no VTK')
     def test_as_a_vtu(self):
         path = self.write('a.mesh', TETRAHEDRA.replace('2 3 4 5 8', '3 2 4 5 8'))

@@ -242,6 +242,19 @@ void HeldPoints::hold(Index point) {
   for (int d = 0; d < net_.dim(); ++d) held_[to_size(net_.dim() * point + d)] = 1;
 }
 
+void HeldPoints::release(const std::vector<CellName>& cells, const HeldPoints& others) {
+  const int dim = net_.dim();
+  for (const ControlNet::Part& part : net_.parts())
+    for (const CellName& name : cells) {
+      if (name.block != part.block) continue;
+      for (const Index point : part.space->cells().row(name.cell)) {
+        for (Index k = dim * point; k < dim * (point + 1); ++k)
+          held_[to_size(k)] = others.held_[to_size(k)];
+        std::erase_if(rows_, [&](const PlaneRow& row) { return row.point == point; });
+      }
+    }
+}
+
 // Holds in every connected piece the coordinates of one point that nothing else of it holds.
 void HeldPoints::hold_pieces() {
   UnionFind pieces(net_.count());

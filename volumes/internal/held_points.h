@@ -19,6 +19,9 @@ class HeldPoints final : public Constraint {
 
   void append_rows(ConstraintRows& rows) const override;
 
+  // Lets go of the control points of these cells, but of what others hold.
+  void release(const std::vector<CellName>& cells, const HeldPoints& others);
+
   // Flags the coordinates of control points that stay.
   const std::vector<char>& held() const { return held_; }
   // True where nothing of a control point stays, in no plane either.

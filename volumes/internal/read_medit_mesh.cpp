@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <map>
 #include <optional>
@@ -59,6 +60,11 @@ class MeditReader {
     for (;;) {
       const std::string keyword(in_.next());
       if (keyword.empty() || keyword == "End") break;
+      if (std::isalpha(static_cast<unsigned char>(keyword[0])) == 0)
+        in_.fail(
+            fmt::format("{} where the name of a section should be; the entries before it are "
+                        "more than their number says, or of another degree",
+                        in_quotes(keyword)));
       read_section(keyword);
     }
     if (points_.empty()) in_.fail("no vertices; not a mesh, or truncated");

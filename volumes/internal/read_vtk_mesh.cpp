@@ -254,6 +254,25 @@ class VtkReader {
                                               : Placed::Coding::SwappedDoubles);
   }
 
+  // Whether a quad, hexahedron or wedge of degrees that differ may have so many points.
+  static bool is_of_more_degrees(CellShape shape, std::size_t points) {
+    if (shape == CellShape::Quad) return is_grid(points, 2);
+    if (shape == CellShape::Hexahedron) return is_grid(points, 3);
+    if (shape != CellShape::Wedge) return false;
+    for (std::size_t side = 2; side <= points; ++side) {
+      const std::size_t of_triangle = side * (side + 1) / 2;
+      if (points % of_triangle == 0 && is_grid(points / of_triangle, 1)) return true;
+    }
+    return false;
+  }
+  // A product of so many numbers, 2 at least.
+  static bool is_grid(std::size_t points, int directions) {
+    if (directions == 1) return points >= 2;
+    for (std::size_t a = 2; a < points; ++a)
+      if (points % a == 0 && is_grid(points / a, directions - 1)) return true;
+    return false;
+  }
+
   CellType type_of(std::size_t cell, long long number, std::size_t points) const {
     const std::optional<VtkType> known = vtk_type(number);
     if (!known)
@@ -270,10 +289,9 @@ class VtkReader {
       type.degree = 1;
       while (to_size(type.node_count()) < points && type.degree <= CellType::kMaxDegree)
         ++type.degree;
-      if (type.degree > CellType::kMaxDegree)
-        refuse_mesh(path_, fmt::format("cell {} with {} points; degrees 1 to {}, the same in all "
-                                       "directions, are supported",
-                                       cell, points, CellType::kMaxDegree));
+      const bool is_one = to_size(type.node_count()) == points;
+      if (type.degree > CellType::kMaxDegree || (!is_one && is_of_more_degrees(type.shape, points)))
+        refuse_degrees(cell, fmt::format("{} points", points));
     }
     if (to_size(type.node_count()) != points)
       fail(fmt::format("cell {} has {} points, {} have {}", cell, points, describe(type),
@@ -307,6 +325,7 @@ class VtkReader {
     if (const XmlElement* data = piece.child("CellData"))
       if (const XmlElement* array = array_of(*data, "region")) regions = arrays_.doubles(*array);
     require_polynomials(piece);
+    require_one_degree(piece, types);
     CellCollector cells;
     std::map<std::pair<long long, std::size_t>, std::pair<CellType, std::vector<int>>> known;
     long long begin = 0;
@@ -333,6 +352,35 @@ class VtkReader {
                 std::abs(region) < 1e9 ? static_cast<int>(region) : 0);
     }
     mesh.blocks = cells.take();
+  }
+
+  // Quads, hexahedra and wedges may have a degree for each direction.
+  void require_one_degree(const XmlElement& piece, const std::vector<long long>& types) const {
+    const XmlElement* data = piece.child("CellData");
+    if (data == nullptr) return;
+    const std::string_view name = data->attribute("HigherOrderDegrees", "HigherOrderDegrees");
+    const XmlElement* array = array_of(*data, name);
+    if (array == nullptr) return;
+    const std::vector<double> degrees = arrays_.doubles(*array);
+    if (degrees.size() != 3 * types.size()) fail(fmt::format("{} are not 3 of each cell", name));
+    for (std::size_t c = 0; c < types.size(); ++c) {
+      const std::optional<VtkType> type = vtk_type(types[c]);
+      if (!type || type->degree != 0 || !has_directions(type->shape)) continue;
+      const double* const first = &degrees[3 * c];
+      const double* const last = first + dimension(type->shape);
+      if (std::count(first, last, *first) != last - first)
+        refuse_degrees(c, fmt::format("degrees {}", fmt::join(first, last, ", ")));
+    }
+  }
+  static bool has_directions(CellShape shape) {
+    using enum CellShape;
+    return shape == Quad || shape == Hexahedron || shape == Wedge;
+  }
+
+  [[noreturn]] void refuse_degrees(std::size_t cell, const std::string& what) const {
+    refuse_mesh(path_, fmt::format("cell {} of {}; degrees 1 to {}, the same in all directions, "
+                                   "are supported",
+                                   cell, what, CellType::kMaxDegree));
   }
 
   // Weights that differ make rational functions of the cells.
