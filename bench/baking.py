@@ -4,7 +4,7 @@
 """How well textures survive a bake, how their seams look, and what large images and thin charts cost.
 
     bench/baking.py MAJORANT [--size 2048] [--large 8192] [--folder DIR] [--blender PROGRAM]
-                    [--copy SCAN.obj COPY.obj]... MESH.obj...
+                    [--copy SCAN.obj COPY.obj]... [MESH.obj...]
 
 A texture is drawn by a formula of the position: waves, 127.5 + 110 sin(2 pi 16 x / D + phase) in red, green and blue,
 D the diagonal; and a checkerboard of 64 cells along D. One sample a texel, where nothing else is said. Four tables:
@@ -15,10 +15,14 @@ D the diagonal; and a checkerboard of 64 cells along D. One sample a texel, wher
   texture there, which is 0 where the first layout is not cut; in codes of 1/255, of a second atlas of floats, so
   that no rounding is in it. Crowded are points at which one of the layouts has another part of the surface, or the other
   side of the cut, within a filter's reach: what is read there no baker can help; they are counted, and left out.
-* Copies: from a mesh to a coarser one; compared with the formula at the points of the mesh that the copy shows. With
-  --blender PROGRAM (3.4 of Debian 12) also by Cycles, which looks for them along normals (selected to active, rays
-  from 2 % of the diagonal outside, 16 samples): compared at the points that it finds, which it bakes as well; then
-  also by majorant with as many samples.
+* Copies: from a mesh, its texture four times as wide, to a coarser one. With --blender PROGRAM (3.4 of Debian 12) also by
+  Cycles, which looks for points along normals (selected to active, rays from 2 % of the diagonal outside). What a texel
+  should show is the formula at the point found for its centre, or of 16 samples its mean over 16 points of the texel, each
+  at the place that the program found: PSNR is of mixing, not of who finds the better point. Twice: of numbers
+  (--linear; Non-Color), which both programs mix as they are; and of colours, which majorant mixes as light, as graphics
+  hardware does, while Cycles filters a texture's codes and decodes what it has filtered: halfway from black to white it
+  reads code 128, and not 188. So PSNR of colours is given in codes and in light. Compared at the texels that both
+  programs find; not where the scan's texture is crowded: where one of them is off by more than 3 codes of the waves.
 * Charts: thousands of them, and strips of a fifth of a texel.
 * Large images of the last mesh: seconds and memory.
 """
@@ -41,7 +45,8 @@ STRIP, APART = 0.2, 1.7
 OFF = 3  # codes
 APART_AT_LEAST = 3  # texels, of the two sides of a cut: filters of both read two each way
 FAR = 1.5  # texels from what a filter reads at one point, sqrt 2 at most: another part of the surface
-OUTSIDE, SAMPLES = 0.02, 16  # Blender's: where rays begin, of the diagonal; rays of a texel
+OUTSIDE = 0.02  # Blender's: where rays begin, of the diagonal
+ALONG = 4  # samples along a side of a texel; so much wider is the scan's texture
 
 
 def waves(position, diagonal):
@@ -89,6 +94,16 @@ def edges_of(faces):
     return {edge: sides for edge, sides in edges.items() if len(sides) == 2}
 
 
+def light(codes):
+    codes = np.asarray(codes) / 255
+    return np.where(codes <= 0.04045, codes / 12.92, ((np.maximum(codes, 0) + 0.055) / 1.055) ** 2.4)
+
+
+def codes_of(linear):
+    linear = np.maximum(linear, 0)
+    return 255 * np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+
+
 def filtered(image, uv):
     """Codes that a bilinear filter in linear light reads."""
     height, width = image.shape[:2]
@@ -97,13 +112,11 @@ def filtered(image, uv):
     s, t = (x - left)[..., None], (y - top)[..., None]
 
     def at(column, row):
-        code = image[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)] / 255
-        return np.where(code <= 0.04045, code / 12.92, ((code + 0.055) / 1.055) ** 2.4)
+        return light(image[np.clip(row, 0, height - 1), np.clip(column, 0, width - 1)])
 
     above = (1 - s) * at(left, top) + s * at(left + 1, top)
     below = (1 - s) * at(left, top + 1) + s * at(left + 1, top + 1)
-    linear = (1 - t) * above + t * below
-    return 255 * np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+    return codes_of((1 - t) * above + t * below)
 
 
 class Seams:
@@ -118,7 +131,8 @@ class Seams:
         ends = layout[0][np.array(cut)]
         self.has_room = np.linalg.norm(self.uv[0] - self.uv[1], axis=1) * len(shown) > APART_AT_LEAST
         for side in (0, 1):
-            length = np.linalg.norm(np.diff(self.uv[side].reshape(len(cut), -1, 2)[:, [0, -1]], axis=1)[:, 0], axis=1)
+            ends_of = self.uv[side].reshape(len(cut), POINTS_OF_EDGE, 2)[:, [0, -1]]  # first and last point, not the ends
+            length = np.linalg.norm(np.diff(ends_of, axis=1)[:, 0], axis=1) * POINTS_OF_EDGE / (POINTS_OF_EDGE - 1)
             texel = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / np.maximum(length * len(shown), 1e-9)
             self.has_room &= self.finds_room(shown, self.uv[side], self.points_of(ends[:, None])[0],
                                              np.repeat(texel, POINTS_OF_EDGE))
@@ -177,16 +191,15 @@ class Bench:
 
     def codes_without_rounding(self, name):
         """Of an array of linear light."""
-        linear = np.maximum(np.load(self.path(name)).astype(float), 0)
-        return 255 * np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+        return codes_of(np.load(self.path(name)).astype(float))
 
-    def positions(self, new, old, *args):
-        self.bake(new, old, 'position.npy', '--attribute', 'position', *args)
+    def positions(self, new, old, *args, size=None):
+        self.bake(new, old, 'position.npy', '--attribute', 'position', *args, size=size)
         return np.load(self.path('position.npy')).astype(float)
 
-    def draw(self, formula, diagonal, layout, image):
+    def draw(self, formula, diagonal, layout, image, size=None):
         """The texture of a layout, with padding."""
-        position = self.positions(layout, layout, '--padding', 64)
+        position = self.positions(layout, layout, '--padding', 64, size=size)
         from PIL import Image
         texture = np.nan_to_num(np.rint(formula(position, diagonal))).astype(np.uint8)
         Image.fromarray(texture).save(self.path(image))
@@ -209,37 +222,74 @@ class Bench:
             if seams is None:  # waves: where the first atlas is off, it was crowded itself
                 shown[np.abs(codes - formula(shown, diagonal)).max(-1) > OFF] = np.inf
                 seams = Seams(new, old, shown)
-            steps = seams.steps(codes, self.image('old.png'))[seams.has_room]
+            steps, rounded = (seams.steps(image, self.image('old.png'))[seams.has_room]
+                              for image in (codes, self.image('new.png')))
             there = report['bake']
             yield (os.path.basename(mesh), name, there['charts'], there['charts_without_texels'],
                    there['doubly_covered'], there['misses'], '%.1f' % psnr(error), len(seams.has_room),
                    int((~seams.has_room).sum()), *('%.2f' % max(0, np.percentile(steps, p)) for p in (50, 99, 100)),
-                   '%.2f' % report['seconds']['total'])
+                   '%.2f' % max(0, rounded.max()), '%.2f' % report['seconds']['total'])
 
     def copy(self, scan, copy):
         self.run('unwrap', scan, '-o', self.path('scan.obj'), '--normalize')
         self.run('unwrap', copy, '-o', self.path('copy.obj'), '--normalize')
         points = read_obj(self.path('scan.obj'))[0]
-        diagonal = np.linalg.norm(points.max(0) - points.min(0))
-        position = self.positions('copy.obj', 'scan.obj', '--padding', 0)
-        inside = ~np.isnan(position[..., 0])
+        self.diagonal = np.linalg.norm(points.max(0) - points.min(0))
+        programs = {'majorant': self.baked}
+        if self.blender:
+            programs['Blender'] = self.baked_in_blender
+        places = {(by, 1): bake('positions', 1) for by, bake in programs.items()}
+        for by, bake in programs.items():  # samples of a texel: texels of an image that is wider
+            fine = bake('positions', 1, self.size * ALONG)
+            places[by, ALONG] = fine.reshape(self.size, ALONG, self.size, ALONG, 3).swapaxes(1, 2)
+            places[by, ALONG] = places[by, ALONG].reshape(self.size, self.size, ALONG ** 2, 3)
+        is_inside = ~np.isnan(places['majorant', 1][..., 0])
+        misses = {by: int((is_inside & np.isnan(places[by, 1][..., 0])).sum()) for by in programs}
+        compared = np.logical_and.reduce([~np.isnan(p).any(-1).reshape(self.size, self.size, -1).any(-1)
+                                          for p in places.values()])
+        crowded = None
         for name, formula in (('waves', waves), ('checkerboard', checkerboard)):
-            self.draw(formula, diagonal, 'scan.obj', 'scan.png')
-            row = os.path.basename(scan), os.path.basename(copy), name
-            for along in (1, int(SAMPLES ** 0.5)):
-                report = self.bake('copy.obj', 'scan.obj', 'copy.png', '--image', self.path('scan.png'),
-                                   '--samples', along)
-                error = self.image('copy.png')[inside] - formula(position[inside], diagonal)
-                there = report['bake']
-                yield (*row, 'majorant', along ** 2, there['covered'], there['misses'], '%.1f' % psnr(error))
-            if self.blender:
-                subprocess.run([self.blender, '-b', '--factory-startup', '--python-exit-code', '1', '--python',
-                                os.path.abspath(__file__), '--', self.folder, str(self.size), str(OUTSIDE * diagonal)],
-                               check=True, stdout=subprocess.DEVNULL)
-                found = np.load(self.path('found.npy'))
-                hit = inside & (found[..., 3] == 1)
-                error = self.image('blender.png')[hit][:, :3] - formula(found[hit][:, :3], diagonal)
-                yield (*row, 'Blender', SAMPLES, int(inside.sum()), int((inside & ~hit).sum()), '%.1f' % psnr(error))
+            self.draw(formula, self.diagonal, 'scan.obj', 'scan.png', self.size * ALONG)
+            for what in ('numbers', 'colours'):
+                decoded = light if what == 'colours' else lambda codes: codes / 255
+                encoded = codes_of if what == 'colours' else lambda value: 255 * value
+                for along in (1, ALONG):
+                    values, images = {}, {}
+                    for by, bake in programs.items():
+                        values[by] = decoded(formula(places[by, along], self.diagonal))
+                        if along > 1:
+                            values[by] = values[by].mean(2)
+                        images[by] = bake(what, along)
+                    if crowded is None:
+                        crowded = {by: np.abs(images[by] - 255 * values[by]).max(-1) > OFF for by in programs}
+                        left_out = {by: int((compared & crowded[by]).sum()) for by in programs}
+                        compared &= ~np.logical_or.reduce(list(crowded.values()))
+                    for by in programs:
+                        of_codes = psnr((images[by] - encoded(values[by]))[compared])
+                        of_light = psnr(255 * (decoded(images[by]) - values[by])[compared])
+                        yield (os.path.basename(scan), os.path.basename(copy), name, what, along ** 2, by,
+                               int(is_inside.sum()), misses[by], left_out[by], '%.2f' % of_codes,
+                               '%.2f' % of_light if what == 'colours' else '')
+
+    def baked(self, what, along, size=None):
+        """The copy's image of codes; of 'positions', NaN where there is none."""
+        if what == 'positions':
+            return self.positions('copy.obj', 'scan.obj', '--padding', 0, size=size)
+        self.bake('copy.obj', 'scan.obj', 'copy.png', '--image', self.path('scan.png'), '--samples', along,
+                  *(['--linear'] if what == 'numbers' else []))
+        return self.image('copy.png')
+
+    def baked_in_blender(self, what, along, size=None):
+        size = size or self.size
+        subprocess.run([self.blender, '-b', '--factory-startup', '--python-exit-code', '1', '--python',
+                        os.path.abspath(__file__), '--', self.folder, str(size), str(OUTSIDE * self.diagonal),
+                        str(along ** 2), what], check=True, stdout=subprocess.DEVNULL)
+        if what != 'positions':
+            return self.image('blender.png')[..., :3]
+        found = np.load(self.path('found.npy')).astype(float)
+        # Where rays find nothing it writes 0 and, here and there, an alpha of 1.
+        is_found = (found[..., 3] == 1) & (found[..., :3] != 0).any(-1)
+        return np.where(is_found[..., None], found[..., :3], np.nan)
 
     def many_charts(self):
         """A square of triangles, each of them a chart of its own, in a square of cells."""
@@ -279,7 +329,7 @@ class Bench:
 
 def print_table(head, rows):
     print('| ' + ' | '.join(head) + ' |')
-    print('|' + '|'.join('---' if name in ('mesh', 'copy', 'texture', 'layout', 'size', 'format') else '--:'
+    print('|' + '|'.join('---' if name in ('mesh', 'copy', 'texture', 'of', 'by', 'layout', 'size', 'format') else '--:'
                          for name in head) + '|')
     for row in rows:
         print('| ' + ' | '.join(map(str, row)) + ' |', flush=True)
@@ -289,7 +339,7 @@ def print_table(head, rows):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split('\n')[0])
     parser.add_argument('majorant')
-    parser.add_argument('meshes', nargs='+')
+    parser.add_argument('meshes', nargs='*')
     parser.add_argument('--size', type=int, default=2048)
     parser.add_argument('--large', type=int, default=0)
     parser.add_argument('--copy', nargs=2, action='append', default=[])
@@ -298,13 +348,14 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(dir=options.folder) as folder:
         bench = Bench(options.majorant, folder, options.size, options.blender)
-        print_table(('mesh', 'texture', 'charts', 'without texels', 'double', 'misses', 'PSNR, dB', 'points of seams', 'crowded',
-                     'median', '99 %', 'largest step', 's'), (row for mesh in options.meshes for row in bench.round_trip(mesh)))
+        if options.meshes:
+            print_table(('mesh', 'texture', 'charts', 'without texels', 'double', 'misses', 'PSNR, dB', 'points of seams', 'crowded',
+                         'median', '99 %', 'largest step', 'of 8 bits', 's'), (row for mesh in options.meshes for row in bench.round_trip(mesh)))
         if options.copy:
-            print_table(('mesh', 'copy', 'texture', 'by', 'samples', 'texels', 'misses', 'PSNR, dB'),
+            print_table(('mesh', 'copy', 'texture', 'of', 'samples', 'by', 'texels', 'misses', 'crowded', 'PSNR, dB', 'of light'),
                         (row for pair in options.copy for row in bench.copy(*pair)))
         print_table(('layout', 'charts', 'without texels', 'centres', 'partly', 'double', 's'), bench.charts())
-        if options.large:
+        if options.large and options.meshes:
             print_table(('mesh', 'size', 'format', 'memory, GB', 's'), bench.large(options.meshes[-1], options.large))
 
 
@@ -326,13 +377,13 @@ def material_of(shown, target):
     return material
 
 
-def bake_in_blender(folder, size, outside):
-    """scan.obj with scan.png to copy.obj: blender.png, and found.npy, the points with 1 where there is one."""
+def bake_in_blender(folder, size, outside, samples, what):
+    """scan.obj with scan.png to copy.obj: blender.png; of 'positions' found.npy, with 1 where there is one."""
     import bpy
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     scene.render.engine = 'CYCLES'
-    scene.cycles.samples, scene.cycles.use_denoising = SAMPLES, False
+    scene.cycles.samples, scene.cycles.use_denoising = samples, False
     things = []
     for name in ('scan', 'copy'):
         bpy.ops.wm.obj_import(filepath=os.path.join(folder, name + '.obj'), forward_axis='Y', up_axis='Z')
@@ -341,31 +392,36 @@ def bake_in_blender(folder, size, outside):
     scan.select_set(True)
     bpy.context.view_layer.objects.active = copy
 
-    def bake(shown, image):
-        for thing, material in ((scan, material_of(shown, None)), (copy, material_of(None, image))):
-            thing.data.materials.clear()
-            thing.data.materials.append(material)
-        bpy.ops.object.bake(type='EMIT', use_selected_to_active=True, cage_extrusion=outside,
-                            max_ray_distance=2 * outside, margin=0, use_clear=True)
-
     def textured(nodes):
         node = nodes.new('ShaderNodeTexImage')
         node.image = bpy.data.images.load(os.path.join(folder, 'scan.png'))
+        if what == 'numbers':
+            node.image.colorspace_settings.name = 'Non-Color'
         return node.outputs['Color']
-    image = bpy.data.images.new('baked', size, size, alpha=True)
-    bake(textured, image)
-    image.filepath_raw, image.file_format = os.path.join(folder, 'blender.png'), 'PNG'
-    image.save()
-    places = bpy.data.images.new('places', size, size, alpha=True, float_buffer=True, is_data=True)
-    bake(lambda nodes: nodes.new('ShaderNodeNewGeometry').outputs['Position'], places)
-    found = np.empty(4 * size * size, np.float32)
-    places.pixels.foreach_get(found)
-    np.save(os.path.join(folder, 'found.npy'), found.reshape(size, size, 4)[::-1])
+
+    def placed(nodes):
+        return nodes.new('ShaderNodeNewGeometry').outputs['Position']
+
+    has_places = what == 'positions'
+    image = bpy.data.images.new('baked', size, size, alpha=True, float_buffer=has_places, is_data=what != 'colours')
+    for thing, material in ((scan, material_of(placed if has_places else textured, None)),
+                            (copy, material_of(None, image))):
+        thing.data.materials.clear()
+        thing.data.materials.append(material)
+    bpy.ops.object.bake(type='EMIT', use_selected_to_active=True, cage_extrusion=outside, max_ray_distance=2 * outside,
+                        margin=0, use_clear=True)
+    if has_places:
+        found = np.empty(4 * size * size, np.float32)
+        image.pixels.foreach_get(found)
+        np.save(os.path.join(folder, 'found.npy'), found.reshape(size, size, 4)[::-1])
+    else:
+        image.filepath_raw, image.file_format = os.path.join(folder, 'blender.png'), 'PNG'
+        image.save()
 
 
 if __name__ == '__main__':
     if 'bpy' in sys.modules:
-        folder, size, outside = sys.argv[sys.argv.index('--') + 1:]
-        bake_in_blender(folder, int(size), float(outside))
+        folder, size, outside, samples, what = sys.argv[sys.argv.index('--') + 1:]
+        bake_in_blender(folder, int(size), float(outside), int(samples), what)
     else:
         main()
