@@ -32,6 +32,8 @@
 #include "majorant/parametrization/seams/internal/cut_costs.h"
 #include "majorant/parametrization/seams/internal/cut_tree.h"
 #include "majorant/parametrization/seams/internal/flattening_strain.h"
+#include "majorant/parametrization/seams/internal/mirror_plane.h"
+#include "majorant/parametrization/seams/internal/mirrored_cuts.h"
 #include "majorant/parametrization/seams/internal/pieces.h"
 
 namespace majorant {
@@ -170,6 +172,12 @@ constexpr double kFacetedWorth = 3;
 // Large ones only once: 50,000 faces are cut in ten seconds, and the third route of small
 // ones is the last that changes anything.
 constexpr Index kMostRoutes = 3, kRouteWork = 20000;
+// What a cut may cost that is its own mirror image, and how long it may be, relative to the best
+// one: most of the difference is that the plane is where surfaces are seen.
+constexpr double kMirrorCost = 1.15, kMirrorLength = 1.06;
+// In mean edges: how far an end of a cut may be from the image of another that it is shortened with;
+// branches of cuts on both sides do not end at the same places.
+constexpr double kPairDistance = 4;
 // The numbers of branches that a cut is divided into: one for each two edges of a small mesh, and
 // such that one solve for each takes as long on all large ones: a second or two; on public meshes
 // the strains expected and found then agree within 10 %.
@@ -220,7 +228,8 @@ class Cutter {
     const StopCheck run = std::exchange(stop_, enough_.may_stop() ? either(stop_, enough_) : stop_);
     try {
       improve(cones, best);
-      best = developed(best);
+      AutomaticCut whole = developed(best);
+      best = whole.is_cut == best.is_cut ? mirrored(best, cones) : std::move(whole);
     } catch (const Stopped&) {
       run.poll();
     }
@@ -247,6 +256,54 @@ class Cutter {
     }
   }
 
+  // The cheapest cut found that is its own mirror image, where the surface is and that costs hardly
+  // more, else `best`.
+  AutomaticCut mirrored(const AutomaticCut& best, const std::vector<Index>& cones) const {
+    const std::optional<MirrorPlane> plane =
+        is_faceted_ ? std::nullopt : mirror_plane(mesh_, stop_);
+    if (!plane) return best;
+    const MirroredCuts halves(mesh_, *plane, cost_, stop_);
+    if (!halves.is_parted()) return best;
+    const bool is_large = kRouteWork < 2 * mesh_.vertex_count();
+    const std::vector<Index> on = cones_on(best, cones);
+    std::optional<AutomaticCut> found;
+    for (const auto half : {MirroredCuts::Half::Above, MirroredCuts::Half::Below})
+      for (const auto ends : {MirroredCuts::Ends::OfHalf, MirroredCuts::Ends::OfBoth}) {
+        if (is_large && ends == MirroredCuts::Ends::OfBoth) continue;
+        std::optional<AutomaticCut> cut = mirrored_route(halves, on, half, ends);
+        if (!cut) cut = mirrored_route(halves, cones, half, ends);
+        while (cut) {
+          if (is_worth_mirroring(*cut, best) && (!found || cost(*cut) < cost(*found))) found = cut;
+          if (is_large) break;
+          std::optional<AutomaticCut> next =
+              mirrored_route(halves, cones_on(*cut, cones), half, ends);
+          if (!next || !(cost(*next) < cost(*cut))) break;
+          cut = std::move(next);
+        }
+      }
+    return found ? *std::move(found) : best;
+  }
+
+  bool is_worth_mirroring(const AutomaticCut& cut, const AutomaticCut& best) const {
+    return cost(cut) <= kMirrorCost * cost(best) && length(cut) <= kMirrorLength * length(best);
+  }
+
+  // The cut through these and their images, shortened on both sides alike; none where it leaves
+  // more than the limit.
+  std::optional<AutomaticCut> mirrored_route(const MirroredCuts& halves,
+                                             const std::vector<Index>& through,
+                                             MirroredCuts::Half half,
+                                             MirroredCuts::Ends ends) const {
+    AutomaticCut full{halves.cut(through, half, ends), 0, through};
+    full.strain = strain(full.is_cut);
+    if (full.strain > limit_) return {};
+    const AutomaticCut part = peeled(full, through, halves.plane());
+    AutomaticCut cut{halves.with_images(full.is_cut, part.is_cut), 0, {}};
+    cut.ends = halves.ends_of(cut.is_cut);
+    cut.strain = strain(cut.is_cut);
+    return cut;
+  }
+
   std::vector<Index> curved_vertices() const {
     std::vector<Index> curved;
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
@@ -269,6 +326,12 @@ class Cutter {
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
       if (cut.is_cut[h]) sum += 0.5 * cost_[h];
     return sum / unit_;
+  }
+  double length(const AutomaticCut& cut) const {
+    double sum = 0;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (cut.is_cut[h]) sum += 0.5 * mesh_.edge_length(h);
+    return sum;
   }
   double strain(const std::vector<char>& is_cut) const {
     return FlatteningStrain(mesh_.cut_along(is_cut, nullptr), -1, stop_).strain();
@@ -335,12 +398,14 @@ class Cutter {
     }
   }
 
-  AutomaticCut peeled(const AutomaticCut& full, const std::vector<Index>& terminals) const {
+  AutomaticCut peeled(const AutomaticCut& full, const std::vector<Index>& terminals,
+                      const std::optional<MirrorPlane>& mirror = {}) const {
     std::vector<char> is_terminal(to_size(mesh_.vertex_count()), 0);
     for (const Index v : terminals) is_terminal[v] = 1;
     const Index branches =
         std::clamp(kBranchSolves / mesh_.vertex_count(), kFewestBranches, kMostBranches);
     CutTree tree(mesh_, full.is_cut, is_terminal, cost_, branches, stop_);
+    if (mirror) tree.shorten_in_pairs(*mirror, kPairDistance * mean_edge_length(mesh_));
     const double limit = std::max(limit_, full.strain);
     tree.peel(full.strain, limit, stop_);
     std::size_t steps = tree.steps_within(limit);
