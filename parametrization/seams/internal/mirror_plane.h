@@ -1,7 +1,7 @@
 // The plane in which a surface is its own mirror image, nearly, whatever its triangles.
 //
-//   if (const std::optional<MirrorPlane> plane = mirror_plane(*mesh))
-//     const Vector3 other = plane->image(mesh->positions().row(0));
+//   const std::optional<MirrorPlane> plane = mirror_plane(*mesh);
+//   const Vector3 other = plane ? plane->image(mesh->positions().row(0)) : Vector3::Zero();
 #pragma once
 
 #include <optional>

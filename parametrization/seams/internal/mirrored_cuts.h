@@ -1,13 +1,14 @@
 // Cuts that are their own mirror image, of surfaces that are.
 //
-//   const MirroredCuts halves(*mesh, *mirror_plane(*mesh), cut_costs(*mesh, {}));
-//   const std::vector<char> is_cut = halves.cut({}, MirroredCuts::Half::Above);
+//   const Vec cost = cut_costs(*mesh, {});
+//   const MirroredCuts halves(*mesh, *mirror_plane(*mesh), cost);
+//   is_cut = halves.cut({0}, MirroredCuts::Half::Above, MirroredCuts::Ends::OfHalf);
 //
-// The surface is parted along edges near the plane. One half, with that border, is cut to a disk
-// (cut_graph.h); the other half along the images of these cuts, led over its own edges; and the
-// border everywhere but along the longest part of it that no cut meets, where the two disks hang
-// together: one disk. Where the halves have no handles and one border, cuts are trees that hang
-// from a spine in the plane.
+// The surface is parted along edges near the plane, the spine. A cut graph (cut_graph.h) is led
+// through one half and the spine, which costs half of what counts twice; in the other half along
+// the images of these cuts, over its own edges. What the cut of the whole surface then is made of
+// are, as far as possible, these three: where both halves would close a loop, one of its sides is
+// left out.
 #pragma once
 
 #include <array>
