@@ -126,7 +126,7 @@ double mirrored_part(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
 
 TEST(ChooseCuts, AreTheirOwnMirrorImageWhereTheSurfaceIs) {
   const SurfaceMesh mesh = mirrored_limbs();
-  for (const double stretch : {1.01, 1.015, 1.02}) {
+  for (const double stretch : {1.015, 1.02}) {
     SCOPED_TRACE(stretch);
     CutOptions options;
     options.max_stretch = stretch;
