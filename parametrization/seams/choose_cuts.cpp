@@ -179,7 +179,7 @@ constexpr double kFacetedWorth = 3;
 constexpr Index kMostRoutes = 3, kRouteWork = 20000;
 // What a cut may cost that is its own mirror image, and how long it may be, relative to the best
 // one: most of the difference is that the plane is where surfaces are seen.
-constexpr double kMirrorCost = 1.1, kMirrorLength = 1.06;
+constexpr double kMirrorCost = 1.1, kMirrorLength = 1.05;
 // Vertices whose costs are compared with those of their images, at most, and the part by which these
 // may differ in the mean: rays leave a twentieth between what looks alike; a direction that is not in
 // the plane, half.
