@@ -88,6 +88,9 @@ constexpr Index kLargeChart = 5000;
 constexpr Index kFewestFaces = 2;
 // A chart is cut further so often, then it is parted.
 constexpr int kMostCuts = 2;
+// Where the larger part of a chart has more of its area, and stretches too much again, it is halved
+// whatever the planes: parts that are cut off one by one would each cost a map of all the rest.
+constexpr double kMostOfIt = 0.875;
 // The part of the stretch of a map above 1 that its estimate sees, at least, where one goes by it,
 // and the part of what is allowed that is aimed at then.
 constexpr double kSeen = 0.3, kSurely = 0.85;
@@ -155,6 +158,7 @@ struct Task {
   CutPreferences wanted = {};  // of the mesh
   Vec parent = {};             // u, v per vertex: the map of what it was cut from, or nothing
   int cuts = 0;                // since it was made or parted
+  double share = 1;            // of the area of what it was parted from
   std::optional<Division> division = {};  // once it was looked for
 };
 
@@ -443,6 +447,7 @@ class Unwrapping {
         }
         Task& task = tasks_[at] = task_of(std::move(piece.mesh), std::move(faces));
         if (map.status != Status::Failed) task.parent = points_of(map, piece.vertex, uncut_vertex);
+        task.share = task.mesh->area() / parent.mesh->area();
         task.cuts = task.faces.size() < parent.faces.size() ? 1 : parent.cuts + 1;
         changed.push_back(at);
         at = tasks_.size();
@@ -472,7 +477,10 @@ class Unwrapping {
       else
         cuts = cut_corners(mesh, task.wanted, stop);
     }
-    return is_any(cuts) ? cuts : cut_in_two(mesh, task.wanted, stop);
+    if (is_any(cuts)) return cuts;
+    const bool is_most_of_it = task.share < 1 && task.share > kMostOfIt;
+    return cut_in_two(mesh, task.wanted, is_most_of_it ? PartsAround::Ends : PartsAround::Planes,
+                      stop);
   }
 
   // Divides charts for the sake of what is asked for, or where the layout costs less then.

@@ -32,6 +32,8 @@
 #include "majorant/parametrization/seams/internal/cut_costs.h"
 #include "majorant/parametrization/seams/internal/cut_tree.h"
 #include "majorant/parametrization/seams/internal/flattening_strain.h"
+#include "majorant/parametrization/seams/internal/mirror_plane.h"
+#include "majorant/parametrization/seams/internal/mirrored_cuts.h"
 #include "majorant/parametrization/seams/internal/pieces.h"
 
 namespace majorant {
@@ -147,12 +149,17 @@ std::vector<char> sharp_charts(const SurfaceMesh& mesh, double angle) {
 
 // One chart of a connected surface, opened where that saves distortion.
 
+// Whether a cut shall be its own mirror image where the surface is: not what is added to a chart,
+// which would be added twice.
+enum class Images { Wanted, Unasked };
+
 // Of a surface, by its own half-edges and vertices.
 struct CutWishes {
   CutPreferences wanted;
   std::vector<char> whole;  // #V: where cuts are not led on purpose
   StopCheck enough = {};    // CutOptions::enough
   Stacking copies = Stacking::None;
+  Images images = Images::Wanted;
 };
 
 struct AutomaticCut {
@@ -170,6 +177,17 @@ constexpr double kFacetedWorth = 3;
 // Large ones only once: 50,000 faces are cut in ten seconds, and the third route of small
 // ones is the last that changes anything.
 constexpr Index kMostRoutes = 3, kRouteWork = 20000;
+// What a cut may cost that is its own mirror image, and how long it may be, relative to the best
+// one: most of the difference is that the plane is where surfaces are seen.
+constexpr double kMirrorCost = 1.1, kMirrorLength = 1.05;
+// Vertices whose costs are compared with those of their images, at most, and the part by which these
+// may differ in the mean: rays leave a twentieth between what looks alike; a direction that is not in
+// the plane, half.
+constexpr Index kLookedAt = 2000;
+constexpr double kUnlike = 0.2;
+// In mean edges: how far an end of a cut may be from the image of another that it is shortened with;
+// branches of cuts on both sides do not end at the same places.
+constexpr double kPairDistance = 4;
 // The numbers of branches that a cut is divided into: one for each two edges of a small mesh, and
 // such that one solve for each takes as long on all large ones: a second or two; on public meshes
 // the strains expected and found then agree within 10 %.
@@ -205,6 +223,7 @@ class Cutter {
         unit_(std::sqrt(mesh.area())),
         stop_(stop),
         enough_(wishes.enough),
+        images_(wishes.images),
         defect_(angle_defects(mesh)),
         curved_(curved_vertices()),
         is_faceted_(has_flat_panels(wishes.wanted.creases)) {}
@@ -220,7 +239,9 @@ class Cutter {
     const StopCheck run = std::exchange(stop_, enough_.may_stop() ? either(stop_, enough_) : stop_);
     try {
       improve(cones, best);
-      best = developed(best);
+      AutomaticCut whole = developed(best);
+      const bool is_plain = whole.is_cut == best.is_cut && images_ == Images::Wanted;
+      best = is_plain ? mirrored(best, cones) : std::move(whole);
     } catch (const Stopped&) {
       run.poll();
     }
@@ -247,6 +268,75 @@ class Cutter {
     }
   }
 
+  // The cheapest cut found that is its own mirror image, where the surface is and that costs hardly
+  // more, else `best`.
+  AutomaticCut mirrored(const AutomaticCut& best, const std::vector<Index>& cones) const {
+    const std::optional<MirrorPlane> plane =
+        is_faceted_ ? std::nullopt : mirror_plane(mesh_, stop_);
+    if (!plane || !costs_are_images(*plane)) return best;
+    const MirroredCuts halves(mesh_, *plane, cost_, stop_);
+    if (!halves.is_parted()) return best;
+    const bool is_large = kRouteWork < 2 * mesh_.vertex_count();
+    const std::vector<Index> on = cones_on(best, cones);
+    std::optional<AutomaticCut> found;
+    for (const auto half : {MirroredCuts::Half::Above, MirroredCuts::Half::Below})
+      for (const auto ends : {MirroredCuts::Ends::OfHalf, MirroredCuts::Ends::OfBoth}) {
+        if (is_large && ends == MirroredCuts::Ends::OfBoth) continue;
+        std::optional<AutomaticCut> cut = mirrored_route(halves, on, half, ends);
+        if (!cut) cut = mirrored_route(halves, cones, half, ends);
+        while (cut) {
+          if (is_worth_mirroring(*cut, best) && (!found || cost(*cut) < cost(*found))) found = cut;
+          if (is_large) break;
+          std::optional<AutomaticCut> next =
+              mirrored_route(halves, cones_on(*cut, cones), half, ends);
+          if (!next || !(cost(*next) < cost(*cut))) break;
+          cut = std::move(next);
+        }
+      }
+    return found ? *std::move(found) : best;
+  }
+
+  // Whether edges cost the same for their length near each vertex and near its image.
+  bool costs_are_images(const MirrorPlane& plane) const {
+    Vec cost = Vec::Zero(mesh_.vertex_count()), length = cost;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      cost[mesh_.from_vertex(h)] += cost_[h];
+      length[mesh_.from_vertex(h)] += mesh_.edge_length(h);
+    }
+    const Vec factor = cost.cwiseQuotient(length);
+    const NearestPoints vertices(mesh_.positions());
+    double off = 0, sum = 0;
+    for (Index v = 0; v < mesh_.vertex_count(); v += 1 + mesh_.vertex_count() / kLookedAt) {
+      const Index image = vertices.nearest(plane.image(mesh_.positions().row(v)));
+      off += std::abs(factor[v] - factor[image]);
+      sum += std::max(factor[v], factor[image]);
+    }
+    return off <= kUnlike * sum;
+  }
+
+  bool is_worth_mirroring(const AutomaticCut& cut, const AutomaticCut& best) const {
+    return cost(cut) <= kMirrorCost * cost(best) && length(cut) <= kMirrorLength * length(best);
+  }
+
+  // The cut through these and their images, shortened on both sides alike; none where it leaves
+  // more than the limit.
+  std::optional<AutomaticCut> mirrored_route(const MirroredCuts& halves,
+                                             const std::vector<Index>& through,
+                                             MirroredCuts::Half half,
+                                             MirroredCuts::Ends ends) const {
+    AutomaticCut full{halves.cut(through, half, ends), 0, through};
+    full.strain = strain(full.is_cut);
+    if (full.strain > limit_) return {};
+    const AutomaticCut part = peeled(full, through, halves.plane());
+    AutomaticCut cut{halves.with_images(full.is_cut, part.is_cut), 0, {}};
+    const SurfaceMesh open = mesh_.cut_along(cut.is_cut, nullptr);
+    if (open.topology().components != 1 || !is_planar(open)) return {};
+    cut.ends = halves.ends_of(cut.is_cut);
+    cut.strain = FlatteningStrain(open, -1, stop_).strain();
+    if (cut.strain > limit_) return {};
+    return cut;
+  }
+
   std::vector<Index> curved_vertices() const {
     std::vector<Index> curved;
     for (Index v = 0; v < mesh_.vertex_count(); ++v)
@@ -269,6 +359,12 @@ class Cutter {
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
       if (cut.is_cut[h]) sum += 0.5 * cost_[h];
     return sum / unit_;
+  }
+  double length(const AutomaticCut& cut) const {
+    double sum = 0;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (cut.is_cut[h]) sum += 0.5 * mesh_.edge_length(h);
+    return sum;
   }
   double strain(const std::vector<char>& is_cut) const {
     return FlatteningStrain(mesh_.cut_along(is_cut, nullptr), -1, stop_).strain();
@@ -335,12 +431,14 @@ class Cutter {
     }
   }
 
-  AutomaticCut peeled(const AutomaticCut& full, const std::vector<Index>& terminals) const {
+  AutomaticCut peeled(const AutomaticCut& full, const std::vector<Index>& terminals,
+                      const std::optional<MirrorPlane>& mirror = {}) const {
     std::vector<char> is_terminal(to_size(mesh_.vertex_count()), 0);
     for (const Index v : terminals) is_terminal[v] = 1;
     const Index branches =
         std::clamp(kBranchSolves / mesh_.vertex_count(), kFewestBranches, kMostBranches);
     CutTree tree(mesh_, full.is_cut, is_terminal, cost_, branches, stop_);
+    if (mirror) tree.shorten_in_pairs(*mirror, kPairDistance * mean_edge_length(mesh_));
     const double limit = std::max(limit_, full.strain);
     tree.peel(full.strain, limit, stop_);
     std::size_t steps = tree.steps_within(limit);
@@ -393,6 +491,7 @@ class Cutter {
   const double limit_, unit_;
   StopCheck stop_;
   const StopCheck& enough_;
+  const Images images_;
   const Vec defect_;
   const std::vector<Index> curved_;
   const bool is_faceted_;
@@ -560,7 +659,7 @@ void cut_automatically(const SurfaceMesh& mesh, const CutWishes& wishes, double 
         is_textured(piece, 0))
       continue;
     CutWishes own{preferences_on(faces, wishes.wanted), std::vector<char>(vertices.size()),
-                  wishes.enough, Stacking::None};
+                  wishes.enough};
     for (std::size_t v = 0; v < vertices.size(); ++v)
       own.whole[v] = wishes.whole[uncut_vertex[vertices[v]]];
     AutomaticCut& more = cut[k];
@@ -663,9 +762,9 @@ void set_cuts(const SurfaceMesh& mesh, const CutOptions& options,
 
 std::vector<char> cut_further(const SurfaceMesh& chart, const CutPreferences& wanted,
                               double max_stretch, const StopCheck& stop) {
-  return automatic_cut(chart, {wanted, std::vector<char>(to_size(chart.vertex_count()), 0)},
-                       max_stretch, stop)
-      .is_cut;
+  CutWishes wishes{wanted, std::vector<char>(to_size(chart.vertex_count()), 0)};
+  wishes.images = Images::Unasked;
+  return automatic_cut(chart, wishes, max_stretch, stop).is_cut;
 }
 
 std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wanted,

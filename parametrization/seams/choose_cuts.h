@@ -113,10 +113,13 @@ std::vector<char> cut_further(const SurfaceMesh& chart, const CutPreferences& wa
 // No flags where there are none, or more of them than a box of boxes has.
 std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wanted,
                               const StopCheck& stop = {});
-// Two connected parts whose faces have as nearly one normal each as can be: two regions that grow
-// around planes [CSAD04]; where both planes would do, the border runs where it costs least. Of two
-// or more faces.
+// Two connected parts, of two or more faces. Around Planes: faces have as nearly one normal each as
+// can be, two regions that grow around planes [CSAD04]; where both planes would do, the border runs
+// where it costs least. Around Ends: what is nearer to one of two ends of the chart than to the
+// other.
+enum class PartsAround { Planes, Ends };
 std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& wanted,
+                             PartsAround centres = PartsAround::Planes,
                              const StopCheck& stop = {});
 // The path from boundary to boundary that costs least for the area that it leaves on its smaller
 // side, between the ends of the chart or from the boundary vertex around which there is most, a

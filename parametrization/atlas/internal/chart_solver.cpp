@@ -1,7 +1,10 @@
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
@@ -75,6 +78,65 @@ bool is_positive(const SurfaceMesh& mesh, const Vec& uv) {
   return true;
 }
 
+// The part of the shortest edge at a vertex by which it goes away from the other side of a slit at
+// first, and how often that is halved where faces turn over or sides meet.
+constexpr double kSlit = 0.1;
+constexpr int kHalvings = 6;
+
+// #V: for those of the boundary, the direction into the middle of the angle that faces take around
+// it, as long as the shortest edge there; 0 for the others. All faces are positive.
+Vec inwards(const SurfaceMesh& mesh, const Vec& uv) {
+  const auto along = [&](Index h) {
+    return Vector2(uv.segment<2>(2 * mesh.to_vertex(h)) - uv.segment<2>(2 * mesh.from_vertex(h)));
+  };
+  Vec direction = Vec::Zero(uv.size());
+  for (Index first = 0; first < mesh.half_edge_count(); ++first) {
+    if (mesh.opposite(first) >= 0) continue;
+    // Counterclockwise around the vertex, from this half-edge to the other one at the boundary.
+    double angle = 0, shortest = along(first).norm();
+    for (Index h = first; h >= 0; h = mesh.opposite(previous(h))) {
+      const Vector2 a = along(h), b = -along(previous(h));
+      angle += std::atan2(cross(a, b), a.dot(b));
+      shortest = std::min(shortest, b.norm());
+    }
+    const Vector2 a = along(first).normalized();
+    const double half = 0.5 * angle;
+    direction.segment<2>(2 * mesh.from_vertex(first)) =
+        shortest * Vector2(std::cos(half) * a.x() - std::sin(half) * a.y(),
+                           std::sin(half) * a.x() + std::cos(half) * a.y());
+  }
+  return direction;
+}
+
+// #V: 1 where another vertex lies at the same place.
+std::vector<char> shares_place(const Vec& uv) {
+  std::vector<Index> order(static_cast<std::size_t>(uv.size() / 2));
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&](Index v) { return std::pair(uv[2 * v], uv[2 * v + 1]); };
+  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return place(a) < place(b); });
+  std::vector<char> shares(order.size(), 0);
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (place(order[k - 1]) == place(order[k])) shares[order[k - 1]] = shares[order[k]] = 1;
+  return shares;
+}
+
+// The same map with the slits open along which the chart was cut since: their two sides lie on each
+// other. None where it overlaps itself all the same.
+std::optional<Vec> with_open_slits(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec& uv) {
+  if (!is_positive(*mesh, uv)) return std::nullopt;
+  const std::vector<char> is_moved = shares_place(uv);
+  Vec step = kSlit * inwards(*mesh, uv);
+  for (std::size_t v = 0; v < is_moved.size(); ++v)
+    if (!is_moved[v]) step.segment<2>(2 * static_cast<Index>(v)).setZero();
+  for (int k = 0; k <= kHalvings; ++k, step *= 0.5) {
+    Vec open = uv + step;
+    if (faces_without_area_margin(mesh->faces(), open) == 0 &&
+        has_boundary_margin(BezierMap::linear(mesh, open)))
+      return open;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 ChartSolver::ChartSolver(std::shared_ptr<const SurfaceMesh> mesh,
@@ -88,9 +150,7 @@ Chart ChartSolver::solve(RunRecord& record) {
                        overlaps_unfolded() && record.directive() == Directive::Continue;
   const auto has_start = [&] { return !is_done_ && !is_left; };
   if (has_start() && hints_.shape == ChartShape::Unfolds) try_unfolded(record);
-  if (has_start() && hints_.parent.size() > 0 &&
-      attempt(hints_.parent, MapInjectivity::Local, record))
-    name_start(ChartStart::Parent);
+  if (has_start() && hints_.parent.size() > 0) try_parent(record);
   if (has_start()) try_tutte(record);
   if (!is_done_) keep_start(record);
   if (is_left) {
@@ -111,6 +171,18 @@ void ChartSolver::try_texture(RunRecord& record) {
       (has_proven_boundary(BezierMap::linear(mesh_, prepared->uv)) &&
        attempt(prepared->uv, MapInjectivity::Global, record)))
     chart_.start = prepared->start;
+}
+
+// Where the minimum overlaps itself, any start leads to the same, and this one is nearest to what
+// does not.
+void ChartSolver::try_parent(RunRecord& record) {
+  is_overlapping_ = false;
+  bool has_map = attempt(hints_.parent, MapInjectivity::Local, record);
+  if (!has_map && is_overlapping_) {
+    const std::optional<Vec> open = with_open_slits(mesh_, hints_.parent);
+    has_map = open && attempt(*open, MapInjectivity::Global, record);
+  }
+  if (has_map) name_start(ChartStart::Parent);
 }
 
 void ChartSolver::try_tutte(RunRecord& record) {

@@ -9,7 +9,8 @@
 // faces side by side where they unfold, the map of what it was cut from, Tutte's map - of large
 // charts one in many resolutions - and the faces side by side of any chart. Each is first without a
 // scaffold, which most charts do not need and which costs several times as much, then with one:
-// Tutte's last, that of what it was cut from never. At the end Tutte's map as it is.
+// that of what it was cut from at once, with the cuts opened, Tutte's last. At the end Tutte's map
+// as it is.
 // Overlaps are looked for after the solve: of a free boundary only the boundary tells.
 //
 // The file's texture coordinates of a chart as a start of its map, as good as they can be made.
@@ -51,6 +52,7 @@ class ChartSolver {
 
  private:
   void try_texture(RunRecord& record);
+  void try_parent(RunRecord& record);
   void try_tutte(RunRecord& record);
   bool try_many_resolutions(MapInjectivity injectivity, RunRecord& record);
   bool try_unfolded(RunRecord& record);

@@ -39,15 +39,14 @@ class TwoParts {
     for (Index f = 0; f < mesh.face_count(); ++f) normal_[tiles_.find(f)] += area_vector(mesh, f);
   }
 
-  std::vector<char> cut(const StopCheck& stop) {
-    std::array<Index, 2> seeds = first_seeds();
-    for (int k = 0; k < kRounds; ++k) {
+  std::vector<char> cut(PartsAround centres, const StopCheck& stop) {
+    if (centres == PartsAround::Ends) {
       stop.poll();
-      const std::array<Vector3, 2> planes = k == 0 ? planes_at(seeds) : planes_of_parts();
-      if (k > 0) seeds = nearest_to(planes);
-      grow(seeds, planes);
+      grow_evenly(ends());
+    } else {
+      grow_around_planes(stop);
+      smooth();
     }
-    smooth();
     std::vector<char> is_cut(to_size(mesh_.half_edge_count()), 0);
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
       if (const Index o = mesh_.opposite(h); o >= 0)
@@ -60,6 +59,16 @@ class TwoParts {
   // Cosine of the angle to its plane above which a face may go to the other part for the sake of a
   // shorter border.
   static constexpr double kMovable = 0.7;
+
+  void grow_around_planes(const StopCheck& stop) {
+    std::array<Index, 2> seeds = first_seeds();
+    for (int k = 0; k < kRounds; ++k) {
+      stop.poll();
+      const std::array<Vector3, 2> planes = k == 0 ? planes_at(seeds) : planes_of_parts();
+      if (k > 0) seeds = nearest_to(planes);
+      grow(seeds, planes);
+    }
+  }
 
   int part(Index face) { return part_[tiles_.find(face)]; }
   Vector3 unit(Index tile) const { return normal_[tile].stableNormalized(); }
@@ -80,6 +89,11 @@ class TwoParts {
     const Index one = farthest_from(mean.stableNormalized(), 0);
     const Index other = farthest_from(unit(one), one);
     if (one != other && unit(one).dot(unit(other)) < 1 - kCurved) return {one, other};
+    return ends();
+  }
+
+  // Tiles as far from each other as faces go.
+  std::array<Index, 2> ends() {
     const Index end = last_reached(tiles_.find(0));
     return {end, last_reached(end)};
   }
@@ -171,6 +185,29 @@ class TwoParts {
         if (part_[t] < 0)
           offers.push({normal_[t].norm() * (unit(t) - plane).squaredNorm(), t, offer.part});
       }
+    }
+  }
+
+  // Both at once, tile by tile, the part with the smaller area first.
+  void grow_evenly(const std::array<Index, 2>& seeds) {
+    const std::vector<std::vector<Index>> sides = sides_of_tiles();
+    part_.assign(to_size(mesh_.face_count()), -1);
+    std::array<std::vector<Index>, 2> reached;  // by the number of tiles on the way
+    std::array<std::size_t, 2> next = {0, 0};
+    std::array<double, 2> area = {0, 0};
+    const auto take = [&](Index t, std::size_t p) {
+      if (part_[t] >= 0) return;
+      part_[t] = static_cast<int>(p);
+      area[p] += normal_[t].norm();
+      reached[p].push_back(t);
+    };
+    for (std::size_t p = 0; p < 2; ++p) take(seeds[p], p);
+    for (;;) {
+      const auto can_grow = [&](std::size_t p) { return next[p] < reached[p].size(); };
+      if (!can_grow(0) && !can_grow(1)) return;
+      const std::size_t p = !can_grow(1) || (can_grow(0) && area[0] <= area[1]) ? 0 : 1;
+      for (const Index h : sides[reached[p][next[p]++]])
+        take(tiles_.find(face_of(mesh_.opposite(h))), p);
     }
   }
 
@@ -387,8 +424,8 @@ std::vector<char> smoothed(const SurfaceMesh& chart, const CutPreferences& wante
 }  // namespace
 
 std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& wanted,
-                             const StopCheck& stop) {
-  return smoothed(chart, wanted, TwoParts(chart, wanted).cut(stop), stop);
+                             PartsAround centres, const StopCheck& stop) {
+  return smoothed(chart, wanted, TwoParts(chart, wanted).cut(centres, stop), stop);
 }
 
 std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,

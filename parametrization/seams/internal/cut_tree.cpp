@@ -255,15 +255,69 @@ void CutTree::drop(Index row) {
   std::swap(*moved, place_[row]);
 }
 
-// The best way to shorten each end of the cut, the best of all first.
+void CutTree::shorten_in_pairs(const MirrorPlane& plane, double distance) {
+  mirror_ = plane;
+  pair_distance_ = distance;
+}
+
+Vector3 CutTree::far_end(std::size_t branch) const {
+  return mesh_.positions().row(mesh_.to_vertex(twigs_[branch].half_edges.back()));
+}
+
+// For each of these ends the place in the list of the one that is its image, or -1; each is that of
+// one other at most.
+std::vector<std::ptrdiff_t> CutTree::partners(const std::vector<std::size_t>& ends) const {
+  std::vector<std::ptrdiff_t> partner(ends.size(), -1);
+  if (!mirror_) return partner;
+  const auto nearest = [&](std::size_t i) {
+    const Vector3 image = mirror_->image(far_end(ends[i]));
+    std::ptrdiff_t best = -1;
+    double least = pair_distance_;
+    for (std::size_t j = 0; j < ends.size(); ++j) {
+      const double d = (far_end(ends[j]) - image).norm();
+      if (j != i && d <= least) least = d, best = static_cast<std::ptrdiff_t>(j);
+    }
+    return best;
+  };
+  for (std::size_t i = 0; i < ends.size(); ++i) partner[i] = nearest(i);
+  std::vector<std::ptrdiff_t> mutual(ends.size(), -1);
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (partner[i] >= 0 && partner[to_size(static_cast<Index>(partner[i]))] ==
+                               static_cast<std::ptrdiff_t>(i))
+      mutual[i] = partner[i];
+  return mutual;
+}
+
+// These branches and as much, by cost, of the others.
+std::vector<Index> CutTree::with_partner(std::vector<Index> part,
+                                         const std::vector<Index>& other) const {
+  double left = 0;
+  for (const Index t : part) left += twigs_[t].cost;
+  for (const Index t : other) {
+    if (left < 0.5 * twigs_[t].cost) break;
+    left -= twigs_[t].cost;
+    part.push_back(t);
+  }
+  return part;
+}
+
+// The best way to shorten each end of the cut, or each pair of them, the best of all first.
 std::vector<CutTree::Offer> CutTree::offers(double most_added) const {
   std::vector<Offer> offers;
-  for (std::size_t t = 0; t < twigs_.size(); ++t) {
-    if (twigs_[t].peeled || twigs_[t].children > 0) continue;
-    const std::vector<Index> path = peelable(static_cast<Index>(t));
+  std::vector<std::size_t> ends;
+  for (std::size_t t = 0; t < twigs_.size(); ++t)
+    if (!twigs_[t].peeled && twigs_[t].children == 0) ends.push_back(t);
+  const std::vector<std::ptrdiff_t> partner = partners(ends);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (partner[i] >= 0 && partner[i] < static_cast<std::ptrdiff_t>(i)) continue;
+    const std::vector<Index> path = peelable(static_cast<Index>(ends[i]));
+    std::vector<Index> other;
+    if (partner[i] >= 0)
+      other = peelable(static_cast<Index>(ends[static_cast<std::size_t>(partner[i])]));
     Offer best{std::numeric_limits<double>::infinity(), {}};
     for (std::size_t count = 1;; count = std::min(2 * count, path.size())) {
-      const std::vector<Index> part(path.begin(), path.begin() + static_cast<long>(count));
+      const std::vector<Index> part = with_partner(
+          {path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count)}, other);
       const double added = added_strain(places_of(part));
       double cost = 0;
       for (const Index p : part) cost += twigs_[p].cost;

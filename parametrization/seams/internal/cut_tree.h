@@ -19,10 +19,13 @@
 // question.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/parametrization/seams/internal/mirror_plane.h"
 
 namespace majorant {
 
@@ -34,6 +37,9 @@ class CutTree {
           const std::vector<char>& is_terminal, const Vec& edge_cost, Index branches,
           const StopCheck& stop);
 
+  // From now on ends are shortened together with their images, as long as these lie within
+  // `distance` of other ends: what is a mirror image stays one.
+  void shorten_in_pairs(const MirrorPlane& plane, double distance);
   // Takes back branches from the ends, step by step, those first that save most cost for the strain
   // they add, as long as the strain, which is `strain` before, stays below `limit` as estimated.
   void peel(double strain, double limit, const StopCheck& stop);
@@ -80,6 +86,9 @@ class CutTree {
   void let_go(const std::vector<Index>& branches);
   void drop(Index row);
   std::vector<Offer> offers(double most_added) const;
+  Vector3 far_end(std::size_t branch) const;
+  std::vector<std::ptrdiff_t> partners(const std::vector<std::size_t>& ends) const;
+  std::vector<Index> with_partner(std::vector<Index> part, const std::vector<Index>& other) const;
 
   const SurfaceMesh& mesh_;
   const Vec& cost_;
@@ -89,6 +98,8 @@ class CutTree {
   Index outer_ = -1;                        // a half-edge that leaves a vertex of the root
   std::vector<Branch> twigs_;
   std::vector<Step> steps_;
+  std::optional<MirrorPlane> mirror_;
+  double pair_distance_ = 0;
   std::vector<Index> place_;   // of every row in P and x
   Index held_ = 0;             // rows in P and x that are not let go of: the first ones
   Eigen::MatrixXd precision_;  // P

@@ -2,6 +2,7 @@
 #include "majorant/parametrization/seams/choose_cuts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -73,6 +74,67 @@ TEST(ChooseCuts, LeavesPolygonsWhole) {
           EXPECT_NE(mesh.input_face(face_of(h)), mesh.input_face(face_of(mesh.opposite(h))));
         }
     }
+  }
+}
+
+// A closed surface with limbs that is its own mirror image in x = 0, though its triangles are not:
+// diagonals of quads all run one way.
+SurfaceMesh mirrored_limbs() {
+  PolygonMesh mesh = transformed(cube_sphere(12), [](const Vector3& p) -> Vector3 {
+    const Vector3 up(0, 0.6, 0.8), down(0, 0.5, -0.85);
+    const Vector3 left(-0.8, 0.2, -0.5), right(0.8, 0.2, -0.5);
+    double far = 0;
+    for (const Vector3& limb : {up, down, left, right})
+      far += std::exp(-12 * (p.normalized() - limb.normalized()).squaredNorm());
+    return p.normalized() * (1 + 1.8 * far);
+  });
+  std::vector<std::vector<Index>> triangles;
+  for (const std::vector<Index>& q : mesh.polygons) {
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+  }
+  mesh.polygons = triangles;
+  mesh.polygon_lines.clear();
+  return SurfaceMesh::from_polygons(mesh);
+}
+
+// The part of the cuts, by length, whose middles have images near a cut.
+double mirrored_part(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
+  std::vector<std::array<Vector3, 2>> cuts;
+  double mean = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    mean += mesh.edge_length(h) / mesh.half_edge_count();
+    if (is_cut[h] && h < mesh.opposite(h))
+      cuts.push_back({mesh.positions().row(mesh.from_vertex(h)),
+                      mesh.positions().row(mesh.to_vertex(h))});
+  }
+  double near = 0, all = 0;
+  for (const auto& [a, b] : cuts) {
+    Vector3 image = (a + b) / 2;
+    image.x() = -image.x();
+    double least = mean * 1e9;
+    for (const auto& [c, d] : cuts) {
+      const Vector3 way = d - c;
+      const double t = std::clamp(way.dot(image - c) / way.squaredNorm(), 0.0, 1.0);
+      least = std::min(least, (image - c - t * way).norm());
+    }
+    all += (b - a).norm();
+    if (least <= mean) near += (b - a).norm();
+  }
+  return near / all;
+}
+
+TEST(ChooseCuts, AreTheirOwnMirrorImageWhereTheSurfaceIs) {
+  const SurfaceMesh mesh = mirrored_limbs();
+  for (const double stretch : {1.015, 1.02}) {
+    SCOPED_TRACE(stretch);
+    CutOptions options;
+    options.max_stretch = stretch;
+    const SurfaceCuts cuts = choose_cuts(mesh, options);
+    expect_planar_pieces(mesh, cuts);
+    EXPECT_EQ(cuts.components.at(0).pieces, 1);
+    EXPECT_LE(cuts.components.at(0).estimated_stretch, stretch);
+    EXPECT_GE(mirrored_part(mesh, cuts.is_cut), 0.9);
   }
 }
 
@@ -311,6 +373,21 @@ TEST(CutChart, InTwoConnectedParts) {
     const bool is_one_polygon = chart.input_face(0) == chart.input_face(chart.face_count() - 1);
     for (const Index p : polygons[0]) EXPECT_TRUE(is_one_polygon || !polygons[1].contains(p));
   }
+}
+
+// Parts around ends have half of the area each, whatever the planes: a chart that is flat but for a
+// wing at its end loses the wing to planes, not to ends.
+TEST(CutChart, InHalvesAroundEnds) {
+  const SurfaceMesh chart = SurfaceMesh::from_polygons(grid(24, [](double x, double) {
+    return x > 0.9 ? 3 * (x - 0.9) : 0.0;
+  }));
+  const auto smaller_part = [&](PartsAround centres) {
+    const std::vector<SurfaceMesh> parts = pieces_of(chart, cut_in_two(chart, {}, centres));
+    EXPECT_EQ(parts.size(), 2u);
+    return std::min(parts.front().area(), parts.back().area()) / chart.area();
+  };
+  EXPECT_LT(smaller_part(PartsAround::Planes), 0.3);
+  EXPECT_GT(smaller_part(PartsAround::Ends), 0.4);
 }
 
 // A bump whose sides are alike: its two parts meet where cuts are cheap, if planes leave the

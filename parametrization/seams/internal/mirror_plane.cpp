@@ -1,0 +1,143 @@
+#include "majorant/parametrization/seams/internal/mirror_plane.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+
+#include "majorant/parametrization/seams/internal/cut_costs.h"
+
+namespace majorant {
+namespace {
+
+// Vertices whose images are looked at, at most: as many as tell one part of a hundred.
+constexpr Index kMostLookedAt = 2000;
+// The part of them that may have no vertex near their image.
+constexpr double kApart = 0.01;
+
+struct Inertia {
+  Vector3 centroid = Vector3::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // moments around the centroid, over the area
+};
+
+// Of the surface, exactly.
+Inertia inertia_of(const SurfaceMesh& mesh) {
+  Inertia inertia;
+  double area = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const double a = area_vector(mesh, f).norm();
+    Vector3 middle = Vector3::Zero();
+    for (Index k = 0; k < 3; ++k) middle += mesh.positions().row(mesh.faces()(f, k)) / 3;
+    inertia.centroid += a * middle;
+    area += a;
+  }
+  if (!(area > 0)) return inertia;
+  inertia.centroid /= area;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const double a = area_vector(mesh, f).norm() / area;
+    Vector3 middle = Vector3::Zero();
+    for (Index k = 0; k < 3; ++k) {
+      const Vector3 p = mesh.positions().row(mesh.faces()(f, k)).transpose() - inertia.centroid;
+      middle += p / 3;
+      inertia.second += a / 12 * p * p.transpose();
+    }
+    inertia.second += a * 9 / 12 * middle * middle.transpose();
+  }
+  return inertia;
+}
+
+}  // namespace
+
+double mean_edge_length(const SurfaceMesh& mesh) {
+  double sum = 0;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) sum += mesh.edge_length(h);
+  return sum / static_cast<double>(mesh.half_edge_count());
+}
+
+NearestPoints::NearestPoints(const Points3& points)
+    : points_(points), order_(static_cast<std::size_t>(points.rows())), axis_(order_.size(), 0) {
+  std::iota(order_.begin(), order_.end(), 0);
+  split(0, static_cast<Index>(order_.size()));
+}
+
+void NearestPoints::split(Index first, Index last) {
+  if (last - first < 2) return;
+  Vector3 low = points_.row(order_[first]), high = low;
+  for (Index i = first; i < last; ++i) {
+    low = low.cwiseMin(points_.row(order_[i]).transpose());
+    high = high.cwiseMax(points_.row(order_[i]).transpose());
+  }
+  Index axis = 0;
+  (high - low).maxCoeff(&axis);
+  const Index middle = first + (last - first) / 2;
+  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
+                   [&](Index a, Index b) {
+                     const double x = points_(a, axis), y = points_(b, axis);
+                     return x < y || (x == y && a < b);
+                   });
+  axis_[middle] = static_cast<char>(axis);
+  split(first, middle);
+  split(middle + 1, last);
+}
+
+Index NearestPoints::nearest(const Vector3& p) const {
+  Index best = -1;
+  double square = std::numeric_limits<double>::infinity();
+  look(0, static_cast<Index>(order_.size()), p, best, square);
+  return best;
+}
+
+void NearestPoints::look(Index first, Index last, const Vector3& p, Index& best,
+                         double& square) const {
+  if (first >= last) return;
+  const Index middle = first + (last - first) / 2, v = order_[middle];
+  const double d = (points_.row(v).transpose() - p).squaredNorm();
+  if (d < square || (d == square && v < best)) square = d, best = v;
+  const double beyond = p[axis_[middle]] - points_(v, axis_[middle]);
+  const bool is_left = beyond < 0;
+  if (is_left) look(first, middle, p, best, square);
+  else look(middle + 1, last, p, best, square);
+  if (beyond * beyond > square) return;
+  if (is_left) look(middle + 1, last, p, best, square);
+  else look(first, middle, p, best, square);
+}
+
+std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck& stop) {
+  const Inertia inertia = inertia_of(mesh);
+  const Eigen::Matrix3d axes =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia.second).eigenvectors();
+  std::vector<Vector3> normals;
+  for (Index k = 0; k < 3; ++k) {
+    normals.emplace_back(axes.col(k));
+    normals.emplace_back(Vector3::Unit(k));
+  }
+  const NearestPoints vertices(mesh.positions());
+  const double near = mean_edge_length(mesh);
+  const Index step = 1 + mesh.vertex_count() / kMostLookedAt;
+  std::optional<MirrorPlane> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector3& normal : normals) {
+    stop.poll();
+    const MirrorPlane plane{normal, normal.dot(inertia.centroid)};
+    double sum = 0;
+    Index apart = 0, all = 0;
+    for (Index v = 0; v < mesh.vertex_count(); v += step, ++all) {
+      const Vector3 p = plane.image(mesh.positions().row(v));
+      const double distance =
+          (mesh.positions().row(vertices.nearest(p)).transpose() - p).norm();
+      sum += distance;
+      apart += distance > near;
+      if (apart > kApart * (mesh.vertex_count() / step + 1)) break;
+    }
+    if (apart > kApart * all || !(sum < least)) continue;
+    least = sum;
+    best = plane;
+  }
+  return best;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,203 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""majorant unwrap beside xatlas: seams, charts and fill at the same stretch and padding.
+
+    npm install watlas@1.0.1
+    tests/campaigns/beside_xatlas.py build/release/apps/majorant --watlas node_modules/watlas [--meshes FOLDER]
+
+xatlas has its own choice of charts (defaults, brute force packing, rotations); `unwrap` is given the L2 stretch that
+xatlas' layout has, as --max-stretch (1.0005 at least), and once `--preset game`. Both layouts are measured here: seams
+are edges of two faces with other coordinates on their two sides, in square roots of the area; L2 over all charts,
+each at its own scale as the limit has it, by area, without faces of no area on either side; fill of the smallest
+square around the layout. Padding is 4 pixels of 1024. Exit 1 where the medians are not half of the seam, and, of the
+preset, a third of the charts and a fill of 0.55.
+"""
+import argparse
+import glob
+import json
+import math
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+from collections import defaultdict
+
+import numpy as np
+
+PADDING, RESOLUTION = 4, 1024
+PATTERNS = ('closed/*.obj', 'messy/derived/*.obj', 'messy/real/*.obj')
+# A limit that is as good as none below: boxes alone have 1.
+LEAST_LIMIT = 1.0005
+
+XATLAS = '''
+import * as watlas from '%s/dist/watlas.js';
+import { readFileSync } from 'fs';
+await watlas.Initialize();
+const { positions, indices } = JSON.parse(readFileSync(process.argv[2]));
+const atlas = new watlas.Atlas();
+atlas.addMesh({ vertexPositionData: new Float32Array(positions), vertexCount: positions.length / 3,
+  vertexPositionStride: 12, indexData: new Uint32Array(indices), indexCount: indices.length });
+atlas.computeCharts({});
+atlas.packCharts({ padding: %d, resolution: %d, bilinear: false, blockAlign: false, bruteForce: true,
+  rotateCharts: true, rotateChartsToAxis: true, createImage: false });
+const out = [], uv = [];
+const mesh = atlas.getMesh(0), index = new Uint32Array(mesh.indexCount);
+mesh.getIndexArray(index);
+for (let k = 0; k < index.length; ++k) {
+  const v = mesh.getVertex(index[k]);
+  out.push([v.xref, v.chartIndex, v.uv[0], v.uv[1]]);
+}
+console.log(JSON.stringify({ width: atlas.width, height: atlas.height, charts: atlas.chartCount,
+  atlases: atlas.atlasCount, corners: out }));
+'''
+
+
+def read(path):
+    """(positions, triangles as corners (v, vt), uv); polygons as fans."""
+    v, vt, faces = [], [], []
+    with open(path, errors='replace') as f:
+        for line in f:
+            w = line.split()
+            if w[:1] == ['v']:
+                v.append([float(x) for x in w[1:4]])
+            elif w[:1] == ['vt']:
+                vt.append([float(x) for x in w[1:3]])
+            elif w[:1] == ['f']:
+                c = []
+                for word in w[1:]:
+                    n = (word.split('/') + [''])[:2]
+                    i, t = int(n[0]), int(n[1] or 0)
+                    c.append((i - 1 if i > 0 else len(v) + i, t - 1))
+                faces += [(c[0], c[k], c[k + 1]) for k in range(1, len(c) - 1)]
+    return np.array(v), faces, np.array(vt)
+
+
+def areas_and_square(p, t):
+    """By triangle: area on the surface, in the plane, and area times (Gamma^2 + gamma^2) / 2."""
+    twice = (t[:, 1, 0] - t[:, 0, 0]) * (t[:, 2, 1] - t[:, 0, 1]) - (t[:, 2, 0] - t[:, 0, 0]) * (t[:, 1, 1] - t[:, 0, 1])
+    with np.errstate(all='ignore'):
+        s = sum(p[:, k] * (t[:, (k + 1) % 3, 1] - t[:, (k + 2) % 3, 1])[:, None] for k in range(3)) / twice[:, None]
+        r = sum(p[:, k] * (t[:, (k + 2) % 3, 0] - t[:, (k + 1) % 3, 0])[:, None] for k in range(3)) / twice[:, None]
+    area = np.linalg.norm(np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]), axis=1) / 2
+    return area, np.abs(twice) / 2, area * ((s * s).sum(1) + (r * r).sum(1)) / 2
+
+
+def measured(p, t, chart, side):
+    """L2 of all charts, fill of a square with this side (0: of the smallest around it), of triangles."""
+    area, image, square = areas_and_square(p, t)
+    # Faces that xatlas leaves without an area in the plane, thinner than single precision.
+    good = (area > 0) & (image > 1e-9 * image.max()) & np.isfinite(square)
+    sums = defaultdict(lambda: np.zeros(3))
+    for c, a, i, s in zip(chart[good], area[good], image[good], square[good]):
+        sums[c] += (a, i, s)
+    whole = sum(a for a, _, _ in sums.values())
+    l2 = math.sqrt(sum(s * i / a for a, i, s in sums.values()) / whole)
+    side = side or (t.reshape(-1, 2).max(0) - t.reshape(-1, 2).min(0)).max()
+    return l2, image.sum() / side ** 2, area.sum(), int((~good & (area > 0)).sum())
+
+
+def seam(v, faces, corner_of):
+    """Length of edges of two faces whose corners differ."""
+    sides = defaultdict(list)
+    for f, face in enumerate(faces):
+        for k in range(3):
+            a, b = face[k][0], face[(k + 1) % 3][0]
+            ends = (corner_of(f, k), corner_of(f, (k + 1) % 3))
+            sides[min(a, b), max(a, b)].append(ends if a < b else ends[::-1])
+    return sum(np.linalg.norm(v[a] - v[b]) for (a, b), s in sides.items() if len(s) == 2 and s[0] != s[1])
+
+
+def by_xatlas(folder, watlas, v, faces):
+    script, data = os.path.join(folder, 'x.mjs'), os.path.join(folder, 'x.json')
+    with open(script, 'w') as f:
+        f.write(XATLAS % (os.path.abspath(watlas), PADDING, RESOLUTION))
+    with open(data, 'w') as f:
+        json.dump({'positions': v.ravel().tolist(), 'indices': [c[0] for face in faces for c in face]}, f)
+    done = subprocess.run(['node', script, data], capture_output=True, text=True, timeout=1200)
+    said = json.loads(done.stdout.strip().splitlines()[-1])
+    corners = np.array(said['corners'])
+    if len(corners) != 3 * len(faces):
+        raise ValueError('xatlas left faces out')
+    xref, chart, t = corners[:, 0].astype(int), corners[:, 1].astype(int), corners[:, 2:].reshape(-1, 3, 2)
+    v32 = v
+    order = {}
+    for k, x in enumerate(xref):  # faces may come in another order
+        order.setdefault(k // 3, []).append(x)
+    their = [[(x, (chart[3 * f + k], *t[f, k])) for k, x in enumerate(order[f])] for f in range(len(faces))]
+    l2, fill, area, lost = measured(v32[xref].reshape(-1, 3, 3), t, chart[::3], max(said['width'], said['height']))
+    length = seam(v, their, lambda f, k: their[f][k][1]) / math.sqrt(area)
+    return {'charts': said['charts'], 'l2': l2, 'fill': fill, 'seam': length, 'lost': lost}
+
+
+def by_majorant(folder, majorant, path, *flags):
+    out, report = os.path.join(folder, 'out.obj'), os.path.join(folder, 'r.json')
+    done = subprocess.run([majorant, 'unwrap', path, '-o', out, '--report', report, '--quiet', '--threads', '1',
+                           '--padding', str(PADDING), '--resolution', str(RESOLUTION), *flags],
+                          capture_output=True, text=True)
+    if done.returncode not in (0, 4):
+        raise ValueError('exit %d: %s' % (done.returncode, done.stderr.strip()[-100:]))
+    v, faces, uv = read(out)
+    with open(report) as f:
+        said = json.load(f)
+    number = {}
+    for k, chart in enumerate(said['charts']):
+        number[k] = chart
+    # Charts from the file: faces that share a vt.
+    parent = list(range(len(uv)))
+
+    def find(a):
+        while parent[a] != a:
+            parent[a] = a = parent[parent[a]]
+        return a
+    for face in faces:
+        for c in face[1:]:
+            parent[find(c[1])] = find(face[0][1])
+    chart = np.array([find(face[0][1]) for face in faces])
+    p = v[[c[0] for face in faces for c in face]].reshape(-1, 3, 3)
+    t = uv[[c[1] for face in faces for c in face]].reshape(-1, 3, 2)
+    l2, _, area, _ = measured(p, t, chart, 0)
+    length = seam(v, faces, lambda f, k: faces[f][k][1]) / math.sqrt(area)
+    return {'charts': len(said['charts']), 'l2': l2, 'fill': said['result']['fill'], 'seam': length}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument('majorant')
+    parser.add_argument('--watlas', required=True)
+    parser.add_argument('--meshes', default='../shared/data/public')
+    parser.add_argument('--most-faces', type=int, default=20000)
+    args = parser.parse_args()
+    rows = []
+    print('| file | faces | xatlas: charts | seam | L2 | fill | at its L2: charts | seam | L2 | fill | game: charts | seam | '
+          'L2 | fill |\n|' + '---|' * 14)
+    with tempfile.TemporaryDirectory() as folder:
+        for pattern in PATTERNS:
+            for path in sorted(glob.glob(os.path.join(args.meshes, pattern))):
+                try:
+                    v, faces, _ = read(path)
+                    if not 0 < len(faces) <= args.most_faces:
+                        continue
+                    x = by_xatlas(folder, args.watlas, v, faces)
+                    same = by_majorant(folder, args.majorant, path, '--max-stretch',
+                                       repr(max(LEAST_LIMIT, round(x['l2'], 5))))
+                    game = by_majorant(folder, args.majorant, path, '--preset', 'game')
+                except (ValueError, IndexError, json.JSONDecodeError, subprocess.TimeoutExpired) as e:
+                    print('| %s | %s |' % (os.path.basename(path), str(e)[:100]), flush=True)
+                    continue
+                rows.append((x, same, game))
+                print('| %s | %d | %s |' % (os.path.basename(path), len(faces), ' | '.join(
+                    '%d | %.2f | %.4f | %.2f' % (r['charts'], r['seam'], r['l2'], r['fill']) for r in rows[-1])),
+                    flush=True)
+    median = statistics.median
+    ratio = median(same['seam'] / x['seam'] for x, same, _ in rows if x['seam'] > 0)
+    charts = median(game['charts'] / x['charts'] for x, _, game in rows)
+    fill, their = median(game['fill'] for _, _, game in rows), median(x['fill'] for x, _, _ in rows)
+    print('\n%d files; medians: at the L2 of xatlas %.2f of its seam; --preset game: fill %.2f beside %.2f, %.2f of its '
+          'charts.' % (len(rows), ratio, fill, their, charts))
+    return ratio > 0.5 or fill < 0.55 or charts > 1 / 3
+
+
+if __name__ == '__main__':
+    sys.exit(main())
