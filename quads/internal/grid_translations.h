@@ -1,9 +1,12 @@
 // What whole numbers for the arcs of a T-mesh say of a map: where its cones and corners lie, and
 // what the translations along its seams are, if every arc is to be as long as it has edges.
 //
-//   const GridTranslations grid(map, lattice, t_mesh, edges, edge_length);
-//   builder.add(grid);                                                      // an integer-grid map
-//   builder.add(std::make_shared<const QuadraticPenalty>(grid), 1e3);       // pulled towards one
+//   SeamlessLattice lattice(*mesh, map);
+//   const TMesh t_mesh = trace_t_mesh(lattice, stop);
+//   const std::vector<Index> edges(t_mesh.arcs.size(), 2);   // by arc, as Quantization has them
+//   const GridTranslations grid(map, lattice, t_mesh, edges, 0.125);
+//   builder.add(grid);                                                  // an integer-grid map
+//   builder.add(std::make_shared<const QuadraticPenalty>(grid), 1e3);   // pulled towards one
 //
 // Lines along arcs are developed from chart to chart, so what they say holds for the paths of the
 // T-mesh, not only up to multiples of the edge length. Where a map that satisfies this is reached

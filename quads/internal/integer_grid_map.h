@@ -1,9 +1,13 @@
 // Integer-grid maps: seamless maps with all cones, corners and translations at whole multiples of
 // an edge length, so that the lines of whole numbers are edges of quads [BZK09].
 //
-//   const GridTranslations grid(map, lattice, t_mesh, edges, edge_length);
+//   const RoomySurface room = with_room(*mesh);
+//   SeamlessLattice lattice(room.mesh, map);
+//   const TMesh t_mesh = trace_t_mesh(lattice, stop);
+//   const std::vector<Index> edges(t_mesh.arcs.size(), 2);   // by arc, as Quantization has them
+//   const GridTranslations grid(map, lattice, t_mesh, edges, 0.125);
 //   if (const auto whole = integer_grid_map(map, lattice, grid, {}, stop)) {
-//     const IntegerGrid quads(room, *whole, edge_length, stop);
+//     const IntegerGrid quads(room, *whole, grid.edge_length(), stop);
 //     ExtractedQuads extracted(quads.lattice(), quads.t_mesh(), quads.edges());
 //   }
 //
