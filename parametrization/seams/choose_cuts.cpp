@@ -180,13 +180,13 @@ constexpr Index kMostRoutes = 3, kRouteWork = 20000;
 // What a cut may cost that is its own mirror image, and how long it may be, relative to the best
 // one: most of the difference is that the plane is where surfaces are seen.
 constexpr double kMirrorCost = 1.1, kMirrorLength = 1.05;
-// Vertices whose costs are compared with those of their images, at most, and the part by which these
-// may differ in the mean: rays leave a twentieth between what looks alike; a direction that is not in
-// the plane, half.
+// Vertices whose costs are compared with those of their images, at most, and the part by which
+// these may differ in the mean: rays leave a twentieth between what looks alike; a direction that
+// is not in the plane, half.
 constexpr Index kLookedAt = 2000;
 constexpr double kUnlike = 0.2;
-// In mean edges: how far an end of a cut may be from the image of another that it is shortened with;
-// branches of cuts on both sides do not end at the same places.
+// In mean edges: how far an end of a cut may be from the image of another that it is shortened
+// with; branches of cuts on both sides do not end at the same places.
 constexpr double kPairDistance = 4;
 // The numbers of branches that a cut is divided into: one for each two edges of a small mesh, and
 // such that one solve for each takes as long on all large ones: a second or two; on public meshes
@@ -271,8 +271,9 @@ class Cutter {
   // The cheapest cut found that is its own mirror image, where the surface is and that costs hardly
   // more, else `best`.
   AutomaticCut mirrored(const AutomaticCut& best, const std::vector<Index>& cones) const {
-    const std::optional<MirrorPlane> plane =
-        is_faceted_ ? std::nullopt : mirror_plane(mesh_, stop_);
+    const std::optional<MirrorPlane> plane = is_faceted_ || mesh_.vertex_count() > kRouteWork
+                                                 ? std::nullopt
+                                                 : mirror_plane(mesh_, stop_);
     if (!plane || !costs_are_images(*plane)) return best;
     const MirroredCuts halves(mesh_, *plane, cost_, stop_);
     if (!halves.is_parted()) return best;

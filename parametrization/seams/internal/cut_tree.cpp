@@ -282,8 +282,8 @@ std::vector<std::ptrdiff_t> CutTree::partners(const std::vector<std::size_t>& en
   for (std::size_t i = 0; i < ends.size(); ++i) partner[i] = nearest(i);
   std::vector<std::ptrdiff_t> mutual(ends.size(), -1);
   for (std::size_t i = 0; i < ends.size(); ++i)
-    if (partner[i] >= 0 && partner[to_size(static_cast<Index>(partner[i]))] ==
-                               static_cast<std::ptrdiff_t>(i))
+    if (partner[i] >= 0 &&
+        partner[to_size(static_cast<Index>(partner[i]))] == static_cast<std::ptrdiff_t>(i))
       mutual[i] = partner[i];
   return mutual;
 }
@@ -316,8 +316,8 @@ std::vector<CutTree::Offer> CutTree::offers(double most_added) const {
       other = peelable(static_cast<Index>(ends[static_cast<std::size_t>(partner[i])]));
     Offer best{std::numeric_limits<double>::infinity(), {}};
     for (std::size_t count = 1;; count = std::min(2 * count, path.size())) {
-      const std::vector<Index> part = with_partner(
-          {path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count)}, other);
+      const std::vector<Index> part =
+          with_partner({path.begin(), path.begin() + static_cast<std::ptrdiff_t>(count)}, other);
       const double added = added_strain(places_of(part));
       double cost = 0;
       for (const Index p : part) cost += twigs_[p].cost;

@@ -96,11 +96,15 @@ void NearestPoints::look(Index first, Index last, const Vector3& p, Index& best,
   if (d < square || (d == square && v < best)) square = d, best = v;
   const double beyond = p[axis_[middle]] - points_(v, axis_[middle]);
   const bool is_left = beyond < 0;
-  if (is_left) look(first, middle, p, best, square);
-  else look(middle + 1, last, p, best, square);
+  if (is_left)
+    look(first, middle, p, best, square);
+  else
+    look(middle + 1, last, p, best, square);
   if (beyond * beyond > square) return;
-  if (is_left) look(middle + 1, last, p, best, square);
-  else look(first, middle, p, best, square);
+  if (is_left)
+    look(middle + 1, last, p, best, square);
+  else
+    look(first, middle, p, best, square);
 }
 
 std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck& stop) {
@@ -124,8 +128,7 @@ std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck
     Index apart = 0, all = 0;
     for (Index v = 0; v < mesh.vertex_count(); v += step, ++all) {
       const Vector3 p = plane.image(mesh.positions().row(v));
-      const double distance =
-          (mesh.positions().row(vertices.nearest(p)).transpose() - p).norm();
+      const double distance = (mesh.positions().row(vertices.nearest(p)).transpose() - p).norm();
       sum += distance;
       apart += distance > near;
       if (apart > kApart * (mesh.vertex_count() / step + 1)) break;

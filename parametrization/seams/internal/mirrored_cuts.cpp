@@ -30,8 +30,8 @@ constexpr double kWanted = 0.05;
 constexpr double kFarOff = 3;
 // In mean edges: images as near to something stand for the same.
 constexpr double kSamePlace = 2;
-// In mean edges: what is as near to the plane lies in it. A band that is narrower has crooked paths,
-// a wider one paths that are not near their images.
+// In mean edges: what is as near to the plane lies in it. A band that is narrower has crooked
+// paths, a wider one paths that are not near their images.
 constexpr double kInPlane = 0.7;
 
 double distance_to(const Vector3& p, const std::pair<Vector3, Vector3>& segment) {
@@ -181,8 +181,8 @@ std::vector<Index> MirroredCuts::terminals(const std::vector<Index>& through, Ha
   for (const Index v : through) {
     if (half.number[v] >= 0 || (of == Ends::OfHalf && count > 0)) continue;
     const Vector3 image = plane_.image(place(v));
-    const bool is_same = std::any_of(
-        own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count), [&](Index w) {
+    const bool is_same =
+        std::any_of(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count), [&](Index w) {
           return (half.mesh->positions().row(w).transpose() - image).norm() <= kSamePlace * edge_;
         });
     if (!is_same) own.push_back(snapped(half, vertices.nearest(image)));
@@ -233,9 +233,10 @@ Vec MirroredCuts::cost_near_images(const HalfSurface& of, const std::vector<char
   }
   Vec cost = on.cost;
   for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    cost[h] *= off_factor(
-        0.5 * (std::min(distance[mesh.from_vertex(h)], kFarOff * edge_) +
-               std::min(distance[mesh.to_vertex(h)], kFarOff * edge_)) / edge_);
+    cost[h] *= off_factor(0.5 *
+                          (std::min(distance[mesh.from_vertex(h)], kFarOff * edge_) +
+                           std::min(distance[mesh.to_vertex(h)], kFarOff * edge_)) /
+                          edge_);
   return cost;
 }
 

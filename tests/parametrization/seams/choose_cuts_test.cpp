@@ -105,8 +105,8 @@ double mirrored_part(const SurfaceMesh& mesh, const std::vector<char>& is_cut) {
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
     mean += mesh.edge_length(h) / mesh.half_edge_count();
     if (is_cut[h] && h < mesh.opposite(h))
-      cuts.push_back({mesh.positions().row(mesh.from_vertex(h)),
-                      mesh.positions().row(mesh.to_vertex(h))});
+      cuts.push_back(
+          {mesh.positions().row(mesh.from_vertex(h)), mesh.positions().row(mesh.to_vertex(h))});
   }
   double near = 0, all = 0;
   for (const auto& [a, b] : cuts) {
@@ -378,9 +378,8 @@ TEST(CutChart, InTwoConnectedParts) {
 // Parts around ends have half of the area each, whatever the planes: a chart that is flat but for a
 // wing at its end loses the wing to planes, not to ends.
 TEST(CutChart, InHalvesAroundEnds) {
-  const SurfaceMesh chart = SurfaceMesh::from_polygons(grid(24, [](double x, double) {
-    return x > 0.9 ? 3 * (x - 0.9) : 0.0;
-  }));
+  const SurfaceMesh chart = SurfaceMesh::from_polygons(
+      grid(24, [](double x, double) { return x > 0.9 ? 3 * (x - 0.9) : 0.0; }));
   const auto smaller_part = [&](PartsAround centres) {
     const std::vector<SurfaceMesh> parts = pieces_of(chart, cut_in_two(chart, {}, centres));
     EXPECT_EQ(parts.size(), 2u);
