@@ -119,8 +119,7 @@ std::vector<char> cut_corners(const SurfaceMesh& chart, const CutPreferences& wa
 // other.
 enum class PartsAround { Planes, Ends };
 std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& wanted,
-                             PartsAround centres = PartsAround::Planes,
-                             const StopCheck& stop = {});
+                             PartsAround centres = PartsAround::Planes, const StopCheck& stop = {});
 // The path from boundary to boundary that costs least for the area that it leaves on its smaller
 // side, between the ends of the chart or from the boundary vertex around which there is most, a
 // full turn or more, so that the chart overlaps itself there, if there is one. No flags where there
