@@ -9,7 +9,8 @@
 //
 // With n = (c - a) x (d - b) for the quad a, b, c, d: folded are corners with
 // (b - a) x (d - a) . n <= 0 and the like at b, c, d; turned is a quad with n . N < 0, N the normal
-// of the face of the surface nearest to its centroid. Both signs are those of the doubles, however
+// of a face of the surface nearest to its centroid (of each of these, where that is nearest to an
+// edge or a vertex). Both signs are those of the doubles, however
 // small: decided in integers where rounding leaves them open.
 //
 // Not for meshes with other polygons than quads: they are a defect.

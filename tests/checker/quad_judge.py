@@ -15,6 +15,7 @@ from collections import defaultdict
 from math import lcm
 
 CLOSE = 1e-9    # of the surface's diagonal: how far a border vertex may lie off the border
+EQUAL = 1e-12  # of distances, relative
 CORNER = 35.0   # degrees: a turn of the border from which on a vertex has to be there
 
 
@@ -81,7 +82,8 @@ def distance_to_triangle(p, a, b, c):
 
 
 class Nearest:
-    """The face nearest to a point, of all of them: those whose balls are nearer first, until a ball is farther."""
+    """The faces nearest to a point, of all of them (several where it is nearest to an edge or a vertex): those whose
+    balls are nearer first, until a ball is farther."""
 
     def __init__(self, mesh):
         self.mesh, self.balls = mesh, []
@@ -92,14 +94,13 @@ class Nearest:
 
     def __call__(self, p):
         bounds = [math.dist(centre, p) - radius for centre, radius in self.balls]
-        least, nearest = math.inf, None
+        least, distances = math.inf, {}
         for f in sorted(range(len(bounds)), key=bounds.__getitem__):
-            if bounds[f] > least:
-                return nearest
-            distance = distance_to_triangle(p, *self.mesh.corner_points(f))
-            if distance < least:
-                least, nearest = distance, f
-        return nearest
+            if bounds[f] > least * (1 + EQUAL):
+                break
+            distances[f] = distance_to_triangle(p, *self.mesh.corner_points(f))
+            least = min(least, distances[f])
+        return [f for f, distance in distances.items() if distance <= least * (1 + EQUAL)]
 
 
 class Mesh:
@@ -341,7 +342,7 @@ def judge(quads, surface=None, degrees=None):
     for f in range(len(quads.faces)):
         corners = quads.corner_points(f)
         centre = tuple(sum(x) / 4 for x in zip(*corners))
-        if against(corners, surface.corner_points(nearest(centre))):
+        if any(against(corners, surface.corner_points(g)) for g in nearest(centre)):
             found.add('turned')
             break
     return found
