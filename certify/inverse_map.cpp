@@ -448,6 +448,22 @@ Points2 rows_of(const Points2& uv, std::span<const Index> rows) {
   return gathered;
 }
 
+Index task_count(Index points) { return (points + kPointsOfTask - 1) / kPointsOfTask; }
+
+// take(task, row, preimages) for all points, on all threads, those of a task in its order.
+template <class Take>
+void search_all(const BezierMap& map, const PlacesOfFaces& places, const Points2& uv,
+                const std::vector<Index>& order, const StopCheck& stop, const Take& take) {
+  parallel_tasks(task_count(static_cast<Index>(uv.rows())), [&](Index task, int) {
+    stop.poll();
+    Search search(map, places);
+    const std::span<const Index> rows = rows_of_task(order, task);
+    const Points2 gathered = rows_of(uv, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      take(task, rows[i], search.preimages(gathered.row(static_cast<Index>(i))));
+  });
+}
+
 Box2 layout_box(const BezierMap& map) {
   const auto points = map.control_uv();
   return {points.colwise().minCoeff(), points.colwise().maxCoeff()};
@@ -470,49 +486,34 @@ InverseMap::Points InverseMap::locate(const Points2& uv, const StopCheck& stop) 
   points.face.assign(to_size(count), -1);
   points.barycentric.resize(count, 3);
   std::vector<char> undecided(to_size(count), 0);  // bytes: tasks write side by side
-  const std::vector<Index> order = near_after_near(uv, layout_box(map_));
-  parallel_tasks((count + kPointsOfTask - 1) / kPointsOfTask, [&](Index task, int) {
-    stop.poll();
-    Search search(map_, *places_);
-    const std::span<const Index> rows = rows_of_task(order, task);
-    const Points2 gathered = rows_of(uv, rows);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Index k = rows[i];
-      const std::vector<Found>& found = search.preimages(gathered.row(static_cast<Index>(i)));
-      if (found.empty()) {
-        points.barycentric.row(k).setZero();
-        continue;
-      }
-      const Found& first = found.front();
-      points.face[to_size(k)] = first.preimage.face;
-      points.barycentric.row(k) = first.preimage.barycentric;
-      undecided[to_size(k)] = !first.preimage.proven || (map_.degree() > 1 && found.size() == 1 &&
-                                                         is_on_border(map_.mesh(), first));
+  const auto take = [&](Index, Index k, const std::vector<Found>& found) {
+    if (found.empty()) {
+      points.barycentric.row(k).setZero();
+      return;
     }
-  });
+    const Found& first = found.front();
+    points.face[to_size(k)] = first.preimage.face;
+    points.barycentric.row(k) = first.preimage.barycentric;
+    undecided[to_size(k)] = !first.preimage.proven || (map_.degree() > 1 && found.size() == 1 &&
+                                                       is_on_border(map_.mesh(), first));
+  };
+  search_all(map_, *places_, uv, near_after_near(uv, layout_box(map_)), stop, take);
   points.is_undecided.assign(undecided.begin(), undecided.end());
   return points;
 }
 
 InverseMap::Lists InverseMap::locate_all(const Points2& uv, const StopCheck& stop) const {
   const auto count = static_cast<Index>(uv.rows());
-  const Index tasks = (count + kPointsOfTask - 1) / kPointsOfTask;
+  const Index tasks = task_count(count);
   std::vector<std::vector<Preimage>> of_task(to_size(tasks));
   Lists lists;
   lists.begin.assign(to_size(count) + 1, 0);
   const std::vector<Index> order = near_after_near(uv, layout_box(map_));
-  parallel_tasks(tasks, [&](Index task, int) {
-    stop.poll();
-    Search search(map_, *places_);
-    const std::span<const Index> rows = rows_of_task(order, task);
-    const Points2 gathered = rows_of(uv, rows);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Index k = rows[i];
-      const std::vector<Found>& found = search.preimages(gathered.row(static_cast<Index>(i)));
-      lists.begin[to_size(k) + 1] = static_cast<Index>(found.size());
-      for (const Found& one : found) of_task[to_size(task)].push_back(one.preimage);
-    }
-  });
+  const auto take = [&](Index task, Index k, const std::vector<Found>& found) {
+    lists.begin[to_size(k) + 1] = static_cast<Index>(found.size());
+    for (const Found& one : found) of_task[to_size(task)].push_back(one.preimage);
+  };
+  search_all(map_, *places_, uv, order, stop, take);
   std::partial_sum(lists.begin.begin(), lists.begin.end(), lists.begin.begin());
   lists.preimages.resize(to_size(lists.begin.back()));
   for (Index task = 0; task < tasks; ++task) {

@@ -277,27 +277,6 @@ class QuadJudge {
     return surface_->positions().rowwise() + surface_->origin().transpose();
   }
 
-  // The faces of the surface that a point of it lies on: several on edges and at vertices.
-  std::vector<Index> faces_at(const NearestPoint& at) const {
-    constexpr double kOnEdge = 1e-9;  // a barycentric coordinate; distances differ by its square
-    std::vector<Index> faces = {at.face};
-    std::vector<Index> corners;
-    for (Index k = 0; k < 3; ++k)
-      if (at.barycentric[k] > kOnEdge) corners.push_back(3 * at.face + k);
-    if (corners.size() == 2) {
-      const Index h = next(corners[0]) == corners[1] ? corners[0] : corners[1];
-      if (const Index o = surface_->opposite(h); o >= 0) faces.push_back(face_of(o));
-    } else if (corners.size() == 1) {
-      for (Index h = surface_->opposite(corners[0]); h >= 0 && face_of(h) != at.face;
-           h = surface_->opposite(next(h)))
-        faces.push_back(face_of(h));
-      for (Index h = surface_->opposite(previous(corners[0])); h >= 0 && face_of(h) != at.face;
-           h = surface_->opposite(previous(h)))
-        faces.push_back(face_of(h));
-    }
-    return faces;
-  }
-
   void compare_positions() {
     const Points3 positions = surface_points();
     const SurfaceTree tree(positions, surface_->faces());
@@ -318,7 +297,7 @@ class QuadJudge {
       check_.hausdorff.to_surface = std::max(check_.hausdorff.to_surface, p.distance);
     for (Index q = 0; q < check_.count; ++q) {
       const std::array<Vector3, 4> p = corners_of(q);
-      for (const Index f : faces_at(nearest[q])) {
+      for (const Index f : faces_at(*surface_, nearest[q])) {
         const auto corner = [&](int k) { return Vector3(positions.row(surface_->faces()(f, k))); };
         if (sign_of_normals({p[0], p[2]}, {p[1], p[3]}, {corner(0), corner(1)},
                             {corner(0), corner(2)}) >= 0)

@@ -149,6 +149,24 @@ NearestPoint SurfaceTree::nearest(const Vector3& p, Index likely) const {
   return best;
 }
 
+std::vector<Index> faces_at(const SurfaceMesh& mesh, const NearestPoint& point) {
+  constexpr double kOnEdge = 1e-9;
+  std::vector<Index> faces = {point.face}, corners;
+  for (Index k = 0; k < 3; ++k)
+    if (point.barycentric[k] > kOnEdge) corners.push_back(3 * point.face + k);
+  if (corners.size() == 2) {
+    const Index along = next(corners[0]) == corners[1] ? corners[0] : corners[1];
+    if (const Index o = mesh.opposite(along); o >= 0) faces.push_back(face_of(o));
+  } else if (corners.size() == 1) {
+    const auto is_other = [&](Index h) { return h >= 0 && face_of(h) != point.face; };
+    for (Index h = mesh.opposite(corners[0]); is_other(h); h = mesh.opposite(next(h)))
+      faces.push_back(face_of(h));
+    for (Index h = mesh.opposite(previous(corners[0])); is_other(h); h = mesh.opposite(previous(h)))
+      faces.push_back(face_of(h));
+  }
+  return faces;
+}
+
 std::vector<NearestPoint> SurfaceTree::locate(const Points3& p, const StopCheck& stop) const {
   const auto count = static_cast<Index>(p.rows());
   std::vector<NearestPoint> result(to_size(count));

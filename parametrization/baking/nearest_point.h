@@ -6,8 +6,8 @@
 //   const auto all = tree.locate(Points3::Random(1000, 3));   // on all threads
 //
 // Exact but for rounding: what is left out lies in boxes that are farther than the best point
-// found. Of faces at one distance any may be named. Faces without an area count as the segments or
-// points that they are.
+// found. Of faces at one distance any may be named: faces_at(). Faces without an area count as the
+// segments or points that they are.
 //
 // Not for rays, and not for points inside of solids: there is no sign.
 #pragma once
@@ -17,6 +17,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
+#include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {
 
@@ -29,6 +30,10 @@ struct NearestPoint {
 // The nearest point of the triangle of these corners; its face is -1.
 NearestPoint nearest_of_triangle(const Vector3& a, const Vector3& b, const Vector3& c,
                                  const Vector3& p);
+
+// The faces of the surface that its nearest point lies on, at least one: both of an edge, all
+// around a vertex, where coordinates up to 1e-9 are 0. In no order, some twice.
+std::vector<Index> faces_at(const SurfaceMesh& mesh, const NearestPoint& point);
 
 class SurfaceTree {
  public:

@@ -21,8 +21,8 @@ class Smoother {
            const StopCheck& stop)
       : mesh_(mesh),
         surface_positions_(surface.positions().rowwise() + surface.origin().transpose()),
-        surface_faces_(surface.faces()),
-        surface_(surface_positions_, surface_faces_),
+        surface_mesh_(surface),
+        surface_(surface_positions_, surface.faces()),
         stop_(stop),
         lengths_(surface, held.is_feature),
         border_(held.points),
@@ -162,12 +162,16 @@ class Smoother {
   // As check_quads() has it, up to rounding.
   bool is_turned(Index q) {
     const std::array<Vector3, 4> p = corners_of(q);
-    below_[q] = surface_.nearest((p[0] + p[1] + p[2] + p[3]) / 4, below_[q]).face;
-    const auto corner = [&](int k) {
-      return Vector3(surface_positions_.row(surface_faces_(below_[q], k)));
-    };
-    const Vector3 there = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-    return normal_of(p).dot(there) < 0;
+    const NearestPoint below = surface_.nearest((p[0] + p[1] + p[2] + p[3]) / 4, below_[q]);
+    below_[q] = below.face;
+    const std::vector<Index> faces = faces_at(surface_mesh_, below);
+    return std::any_of(faces.begin(), faces.end(), [&](Index f) {
+      const auto corner = [&](int k) {
+        return Vector3(surface_positions_.row(surface_mesh_.faces()(f, k)));
+      };
+      const Vector3 there = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+      return normal_of(p).dot(there) < 0;
+    });
   }
 
   int turned_around(std::size_t v) {
@@ -217,8 +221,8 @@ class Smoother {
     likely_[v] = nearest.face;
     Vector3 point = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
-      point +=
-          nearest.barycentric[k] * Vector3(surface_positions_.row(surface_faces_(nearest.face, k)));
+      point += nearest.barycentric[k] *
+               Vector3(surface_positions_.row(surface_mesh_.faces()(nearest.face, k)));
     return point;
   }
 
@@ -287,7 +291,7 @@ class Smoother {
 
   PolygonMesh& mesh_;
   const Points3 surface_positions_;
-  const Cells& surface_faces_;
+  const SurfaceMesh& surface_mesh_;
   const SurfaceTree surface_;
   const StopCheck& stop_;
   const BorderLengths lengths_;

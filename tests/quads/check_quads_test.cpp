@@ -88,6 +88,22 @@ TEST(CheckQuads, TurnedInsideOut) {
   EXPECT_TRUE(check_quads(quads, nullptr).is_valid());
 }
 
+// Above the ridge of a steep roof both of its sides are as near.
+TEST(CheckQuads, TurnedAgainstOneOfTheNearestFaces) {
+  PolygonMesh roof;
+  roof.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0.5, -3}, {-1, 0.5, -3}};
+  roof.polygons = {{0, 2, 1}, {0, 1, 3}};
+  const SurfaceMesh surface = SurfaceMesh::from_polygons(roof);
+  for (const double lean : {-1.0, 0.0, 1.0}) {  // of the quad's normal (lean, 0, 1)
+    PolygonMesh quad;
+    for (const Vector3& p :
+         {Vector3(-1, 0, 0), Vector3(1, 0, 0), Vector3(1, 1, 0), Vector3(-1, 1, 0)})
+      quad.positions.push_back(p + Vector3(0, 0, 2 - lean * p.x()));
+    quad.polygons = {{0, 1, 2, 3}};
+    EXPECT_EQ(check_quads(quad, &surface).turned.size(), lean == 0 ? 0u : 1u) << lean;
+  }
+}
+
 TEST(CheckQuads, OtherSurface) {
   const SurfaceMesh torus_surface = SurfaceMesh::from_polygons(torus(12, 8, 0));
   const QuadCheck check = check_quads(quads_of(sphere(3)), &torus_surface);
