@@ -14,16 +14,18 @@ static_assert(BatchView::stride == ElementBatch::kMaxSize &&
               BatchView::stride == LocalSystem::stride);
 
 DensityTerm::DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpace> space,
-                         const RestShapes& rest, const std::vector<Quadrature>& rules,
-                         std::shared_ptr<const void> density, const DensityKernels& kernels)
+                         std::shared_ptr<const RestShapes> shapes,
+                         const std::vector<Quadrature>& rules, std::shared_ptr<const void> density,
+                         const DensityKernels& kernels)
     : traits_(std::move(traits)),
-      rest_(rest),
+      rest_(given("DensityTerm: the rest shapes", std::move(shapes))),
       space_(given("DensityTerm: the space", std::move(space))),
       density_(given("DensityTerm: the density", std::move(density))),
       kernels_(kernels) {
   const auto refuse = [&](const std::string& what) {
     throw InvalidArgument(fmt::format("energy '{}': {}", traits_.name, what));
   };
+  const RestShapes& rest = *rest_;
   if (rules.empty()) refuse("no quadrature rule");
   if (rest.measure.size() != space_->element_count() ||
       (rest.curved() ? rest.nodes.rows() != space_->node_count() || rest.nodes.cols() < rest.dim
@@ -63,16 +65,16 @@ const DensityTerm::Rule& DensityTerm::rule(RuleId id) const {
     r.table = space_->tabulate(r.quadrature);
     r.weighted_shape_gradient = r.table.weights.asDiagonal() * r.table.shape_gradient;
     r.weighted_gradient_product = r.table.weights.asDiagonal() * r.table.gradient_product;
-    if (rest_.curved()) tabulate_curved(r);
+    if (rest_->curved()) tabulate_curved(r);
   });
   return r;
 }
 
 void DensityTerm::tabulate_curved(Rule& r) const {
   const Index count = space_->element_count();
-  r.rest.resize(count, r.table.weights.size() * (rest_.dim * rest_.dim + 1));
+  r.rest.resize(count, r.table.weights.size() * (rest_->dim * rest_->dim + 1));
   for (Index e = 0; e < count; ++e) {
-    RowMatrix rest = tabulate_rest(rest_, *space_, r.table, e);
+    RowMatrix rest = tabulate_rest(*rest_, *space_, r.table, e);
     rest.rightCols(1) *= space_->reference_measure();
     r.rest.row(e) = Eigen::Map<const Eigen::RowVectorXd>(rest.data(), rest.size());
   }
@@ -101,8 +103,8 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const ElementBatch& batch, co
                                           const ContractionView& table, Workspace& w) const {
   constexpr int stride = BatchView::stride;
   const int block = element_dofs_.block, rows = element_dofs_.local_size();
-  const int per_point = rest_.dim * rest_.dim + 1;
-  const int rest_rows = rest_.curved() ? per_point * table.points : per_point;
+  const int per_point = rest_->dim * rest_->dim + 1;
+  const int rest_rows = rest_->curved() ? per_point * table.points : per_point;
   const auto count = static_cast<int>(batch.elements.size());
   const auto total =
       static_cast<std::size_t>((rows + rest_rows + 1) * stride + kernels_.scratch_size(table));
@@ -121,10 +123,10 @@ DensityTerm::Gathered DensityTerm::gather(VecIn x, const ElementBatch& batch, co
   to = rest;
   for (int k = 0; k < rest_rows; ++k, to += stride)
     for (int p = 0; p < padded; ++p)
-      to[p] = rest_.curved()       ? rule.rest(elements[p], k)
-              : k == per_point - 1 ? rest_.measure[elements[p]]
-                                   : rest_.inverse(elements[p], k);
-  const BatchView view{count, batch.elements.data(), memory, rest, rest_.curved() ? per_point : 0};
+      to[p] = rest_->curved()      ? rule.rest(elements[p], k)
+              : k == per_point - 1 ? rest_->measure[elements[p]]
+                                   : rest_->inverse(elements[p], k);
+  const BatchView view{count, batch.elements.data(), memory, rest, rest_->curved() ? per_point : 0};
   return {view, values + stride, values};
 }
 

@@ -53,10 +53,11 @@ DensityTraits detail::traits_of(std::string_view name, const Traits& traits,
 EnergyFactory EnergyFactory::of_density(DensityTraits traits, std::shared_ptr<const void> density,
                                         const DensityKernels& kernels, Part part) {
   const auto make = [traits, density = std::move(density), kernels](
-                        std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
+                        std::shared_ptr<const ElementSpace> space,
+                        std::shared_ptr<const RestShapes> rest,
                         const std::vector<Quadrature>& rules) {
-    return std::make_shared<const DensityTerm>(traits, std::move(space), rest, rules, density,
-                                               kernels);
+    return std::make_shared<const DensityTerm>(traits, std::move(space), std::move(rest), rules,
+                                               density, kernels);
   };
   return {std::move(traits), make, std::move(part)};
 }
@@ -66,7 +67,7 @@ std::shared_ptr<const DensityTerm> EnergyFactory::operator()(
   Quadrature rule = given("EnergyFactory: the space", space)->default_rule(rest.jacobian());
   if (traits_.barrier != Barrier::None && rule.size() > 1)
     rule = guarded_rule(rule, 1, kCornerGuard);
-  return make_(std::move(space), rest, {std::move(rule)});
+  return make_(std::move(space), std::make_shared<const RestShapes>(rest), {std::move(rule)});
 }
 
 EnergyFactory EnergyFactory::for_elements(std::span<const Index> elements) const {
@@ -89,9 +90,9 @@ EnergyFactory along(RowMatrix first_axes, EnergyFactory make) {
   };
   return {std::move(traits),
           [first_axes = std::move(first_axes), make = std::move(make)](
-              std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
+              std::shared_ptr<const ElementSpace> space, std::shared_ptr<const RestShapes> rest,
               const std::vector<Quadrature>& rules) {
-            return make(std::move(space), turned(rest, first_axes), rules);
+            return make(std::move(space), turned(*rest, first_axes), rules);
           },
           part};
 }

@@ -46,7 +46,7 @@ class DensityTerm final : public EnergyTerm {
   // InvalidArgument when there is no rule, the rest shapes do not fit the space, the density
   // has data for another number of elements, or its Jacobian has not the element's dimension.
   DensityTerm(DensityTraits traits, std::shared_ptr<const ElementSpace> space,
-              const RestShapes& rest, const std::vector<Quadrature>& rules,
+              std::shared_ptr<const RestShapes> rest, const std::vector<Quadrature>& rules,
               std::shared_ptr<const void> density, const DensityKernels& kernels);
 
   std::string_view name() const override { return traits_.name; }
@@ -88,7 +88,7 @@ class DensityTerm final : public EnergyTerm {
 
   DensityTraits traits_;
   ElementDofs element_dofs_;
-  RestShapes rest_;
+  std::shared_ptr<const RestShapes> rest_;
   std::shared_ptr<const ElementSpace> space_;
   std::vector<std::unique_ptr<Rule>> rules_;
   std::shared_ptr<const void> density_;
@@ -101,7 +101,7 @@ class DensityTerm final : public EnergyTerm {
 class EnergyFactory {
  public:
   using Make = std::function<std::shared_ptr<const DensityTerm>(
-      std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
+      std::shared_ptr<const ElementSpace> space, std::shared_ptr<const RestShapes> rest,
       const std::vector<Quadrature>& rules)>;
   using Part = std::function<EnergyFactory(std::span<const Index> elements)>;
   // make: gives terms of these traits. part: for_elements() where traits.elements is set.
@@ -115,9 +115,15 @@ class EnergyFactory {
   // Value of the term = sum over elements of measure * mean density. Throws InvalidArgument
   // as DensityTerm does.
   std::shared_ptr<const DensityTerm> operator()(std::shared_ptr<const ElementSpace> space,
+                                                std::shared_ptr<const RestShapes> rest,
+                                                const std::vector<Quadrature>& rules) const {
+    return make_(std::move(space), std::move(rest), rules);
+  }
+  // Makes it on shapes of its own, a copy.
+  std::shared_ptr<const DensityTerm> operator()(std::shared_ptr<const ElementSpace> space,
                                                 const RestShapes& rest,
                                                 const std::vector<Quadrature>& rules) const {
-    return make_(std::move(space), rest, rules);
+    return make_(std::move(space), std::make_shared<const RestShapes>(rest), rules);
   }
   // Makes the term on the default rule of the space (ElementSpace::default_rule). Where J is not
   // constant and the energy has a barrier, guarded_rule() adds the corners, with kCornerGuard.

@@ -48,10 +48,10 @@ int main(int argc, char** argv) {
   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(argv[1])));
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, {}));
   MapSpecification spec;
-  spec.rest = rest_shapes(*mesh);
+  spec.rest = std::make_shared<const RestShapes>(rest_shapes(*mesh));
   const auto space = start.shared_space();
   const DensityTerms terms = energy_terms(spec, space, {lattice_rule(1)});
-  auto injectivity = std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure);
+  auto injectivity = std::make_shared<const LocalInjectivity>(space, 2 * spec.rest->measure);
   const Problem problem =
       map_problem(spec, space, start.control_points(), terms, injectivity).problem;
   // 2. Newton's method with that solver, and with the library's own.

@@ -218,7 +218,7 @@ class PointMeter final : public RunObserver {
  public:
   PointMeter(const Contest& contest, double time_limit)
       : evaluator_(contest.problem),
-        injectivity_(contest.space, 2 * contest.specification.rest.measure),
+        injectivity_(contest.space, 2 * contest.specification.rest->measure),
         vertices_(contest.space, AngleSums::Vertices::Interior),
         time_limit_(time_limit) {}
 
@@ -291,7 +291,7 @@ Contest make_contest(const CompareRequest& request) {
   c.space = map.shared_space();
   c.rule = optimizer_ladder(map.degree(), request.map.quadrature).guarded.front();
   c.injectivity =
-      std::make_shared<const LocalInjectivity>(c.space, 2 * c.specification.rest.measure);
+      std::make_shared<const LocalInjectivity>(c.space, 2 * c.specification.rest->measure);
   c.start = map.control_points();
   c.problem = map_problem(c.specification, c.space, c.start,
                           energy_terms(c.specification, c.space, {c.rule}), c.injectivity)

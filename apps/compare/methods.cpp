@@ -53,7 +53,7 @@ Method least_squares() {
           [](const Contest& c) {
             LeastSquaresOptions options;
             options.max_iterations = c.max_iterations;
-            return ceres().least_squares(c.space, c.specification.rest, c.rule, options);
+            return ceres().least_squares(c.space, *c.specification.rest, c.rule, options);
           },
           load_ceres};
 }

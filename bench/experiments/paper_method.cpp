@@ -86,7 +86,7 @@ class Level {
         built_(map_problem(
             spec, map.shared_space(), map.control_points(),
             energy_terms(spec, map.shared_space(), {rule_of(asked, map.degree())}),
-            std::make_shared<const LocalInjectivity>(map.shared_space(), 2 * spec.rest.measure))),
+            std::make_shared<const LocalInjectivity>(map.shared_space(), 2 * spec.rest->measure))),
         stepper_(built_.problem, options()),
         y_(built_.problem.reduce(map.control_points())),
         energy_(stepper_.evaluator().value(y_)) {}
@@ -172,7 +172,7 @@ nlohmann::json run(const Asked& asked) {
   const Vec uv = asked.init == "input" ? texture_map(*mesh) : tutte_map(*mesh);
   BezierMap map = BezierMap::linear(mesh, uv);
   MapSpecification spec;
-  spec.rest = flat_triangles(mesh->positions(), mesh->faces());
+  spec.rest = std::make_shared<const RestShapes>(flat_triangles(mesh->positions(), mesh->faces()));
   if (asked.fixed) spec.boundary = BoundaryCondition::Fixed;
   for (const Index v : asked.pins) spec.pins.push_back({v, uv.segment<2>(2 * v)});
   nlohmann::json out{{"faces", mesh->face_count()}, {"rows", nlohmann::json::array()}};
@@ -195,7 +195,7 @@ nlohmann::json run(const Asked& asked) {
     if (last) break;
   }
   Vec face_value;
-  out["energy"] = mean_density(map, spec.rest, spec.energy, face_value);
+  out["energy"] = mean_density(map, *spec.rest, spec.energy, face_value);
   return out;
 }
 

@@ -213,7 +213,7 @@ struct Defects {
 
 Defects defects(const BezierMap& map, const MapSpecification& spec) {
   Defects d;
-  d.faces = LocalInjectivity(map.shared_space(), 2 * spec.rest.measure)
+  d.faces = LocalInjectivity(map.shared_space(), 2 * spec.rest->measure)
                 .check(map.control_points())
                 .blocking;
   if (d.faces.empty())
@@ -237,13 +237,15 @@ class Maker {
     MapSpecification spec;
     spec.seams = out.map.shared_seams();
     spec.aligned = cut_.aligned;
-    spec.rest = rest_shapes(out.map.mesh());
+    spec.rest = std::make_shared<const RestShapes>(rest_shapes(out.map.mesh()));
     record_.start_stop().poll();
     Defects found = defects(out.map, spec);
     out.inverted = static_cast<Index>(found.faces.size());
     if (!found.faces.empty()) {
       // Towards triangles of the sizes that a scaled field gives them.
-      for (Index f = 0; f < scale.size(); ++f) spec.rest.inverse.row(f) /= scale[f];
+      RestShapes rest = *spec.rest;
+      for (Index f = 0; f < scale.size(); ++f) rest.inverse.row(f) /= scale[f];
+      spec.rest = std::make_shared<const RestShapes>(std::move(rest));
       const UntangleResult r = untangle(spec, out.map.shared_space(), out.map.control_points(),
                                         record_, scale.size() > 0 ? kScaledFirstEps : kFirstEps);
       out.untangling_steps = r.iterations;

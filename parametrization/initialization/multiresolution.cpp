@@ -395,7 +395,7 @@ class Multiresolution {
     const auto space = std::make_shared<const BezierTriangleSpace>(
         level.faces, static_cast<Index>(level.vertex.size()), 1);
     MapSpecification spec(asked_);
-    spec.rest = flat_triangles(level.positions, level.faces);
+    spec.rest = std::make_shared<const RestShapes>(flat_triangles(level.positions, level.faces));
     spec.face_weight = weights_of(level);
     const Vec x = places_of(level);
     for (std::size_t k = 0; k < level.vertex.size(); ++k)
@@ -403,7 +403,7 @@ class Multiresolution {
         spec.pins.push_back({static_cast<Index>(k), descent_.place(level.vertex[k])});
     Problem problem = map_problem(spec, space, x, energy_terms(spec, space, {lattice_rule(1)}),
                                   std::make_shared<const LocalInjectivity>(
-                                      space, 2 * spec.rest.measure, 0, stop_))
+                                      space, 2 * spec.rest->measure, 0, stop_))
                           .problem;
     Vec start = problem.reduce(x);
     return {std::move(problem), std::move(start)};

@@ -28,7 +28,7 @@ UntangleResult untangle(const MapSpecification& spec,
                         const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                         const RunRecord& record, double first_eps) {
   const MapSpecification asked = untangling(spec);
-  const LocalInjectivity injectivity(space, 2 * spec.rest.measure);
+  const LocalInjectivity injectivity(space, 2 * spec.rest->measure);
   const MapProblem map =
       map_problem(asked, space, start, energy_terms(asked, space, {lattice_rule(1)}), nullptr);
   UntangledPoint point = descend_untangling(

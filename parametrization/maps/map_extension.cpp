@@ -16,8 +16,10 @@ void require(const Pointer& p, const char* what) {
 
 }  // namespace
 
-MapExtension::MapExtension(BezierMap start, RestShapes rest, double scale)
-    : start_(std::move(start)), rest_(std::move(rest)), scale_(scale) {}
+MapExtension::MapExtension(BezierMap start, std::shared_ptr<const RestShapes> rest, double scale)
+    : start_(std::move(start)), rest_(std::move(rest)), scale_(scale) {
+  require(rest_, "pointer to rest shapes");
+}
 
 MapExtension& MapExtension::add(std::shared_ptr<const EnergyTerm> term, double weight) {
   require(term, "term");

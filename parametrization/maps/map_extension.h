@@ -33,14 +33,15 @@ namespace majorant {
 
 class MapExtension {
  public:
-  // start: where this degree starts, normalised; rest: of its faces. Both are copied.
-  MapExtension(BezierMap start, RestShapes rest, double scale);
+  // start: where this degree starts, normalised; rest: of its faces. Throws InvalidArgument where
+  // rest is null.
+  MapExtension(BezierMap start, std::shared_ptr<const RestShapes> rest, double scale);
 
   int degree() const { return start_.degree(); }
   const SurfaceMesh& mesh() const { return start_.mesh(); }
   const BezierTriangleSpace& space() const { return start_.space(); }
   std::shared_ptr<const BezierTriangleSpace> shared_space() const { return start_.shared_space(); }
-  const RestShapes& rest() const { return rest_; }              // of the scaled faces
+  const RestShapes& rest() const { return *rest_; }             // of the scaled faces
   double scale() const { return scale_; }                       // a power of two
   const Vec& start() const { return start_.control_points(); }  // 2 numbers per node
 
@@ -77,7 +78,7 @@ class MapExtension {
 
  private:
   BezierMap start_;
-  RestShapes rest_;
+  std::shared_ptr<const RestShapes> rest_;
   double scale_;
   std::vector<Term> terms_;
   std::vector<std::shared_ptr<const Constraint>> constraints_;

@@ -195,7 +195,7 @@ const Ranks& ranks_of(const MapSpecification& spec) {
 }
 
 double whole_area(const MapSpecification& spec) {
-  return ranks_of(spec).sum(spec.rest.measure.sum());
+  return ranks_of(spec).sum(spec.rest->measure.sum());
 }
 
 std::vector<Index> boundary_of(const MapSpecification& spec, const BezierTriangleSpace& space) {
@@ -315,7 +315,7 @@ TermChanges energy_states(const MapSpecification& spec, const std::vector<TermId
 
 Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
                    const std::vector<RuleId>& rules, VecIn x, const StopCheck& stop) {
-  Vec sum = Vec::Zero(spec.rest.measure.size());
+  Vec sum = Vec::Zero(spec.rest->measure.size());
   TermState state;
   state.element_rule = rules;
   for (std::size_t k = 0; k < terms.size(); ++k) {

@@ -2,7 +2,7 @@
 // what any other Minimizer can be given instead.
 //
 //   auto terms = energy_terms(spec, space, {rule});
-//   auto injectivity = std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure);
+//   auto injectivity = std::make_shared<const LocalInjectivity>(space, 2 * spec.rest->measure);
 //   Problem problem = map_problem(spec, space, start, terms, injectivity).problem;
 //   SolveResult r = LbfgsMinimizer().minimize(problem, problem.reduce(start), {});
 //
@@ -37,7 +37,7 @@ struct MapSpecification {
   BoundaryCondition boundary = BoundaryCondition::Free;
   BoundaryAngles boundary_angles = BoundaryAngles::Free;
   double handle_weight = MapOptions().handle_weight;
-  RestShapes rest;
+  std::shared_ptr<const RestShapes> rest = std::make_shared<const RestShapes>();  // not null
   std::shared_ptr<const Seams> seams;  // hold exactly; null: none
   std::vector<AlignedEdge> aligned;    // stay parallel to an axis
   std::vector<FixedPoint> pins;        // hard, vertices

@@ -66,7 +66,7 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
           space_->element_count()),
       terms_(energy_terms(setup.map, space_, levels_.rules())),
       depth_(setup.solve.injectivity_depth),
-      injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest.measure,
+      injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest->measure,
                                                             depth_, setup.stop)),
       element_weight_(Vec::Ones(space_->element_count())),
       x_(domain.unknowns(x)),
@@ -377,7 +377,7 @@ void DegreeSolver::take_soft_steps(RunRecord& record) {
 // sum A sqrt(density).
 std::optional<Vec> DegreeSolver::soft_weights() const {
   const Vec energy = energy_by_face(setup_.map, terms_, levels_.of_faces(), x());
-  const Vec& measure = setup_.map.rest.measure;
+  const Vec& measure = setup_.map.rest->measure;
   const double all = partition().sum(energy.sum());
   if (!(all >= setup_.rules.soft_start * partition().sum(measure.sum())) ||
       !partition().all(energy.allFinite()))
@@ -545,7 +545,7 @@ DegreeSolver::RemedyOutcome DegreeSolver::deepen(RunRecord& record) {
 
 void DegreeSolver::set_depth(int depth) {
   depth_ = depth;
-  injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest.measure,
+  injectivity_ = std::make_shared<const LocalInjectivity>(space_, 2 * setup_.map.rest->measure,
                                                           depth_, setup_.stop);
   rebuild();
 }

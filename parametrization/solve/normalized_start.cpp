@@ -181,7 +181,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   moved_ = largest_distance(given.control_points(), start.control_points());
   const SurfaceMesh& mesh = start.mesh();
   const Vec& uv = start.control_points();
-  spec.rest = rest_shapes(mesh, frame_.scale);
+  spec.rest = std::make_shared<const RestShapes>(rest_shapes(mesh, frame_.scale));
   spec.seams = start.shared_seams();
   const bool tied = !start.seams().empty() || !asked.aligned.empty();
   std::vector<Index> fixed;  // sorted
@@ -199,7 +199,7 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
     frame_.move_origin(gauge_position(spec, start.space(), gauge, uv), spec.boundary);
   for (auto* points : {&spec.pins, &spec.handles}) frame_.normalize(*points);
   map_ = start.with(start.shared_space(), frame_.normalized(uv));
-  if (!spec.part) require_injective(map_, spec.rest, asked);
+  if (!spec.part) require_injective(map_, *spec.rest, asked);
 }
 
 BezierMap NormalizedStart::in_model_units(const BezierMap& normalized) const {

@@ -131,9 +131,9 @@ class Run {
 
   double mean_at_start() const {
     Vec unused;
-    const Vec& measure = setup_.map.rest.measure;
+    const Vec& measure = setup_.map.rest->measure;
     const auto mean = [&] {
-      return mean_density(map_, setup_.map.rest, options_.map.energy, unused);
+      return mean_density(map_, *setup_.map.rest, options_.map.energy, unused);
     };
     if (!setup_.map.part) return mean();
     const double area = measure.sum();
@@ -144,7 +144,7 @@ class Run {
   // least.
   void require_injective(ErrorKind kind, const char* what, int depth) const {
     const std::string obstacle = setup_.map.part->obstacle(
-        map_, 2 * setup_.map.rest.measure, std::max(depth, options_.solve.injectivity_depth));
+        map_, 2 * setup_.map.rest->measure, std::max(depth, options_.solve.injectivity_depth));
     if (!obstacle.empty())
       throw Error(kind, fmt::format("{} is not injective: {}", what, obstacle));
   }

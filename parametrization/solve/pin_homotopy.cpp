@@ -251,7 +251,7 @@ bool PinHomotopy::untangle_with_pins() {
   const std::optional<BezierMap> held = with_pins();
   if (!held) return false;
   MapSpecification spec;
-  spec.rest = rest_shapes(map_.mesh());
+  spec.rest = std::make_shared<const RestShapes>(rest_shapes(map_.mesh()));
   spec.seams = map_.shared_seams();
   spec.boundary = asked_.boundary;
   spec.pins = fixed_points(asked_.pins);

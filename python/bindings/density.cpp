@@ -171,11 +171,12 @@ EnergyFactory python_energy(const py::object& density) {
   traits.free_scale = free_scale_named(density.attr("free_scale").cast<std::string>());
   const bool positive = density.attr("domain").cast<std::string>() == "positive";
   const auto kept = std::make_shared<const Kept>(density);
-  return {traits, [=](std::shared_ptr<const ElementSpace> space, const RestShapes& rest,
-                      const std::vector<Quadrature>& rules) {
+  return {traits,
+          [=](std::shared_ptr<const ElementSpace> space, std::shared_ptr<const RestShapes> rest,
+              const std::vector<Quadrature>& rules) {
             const int dim = space->reference_dim();
             return std::make_shared<const DensityTerm>(
-                traits, std::move(space), rest, rules,
+                traits, std::move(space), std::move(rest), rules,
                 std::make_shared<const PythonDensity>(PythonDensity{kept, dim, positive}),
                 DensityKernels{dim, dim, &values, &local, kernels(dim).scratch_size});
           }};

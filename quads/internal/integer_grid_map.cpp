@@ -33,9 +33,9 @@ class GridSolver {
              const StopCheck& stop)
       : map_(std::move(map)),
         stop_(stop),
-        area_(spec.rest.measure.sum()),
+        area_(spec.rest->measure.sum()),
         injectivity_(std::make_shared<const LocalInjectivity>(
-            map_.shared_space(), 2 * spec.rest.measure, kGridProofDepth, stop)),
+            map_.shared_space(), 2 * spec.rest->measure, kGridProofDepth, stop)),
         pulled_(problem(spec,
                         [&](MapExtension& added) {
                           added.add(std::make_shared<const QuadraticPenalty>(grid), 1);
@@ -182,7 +182,7 @@ std::optional<BezierMap> integer_grid_map(const BezierMap& map, const SeamlessLa
       (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).maxCoeff();
   const double scale = 1 / power_of_two(extent, PowerOfTwo::Nearest);
   MapSpecification spec;
-  spec.rest = rest_shapes(map.mesh(), scale);
+  spec.rest = std::make_shared<const RestShapes>(rest_shapes(map.mesh(), scale));
   spec.seams = map.shared_seams();
   spec.aligned = held_axes(lattice);
   // Where springs of the first stiffness have led: stiffer ones distort what they do not move.

@@ -55,7 +55,7 @@ void cut(const std::function<void(CutOptions&)>& change) {
 }
 void problem(const std::function<void(MapSpecification&, Vec&)>& change) {
   MapSpecification spec;
-  spec.rest = rest_shapes(*sheet());
+  spec.rest = std::make_shared<const RestShapes>(rest_shapes(*sheet()));
   Vec x = start().control_points();
   change(spec, x);
   const auto space = start().shared_space();

@@ -189,7 +189,7 @@ std::vector<double> distances(const std::vector<double>& weights) {
   const test::Mesh mesh = test::grid(4, 4, 0.2, 0.2);
   const auto space = std::make_shared<const BezierTriangleSpace>(mesh.faces, 25, 2);
   MapSpecification spec;
-  spec.rest = flat_triangles(mesh.positions, mesh.faces);
+  spec.rest = std::make_shared<const RestShapes>(flat_triangles(mesh.positions, mesh.faces));
   spec.energy = {{symmetric_dirichlet(), 1.0}};
   const Vec start = test::linear_map(*space, test::flat(mesh.positions));
   spec.handles = {{6, Vector2(start.segment<2>(12)) + Vector2(-0.3, -0.2)},
@@ -200,7 +200,7 @@ std::vector<double> distances(const std::vector<double>& weights) {
     const auto terms = energy_terms(spec, space, {radon_rule()});
     const Problem problem =
         map_problem(spec, space, start, terms,
-                    std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure))
+                    std::make_shared<const LocalInjectivity>(space, 2 * spec.rest->measure))
             .problem;
     EXPECT_EQ(problem.terms().size(), 2U);
     EXPECT_EQ(problem.size(), 2 * space->node_count());  // handles hold the gauge

@@ -331,7 +331,7 @@ std::optional<PreparedTexture> texture_start(const std::shared_ptr<const Surface
   if (is_positive(*mesh, uv)) return PreparedTexture{std::move(uv), ChartStart::Texture};
   const BezierMap map = BezierMap::linear(mesh, uv);
   MapSpecification spec;
-  spec.rest = rest_shapes(*mesh);
+  spec.rest = std::make_shared<const RestShapes>(rest_shapes(*mesh));
   UntangleResult untangled = untangle(spec, map.shared_space(), uv, record);
   if (!untangled.inverted.empty() || !is_positive(*mesh, untangled.x)) return std::nullopt;
   return PreparedTexture{std::move(untangled.x), ChartStart::Untangled};

@@ -80,7 +80,7 @@ struct Case {
     space = on;
     rule = optimizer_ladder(on->degree(), 0).guarded.front();
     const auto injectivity =
-        std::make_shared<const LocalInjectivity>(on, 2 * specification.rest.measure);
+        std::make_shared<const LocalInjectivity>(on, 2 * specification.rest->measure);
     problem =
         map_problem(specification, on, x, energy_terms(specification, on, {rule}), injectivity)
             .problem;
@@ -146,7 +146,7 @@ TEST(CeresCrossCheck, LeastSquaresFindsTheSameMinimum) {
       SCOPED_TRACE(fmt::format("{}, degree {}", s.name, degree));
       LeastSquaresOptions options;
       options.max_iterations = 3000;
-      const LeastSquaresMinimizer lm(c.space, c.specification.rest, c.rule, options);
+      const LeastSquaresMinimizer lm(c.space, *c.specification.rest, c.rule, options);
       const SolveResult theirs = lm.minimize(c.problem, c.y0, {});
       const SolveResult ours = NewtonMinimizer(tight()).minimize(c.problem, c.y0, {});
       // What it reports is what the problem says of its result.

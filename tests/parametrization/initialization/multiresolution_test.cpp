@@ -21,11 +21,11 @@ namespace {
 double energy_of(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& asked,
                  const Vec& uv) {
   MapSpecification spec(asked);
-  spec.rest = flat_triangles(mesh->positions(), mesh->faces());
+  spec.rest = std::make_shared<const RestShapes>(flat_triangles(mesh->positions(), mesh->faces()));
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
   return energy_by_face(spec, energy_terms(spec, space, {lattice_rule(1)}), {}, uv).sum() /
-         spec.rest.measure.sum();
+         spec.rest->measure.sum();
 }
 
 void expect_injective(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec& uv) {
@@ -40,12 +40,12 @@ void expect_injective(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec&
 double minimum(const std::shared_ptr<const SurfaceMesh>& mesh, const MapOptions& asked,
                const Vec& start) {
   MapSpecification spec(asked);
-  spec.rest = flat_triangles(mesh->positions(), mesh->faces());
+  spec.rest = std::make_shared<const RestShapes>(flat_triangles(mesh->positions(), mesh->faces()));
   const auto space =
       std::make_shared<const BezierTriangleSpace>(mesh->faces(), mesh->vertex_count(), 1);
   const Problem problem =
       map_problem(spec, space, start, energy_terms(spec, space, {lattice_rule(1)}),
-                  std::make_shared<const LocalInjectivity>(space, 2 * spec.rest.measure))
+                  std::make_shared<const LocalInjectivity>(space, 2 * spec.rest->measure))
           .problem;
   return NewtonMinimizer().minimize(problem, problem.reduce(start), {}).energy;
 }

@@ -20,7 +20,7 @@ struct Square {
       : mesh(SurfaceMesh::from_polygons(grid(n))),
         space(std::make_shared<const BezierTriangleSpace>(mesh.faces(), mesh.vertex_count(), 1)),
         identity(2 * mesh.vertex_count()) {
-    spec.rest = flat_triangles(mesh.positions(), mesh.faces());
+    spec.rest = std::make_shared<const RestShapes>(flat_triangles(mesh.positions(), mesh.faces()));
     for (Index v = 0; v < mesh.vertex_count(); ++v)
       identity.segment<2>(2 * v) = mesh.positions().row(v).head<2>();
   }
@@ -40,7 +40,7 @@ struct Square {
   void expect_valid(const UntangleResult& result) const {
     EXPECT_TRUE(result.inverted.empty());
     ASSERT_TRUE(result.x.allFinite());
-    EXPECT_TRUE(LocalInjectivity(space, 2 * spec.rest.measure).check(result.x).feasible);
+    EXPECT_TRUE(LocalInjectivity(space, 2 * spec.rest->measure).check(result.x).feasible);
     EXPECT_TRUE(AngleSums(space, AngleSums::Vertices::Interior).check(result.x).feasible);
   }
 

@@ -27,7 +27,7 @@ struct Sheet {
   Sheet() : mesh(test::grid(5, 4, 0.2, 0.3)) {
     space = std::make_shared<const BezierTriangleSpace>(
         mesh.faces, static_cast<Index>(mesh.positions.rows()), 2);
-    spec.rest = flat_triangles(mesh.positions, mesh.faces);
+    spec.rest = std::make_shared<const RestShapes>(flat_triangles(mesh.positions, mesh.faces));
     x = test::linear_map(*space, test::flat(mesh.positions));
     x += test::Random(6).vector(x.size(), -0.05, 0.05);
   }
@@ -104,7 +104,7 @@ TEST(FaceWeights, MultiplyTheDensityOfTheirFace) {
   spec.energy = energy;
   spec.face_weight = w;
   const Vec by_face = energy_by_face(spec, energy_terms(spec, s.space, {radon_rule()}), {}, s.x);
-  EXPECT_NEAR(by_face.sum() / s.spec.rest.measure.sum(), weighted.value, 1e-13 * weighted.value);
+  EXPECT_NEAR(by_face.sum() / s.spec.rest->measure.sum(), weighted.value, 1e-13 * weighted.value);
 }
 
 // ---- Whole runs ----

@@ -134,7 +134,7 @@ TEST(FaceData, WeightsOfSummandsAndOfTheWholeMultiply) {
 
   // The pieces of a map's problem: assembled, by face, and with weights on top.
   MapSpecification spec(options.map);
-  spec.rest = rest_shapes(*mesh);
+  spec.rest = std::make_shared<const RestShapes>(rest_shapes(*mesh));
   const auto space = result.map->shared_space();
   const Vec& x = result.map->control_points();
   const Quadrature fine = fine_rule(2);

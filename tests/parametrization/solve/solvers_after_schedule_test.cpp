@@ -23,9 +23,9 @@ TEST(SolversAfterSchedule, AgreeOnAQuarticEnergy) {
   ASSERT_EQ(first.status, Status::Converged) << first.message;
   const BezierMap start = first.map->elevated();
   MapSpecification spec(options.map);
-  spec.rest = rest_shapes(*mesh);
+  spec.rest = std::make_shared<const RestShapes>(rest_shapes(*mesh));
   const auto injectivity =
-      std::make_shared<const LocalInjectivity>(start.shared_space(), 2 * spec.rest.measure);
+      std::make_shared<const LocalInjectivity>(start.shared_space(), 2 * spec.rest->measure);
   const Quadrature rule = guarded_rule(composite_rule(radon_rule(), 2), 1, 1e-3);
   const DensityTerms terms = energy_terms(spec, start.shared_space(), {rule});
   const Vec& x = start.control_points();
