@@ -84,59 +84,67 @@ std::vector<Index> node_blocks(const std::vector<const ElementDofs*>& terms,
 
 ScatterMap::ScatterMap(const ElementDofs& element_dofs, const Elimination& elimination,
                        const SparsePattern& pattern)
-    : local_size_(element_dofs.local_size()), packed_size_(local_size_ * (local_size_ + 1) / 2) {
+    : nodes_(static_cast<int>(element_dofs.nodes.cols())), block_(element_dofs.block) {
   const Index count = element_dofs.element_count();
-  direct_.assign(to_size(count) * to_size(packed_size_), -1);
-  reduced_.assign(to_size(count) * to_size(local_size_), -1);
+  unknown_.assign(to_size(count) * to_size(nodes_), -1);
+  slot_.assign(to_size(count) * pairs() * to_size(block_), -1);
   general_of_.assign(to_size(count), -1);
-  std::vector<char> is_simple(to_size(count));
+  std::vector<char> is_direct(to_size(count));
   const auto place = [&](Index task, int) {
     std::vector<int> order;
     const Index last = std::min(count, (task + 1) * kElementsOfATask);
     for (Index e = task * kElementsOfATask; e < last; ++e) {
-      Index* reduced = reduced_.data() + to_size(e) * to_size(local_size_);
-      bool simple = true;
-      for (int i = 0; i < local_size_; ++i) {
-        const Index x = element_dofs.block * element_dofs.nodes(e, i / element_dofs.block) +
-                        i % element_dofs.block;
-        const auto first = elimination.begin(x), last_entry = elimination.end(x);
-        if (first == last_entry) continue;
-        simple = simple && last_entry - first == 1 && first->coefficient == 1.0;
-        reduced[i] = first->reduced;
-      }
-      // An unknown that occurs twice in an element needs both off-diagonal copies: general path.
-      for (int i = 0; i < local_size_; ++i)
-        for (int j = 0; j < i; ++j) simple = simple && (reduced[i] < 0 || reduced[i] != reduced[j]);
-      is_simple[e] = simple;
-      if (simple)
-        find_slots(reduced, pattern, order, direct_.data() + to_size(e) * to_size(packed_size_));
+      is_direct[e] = find_unknowns(e, element_dofs, elimination);
+      if (is_direct[e]) find_slots(e, pattern, order);
     }
   };
   parallel_tasks((count + kElementsOfATask - 1) / kElementsOfATask, place);
   for (Index e = 0; e < count; ++e)
-    if (!is_simple[e]) build_general(e, element_dofs, elimination, pattern);
+    if (!is_direct[e]) build_general(e, element_dofs, elimination, pattern);
+}
+
+bool ScatterMap::find_unknowns(Index e, const ElementDofs& s, const Elimination& z) {
+  Index* unknown = unknown_.data() + to_size(e) * to_size(nodes_);
+  for (int k = 0; k < nodes_; ++k) {
+    for (int c = 0; c < block_; ++c) {
+      const Index x = block_ * s.nodes(e, k) + c;
+      const auto first = z.begin(x), last = z.end(x);
+      const bool is_fixed = first == last;
+      if (!is_fixed && (last - first > 1 || first->coefficient != 1.0)) return false;
+      const Index reduced = is_fixed ? -1 : first->reduced - c;
+      if (c > 0 && reduced != unknown[k]) return false;
+      unknown[k] = reduced;
+    }
+    // An unknown that occurs twice in an element needs both off-diagonal copies: general path.
+    for (int j = 0; j < k; ++j)
+      if (unknown[k] >= 0 && unknown[j] >= 0 && std::abs(unknown[k] - unknown[j]) < block_)
+        return false;
+  }
+  return true;
 }
 
 // Each column is read but once: its rows and the element's unknowns are both ascending.
-void ScatterMap::find_slots(const Index* reduced, const SparsePattern& pattern,
-                            std::vector<int>& order, Index* direct) const {
+void ScatterMap::find_slots(Index e, const SparsePattern& pattern, std::vector<int>& order) {
+  const Index* unknown = unknown_.data() + to_size(e) * to_size(nodes_);
+  Index* slots = slot_.data() + to_size(e) * pairs() * to_size(block_);
   order.clear();
-  for (int i = 0; i < local_size_; ++i)
-    if (reduced[i] >= 0) order.push_back(i);
-  std::sort(order.begin(), order.end(), [&](int i, int j) { return reduced[i] < reduced[j]; });
-  for (auto column = order.begin(); column != order.end(); ++column) {
-    Index slot = pattern.diagonal_slot(reduced[*column]);
-    for (auto row = column; row != order.end(); ++row) {
-      while (pattern.rows[slot] < reduced[*row]) ++slot;
-      const auto [low, high] = std::minmax(*row, *column);
-      direct[high * (high + 1) / 2 + low] = slot;
+  for (int k = 0; k < nodes_; ++k)
+    if (unknown[k] >= 0) order.push_back(k);
+  std::ranges::sort(order, {}, [&](int k) { return unknown[k]; });
+  for (auto column = order.begin(); column != order.end(); ++column)
+    for (int c = 0; c < block_; ++c) {
+      Index slot = pattern.diagonal_slot(unknown[*column] + c);
+      for (auto row = column; row != order.end(); ++row) {
+        while (row != column && pattern.rows[slot] < unknown[*row]) ++slot;
+        const auto [low, high] = std::minmax(*row, *column);
+        slots[(high * (high + 1) / 2 + low) * block_ + c] = slot;
+      }
     }
-  }
 }
 
 ScatterMap ScatterMap::moved(const std::vector<Index>& places) const {
   ScatterMap out = *this;
-  for (Index& slot : out.direct_)
+  for (Index& slot : out.slot_)
     if (slot >= 0) slot = places[slot];
   for (auto& contributions : out.general_)
     for (Contribution& c : contributions) c.slot = places[c.slot];
@@ -149,10 +157,11 @@ void ScatterMap::build_general(Index e, const ElementDofs& s, const Elimination&
   std::vector<Contribution> contributions;
   std::vector<std::pair<int, Target>> gradient;
   const auto full = [&](int i) { return s.block * s.nodes(e, i / s.block) + i % s.block; };
-  for (int i = 0; i < local_size_; ++i) {
+  const int local_size = nodes_ * block_;
+  for (int i = 0; i < local_size; ++i) {
     for (auto p = z.begin(full(i)); p != z.end(full(i)); ++p) {
       gradient.push_back({i, {p->reduced, p->coefficient}});
-      for (int j = 0; j < local_size_; ++j) {
+      for (int j = 0; j < local_size; ++j) {
         const int packed = std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j);
         for (auto q = z.begin(full(j)); q != z.end(full(j)); ++q)
           if (p->reduced >= q->reduced)
@@ -172,10 +181,25 @@ void ScatterMap::add_hessian(Index element, const LocalSystem& local, int p, dou
       values[c.slot] += factor * c.coefficient * local.hessian[c.local * LocalSystem::stride + p];
     return;
   }
-  const Index* slot = direct_.data() + to_size(element) * to_size(packed_size_);
-  const double* h = local.hessian + p;
-  for (int k = 0; k < packed_size_; ++k, h += LocalSystem::stride)
-    if (slot[k] >= 0) values[slot[k]] += factor * *h;
+  const Index* unknown = unknown_.data() + to_size(element) * to_size(nodes_);
+  const Index* slot = slot_.data() + to_size(element) * pairs() * to_size(block_);
+  const auto entry = [&](int row, int column) {
+    return factor * local.hessian[(row * (row + 1) / 2 + column) * LocalSystem::stride + p];
+  };
+  for (int k = 0; k < nodes_; ++k)
+    for (int j = 0; j <= k; ++j, slot += block_) {
+      if (slot[0] < 0) continue;
+      const int row = k * block_, column = j * block_;
+      for (int c = 0; c < block_; ++c) {
+        double* to = values + slot[c];
+        if (j == k)
+          for (int r = c; r < block_; ++r) *to++ += entry(row + r, column + c);
+        else if (unknown[j] < unknown[k])
+          for (int r = 0; r < block_; ++r) *to++ += entry(row + r, column + c);
+        else
+          for (int r = 0; r < block_; ++r) *to++ += entry(row + c, column + r);
+      }
+    }
 }
 
 void ScatterMap::add_gradient(Index element, const LocalSystem& local, int p, double factor,
@@ -186,10 +210,11 @@ void ScatterMap::add_gradient(Index element, const LocalSystem& local, int p, do
           factor * target.coefficient * local.gradient[i * LocalSystem::stride + p];
     return;
   }
-  const Index* reduced = reduced_.data() + to_size(element) * to_size(local_size_);
-  for (int i = 0; i < local_size_; ++i)
-    if (reduced[i] >= 0)
-      gradient[reduced[i]] += factor * local.gradient[i * LocalSystem::stride + p];
+  const Index* unknown = unknown_.data() + to_size(element) * to_size(nodes_);
+  const double* g = local.gradient + p;
+  for (int k = 0; k < nodes_; ++k)
+    for (int c = 0; c < block_; ++c, g += LocalSystem::stride)
+      if (unknown[k] >= 0) gradient[unknown[k] + c] += factor * *g;
 }
 
 }  // namespace majorant

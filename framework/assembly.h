@@ -11,9 +11,10 @@
 
 namespace majorant {
 
-// Slots of one term. An element whose unknowns are all free or fixed (every row of Z has at most
-// one entry, equal to 1) takes the direct path; any other element has a list of weighted
-// contributions.
+// Slots of one term. An element whose nodes are each free or fixed as a whole (the rows of Z of
+// their unknowns are unit rows of unknowns one after the other, or have no entry) takes the direct
+// path: below one another in a column of the matrix, a node's entries have slots one after the
+// other. Any other element has a list of weighted contributions.
 class ScatterMap {
  public:
   ScatterMap(const ElementDofs& element_dofs, const Elimination& elimination,
@@ -43,13 +44,18 @@ class ScatterMap {
   void build_general(Index element, const ElementDofs& element_dofs, const Elimination& elimination,
                      const SparsePattern& pattern);
 
-  // The slots of an element with these reduced unknowns, packed. order: scratch.
-  void find_slots(const Index* reduced, const SparsePattern& pattern, std::vector<int>& order,
-                  Index* direct) const;
+  // Finds out of which reduced unknowns the nodes of an element are. Returns whether they are so
+  // that it can take the direct path.
+  bool find_unknowns(Index element, const ElementDofs& element_dofs, const Elimination& z);
+  // The slots of such an element. order: scratch.
+  void find_slots(Index element, const SparsePattern& pattern, std::vector<int>& order);
+  std::size_t pairs() const { return to_size(nodes_ * (nodes_ + 1) / 2); }
 
-  int local_size_, packed_size_;
-  std::vector<Index> direct_;      // #E by packed_size: slot, or -1 for dropped entries
-  std::vector<Index> reduced_;     // #E by local_size: reduced unknown, or -1
+  int nodes_, block_;           // nodes of an element, unknowns of a node
+  std::vector<Index> unknown_;  // #E by nodes: its first reduced unknown, or -1 for a fixed node
+  // #E by pairs of nodes, packed, by block: in each column of the one that comes first, where the
+  // entries of the other one begin; of a node with itself, its diagonal.
+  std::vector<Index> slot_;
   std::vector<Index> general_of_;  // #E: index into the general lists, or -1
   std::vector<std::vector<Contribution>> general_;
   std::vector<std::vector<std::pair<int, Target>>> general_gradient_;
