@@ -110,9 +110,10 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
   std::string text =
       fmt::format("{}: {}: {}", request.input, status_name(result.status), elements_in_words(mesh));
   if (!result.is_valid()) {
-    const bool may_move = !result.impossible.empty() && request.boundary != "free";
-    return one_line(text + fmt::format("; {}; no mesh is written{}\n", result.message,
-                                       may_move ? "; --boundary free moves these nodes, too" : ""));
+    const char* remedy = request.boundary == "free" || result.status != Status::Infeasible ? ""
+                         : result.impossible.empty() ? "; --boundary free moves the boundary, too"
+                                                     : "; --boundary free moves these nodes, too";
+    return one_line(text + fmt::format("; {}; no mesh is written{}\n", result.message, remedy));
   }
   if (bad > 0)
     text += fmt::format("; {} {} not valid, none is left", bad, bad == 1 ? "was" : "were");
@@ -121,10 +122,12 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
       "{:.4g} and {:.4g}",
       result.initial_value, result.value, after.least_scaled_jacobian(),
       after.mean_scaled_jacobian(), before.least_scaled_jacobian(), before.mean_scaled_jacobian());
-  if (result.least_fell())
-    text += request.target == "initial"
-                ? "; the least one fell"
-                : "; the least one fell, --target initial keeps nearer to what elements are";
+  if (result.least_fell()) {
+    text += "; the least one fell";
+    if (request.energy != "amips-exponential")
+      text += ", --energy amips-exponential weighs the worst elements most";
+    if (request.target != "initial") text += ", --target initial keeps nearer to what elements are";
+  }
   text += fmt::format("; {} nodes moved\n", result.moved_nodes);
   return one_line(text);
 }

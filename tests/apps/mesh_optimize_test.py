@@ -97,7 +97,8 @@ class Optimized(CommandTest):
         with open(self.path('r.json')) as f:
             report = json.load(f)
         self.assertLess(report['mesh']['min_scaled_jacobian'], report['input']['min_scaled_jacobian'])
-        self.assertIn('; the least one fell, --target initial', ideal.err)
+        self.assertIn('; the least one fell, --energy amips-exponential weighs the worst elements most, --target initial',
+                      ideal.err)
         initial = self.run_ok(*words, '--target', 'initial')
         self.assertNotIn('fell', initial.err)
 

@@ -199,7 +199,15 @@ const std::vector<Call> kCalls{
             s.pins = {{30, {0, 0}}};
           }); }},
     {"problem_few_shapes", "...rest shapes of 2 elements do not fit the space, which has 8",
-     [] { problem([](MapSpecification& s, Vec&) { s.rest.measure = Vec::Ones(2); }); }},
+     [] {
+       problem([](MapSpecification& s, Vec&) {
+         RestShapes rest = *s.rest;
+         rest.measure = Vec::Ones(2);
+         s.rest = std::make_shared<const RestShapes>(std::move(rest));
+       });
+     }},
+    {"problem_no_shapes", "InvalidArgument: DensityTerm: the rest shapes",
+     [] { problem([](MapSpecification& s, Vec&) { s.rest = nullptr; }); }},
     {"problem_few_face_weights", "...3 weights of elements for 8 elements",
      [] { problem([](MapSpecification& s, Vec&) { s.face_weight = Vec::Ones(3); }); }},
     {"distortion_of_other_cells", "InvalidArgument: measure_distortion: degree 2, cells of 3 nodes",

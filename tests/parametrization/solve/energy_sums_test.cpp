@@ -36,7 +36,7 @@ struct Sheet {
     s.energy = energy;
     s.face_weight = face_weight;
     return map_problem(s, space, x, energy_terms(s, space, {radon_rule()}),
-                       std::make_shared<const LocalInjectivity>(space, 2 * s.rest.measure))
+                       std::make_shared<const LocalInjectivity>(space, 2 * s.rest->measure))
         .problem;
   }
   Linearized at(const Problem& p, Curvature c = Curvature::Projected) const {
