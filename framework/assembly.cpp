@@ -41,6 +41,7 @@ SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
     for (std::size_t k = starts[e]; k < starts[e + 1]; ++k)
       elements[element_starts[to_size(all[k]) + 1]++] = e;
   SparsePattern p;
+  p.column_starts.reserve(to_size(n) + 1);
   std::vector<Index> mark(to_size(n), -1), below;
   const auto elements_of = [&](Index c) {
     return std::span(elements).subspan(element_starts[c],
@@ -62,6 +63,7 @@ SparsePattern reduced_pattern(const std::vector<const ElementDofs*>& terms,
     }
     p.append_column(below);
   }
+  p.rows.shrink_to_fit();
   p.block_of = node_blocks(terms, elimination);
   return p;
 }
@@ -72,6 +74,7 @@ std::vector<Index> node_blocks(const std::vector<const ElementDofs*>& terms,
   int block = 1;
   for (const ElementDofs* s : terms) block = std::max(block, s->block);
   std::vector<Index> block_of;
+  block_of.reserve(to_size(elimination.reduced_size()));
   Index previous = -1, blocks = 0;
   for (Index j = 0; j < elimination.reduced_size(); ++j) {
     const Index node = elimination.full_index(j) / block;
