@@ -128,6 +128,8 @@ def measured(p, t, chart, side):
     for c, a, i, s in zip(chart[good], area[good], image[good], square[good]):
         sums[c] += (a, i, s)
     whole = sum(a for a, _, _ in sums.values())
+    if not whole:
+        raise ValueError('no face has an area in the layout')
     l2 = math.sqrt(sum(s * i / a for a, i, s in sums.values()) / whole)
     side = side or (t.reshape(-1, 2).max(0) - t.reshape(-1, 2).min(0)).max()
     return l2, image.sum() / side ** 2, area.sum(), int((~good & (area > 0)).sum())
