@@ -3,6 +3,9 @@
 //
 //     seam      its length, in square roots of the area; without the weights, with them, ratio
 //     visible   mean visibility under the seams (visibility_of_cuts()), likewise
+//     least     mean visibility under those edges that are least visible, 1.15 times as long as the
+//               seam without the weights, wherever they lie: no seam that is 15 % longer is less
+//               visible; as a part of what is visible without the weights
 //     charts    with the weights
 //     mirrored  of a surface that is its own mirror image in a coordinate plane, one of a hundred
 //               vertices aside to a mean edge: the part of the seams, by length, whose mirror image
@@ -18,6 +21,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/run_record.h"
@@ -106,6 +110,23 @@ double mirrored_part(const SurfaceMesh& mesh, const MirrorPlane& plane,
   return all > 0 ? near / all : 1;
 }
 
+// Of edges of this length in all, the least visible ones.
+double least_visibility(const SurfaceMesh& mesh, const Vec& visibility, double length) {
+  std::vector<std::pair<double, double>> edges;  // how visible, how long
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (mesh.opposite(h) > h)
+      edges.emplace_back(0.5 * (visibility[mesh.from_vertex(h)] + visibility[mesh.to_vertex(h)]),
+                         mesh.edge_length(h));
+  std::sort(edges.begin(), edges.end());
+  double sum = 0, left = length;
+  for (const auto& [visible, along] : edges) {
+    const double part = std::min(along, left);
+    sum += visible * part;
+    left -= part;
+  }
+  return sum / (length - left);
+}
+
 Seams seams_of(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec& visibility,
                const MirrorPlane& plane, std::vector<double> weight) {
   UnwrapOptions options;
@@ -121,6 +142,9 @@ Seams seams_of(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec& visibi
   return seams;
 }
 
+// The part by which a seam may be longer for being hidden.
+constexpr double kLonger = 0.15;
+
 void print_row(const std::string& path) {
   const RepairedSurface surface = repair(read_mesh(path));
   const SurfaceMesh& mesh = *surface.mesh;
@@ -129,10 +153,14 @@ void print_row(const std::string& path) {
   const Seams any = seams_of(surface.mesh, visibility, plane, {});
   const Seams hidden = seams_of(surface.mesh, visibility, plane, hiding_weights(mesh, visibility));
   const std::string name = path.substr(path.find_last_of('/') + 1);
-  fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.2f} | {} | {} |\n", name,
-             any.length, hidden.length, hidden.length / any.length, any.visibility,
-             hidden.visibility, hidden.visibility / any.visibility, hidden.charts,
-             plane.axis < 0 ? "-" : fmt::format("{:.2f}, {:.2f}", any.mirrored, hidden.mirrored));
+  fmt::print(
+      "| {} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.2f} | {:.2f} | {} | {} |\n", name,
+      any.length, hidden.length, hidden.length / any.length, any.visibility, hidden.visibility,
+      hidden.visibility / any.visibility,
+      least_visibility(mesh, visibility, (1 + kLonger) * any.length * std::sqrt(mesh.area())) /
+          any.visibility,
+      hidden.charts,
+      plane.axis < 0 ? "-" : fmt::format("{:.2f}, {:.2f}", any.mirrored, hidden.mirrored));
   std::fflush(stdout);
 }
 
@@ -140,8 +168,8 @@ void print_row(const std::string& path) {
 
 int main(int argc, char** argv) {
   fmt::print(
-      "| mesh | seam | hidden | ratio | visible | hidden | ratio | charts | mirrored |\n"
-      "|---|---|---|---|---|---|---|---|---|\n");
+      "| mesh | seam | hidden | ratio | visible | hidden | ratio | least | charts | mirrored |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n");
   for (int k = 1; k < argc; ++k) print_row(argv[k]);
 }
 

@@ -373,6 +373,72 @@ TEST(TextureStart, SaysWhatItFinds) {
 }
 
 // The map of what it was cut from, where the file has none.
+
+// A disk of kSpokes by kRings whose middle vertex has more than a full turn around it, cut open
+// from there to its boundary: unfolded it overlaps itself. parent: of the cut disk, the map of the
+// whole one onto rings around 0, where the two sides of the cut lie on each other.
+struct OpenSaddle {
+  std::shared_ptr<const SurfaceMesh> mesh;
+  Vec parent;
+};
+
+OpenSaddle open_saddle() {
+  constexpr Index kSpokes = 16, kRings = 4;
+  constexpr double kSteepness = 0.8;
+  PolygonMesh disk;
+  disk.positions = {Vector3::Zero()};
+  std::vector<Vector2> rings = {Vector2::Zero()};
+  const auto number = [](Index ring, Index spoke) {
+    return ring == 0 ? 0 : 1 + (ring - 1) * kSpokes + spoke % kSpokes;
+  };
+  for (Index ring = 1; ring <= kRings; ++ring)
+    for (Index spoke = 0; spoke < kSpokes; ++spoke) {
+      const double angle = 2 * std::numbers::pi * spoke / kSpokes;
+      const double slope = kSteepness * std::sin(2 * angle);
+      const Vector2 round(std::cos(angle), std::sin(angle));
+      rings.emplace_back(ring * round);
+      disk.positions.emplace_back(ring * std::cos(slope) * round.x(),
+                                  ring * std::cos(slope) * round.y(), ring * std::sin(slope));
+    }
+  for (Index ring = 0; ring < kRings; ++ring)
+    for (Index spoke = 0; spoke < kSpokes; ++spoke) {
+      const Index a = number(ring, spoke), b = number(ring + 1, spoke);
+      const Index c = number(ring + 1, spoke + 1), d = number(ring, spoke + 1);
+      disk.polygons.push_back({a, b, c});
+      if (ring > 0) disk.polygons.push_back({a, c, d});
+    }
+  const SurfaceMesh whole = SurfaceMesh::from_polygons(disk);
+  std::vector<char> is_cut(to_size(whole.half_edge_count()), 0);
+  const auto is_on_slit = [&](Index v) { return v == 0 || (v - 1) % kSpokes == 0; };
+  for (Index h = 0; h < whole.half_edge_count(); ++h)
+    is_cut[h] = whole.opposite(h) >= 0 && is_on_slit(whole.from_vertex(h)) &&
+                is_on_slit(whole.to_vertex(h));
+  std::vector<Index> uncut;
+  OpenSaddle saddle;
+  saddle.mesh = std::make_shared<const SurfaceMesh>(whole.cut_along(is_cut, &uncut));
+  saddle.parent.resize(2 * saddle.mesh->vertex_count());
+  for (Index v = 0; v < saddle.mesh->vertex_count(); ++v)
+    saddle.parent.segment<2>(2 * v) = rings[to_size(uncut[v])];
+  return saddle;
+}
+
+TEST(ChartSolver, OpensSlitsOfTheParentWhereTheBestMapOverlapsItself) {
+  const OpenSaddle saddle = open_saddle();
+  const ParametrizationOptions options;
+  for (const bool is_usable : {true, false}) {
+    SCOPED_TRACE(is_usable);
+    ChartHints hints;
+    hints.parent = saddle.parent;
+    // A slit cannot be opened where faces are turned over.
+    if (!is_usable) hints.parent.head<2>() = 2 * hints.parent.segment<2>(2 * 20);
+    RunRecord record;
+    const Chart chart = ChartSolver(saddle.mesh, options, hints).solve(record);
+    EXPECT_EQ(chart.start, is_usable ? ChartStart::Parent : ChartStart::Tutte);
+    EXPECT_EQ(chart.status, Status::Converged) << chart.message;
+    EXPECT_EQ(check_boundary(*chart.map).result, ProofStatus::Proven);
+  }
+}
+
 TEST(ChartSolver, NamesTheStart) {
   const std::shared_ptr<const SurfaceMesh> mesh =
       repair(textured_grid([](const Vector2&) { return Vector2(0, 0); })).mesh;
