@@ -13,7 +13,8 @@ ArcNumbers::ArcNumbers(const SeamlessLattice& lattice, const TMesh& mesh, Arcs a
     : lattice_(lattice),
       mesh_(mesh),
       stop_(stop),
-      least_(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1) {}
+      quantization_(mesh, std::vector<double>(mesh.arcs.size(), 0),
+                    std::vector<Index>(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1)) {}
 
 std::vector<Index> ArcNumbers::at(double edge_length) {
   const std::vector<Index> edges = without_bad_quads([&] { return joined_at(edge_length); });
@@ -43,31 +44,28 @@ std::vector<Index> ArcNumbers::without_bad_quads(const Numbers& numbers) {
     std::vector<Index> edges = numbers();
     const std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).arcs_of_bad_quads();
     if (more.empty() || round == kRounds) return edges;
-    for (const Index arc : more) least_[arc] = edges[arc] + 1;
+    for (const Index arc : more) quantization_.raise(arc, edges[arc] + 1);
   }
 }
 
 // Arcs that would join two of these get an edge, one after the other; where there would be no
 // quads then, the longest arc without edges does.
 std::vector<Index> ArcNumbers::joined_at(double edge_length) {
-  Quantization quantization(mesh_, wanted_at(edge_length), least_);
+  want(edge_length);
   for (;;) {
-    std::vector<Index> edges = quantization.numbers(Effort::First, stop_);
+    std::vector<Index> edges = quantization_.numbers(Effort::First, stop_);
     std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).joining_arcs();
     if (more.empty() && quad_count(mesh_, edges) == 0) more = {longest_without_edges(edges)};
     if (more.empty()) return edges;
-    for (const Index arc : more) {
-      least_[arc] = edges[arc] + 1;
-      quantization.raise(arc, least_[arc]);
-    }
+    for (const Index arc : more) quantization_.raise(arc, edges[arc] + 1);
   }
 }
 
 // The numbers nearest to the lengths, where these join nothing either.
 std::optional<std::vector<Index>> ArcNumbers::refined(const std::vector<Index>& edges,
-                                                      double edge_length) const {
-  std::vector<Index> nearest =
-      Quantization(mesh_, wanted_at(edge_length), least_).numbers(Effort::Least, stop_);
+                                                      double edge_length) {
+  want(edge_length);
+  std::vector<Index> nearest = quantization_.numbers(Effort::Least, stop_);
   ExtractedQuads quads(lattice_, mesh_, nearest);
   if (nearest == edges || quad_count(mesh_, nearest) == 0 || !quads.joining_arcs().empty() ||
       !quads.arcs_of_bad_quads().empty())
@@ -75,11 +73,11 @@ std::optional<std::vector<Index>> ArcNumbers::refined(const std::vector<Index>& 
   return nearest;
 }
 
-std::vector<double> ArcNumbers::wanted_at(double edge_length) const {
+void ArcNumbers::want(double edge_length) {
   std::vector<double> wanted;
   for (const TArc& arc : mesh_.arcs)
     wanted.push_back(static_cast<double>(arc.length()) / edge_length);
-  return wanted;
+  quantization_.want(wanted);
 }
 
 // length receives that of their edges.

@@ -39,16 +39,15 @@ class ArcNumbers {
   template <class Numbers>
   std::vector<Index> without_bad_quads(const Numbers& numbers);
   std::vector<Index> joined_at(double edge_length);
-  std::optional<std::vector<Index>> refined(const std::vector<Index>& edges,
-                                            double edge_length) const;
-  std::vector<double> wanted_at(double edge_length) const;
+  std::optional<std::vector<Index>> refined(const std::vector<Index>& edges, double edge_length);
   std::vector<Index> closest_to(double asked, double& length);
+  void want(double edge_length);
   Index longest_without_edges(const std::vector<Index>& edges) const;
 
   const SeamlessLattice& lattice_;
   const TMesh& mesh_;
   const StopCheck& stop_;
-  std::vector<Index> least_;  // by arc
+  Quantization quantization_;  // with the least numbers that were needed so far
 };
 
 }  // namespace majorant
