@@ -324,19 +324,27 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   if (!has_any(asked)) return made_with({});
   const double length = std::sqrt(mesh.area() / std::max(asked_of(mesh, options), 1.0));
   std::optional<QuadMesh> made;
-  std::vector<char> features, tried;
+  std::vector<char> tried;
   double shortest = length;
   std::string conflict;
   for (;; shortest *= 2) {
-    features = without_short_lines(mesh, asked, shortest);
+    const std::vector<char> features = without_short_lines(mesh, asked, shortest);
     if (features == tried) continue;
     tried = features;
-    if (!has_any(features)) {
-      made = made_with(features);
+    const auto make = [&] {
+      QuadMesh next = made_with(features);
+      next.features = features;
+      next.shortest_feature = shortest;
+      made = std::move(next);
+    };
+    const bool is_last = !has_any(features);
+    if (is_last && !made) {
+      make();
       break;
     }
-    const std::optional<std::string> failed = why_infeasible([&] { made = made_with(features); });
-    if (!failed && (options.features || !made->least_count)) break;
+    // Where none are made in the end, those of before stay, too many or not.
+    const std::optional<std::string> failed = why_infeasible(make);
+    if (is_last || (!failed && (options.features || !made->least_count))) break;
     if (!conflict.empty()) continue;
     const std::string prefix = message_prefix(mesh);
     conflict = failed ? failed->substr(failed->starts_with(prefix) ? prefix.size() : 0)
@@ -345,11 +353,9 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   const FeatureLines lines = feature_lines(mesh, asked);
   made->feature_lines = static_cast<Index>(lines.lines.size());
   for (const FeatureLine& line : lines.lines)
-    if (!features[line.half_edges.front()])
+    if (!made->features[line.half_edges.front()])
       made->relaxed.push_back(
           {mesh.from_vertex(line.half_edges.front()), mesh.to_vertex(line.half_edges.back())});
-  made->features = std::move(features);
-  made->shortest_feature = shortest;
   made->conflict = std::move(conflict);
   return *std::move(made);
 }

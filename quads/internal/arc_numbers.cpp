@@ -27,7 +27,7 @@ std::vector<Index> ArcNumbers::fewest() {
 }
 
 std::vector<Index> ArcNumbers::for_count(double asked) {
-  double length = 0;
+  double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
   const std::vector<Index> edges = without_bad_quads([&] { return closest_to(asked, length); });
   const std::optional<std::vector<Index>> closer = refined(edges, length);
   const bool is_close =
@@ -80,17 +80,20 @@ void ArcNumbers::want(double edge_length) {
   quantization_.want(wanted);
 }
 
-// length receives that of their edges.
+// From an edge length on, which becomes that of the numbers.
 std::vector<Index> ArcNumbers::closest_to(double asked, double& length) {
   constexpr int kSteps = 12;
   constexpr double kNearEnough = 0.005;
-  double next = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
+  // Longer edges in a row that make no fewer quads, after which still longer ones are not tried.
+  constexpr int kMostInVain = 2;
+  double next = length;
   std::vector<Index> best;
   double least_off = std::numeric_limits<double>::infinity();
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0, in_vain = 0; step < kSteps && in_vain < kMostInVain; ++step) {
     std::vector<Index> edges = joined_at(next);
     const double ratio = static_cast<double>(quad_count(mesh_, edges)) / asked;
     const double off = std::abs(std::log(ratio));
+    in_vain = ratio > 1 && off >= least_off ? in_vain + 1 : 0;
     if (off < least_off) {
       least_off = off;
       length = next;

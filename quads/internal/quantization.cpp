@@ -156,12 +156,14 @@ class LeastCostFlow {
     take_cheapest();
   }
 
-  // False where there is no flow.
-  bool balance(PathSearch& search, const StopCheck& stop) {
+  // False where there is no flow, or none that costs less than `most`.
+  bool balance(PathSearch& search, const StopCheck& stop,
+               double most = std::numeric_limits<double>::infinity()) {
+    const bool is_bounded = most < std::numeric_limits<double>::infinity();
     for (Index v = 0; v < cover_->node_count(); ++v)
       while (excess_[v] > 0) {
         stop.poll();
-        if (!send_from(v, search)) return false;
+        if (!send_from(v, search, is_bounded ? most - bound() : most)) return false;
       }
     return true;
   }
@@ -239,13 +241,23 @@ class LeastCostFlow {
                     flow_[edge] > least_[edge / 2] ? weight * (1 - slope) : kForbidden};
   }
 
-  // One unit, to the nearest node that lacks one.
-  bool send_from(Index source, PathSearch& search) {
+  // From below, of the cost of a balanced flow: by duality, each unit that is sent costs at least
+  // the difference of the potentials of its ends.
+  double bound() const {
+    double sum = cost();
+    for (std::size_t v = 0; v < excess_.size(); ++v) sum -= excess_[v] * potential_[v];
+    return sum;
+  }
+
+  // One unit, to the nearest node that lacks one; false where none is nearer than `farthest`, by
+  // which the bound may rise then.
+  bool send_from(Index source, PathSearch& search, double farthest) {
     search.begin(source);
     Index target = search.take();
     for (; target >= 0 && excess_[target] >= 0; target = search.take()) {
       // What a node has too much of leaves it.
       const double so_far = search.at(target).cost, potential = potential_[target];
+      if (so_far >= farthest) return false;
       for (const DoubleCover::Way& way : cover_->leaving(target)) {
         if (search.at(way.to).is_final) continue;
         const double price = price_[way.edge].of(way.by);
@@ -285,14 +297,14 @@ class BranchAndBound {
 
   // Empty where there are no whole numbers. flow: balanced.
   std::vector<Index> solve(const LeastCostFlow& flow) {
-    if (effort_ == Effort::Least || !rounds(flow)) descend(flow);
+    if (!rounds(flow) || effort_ == Effort::Least) descend(flow);
     return best_;
   }
 
  private:
   struct Branches {
     LeastCostFlow below, above;
-    double cost_below, cost_above;  // infinite where there is no flow
+    double cost_below, cost_above;  // infinite where no flow is better than what is known
     std::pair<double, double> bounds() const { return std::minmax(cost_below, cost_above); }
   };
 
@@ -342,6 +354,7 @@ class BranchAndBound {
     for (std::size_t k = 0; k < tried; ++k) {
       Branches found = branches_at(flow, halves[k * halves.size() / tried]);
       if (!best || best->bounds() < found.bounds()) best = std::move(found);
+      if (!is_gain(best->bounds().first)) break;  // no whole numbers are better
     }
     return *std::move(best);
   }
@@ -353,8 +366,8 @@ class BranchAndBound {
     found.above.set_least(arc, below + 1);
     for (auto [branch, cost] :
          {std::pair{&found.below, &found.cost_below}, std::pair{&found.above, &found.cost_above}})
-      *cost = branch->balance(search_, stop_) ? branch->cost()
-                                              : std::numeric_limits<double>::infinity();
+      *cost = branch->balance(search_, stop_, least_) ? branch->cost()
+                                                      : std::numeric_limits<double>::infinity();
     return found;
   }
 
