@@ -163,7 +163,7 @@ class LeastCostFlow {
     for (Index v = 0; v < cover_->node_count(); ++v)
       while (excess_[v] > 0) {
         stop.poll();
-        if (!send_from(v, search, is_bounded ? most - bound() : most)) return false;
+        if (!send_from(v, search, is_bounded ? 2 * (most - bound()) : most)) return false;
       }
     return true;
   }
@@ -190,6 +190,7 @@ class LeastCostFlow {
   // Of an arc, in halves.
   Index twice(Index arc) const { return flow_[2 * arc] + flow_[2 * arc + 1]; }
 
+  // Of the numbers of arcs: half of that of the edges of the cover.
   double cost() const {
     double sum = 0;
     for (std::size_t e = 0; e < flow_.size(); ++e) {
@@ -242,10 +243,10 @@ class LeastCostFlow {
   }
 
   // From below, of the cost of a balanced flow: by duality, each unit that is sent costs at least
-  // the difference of the potentials of its ends.
+  // the difference of the potentials of its ends; as in cost(), half of that.
   double bound() const {
     double sum = cost();
-    for (std::size_t v = 0; v < excess_.size(); ++v) sum -= excess_[v] * potential_[v];
+    for (std::size_t v = 0; v < excess_.size(); ++v) sum -= excess_[v] * potential_[v] / 2;
     return sum;
   }
 
