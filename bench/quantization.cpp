@@ -1,8 +1,9 @@
 // CPU milliseconds that whole numbers for the arcs of a T-mesh take, the search for the edge length
-// included, and how good they are. A row for each mesh and count, without features.
+// included, and how good they are. A row for each mesh and count, without features; last rows:
+// means.
 //
-//     arcs     of the T-mesh
-//     joined   as quad_mesh() asks first, separate: with one edge at least on every arc
+//     arcs     of the T-mesh; joined: they may have no edges, as quad_mesh() asks first, separate:
+//              all have one at least
 //     quads    that they make, of those asked
 //     off      sum (n - wanted)^2 / max(wanted, 1) over arcs, at the edge length that makes as many
 //
@@ -10,6 +11,7 @@
 //   build/release/bench/quantization 500,1000,4000,10000 ../shared/data/public/closed/*.obj
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -107,10 +109,14 @@ int main(int argc, char** argv) {
       fmt::print("| {} | | | | {} | | |\n", name, error.what());
     }
   }
-  for (std::size_t c = 0; c < counts.size(); ++c)
-    fmt::print("{} quads: {:.1f} ms in the mean, separate {:.1f}, over {}\n", counts[c],
-               joined[c].milliseconds / std::max(joined[c].rows, 1),
-               separate[c].milliseconds / std::max(separate[c].rows, 1), joined[c].rows);
+  const auto print_mean = [](const char* arcs, double count, const Sums& sums) {
+    fmt::print("| mean of {} | | {} | {} | | | {:.1f} |\n", sums.rows, arcs, count,
+               sums.milliseconds / std::max(sums.rows, 1));
+  };
+  for (std::size_t c = 0; c < counts.size(); ++c) {
+    print_mean("joined", counts[c], joined[c]);
+    print_mean("separate", counts[c], separate[c]);
+  }
   return 0;
 }
 

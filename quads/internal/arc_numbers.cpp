@@ -30,9 +30,8 @@ std::vector<Index> ArcNumbers::for_count(double asked) {
   double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
   const std::vector<Index> edges = without_bad_quads([&] { return closest_to(asked, length); });
   const std::optional<std::vector<Index>> closer = refined(edges, length);
-  const bool is_close =
-      closer &&
-      std::abs(static_cast<double>(quad_count(mesh_, *closer)) / asked - 1) <= kCountClose;
+  const bool is_close = closer && std::abs(static_cast<double>(quad_count(mesh_, *closer)) / asked -
+                                           1) <= kCountClose;
   return is_close ? *closer : edges;
 }
 

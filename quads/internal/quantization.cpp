@@ -282,7 +282,7 @@ class LeastCostFlow {
   std::vector<Index> least_, most_;  // by arc
   std::vector<Index> flow_;          // by edge of the cover
   std::vector<Price> price_;
-  std::vector<Index> excess_;        // by node
+  std::vector<Index> excess_;  // by node
   // By node, such that no change that the bounds allow costs less than the difference of those of
   // its nodes.
   std::vector<double> potential_;

@@ -64,8 +64,7 @@ TEST(SeamlessLattice, TransitionsHoldWithoutError) {
 
 // A sheet of 8 by 8 squares, of which one column is squeezed to so many steps of the lattice.
 TEST(SeamlessLattice, LinesMayBeSomeHundredStepsApart) {
-  const RoomySurface room = with_room(
-      SurfaceMesh::from_polygons(grid(8)));
+  const RoomySurface room = with_room(SurfaceMesh::from_polygons(grid(8)));
   const auto& positions = room.mesh.positions();
   const double from = positions.col(0).minCoeff(), to = positions.col(0).maxCoeff();
   constexpr double kSteps = 300;
