@@ -1,5 +1,6 @@
 #include "majorant/quads/internal/arc_numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,7 +28,7 @@ std::vector<Index> ArcNumbers::fewest() {
 }
 
 std::vector<Index> ArcNumbers::for_count(double asked) {
-  double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
+  double length = 0;
   const std::vector<Index> edges = without_bad_quads([&] { return closest_to(asked, length); });
   const std::optional<std::vector<Index>> closer = refined(edges, length);
   const bool is_close = closer && std::abs(static_cast<double>(quad_count(mesh_, *closer)) / asked -
@@ -79,20 +80,22 @@ void ArcNumbers::want(double edge_length) {
   quantization_.want(wanted);
 }
 
-// From an edge length on, which becomes that of the numbers.
+// length receives that of their edges.
 std::vector<Index> ArcNumbers::closest_to(double asked, double& length) {
   constexpr int kSteps = 12;
   constexpr double kNearEnough = 0.005;
-  // Longer edges in a row that make no fewer quads, after which still longer ones are not tried.
-  constexpr int kMostInVain = 2;
-  double next = length;
+  // Longer edges in a row that make no fewer quads, all more than asked, after which still longer
+  // ones are not tried.
+  constexpr int kMostInVain = 3;
+  double next = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
   std::vector<Index> best;
-  double least_off = std::numeric_limits<double>::infinity();
+  double least_off = std::numeric_limits<double>::infinity(), least_ratio = least_off;
   for (int step = 0, in_vain = 0; step < kSteps && in_vain < kMostInVain; ++step) {
     std::vector<Index> edges = joined_at(next);
     const double ratio = static_cast<double>(quad_count(mesh_, edges)) / asked;
     const double off = std::abs(std::log(ratio));
-    in_vain = ratio > 1 && off >= least_off ? in_vain + 1 : 0;
+    in_vain = ratio >= least_ratio && least_ratio > 1 ? in_vain + 1 : 0;
+    least_ratio = std::min(ratio, least_ratio);
     if (off < least_off) {
       least_off = off;
       length = next;

@@ -292,13 +292,18 @@ class LeastCostFlow {
 // mean over an arc's two edges is no whole number, the arc's is at most the number below or at
 // least the one above: both are searched, the cheaper one first.
 class BranchAndBound {
+  static constexpr double kGain = 1e-9;  // relative, of costs that differ
+
  public:
   BranchAndBound(PathSearch& search, Effort effort, const StopCheck& stop)
       : search_(search), effort_(effort), stop_(stop) {}
 
   // Empty where there are no whole numbers. flow: balanced.
   std::vector<Index> solve(const LeastCostFlow& flow) {
-    if (!rounds(flow) || effort_ == Effort::Least) descend(flow);
+    const bool is_rounded = rounds(flow);
+    // Others as good as these are taken: they are nearer to the flow.
+    if (is_rounded) least_ += 2 * kGain * std::max(1.0, least_);
+    if (!is_rounded || effort_ == Effort::Least) descend(flow);
     return best_;
   }
 
@@ -374,7 +379,6 @@ class BranchAndBound {
 
   long most_descents() const { return effort_ == Effort::Least ? kMostDescents : 1; }
   bool is_gain(double cost) const {
-    constexpr double kGain = 1e-9;
     return cost < least_ - kGain * std::max(1.0, cost);
   }
 
