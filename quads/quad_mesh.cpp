@@ -16,134 +16,15 @@
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/quads/internal/arc_numbers.h"
 #include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/extraction.h"
 #include "majorant/quads/internal/integer_grid_map.h"
-#include "majorant/quads/internal/quantization.h"
 #include "majorant/quads/internal/smoothing.h"
 #include "majorant/quads/internal/t_mesh.h"
 
 namespace majorant {
 namespace {
-
-// Whole numbers for the arcs of a T-mesh, such that no two cones or corners become one vertex, and
-// borders stay.
-class ArcNumbers {
- public:
-  // Joined: an arc may have no edges; Separate: all have one at least.
-  enum class Arcs { Joined, Separate };
-
-  ArcNumbers(const SeamlessLattice& lattice, const TMesh& mesh, Arcs arcs, const StopCheck& stop)
-      : lattice_(lattice),
-        mesh_(mesh),
-        stop_(stop),
-        least_(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1) {}
-
-  std::vector<Index> at(double edge_length) {
-    const std::vector<Index> edges = without_bad_quads([&] { return joined_at(edge_length); });
-    return refined(edges, edge_length).value_or(edges);
-  }
-
-  // As few as possible.
-  std::vector<Index> fewest() {
-    constexpr double kLongest = std::numeric_limits<double>::infinity();
-    return without_bad_quads([&] { return joined_at(kLongest); });
-  }
-
-  // The numbers at the edge length at which there are about as many quads as asked.
-  std::vector<Index> for_count(double asked) {
-    double length = 0;
-    const std::vector<Index> edges = without_bad_quads([&] { return closest_to(asked, length); });
-    const std::optional<std::vector<Index>> closer = refined(edges, length);
-    const bool is_close =
-        closer &&
-        std::abs(static_cast<double>(quad_count(mesh_, *closer)) / asked - 1) <= kCountClose;
-    return is_close ? *closer : edges;
-  }
-
- private:
-  // Numbers with more and more edges, up to a bound, until no quad has a vertex twice.
-  template <class Numbers>
-  std::vector<Index> without_bad_quads(const Numbers& numbers) {
-    constexpr int kRounds = 20;
-    for (int round = 0;; ++round) {
-      std::vector<Index> edges = numbers();
-      const std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).arcs_of_bad_quads();
-      if (more.empty() || round == kRounds) return edges;
-      for (const Index arc : more) least_[arc] = edges[arc] + 1;
-    }
-  }
-
-  // Arcs that would join two of these get an edge, one after the other; where there would be no
-  // quads then, the longest arc without edges does.
-  std::vector<Index> joined_at(double edge_length) {
-    Quantization quantization(mesh_, wanted_at(edge_length), least_);
-    for (;;) {
-      std::vector<Index> edges = quantization.numbers(Effort::First, stop_);
-      std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).joining_arcs();
-      if (more.empty() && quad_count(mesh_, edges) == 0) more = {longest_without_edges(edges)};
-      if (more.empty()) return edges;
-      for (const Index arc : more) {
-        least_[arc] = edges[arc] + 1;
-        quantization.raise(arc, least_[arc]);
-      }
-    }
-  }
-
-  // The numbers nearest to the lengths, where these join nothing either.
-  std::optional<std::vector<Index>> refined(const std::vector<Index>& edges,
-                                            double edge_length) const {
-    std::vector<Index> nearest =
-        Quantization(mesh_, wanted_at(edge_length), least_).numbers(Effort::Least, stop_);
-    ExtractedQuads quads(lattice_, mesh_, nearest);
-    if (nearest == edges || quad_count(mesh_, nearest) == 0 || !quads.joining_arcs().empty() ||
-        !quads.arcs_of_bad_quads().empty())
-      return std::nullopt;
-    return nearest;
-  }
-
-  std::vector<double> wanted_at(double edge_length) const {
-    std::vector<double> wanted;
-    for (const TArc& arc : mesh_.arcs)
-      wanted.push_back(static_cast<double>(arc.length()) / edge_length);
-    return wanted;
-  }
-
-  // length receives that of their edges.
-  std::vector<Index> closest_to(double asked, double& length) {
-    constexpr int kSteps = 12;
-    constexpr double kNearEnough = 0.005;
-    double next = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
-    std::vector<Index> best;
-    double least_off = std::numeric_limits<double>::infinity();
-    for (int step = 0; step < kSteps; ++step) {
-      std::vector<Index> edges = joined_at(next);
-      const double ratio = static_cast<double>(quad_count(mesh_, edges)) / asked;
-      const double off = std::abs(std::log(ratio));
-      if (off < least_off) {
-        least_off = off;
-        length = next;
-        best = std::move(edges);
-      }
-      if (off <= kNearEnough) break;
-      next *= std::sqrt(ratio);
-    }
-    return best;
-  }
-
-  Index longest_without_edges(const std::vector<Index>& edges) const {
-    Index longest = -1;
-    for (Index a = 0; a < static_cast<Index>(edges.size()); ++a)
-      if (edges[a] == 0 && (longest < 0 || mesh_.arcs[a].length() > mesh_.arcs[longest].length()))
-        longest = a;
-    return longest;
-  }
-
-  const SeamlessLattice& lattice_;
-  const TMesh& mesh_;
-  const StopCheck& stop_;
-  std::vector<Index> least_;  // by arc
-};
 
 bool has_any(const std::vector<char>& flags) {
   return std::count(flags.begin(), flags.end(), 0) < static_cast<std::ptrdiff_t>(flags.size());
@@ -443,19 +324,27 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   if (!has_any(asked)) return made_with({});
   const double length = std::sqrt(mesh.area() / std::max(asked_of(mesh, options), 1.0));
   std::optional<QuadMesh> made;
-  std::vector<char> features, tried;
+  std::vector<char> tried;
   double shortest = length;
   std::string conflict;
   for (;; shortest *= 2) {
-    features = without_short_lines(mesh, asked, shortest);
+    const std::vector<char> features = without_short_lines(mesh, asked, shortest);
     if (features == tried) continue;
     tried = features;
-    if (!has_any(features)) {
-      made = made_with(features);
+    const auto make = [&] {
+      QuadMesh next = made_with(features);
+      next.features = features;
+      next.shortest_feature = shortest;
+      made = std::move(next);
+    };
+    const bool is_last = !has_any(features);
+    if (is_last && !made) {
+      make();
       break;
     }
-    const std::optional<std::string> failed = why_infeasible([&] { made = made_with(features); });
-    if (!failed && (options.features || !made->least_count)) break;
+    // Where none are made in the end, those of before stay, too many or not.
+    const std::optional<std::string> failed = why_infeasible(make);
+    if (is_last || (!failed && (options.features || !made->least_count))) break;
     if (!conflict.empty()) continue;
     const std::string prefix = message_prefix(mesh);
     conflict = failed ? failed->substr(failed->starts_with(prefix) ? prefix.size() : 0)
@@ -464,11 +353,9 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   const FeatureLines lines = feature_lines(mesh, asked);
   made->feature_lines = static_cast<Index>(lines.lines.size());
   for (const FeatureLine& line : lines.lines)
-    if (!features[line.half_edges.front()])
+    if (!made->features[line.half_edges.front()])
       made->relaxed.push_back(
           {mesh.from_vertex(line.half_edges.front()), mesh.to_vertex(line.half_edges.back())});
-  made->features = std::move(features);
-  made->shortest_feature = shortest;
   made->conflict = std::move(conflict);
   return *std::move(made);
 }

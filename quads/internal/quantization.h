@@ -31,9 +31,12 @@ inline constexpr long kMostDescents = 200;
 class Quantization {
  public:
   // wanted: >= 0, least: >= 0, by arc.
-  Quantization(const TMesh& mesh, std::vector<double> wanted, const std::vector<Index>& least);
+  Quantization(const TMesh& mesh, const std::vector<double>& wanted,
+               const std::vector<Index>& least);
   ~Quantization();
 
+  // Other numbers from now on; where they are close to those of before numbers() takes less time.
+  void want(const std::vector<double>& wanted);
   // least: at least that of before.
   void raise(Index arc, Index least);
 

@@ -20,8 +20,10 @@ namespace {
 constexpr int kLatticeBits = 40;
 // The largest coordinate: a layout far from the origin loses nothing up to there.
 constexpr double kLargestCoordinate = 0x1p56;
-// Steps by which unknowns are off on a surface with held edges: 1e-9 of the layout at most.
-constexpr int kLargestOffset = 1000;
+// Steps by which unknowns are off on a surface with held edges: 1e-9 of the layout at most. Where
+// that turns a face over, a tenth of it, and so on: in an integer-grid map lines that no edge is
+// between are kRealPart of their distance apart (grid_translations.h), which may be as little.
+constexpr int kLargestOffset = 1000, kSmallerOffset = 10;
 
 [[noreturn]] void refuse_map(const std::string& what) {
   throw Error(ErrorKind::Infeasible, "the seamless map, rounded to integers, " + what);
@@ -55,9 +57,9 @@ std::int64_t common_denominator(const Elimination& elimination, Index unknowns) 
   return denominator;
 }
 
-// x = Z y in integers.
+// x = Z y in integers, where y is off by `most` steps at most.
 std::vector<std::int64_t> rounded_unknowns(const std::vector<AlignedEdge>& held,
-                                           const BezierMap& map, double unit) {
+                                           const BezierMap& map, double unit, int most) {
   const Index unknowns = static_cast<Index>(map.control_points().size());
   ConstraintRows rows;
   if (!map.seams().empty())
@@ -66,7 +68,6 @@ std::vector<std::int64_t> rounded_unknowns(const std::vector<AlignedEdge>& held,
   const Elimination elimination(unknowns, rows);
   const Vec y = elimination.reduce(map.control_points(), nullptr);
   std::mt19937 random(1);
-  const int most = held.empty() ? 0 : kLargestOffset;
   // Whole multiples of the denominators of coefficients, so that all unknowns are whole.
   const std::int64_t denominator = common_denominator(elimination, unknowns);
   std::vector<std::int64_t> free, x;
@@ -109,8 +110,6 @@ SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& ma
   const auto uv = map.control_uv();
   const double extent = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).maxCoeff();
   unit_ = std::ldexp(1.0, std::ilogb(extent) - kLatticeBits);
-  const std::vector<std::int64_t> x =
-      rounded_unknowns(held_edges(surface, map, is_feature_), map, unit_);
   // A map without seams is that of a plane surface.
   if (quarter_turns_.empty()) quarter_turns_.assign(to_size(surface.vertex_count()), 4);
   for (const SeamEdge& edge : map.seams().edges()) {
@@ -119,13 +118,28 @@ SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& ma
   }
   const auto rank = [&](Index h) { return surface.opposite(h) < 0 ? 2 : is_feature(h) ? 1 : 0; };
   for (Index h = 0; h < surface.half_edge_count(); ++h) {
-    const Index node = map.mesh().from_vertex(h);
-    corners_.push_back({x[2 * node], x[2 * node + 1]});
     Index& leaving = leaving_[surface.from_vertex(h)];
     if (leaving < 0 || (rank(leaving) < 2 && rank(h) >= rank(leaving))) leaving = h;
   }
-  for (Index h = 0; h < surface.half_edge_count(); ++h) {
-    const Index o = surface.opposite(h);
+  const std::vector<AlignedEdge> held = held_edges(surface, map, is_feature_);
+  for (int most = held.empty() ? 0 : kLargestOffset;; most /= kSmallerOffset) try {
+      place(map, rounded_unknowns(held, map, unit_, most));
+      return;
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::Infeasible || most == 0) throw;
+    }
+}
+
+// x: the unknowns of the map, in steps. Throws Error(Infeasible) where it is not proven.
+void SeamlessLattice::place(const BezierMap& map, const std::vector<std::int64_t>& x) {
+  corners_.clear();
+  shift_.clear();
+  for (Index h = 0; h < surface_.half_edge_count(); ++h) {
+    const Index node = map.mesh().from_vertex(h);
+    corners_.push_back({x[2 * node], x[2 * node + 1]});
+  }
+  for (Index h = 0; h < surface_.half_edge_count(); ++h) {
+    const Index o = surface_.opposite(h);
     shift_.push_back(o < 0 ? LatticePoint{} : corners_[h] - turned(corners_[next(o)], turns_[h]));
   }
   count_turns_of_border();

@@ -13,8 +13,8 @@
 // directions leave into its faces as the map has quarter turns there, and edges of the border and
 // of features lie along axes.
 //
-// On a surface with any of these free unknowns are off by some random steps: lines of the map that
-// meet their corners only by symmetry do not.
+// On a surface with any of these free unknowns are off by some random steps, as many as the proof
+// allows: lines of the map that meet their corners only by symmetry do not.
 #pragma once
 
 #include <array>
@@ -101,6 +101,7 @@ class SeamlessLattice {
   void move(Index vertex, LatticePoint by);
 
  private:
+  void place(const BezierMap& map, const std::vector<std::int64_t>& x);
   void count_turns_of_border();
   void prove() const;
 

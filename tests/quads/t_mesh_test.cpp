@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initialization/start.h"
+#include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/extraction.h"
 #include "majorant/quads/internal/quantization.h"
 #include "majorant/quads/quad_mesh.h"
@@ -56,6 +60,24 @@ TEST(SeamlessLattice, TransitionsHoldWithoutError) {
     EXPECT_EQ(lattice.beyond(h, lattice.corner(h)), lattice.corner(next(o)));
   }
   EXPECT_GT(seams, 0);
+}
+
+// A sheet of 8 by 8 squares, of which one column is squeezed to so many steps of the lattice.
+TEST(SeamlessLattice, LinesMayBeSomeHundredStepsApart) {
+  const RoomySurface room = with_room(SurfaceMesh::from_polygons(grid(8)));
+  const auto& positions = room.mesh.positions();
+  const double from = positions.col(0).minCoeff(), to = positions.col(0).maxCoeff();
+  constexpr double kSteps = 300;
+  const double step = std::ldexp(1.0, -37);  // of a layout of 7 by 8
+  Vec uv(2 * room.mesh.vertex_count());
+  for (Index v = 0; v < room.mesh.vertex_count(); ++v) {
+    const double x = 8 * (positions(v, 0) - from) / (to - from);
+    const double squeezed = std::clamp(x - 3, 0.0, 1.0) * (kSteps * step - 1);
+    uv.segment<2>(2 * v) = Vector2(x + squeezed, 8 * (positions(v, 1) - from) / (to - from));
+  }
+  SeamlessLattice lattice(
+      room.mesh, BezierMap::linear(std::make_shared<const SurfaceMesh>(room.mesh), std::move(uv)));
+  EXPECT_EQ(trace_t_mesh(lattice).patches.size(), 1);
 }
 
 TEST(TMesh, PatchesAreRectanglesThatTileTheSurface) {
@@ -108,6 +130,43 @@ TEST(Quantization, OppositeSidesAgreeAndQuadsAreAMesh) {
       Index irregular = 0;
       for (const TNode& node : t_mesh.nodes) irregular += node.vertex >= 0 && node.turns != 4;
       EXPECT_EQ(check.irregular, irregular);
+    }
+  }
+}
+
+// Sum (n - wanted)^2 / max(wanted, 1).
+double off_of(const std::vector<Index>& edges, const std::vector<double>& wanted) {
+  double sum = 0;
+  for (std::size_t a = 0; a < edges.size(); ++a)
+    sum += std::pow(edges[a] - wanted[a], 2) / std::max(wanted[a], 1.0);
+  return sum;
+}
+
+TEST(Quantization, GoesOnFromOtherLengthsToTheSameSum) {
+  for (const auto& [name, mesh] : surfaces()) {
+    if (mesh.face_count() > 2000) continue;
+    SCOPED_TRACE(name);
+    SeamlessLattice lattice(mesh, start_of(mesh));
+    const TMesh t_mesh = trace_t_mesh(lattice);
+    const double of_500 = std::sqrt(static_cast<double>(lattice.twice_area()) / 2 / 500);
+    const auto wanted = [&](double length) {
+      std::vector<double> edges;
+      for (const TArc& arc : t_mesh.arcs)
+        edges.push_back(static_cast<double>(arc.length()) / (length * of_500));
+      return edges;
+    };
+    std::vector<Index> least(t_mesh.arcs.size(), 0);
+    Quantization goes_on(t_mesh, wanted(1), least);
+    Index raised = 0;
+    for (const double length : {1.0, 1.1, 0.9, 3.0, 0.05, 20.0}) {
+      goes_on.want(wanted(length));
+      const double off = off_of(goes_on.numbers(Effort::Least), wanted(length));
+      const std::vector<Index> fresh =
+          Quantization(t_mesh, wanted(length), least).numbers(Effort::Least);
+      EXPECT_NEAR(off, off_of(fresh, wanted(length)), 1e-9 * std::max(off, 1.0)) << length;
+      least[raised] = fresh[raised] + 2;
+      goes_on.raise(raised, least[raised]);
+      raised = (raised + 7) % static_cast<Index>(least.size());
     }
   }
 }
