@@ -115,6 +115,8 @@ bool ScatterMap::find_unknowns(Index e, const ElementDofs& s, const Elimination&
       const bool is_fixed = first == last;
       if (!is_fixed && (last - first > 1 || first->coefficient != 1.0)) return false;
       const Index reduced = is_fixed ? -1 : first->reduced - c;
+      // A node whose first unknown alone is fixed, and the next one the first of all.
+      if (!is_fixed && reduced < 0) return false;
       if (c > 0 && reduced != unknown[k]) return false;
       unknown[k] = reduced;
     }
