@@ -378,9 +378,7 @@ class BranchAndBound {
   }
 
   long most_descents() const { return effort_ == Effort::Least ? kMostDescents : 1; }
-  bool is_gain(double cost) const {
-    return cost < least_ - kGain * std::max(1.0, cost);
-  }
+  bool is_gain(double cost) const { return cost < least_ - kGain * std::max(1.0, cost); }
 
   PathSearch& search_;
   const Effort effort_;
