@@ -33,6 +33,9 @@ namespace majorant {
 // whose quads are valid and, where both are, have the better angles.
 enum class QuadPlacing { Rectangles, IntegerGrid, Best };
 
+// CrossFieldOptions::cone_cost, for edges of quads of equal lengths.
+inline constexpr double kIrregularCost = 0.003;
+
 struct QuadMeshOptions {
   // Of the two at most one: the number of quads, or the length of their edges, in model units.
   // Neither: half as many quads as the surface has faces.
@@ -41,7 +44,10 @@ struct QuadMeshOptions {
   // 3 #F flags of edges that edges of quads cover (features.h), both sides; an empty list: none.
   // Nothing: sharp_edges() of kCornerTurn, none where cones are given.
   std::optional<std::vector<char>> features = {};
-  SeamlessOptions map = {};  // cones and how the map is found
+  // Cones and how the map is found. One quad alone around a vertex would meet itself.
+  SeamlessOptions map = {.field = {.cone_energy = ConeEnergy::Scale,
+                                   .cone_cost = kIrregularCost,
+                                   .least_quarter_turns = 2}};
   QuadPlacing placing = QuadPlacing::Best;
   // Of the integer-grid map: tried one after the other until one gets there; 1 to 8.
   int first_degree = 1, last_degree = 3;

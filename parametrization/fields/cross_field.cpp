@@ -87,8 +87,6 @@ std::vector<std::complex<double>> principal_directions(const SurfaceMesh& mesh,
 // Chosen, not tuned.
 constexpr int kLargestMeanAngle = 120;
 const std::vector<char> kNoneFixed;
-// Quarter turns of an inner vertex, at least.
-constexpr int kLeastTurns = 1;
 // Of fields that follow edges quads are made. Where they have a vertex their corners are below 180
 // degrees; this is the largest that is planned, in quarter turns. One quad around an inner vertex
 // would meet itself along an edge.
@@ -223,11 +221,12 @@ constexpr double kLeastConeGain = 1e-6;
 class Cleanup {
  public:
   Cleanup(const SurfaceMesh& mesh, const FieldGeometry& geometry, const std::vector<char>& is_fixed,
-          AlignedSectors sectors, FieldConnection& field)
+          AlignedSectors sectors, int least_turns, FieldConnection& field)
       : mesh_(mesh),
         geometry_(geometry),
         is_fixed_(is_fixed),
         sectors_(std::move(sectors)),
+        least_turns_(least_turns),
         field_(field),
         leaving_(to_size(mesh.vertex_count()) + sectors_.faces.size()) {
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
@@ -240,11 +239,11 @@ class Cleanup {
       if (movable(h)) leaving_[node_at(h)].push_back(h);
   }
 
-  void lower_energy(double cone_cost, const StopCheck& stop) {
+  void lower_energy(ConeEnergy energy, double cone_cost, const StopCheck& stop) {
     Index cones = 0;
     for (Index v = 0; v < mesh_.vertex_count(); ++v) cones += !boundary(v) && turns(v) != 4;
     if (cones > kMostCones) return;
-    ConePotential potential(mesh_, geometry_, field_.quarter_turns);
+    ConePotential potential(mesh_, geometry_, field_.quarter_turns, energy);
     cancel_pairs(potential, cone_cost, stop);
     for (int sweep = 0; sweep < kMostConeSweeps && improve_places(potential, cone_cost, stop);
          ++sweep)
@@ -283,8 +282,9 @@ class Cleanup {
   }
   int least_turns(Index v) const {
     if (sector(v) >= 0) return sectors_.least[sector(v)];
-    if (sectors_.of.empty()) return kLeastTurns;
-    return std::max(kLeastQuads, least_turns_at(geometry_.angle_sum[v] / kQuarter, regular(v)));
+    if (sectors_.of.empty()) return least_turns_;
+    return std::max(
+        {kLeastQuads, least_turns_, least_turns_at(geometry_.angle_sum[v] / kQuarter, regular(v))});
   }
   int most_turns(Index v) const {
     // Faces of less than two quarter turns each.
@@ -423,32 +423,34 @@ class Cleanup {
   const FieldGeometry& geometry_;
   const std::vector<char>& is_fixed_;
   AlignedSectors sectors_;
+  const int least_turns_;  // of inner vertices, without edges to follow
   FieldConnection& field_;
   std::vector<Index> nodes_;                 // vertices, or #V + sector, by vertex
   std::vector<std::vector<Index>> leaving_;  // by node, half-edges that may be matched anew
 };
 
 // Cancels cones of opposite sign on adjacent vertices, and moves cones next to the boundary into
-// it; then moves quarter turns away from vertices that would have none, or triangles with a mean
+// it; then moves quarter turns away from vertices that would have too few, or triangles with a mean
 // angle above 120 degrees. The matching changes on the way, the angles stay: relax afterwards.
 // Edges with is_fixed faces on both sides keep their matching (#F, or empty), but for those that
 // end in a sector of followed edges (sectors, or no entries): these are brought to the turns of the
 // surface's angles, where that lets cones go, and to one at least. Throws
 // Error(Infeasible) when no place is found for a quarter turn.
 void optimize_cones(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-                    const std::vector<char>& is_fixed, AlignedSectors sectors,
+                    const std::vector<char>& is_fixed, AlignedSectors sectors, int least_turns,
                     FieldConnection& field) {
-  Cleanup(mesh, geometry, is_fixed, std::move(sectors), field).run();
+  Cleanup(mesh, geometry, is_fixed, std::move(sectors), least_turns, field).run();
 }
 
-// Lowers energy (cone_potential.h) + cone_cost * sum |quarter_turns - 4| by moves of single quarter
-// turns [FBC18]: cancels pairs of cones of opposite sign, and cones into the boundary, however far
-// apart, the best first; and moves cones along edges. After optimize_cones, whose bounds it keeps.
-// Takes a solve and a vector of #V for every cone: surfaces with more than 1000 are left alone.
-// Relax afterwards. Throws Stopped.
+// Lowers cone_energy (cone_potential.h) + cone_cost * sum |quarter_turns - 4| by moves of single
+// quarter turns [FBC18]: cancels pairs of cones of opposite sign, and cones into the boundary,
+// however far apart, the best first; and moves cones along edges. After optimize_cones, whose
+// bounds it keeps. Takes one or two solves and a vector of #V for every cone: surfaces with more
+// than 1000 are left alone. Relax afterwards. Throws Stopped.
 void lower_cone_energy(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                        const CrossFieldOptions& options, FieldConnection& field) {
-  Cleanup(mesh, geometry, kNoneFixed, {}, field).lower_energy(options.cone_cost, options.stop);
+  Cleanup(mesh, geometry, kNoneFixed, {}, options.least_quarter_turns, field)
+      .lower_energy(options.cone_energy, options.cone_cost, options.stop);
 }
 
 using Complex = std::complex<double>;
@@ -604,6 +606,8 @@ void require_valid(const SurfaceMesh& mesh, const CrossFieldOptions& options) {
     throw InvalidArgument("smoothest_cross_field: curvature_weight must be >= 0");
   if (!(options.cone_cost >= 0) || !std::isfinite(options.cone_cost))
     throw InvalidArgument("smoothest_cross_field: cone_cost must be >= 0");
+  if (options.least_quarter_turns < 1 || options.least_quarter_turns > 4)
+    throw InvalidArgument("smoothest_cross_field: least_quarter_turns must be 1 to 4");
   if (!options.aligned.empty() && options.aligned.size() != to_size(mesh.half_edge_count()))
     throw InvalidArgument("smoothest_cross_field: aligned must have 3 #F entries");
 }
@@ -682,7 +686,7 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
                  options.aligned.empty()
                      ? AlignedSectors()
                      : SectorFinder(mesh, geometry, options.aligned, fixed).find(field.rotation),
-                 field);
+                 options.least_quarter_turns, field);
   options.stop.poll();
   if (pull == 0 && !system.has_fixed()) {
     lower_cone_energy(mesh, geometry, options, field);

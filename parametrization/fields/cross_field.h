@@ -32,6 +32,14 @@ struct CrossField {
   std::vector<int> quarter_turns;
 };
 
+// What a cone is weighed against, both those of a conformal map with these cones:
+//   Rotation: 1/2 int |grad log scale|^2, which is 1/2 int |rotation of the branches|^2 of the
+//             smoothest field: a smooth field, whatever the size of a map.
+//   Scale:    int (log scale - its mean)^2 / area: a map of equal lengths everywhere. For small
+//             distortions that is the least int |strain|^2 / area of any map with these cones, the
+//             energy of disclinations in an elastic sheet [SN88].
+enum class ConeEnergy { Rotation, Scale };
+
 struct CrossFieldOptions {
   // 0: the smoothest field. t > 0: minimizes int |grad z|^2 + (t^2 / area) int |z - q|^2, where z
   // is the fourth power of the branch as a complex number and q that of the principal directions,
@@ -42,13 +50,13 @@ struct CrossFieldOptions {
   // 3 #F or empty: half-edges that the field follows, one branch along the edge, on both of its
   // sides (flagging one is enough). A face with several follows the longest.
   std::vector<char> aligned = {};
-  // Where neither curvature nor alignment is asked for, cones are cancelled and moved as long as
-  // that lowers
-  //     1/2 int |rotation of the branches|^2 + cone_cost * sum |quarter_turns - 4|.
-  // The first is also 1/2 int |grad log scale|^2 of a conformal map with these cones: the
-  // distortion they leave. 0: cancels only what makes the field smoother; chosen,
-  // not tuned.
+  // Where neither curvature nor edges are to be followed, cones are cancelled and moved as long as
+  //     cone_energy + cone_cost * sum |quarter_turns - 4|
+  // falls. A cost of 0 cancels only what lowers the energy; 0.1 is for Rotation; chosen, not tuned.
+  ConeEnergy cone_energy = ConeEnergy::Rotation;
   double cone_cost = 0.1;
+  // Of inner vertices, 1 to 4; with edges to follow 2 at least.
+  int least_quarter_turns = 1;
   StopCheck stop = {};  // polled between steps: Stopped
 };
 

@@ -2,12 +2,14 @@
 
 namespace majorant {
 ConePotential::ConePotential(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-                             const std::vector<int>& quarter_turns)
+                             const std::vector<int>& quarter_turns, ConeEnergy kind)
     : mesh_(mesh),
       geometry_(geometry),
+      kind_(kind),
       row_(to_size(mesh.vertex_count()), -1),
+      mass_(Vec::Zero(mesh.vertex_count())),
       charge_(Vec::Zero(mesh.vertex_count())),
-      potential_(Vec::Zero(mesh.vertex_count())) {
+      derivative_(Vec::Zero(mesh.vertex_count())) {
   const bool closed = mesh.boundary_loops().empty();
   Index size = 0;
   for (Index v = 0; v < mesh.vertex_count(); ++v)
@@ -24,7 +26,10 @@ ConePotential::ConePotential(const SurfaceMesh& mesh, const FieldGeometry& geome
   system_ = field_system(size, 1, entries);
   for (Index v = 0; v < mesh.vertex_count(); ++v)
     if (!geometry.is_boundary[v]) charge_[v] = geometry.angle_sum[v] - kQuarter * quarter_turns[v];
-  potential_ = solve(charge_);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (int k = 0; k < 3; ++k) mass_[mesh.faces()(f, k)] += geometry.face_area[f] / 3;
+  mass_ /= mass_.sum();
+  derivative_ = derive(charge_);
 }
 
 Vec ConePotential::solve(const Vec& charge) const {
@@ -39,41 +44,47 @@ Vec ConePotential::solve(const Vec& charge) const {
   return out;
 }
 
+Vec ConePotential::derive(const Vec& charge) const {
+  Vec potential = solve(charge);
+  if (kind_ == ConeEnergy::Rotation) return potential;
+  if (mesh_.boundary_loops().empty()) potential.array() -= mass_.dot(potential);
+  return 2 * solve(mass_.cwiseProduct(potential));
+}
+
 const Vec& ConePotential::response(Index v) {
   const auto [place, is_new] = responses_.try_emplace(v);
   if (is_new) {
     Vec unit = Vec::Zero(mesh_.vertex_count());
     unit[v] = 1;
-    place->second = solve(unit);
+    place->second = derive(unit);
   }
   return place->second;
 }
 
-double ConePotential::energy() const { return 0.5 * charge_.dot(potential_); }
-
 double ConePotential::change(Index from, Index to) {
   const Vec &r = response(from), &s = response(to);
-  return kQuarter * (potential_[from] - potential_[to]) +
+  return kQuarter * (derivative_[from] - derivative_[to]) +
          0.5 * kQuarter * kQuarter * (r[from] - r[to] - s[from] + s[to]);
 }
 
 double ConePotential::estimated_change(Index v, Index w, int step) {
   const Vec& r = response(v);
-  return step * kQuarter * (potential_[v] - potential_[w]) + kQuarter * kQuarter * (r[v] - r[w]);
+  return step * kQuarter * (derivative_[v] - derivative_[w]) + kQuarter * kQuarter * (r[v] - r[w]);
 }
 
 void ConePotential::move(Index from, Index to) {
-  potential_ += kQuarter * (response(from) - response(to));
+  derivative_ += kQuarter * (response(from) - response(to));
   if (!geometry_.is_boundary[from]) charge_[from] += kQuarter;
   if (!geometry_.is_boundary[to]) charge_[to] -= kQuarter;
 }
 
 Vec ConePotential::rotations() const {
+  const Vec potential = solve(charge_);
   Vec rotation = Vec::Zero(mesh_.half_edge_count());
   for (Index h = 0; h < mesh_.half_edge_count(); ++h)
     if (mesh_.opposite(h) >= 0)
       rotation[h] =
-          (potential_[mesh_.to_vertex(h)] - potential_[mesh_.from_vertex(h)]) / geometry_.weight[h];
+          (potential[mesh_.to_vertex(h)] - potential[mesh_.from_vertex(h)]) / geometry_.weight[h];
   return rotation;
 }
 

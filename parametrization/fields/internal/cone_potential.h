@@ -1,19 +1,23 @@
-// The smoothest field with given cones without solving for the field: its rotations are the
-// differences of a potential on the vertices, and their energy follows from the quarter turns.
+// What given cones leave to be distorted, without a field or a map: a potential u on the vertices,
 //
 //     L u = angle sums - (pi / 2) quarter turns,  L the Laplacian with weights 1 / weight,
-//     rotation[h] = (u[end of h] - u[start of h]) / weight[h],
-//     energy = 1/2 sum over edges weight rotation^2 = 1/2 int |grad u|^2.
+//     rotation[h] = (u[end of h] - u[start of h]) / weight[h].
 //
-// u is also the logarithm of the scale of a conformal map with these cones, so the energy measures
-// the distortion that the cones leave. u is 0 on the boundary, or at vertex 0 of a closed surface;
-// turning along loops that are not contractible is left out. [CDS10], [MC20].
+// u is the logarithm of the scale of a conformal map with these cones, and its differences are the
+// rotations of the smoothest field that has them. It is 0 on the boundary, or known up to a
+// constant on a closed surface; turning along loops that are not contractible is left out. [CDS10],
+// [MC20].
+//
+// A ConeEnergy (cross_field.h) is 1/2 charge . G charge, charge the right-hand side: Rotation has
+// G = L^-1; Scale, with M the parts of the area at vertices and P taking away the mean (of closed
+// surfaces), G = 2 L^-1 P^T M P L^-1.
 #pragma once
 
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/fields/internal/field_geometry.h"
 
 namespace majorant {
@@ -22,12 +26,11 @@ class ConePotential {
  public:
   // quarter_turns: #V, 0 at the boundary; 4 - quarter_turns adds up to 4 chi on closed surfaces.
   ConePotential(const SurfaceMesh& mesh, const FieldGeometry& geometry,
-                const std::vector<int>& quarter_turns);
+                const std::vector<int>& quarter_turns, ConeEnergy kind);
 
-  const Vec& potential() const { return potential_; }  // #V
-  double energy() const;
+  double energy() const { return 0.5 * charge_.dot(derivative_); }
   // Change of energy() when one quarter turn passes from one vertex to another; the boundary gives
-  // and takes any number. One solve for every vertex met for the first time.
+  // and takes any number. One solve or two for every vertex met for the first time.
   double change(Index from, Index to);
   // Nearly the same for `step` quarter turns (1 or -1) from v to its neighbour w, without a solve
   // for w: w is taken to respond to itself as v does.
@@ -38,14 +41,17 @@ class ConePotential {
   Vec rotations() const;  // 3 #F
 
  private:
-  Vec solve(const Vec& charge) const;  // L^-1, #V to #V
-  const Vec& response(Index v);        // L^-1 of the unit vector of v
+  Vec solve(const Vec& charge) const;   // L^-1, #V to #V
+  Vec derive(const Vec& charge) const;  // G, #V to #V
+  const Vec& response(Index v);         // G of the unit vector of v
 
   const SurfaceMesh& mesh_;
   const FieldGeometry& geometry_;
+  const ConeEnergy kind_;
   std::vector<Index> row_;  // per vertex, -1 where u is 0
   std::optional<SparseSpd> system_;
-  Vec charge_, potential_;  // #V
+  Vec mass_;                 // #V: M, adds up to 1
+  Vec charge_, derivative_;  // #V: derivative_ = G charge_, of the energy
   std::unordered_map<Index, Vec> responses_;
 };
 

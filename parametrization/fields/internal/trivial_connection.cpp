@@ -111,8 +111,10 @@ constexpr int kMostLoopSweeps = 100;
 FieldConnection trivial_connection(const SurfaceMesh& mesh, const FieldGeometry& geometry,
                                    const std::vector<int>& quarter_turns) {
   const HomologyGenerators loops(mesh, geometry);
-  FieldConnection field{Vec::Zero(mesh.face_count()),
-                        ConePotential(mesh, geometry, quarter_turns).rotations(), quarter_turns};
+  FieldConnection field{
+      Vec::Zero(mesh.face_count()),
+      ConePotential(mesh, geometry, quarter_turns, ConeEnergy::Rotation).rotations(),
+      quarter_turns};
   const auto branch_beyond = [&](Index h) {
     return field.angle[face_of(h)] + geometry.transport[h] + field.rotation[h];
   };

@@ -10,6 +10,8 @@
 #include "expected_error.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/cut_graph.h"
+#include "majorant/parametrization/fields/internal/cone_potential.h"
+#include "majorant/parametrization/fields/internal/field_geometry.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "public_data.h"
 
@@ -279,16 +281,71 @@ TEST(CrossField, ConesDoNotDependOnPlaceOrScale) {
 
 TEST(CrossField, FewerConesAtAHigherCost) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(bar_with_holes(2, 3));
-  std::size_t last = 1000;
-  for (const double cost : {0.0, 0.3, 100.0}) {
+  for (const ConeEnergy energy : {ConeEnergy::Rotation, ConeEnergy::Scale}) {
+    std::size_t last = 1000;
+    for (const double cost : {0.0, 0.3, 100.0}) {
+      CrossFieldOptions options;
+      options.cone_energy = energy;
+      options.cone_cost = cost;
+      const CrossField field = smoothest_cross_field(mesh, options);
+      expect_proper_field(mesh, field);
+      EXPECT_LE(cone_vertices(field).size(), last);
+      last = cone_vertices(field).size();
+    }
+    EXPECT_LE(last, 8u);  // chi = -2: eight quarter turns too many, no opposite pair is left
+  }
+}
+
+// The cones that either energy leaves are better by it than those that the other leaves.
+TEST(CrossField, ConesAreThoseOfTheEnergyAskedFor) {
+  const auto bumps = transformed(cube_sphere(16), [](const Vector3& p) -> Vector3 {
+    double height = 1;
+    for (const Vector3& bump : {Vector3(0.8, 0.6, 0), Vector3(-0.6, 0, 0.8), Vector3(0, 0.6, -0.8)})
+      height += 0.5 * std::exp(-(p - bump).squaredNorm() / 0.02);
+    return height * p;
+  });
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(bumps);
+  const FieldGeometry geometry(mesh);
+  const auto field_of = [&](ConeEnergy energy, double cost) {
     CrossFieldOptions options;
+    options.cone_energy = energy;
     options.cone_cost = cost;
     const CrossField field = smoothest_cross_field(mesh, options);
     expect_proper_field(mesh, field);
-    EXPECT_LE(cone_vertices(field).size(), last);
-    last = cone_vertices(field).size();
-  }
-  EXPECT_LE(last, 8u);  // chi = -2: eight quarter turns too many, no opposite pair is left
+    expect_combs(mesh, field);
+    return field;
+  };
+  const auto worth = [&](const CrossField& field, ConeEnergy energy, double cost) {
+    double sum = ConePotential(mesh, geometry, field.quarter_turns, energy).energy();
+    for (const int turns : field.quarter_turns) sum += cost * std::abs(turns - 4);
+    return sum;
+  };
+  constexpr double kOfRotation = 0.1, kOfScale = 0.003;
+  const CrossField smooth = field_of(ConeEnergy::Rotation, kOfRotation);
+  const CrossField even = field_of(ConeEnergy::Scale, kOfScale);
+  EXPECT_LT(worth(smooth, ConeEnergy::Rotation, kOfRotation),
+            worth(even, ConeEnergy::Rotation, kOfRotation));
+  EXPECT_LT(worth(even, ConeEnergy::Scale, kOfScale), worth(smooth, ConeEnergy::Scale, kOfScale));
+}
+
+TEST(CrossField, NoVertexHasFewerTurnsThanAskedFor) {
+  // Two needles: half a turn and less around their tips.
+  const auto needles = transformed(cube_sphere(8), [](const Vector3& p) -> Vector3 {
+    return {p.x(), p.y(), p.z() + 3 * p.z() * std::exp(-30 * (p.x() * p.x() + p.y() * p.y()))};
+  });
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(needles);
+  for (const ConeEnergy energy : {ConeEnergy::Rotation, ConeEnergy::Scale})
+    for (const int least : {1, 2, 3}) {
+      SCOPED_TRACE(least);
+      CrossFieldOptions options;
+      options.cone_energy = energy;
+      options.cone_cost = 1e-4;
+      options.least_quarter_turns = least;
+      const CrossField field = smoothest_cross_field(mesh, options);
+      expect_proper_field(mesh, field);
+      const auto fewest = std::min_element(field.quarter_turns.begin(), field.quarter_turns.end());
+      EXPECT_GE(*fewest, least);
+    }
 }
 
 TEST(CrossField, RefusesOptionsThatAreNotValid) {
@@ -297,6 +354,11 @@ TEST(CrossField, RefusesOptionsThatAreNotValid) {
   options.curvature_weight = -1;
   EXPECT_THROW(smoothest_cross_field(mesh, options), InvalidArgument);
   options.curvature_weight = 0;
+  for (const int turns : {0, 5}) {
+    options.least_quarter_turns = turns;
+    EXPECT_THROW(smoothest_cross_field(mesh, options), InvalidArgument);
+  }
+  options.least_quarter_turns = 1;
   options.aligned = {1, 0};
   EXPECT_THROW(smoothest_cross_field(mesh, options), InvalidArgument);
 }
