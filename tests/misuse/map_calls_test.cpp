@@ -254,8 +254,7 @@ const std::vector<Call> kCalls{
      [] { smoothest_cross_field(*sheet(), {.aligned = {1}}); }},
     {"field_negative_cost", "InvalidArgument: smoothest_cross_field: cone_cost must be >= 0",
      [] { smoothest_cross_field(*sheet(), {.cone_cost = -1}); }},
-    {"field_no_turns",
-     "InvalidArgument: smoothest_cross_field: least_quarter_turns must be 1 to 4",
+    {"field_no_turns", "InvalidArgument: smoothest_cross_field: least_quarter_turns must be 1 to 4",
      [] { smoothest_cross_field(*sheet(), {.least_quarter_turns = 0}); }},
     {"cone_missing", "Error Usage: cones: there is no vertex 11 (counting from 0)",
      [] {
