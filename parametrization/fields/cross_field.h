@@ -32,12 +32,13 @@ struct CrossField {
   std::vector<int> quarter_turns;
 };
 
-// What a cone is weighed against, both those of a conformal map with these cones:
-//   Rotation: 1/2 int |grad log scale|^2, which is 1/2 int |rotation of the branches|^2 of the
-//             smoothest field: a smooth field, whatever the size of a map.
-//   Scale:    int (log scale - its mean)^2 / area: a map of equal lengths everywhere. For small
-//             distortions that is the least int |strain|^2 / area of any map with these cones, the
-//             energy of disclinations in an elastic sheet [SN88].
+// What cones are weighed against; scale: of a conformal map with these cones. Rotation: the
+// integral
+//     1/2 int |grad log scale|^2 = 1/2 int |rotation of the branches|^2
+// of the smoothest field, whatever the size of a map. Scale: int (log scale - its mean)^2 / area,
+// of a map of equal lengths everywhere; for small distortions that is the least int |strain|^2 /
+// area of any map with these cones, the energy of disclinations in an elastic sheet [SN88]. The
+// mean is not taken away where there is a boundary.
 enum class ConeEnergy { Rotation, Scale };
 
 struct CrossFieldOptions {

@@ -83,7 +83,8 @@ class Quads(CommandTest):
         faces = faces + [tuple(v + len(points) for v in face[::-1]) for face in faces]
         report = self.made(self.write('two.obj', helpers.obj_text(both, faces)), '--count', 800)
         self.assertEqual(report['quads']['components'], 2)
-        self.assertEqual(report['quads']['irregular'], 0)
+        one = self.made(self.write('one.obj', helpers.obj_text(points, faces[:len(faces) // 2])), '--count', 400)
+        self.assertEqual(report['quads']['irregular'], 2 * one['quads']['irregular'])
 
     def test_few_quads(self):
         """A thin torus, which needs no edges anywhere, by itself and beside a cube, which does."""
