@@ -25,8 +25,7 @@ Vec ambient_visibility(const SurfaceMesh& mesh, const StopCheck& stop = {});
 // Stopped.
 Vec visibility_from(const SurfaceMesh& mesh, const Vector3& direction, const StopCheck& stop = {});
 
-// 3 #F: what a cut there costs for its length, 1 in the mean over all edges; where nothing is
-// visible a twentieth of what it costs where everything is.
+// 3 #F: what a cut there costs for its length, from a quarter where nothing is visible to 1.
 std::vector<double> hiding_weights(const SurfaceMesh& mesh, const Vec& visibility);
 
 // The mean visibility of the cuts (3 #F flags) by their length; of the whole surface, by its area,

@@ -79,22 +79,6 @@ TEST(Visibility, FromADirection) {
   EXPECT_LT(hidden, 0.05);
 }
 
-TEST(Visibility, WeighsWhatIsHiddenLess) {
-  const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(6));
-  const Vec seen = visibility_from(mesh, {0, 0, 1});
-  const std::vector<double> weight = hiding_weights(mesh, seen);
-  double least = weight.front(), most = least, sum = 0;
-  for (const double w : weight) {
-    least = std::min(least, w);
-    most = std::max(most, w);
-    sum += w;
-  }
-  EXPECT_NEAR(sum / static_cast<double>(weight.size()), 1, 1e-12);
-  EXPECT_NEAR(least / most, 0.05, 0.005);  // no edge is seen whole
-  for (const double w : hiding_weights(mesh, Vec::Ones(mesh.vertex_count())))
-    EXPECT_NEAR(w, 1, 1e-12);
-}
-
 TEST(Visibility, OfSizesThatAreFarFromOne) {
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(limbs(4));
   PolygonMesh input;  // of triangles: diagonals of quads may change with the size
