@@ -11,6 +11,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/mesh/repair.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/extraction.h"
@@ -182,6 +183,28 @@ TEST(QuadMesh, CountAndValidity) {
     EXPECT_NEAR(static_cast<double>(made.check.count), 2000, kCountClose * 2000);
     EXPECT_LE(made.check.irregular, made.cones);
   }
+}
+
+// Cones are weighed by the lengths that they leave uneven, not by how smooth they leave the field.
+TEST(QuadMesh, FewerIrregularVerticesThanOfTheSmoothestField) {
+  RepairOptions closed;
+  closed.welding = Welding::EqualPlaces;
+  const RepairedSurface surface =
+      repair(read_mesh(MAJORANT_SOURCE_DIR "/meshes/creature.obj"), closed);
+  const SurfaceMesh& mesh = *surface.mesh;
+  ASSERT_EQ(mesh.topology().boundary_loops, 0);
+  const auto made_with = [&](const CrossFieldOptions& field) {
+    RunRecord record;
+    QuadMeshOptions options;
+    options.count = 1500;
+    options.features.emplace();
+    options.map.field = field;
+    return quad_mesh(mesh, options, record).check;
+  };
+  const QuadCheck even = made_with(QuadMeshOptions().map.field);
+  const QuadCheck smooth = made_with({});
+  EXPECT_LT(10 * even.irregular, 9 * smooth.irregular);
+  EXPECT_LT(even.angle_deviation, smooth.angle_deviation + 0.5);  // degrees
 }
 
 // Around it ten times as long as across, and without cones: no arc needs an edge.
