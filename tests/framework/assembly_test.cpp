@@ -122,6 +122,21 @@ TEST_P(Assembly, GeneralConstraints) {
   expect_exact_pattern(problem, {term});
 }
 
+// A node of which some unknowns are fixed, the first node too: its next unknown is number 0 then.
+TEST_P(Assembly, NodesThatAreFixedInPart) {
+  Random random(7);
+  const int block = GetParam();
+  for (const Index fixed : {0, 1, 2 * block, 3 * block - 1}) {
+    const auto term = std::make_shared<const QuadraticTerm>(
+        test::random_elements(random, 30, 4, 12, block), random);
+    Rows rows;
+    rows.row({{fixed, 1}}, 0.5);
+    const Problem problem = ProblemBuilder(12 * block).add(term, 1.5).add(rows).build();
+    expect_matches_dense(problem, {term}, random);
+    expect_exact_pattern(problem, {term});
+  }
+}
+
 // What build(before) takes over of a problem before makes the same problem as building it anew.
 void expect_same_problem(const Problem& found, const Problem& expected, Random& random) {
   EXPECT_EQ(found.pattern().column_starts, expected.pattern().column_starts);
