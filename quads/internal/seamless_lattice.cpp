@@ -122,12 +122,21 @@ SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& ma
     if (leaving < 0 || (rank(leaving) < 2 && rank(h) >= rank(leaving))) leaving = h;
   }
   const std::vector<AlignedEdge> held = held_edges(surface, map, is_feature_);
-  for (int most = held.empty() ? 0 : kLargestOffset;; most /= kSmallerOffset) try {
-      place(map, rounded_unknowns(held, map, unit_, most));
-      return;
-    } catch (const Error& error) {
-      if (error.kind() != ErrorKind::Infeasible || most == 0) throw;
-    }
+  int most = held.empty() ? 0 : kLargestOffset;
+  while (!is_placed(map, held, most)) most /= kSmallerOffset;
+}
+
+// Whether the map is proven with unknowns that are off by so many steps at most. Throws
+// Error(Infeasible) where it is not without any.
+bool SeamlessLattice::is_placed(const BezierMap& map, const std::vector<AlignedEdge>& held,
+                                int most) {
+  try {
+    place(map, rounded_unknowns(held, map, unit_, most));
+    return true;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::Infeasible || most == 0) throw;
+    return false;
+  }
 }
 
 // x: the unknowns of the map, in steps. Throws Error(Infeasible) where it is not proven.

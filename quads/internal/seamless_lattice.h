@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "majorant/constraints/constraints.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/maps/bezier_map.h"
 
@@ -101,6 +102,7 @@ class SeamlessLattice {
   void move(Index vertex, LatticePoint by);
 
  private:
+  bool is_placed(const BezierMap& map, const std::vector<AlignedEdge>& held, int most);
   void place(const BezierMap& map, const std::vector<std::int64_t>& x);
   void count_turns_of_border();
   void prove() const;
