@@ -5,8 +5,6 @@
 #include <limits>
 #include <new>
 
-#include "majorant/framework/internal/front_kernels.h"
-
 namespace majorant {
 namespace {
 
@@ -28,6 +26,10 @@ std::vector<Index> ordered_unknowns(const SparsePattern& pattern, const std::vec
 }
 
 }  // namespace
+
+ColumnSlabs AssemblyTree::Front::part() const { return {padded(rows), columns}; }
+
+ColumnSlabs AssemblyTree::Front::update() const { return {padded(rows - columns), rows - columns}; }
 
 double AssemblyTree::Front::operations() const {
   double sum = 0;
@@ -65,7 +67,7 @@ void AssemblyTree::make_fronts(const BlockElimination& elimination,
     Front front{};
     front.first = starts[elimination.supernode_starts[g]];
     front.columns = starts[last_block] - front.first;
-    front.panel = panel_size_;
+    front.begin = factor_size_;
     front.below = rows_below_.size();
     for (std::size_t k = elimination.structure_starts[g]; k < elimination.structure_starts[g + 1];
          ++k) {
@@ -75,10 +77,9 @@ void AssemblyTree::make_fronts(const BlockElimination& elimination,
     }
     const auto below = static_cast<Index>(rows_below_.size() - front.below);
     front.rows = front.columns + below;
-    front.stride = padded(front.rows);
-    front.update_stride = padded(below);
-    if (front.panel_size() > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();
-    panel_size_ += front.panel_size();
+    const std::size_t size = front.part().size();
+    if (size > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();
+    factor_size_ += size;
     for (Index c = 0; c < front.columns; ++c) {
       front_of_[front.first + c] = static_cast<Index>(g);
       nonzeros_ += front.rows - c;
@@ -87,7 +88,7 @@ void AssemblyTree::make_fronts(const BlockElimination& elimination,
     fronts_.push_back(front);
   }
   Front end{};
-  end.panel = panel_size_;
+  end.begin = factor_size_;
   end.below = rows_below_.size();
   fronts_.push_back(end);
 }
@@ -151,12 +152,12 @@ void AssemblyTree::place_entries(const SparsePattern& pattern) {
     Front& front = fronts_[f];
     front.entries = starts[f];
     for (Index c = 0; c < front.columns; ++c) local[front.first + c] = c;
+    const ColumnSlabs part = front.part();
     Index next = front.columns;
     for (const Index row : rows_below(static_cast<Index>(f))) local[row] = next++;
     for (std::size_t k = starts[f]; k < starts[f + 1]; ++k) {
-      const auto column = static_cast<std::size_t>(columns[k] - front.first);
-      entries_[k].place = static_cast<std::uint32_t>(
-          column * static_cast<std::size_t>(front.stride) + to_size(local[entries_[k].place]));
+      entries_[k].place = static_cast<std::uint32_t>(part.column(columns[k] - front.first) +
+                                                     local[entries_[k].place]);
     }
   }
   fronts_[count].entries = entries_.size();

@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "majorant/framework/internal/column_slabs.h"
 #include "majorant/framework/linear_solver.h"
 
 namespace majorant {
@@ -37,16 +38,12 @@ class AssemblyTree {
   struct Front {
     Index first, columns, rows;  // rows: columns and those below
     Index parent;                // -1: none
-    std::size_t panel;           // where its part of the factor begins
+    std::size_t begin;           // where its part of the factor begins
     std::size_t below;           // of its rows below, in the arrays below
     std::size_t entries;         // likewise of the matrix's entries
-    // The strides of the panel and of its update, which has (rows - columns) columns.
-    std::ptrdiff_t stride, update_stride;
-    std::size_t panel_size() const { return static_cast<std::size_t>(stride) * to_size(columns); }
-    std::size_t update_size() const {
-      return static_cast<std::size_t>(update_stride) * to_size(rows - columns);
-    }
-    double operations() const;  // multiplications with an addition, about
+    ColumnSlabs part() const;    // of the factor
+    ColumnSlabs update() const;  // what it leaves to its rows below
+    double operations() const;   // multiplications with an addition, about
   };
 
   AssemblyTree(const SparsePattern& pattern, const BlockElimination& elimination);
@@ -59,16 +56,17 @@ class AssemblyTree {
   std::span<const Index> rows_below(Index f) const;
   // Parallel to rows_below: which row of the parent's front each is.
   const Index* rows_of_parent(Index f) const { return rows_of_parent_.data() + front(f).below; }
-  // Entries of the matrix that front f takes in: slots of the pattern, places in its panel.
+  // Entries of the matrix that front f takes in: slots of the pattern, places in its
+  // part of the factor.
   struct Entry {
     Index slot;
     std::uint32_t place;
   };
   std::span<const Entry> entries(Index f) const;
 
-  std::size_t panel_size() const { return panel_size_; }  // of all fronts
-  double nonzeros() const { return nonzeros_; }           // of the factor's triangle
-  double operations() const { return operations_; }       // multiplications with an addition, about
+  std::size_t factor_size() const { return factor_size_; }  // of all fronts
+  double nonzeros() const { return nonzeros_; }             // of the factor's triangle
+  double operations() const { return operations_; }  // multiplications with an addition, about
 
  private:
   const Front& front(Index f) const { return fronts_[f]; }
@@ -81,7 +79,7 @@ class AssemblyTree {
   std::vector<Index> rows_below_, rows_of_parent_;
   std::vector<Index> child_starts_, children_;
   std::vector<Entry> entries_;
-  std::size_t panel_size_ = 0;
+  std::size_t factor_size_ = 0;
   double nonzeros_ = 0, operations_ = 0;
 };
 

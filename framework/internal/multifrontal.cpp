@@ -14,11 +14,6 @@
 namespace majorant {
 namespace {
 
-// Columns of a front that are eliminated before the rest is updated: a panel of 1000 rows fits into
-// a second-level cache.
-constexpr Index kPanelColumns = 64;
-static_assert(kPanelColumns % FrontKernels::kTile == 0);
-
 // Less is not worth waking threads for: of the whole factorization, half a millisecond on one core,
 // and of one update in it, a tenth of that.
 constexpr double kParallelOperations = 1e7, kParallelUpdate = 2e6;
@@ -49,10 +44,12 @@ LargeArray large_array(std::size_t size) {
   return LargeArray(static_cast<double*>(values));
 }
 
-// Columns of a lower triangle, and what of the upper one shares tiles with it.
-void clear_triangle(double* values, std::ptrdiff_t stride, Index columns) {
-  for (Index c = 0; c < columns; ++c, values += stride)
-    std::fill(values + c / FrontKernels::kTile * FrontKernels::kTile, values + stride, 0.0);
+// The lower triangle, and what of the upper one shares tiles with it.
+void clear_triangle(double* values, const ColumnSlabs& shape) {
+  for (Index c = 0; c < shape.columns; ++c) {
+    double* const column = values + shape.column(c);
+    std::fill(column + c / FrontKernels::kTile * FrontKernels::kTile, column + shape.rows, 0.0);
+  }
 }
 
 Index tiles(Index rows) { return (rows + FrontKernels::kTile - 1) / FrontKernels::kTile; }
@@ -71,18 +68,19 @@ MultifrontalFactor::MultifrontalFactor(const AssemblyTree& tree, const FrontKern
       update_places_(tree.fronts().size()),
       is_root_(tree.fronts().size(), 0) {
   for (const AssemblyTree::Front& front : tree_.fronts())
-    largest_stride_ = std::max(largest_stride_, static_cast<std::size_t>(front.stride));
+    most_rows_ = std::max(most_rows_, static_cast<std::size_t>(front.part().rows));
   make_tasks();
   place_updates();
   find_outside();
 }
 
 std::size_t MultifrontalFactor::bytes() const {
-  return (tree_.panel_size() + updates_size() + to_size(threads_) * packed_size()) * sizeof(double);
+  return (tree_.factor_size() + updates_size() + to_size(threads_) * packed_size()) *
+         sizeof(double);
 }
 
 void MultifrontalFactor::allocate() {
-  panels_ = large_array(tree_.panel_size());
+  factor_ = large_array(tree_.factor_size());
   updates_ = large_array(updates_size());
   packed_ = large_array(to_size(threads_) * packed_size());
 }
@@ -128,7 +126,7 @@ void MultifrontalFactor::place_updates() {
     const Index root = task.last - 1;
     is_root_[root] = 1;
     update_places_[root] = roots_size_;
-    roots_size_ += tree_.fronts()[root].update_size();
+    roots_size_ += tree_.fronts()[root].update().size();
     fronts.resize(to_size(root - task.first));
     std::iota(fronts.begin(), fronts.end(), task.first);
     stack_size_ = std::max(stack_size_, place_on_stacks(fronts));
@@ -151,7 +149,7 @@ std::size_t MultifrontalFactor::place_on_stacks(std::span<const Index> fronts) {
   for (const Index f : fronts) {
     const auto mine = static_cast<std::size_t>(stack[f]), theirs = 1 - mine;
     update_places_[f] = top[mine];
-    top[mine] += tree_.fronts()[f].update_size();
+    top[mine] += tree_.fronts()[f].update().size();
     highest[mine] = std::max(highest[mine], top[mine]);
     const auto children = tree_.children(f);
     const auto first =
@@ -187,7 +185,7 @@ void MultifrontalFactor::find_outside() {
 }
 
 std::size_t MultifrontalFactor::packed_size() const {
-  return to_size(kPanelColumns) * (largest_stride_ + to_size(FrontKernels::kTile));
+  return to_size(ColumnSlabs::kColumns) * (most_rows_ + to_size(FrontKernels::kTile));
 }
 
 bool MultifrontalFactor::factorize(const Vec& values, double shift) {
@@ -208,69 +206,82 @@ bool MultifrontalFactor::factorize(const Vec& values, double shift) {
 
 bool MultifrontalFactor::factorize_front(Index f, const Work& work, const Scratch& scratch) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
-  const Index below = front.rows - front.columns;
-  double *l = panel(f), *u = update(f, scratch);
+  const ColumnSlabs part = front.part(), left = front.update();
+  double *l = this->part(f), *u = update(f, scratch);
   take_in_entries(f, work);
-  clear_triangle(u, front.update_stride, below);
+  clear_triangle(u, left);
   for (const Index child : tree_.children(f)) extend_add(child, scratch);
-  for (Index first = 0; first < front.columns; first += kPanelColumns) {
-    const Index last = std::min(front.columns, first + kPanelColumns), depth = last - first;
-    if (!kernels_.factorize(l, front.stride, first, last)) return false;
-    if (last < front.columns) {
-      const auto rows = static_cast<Index>(front.stride);
-      kernels_.pack(l, front.stride, rows, last, first, last, scratch.packed);
-      subtract_product(
-          {l + last * front.stride + last, front.stride, front.columns - last, rows - last, depth},
-          scratch);
+  for (Index s = 0; s < part.slabs(); ++s) {
+    double* const slab = l + part.begin(s);
+    const FrontKernels::Stride stride = part.stride(s);
+    const Index depth = part.columns_of(s), above = s * ColumnSlabs::kColumns;
+    if (!kernels_.factorize(slab, stride, 0, depth)) return false;
+    if (s + 1 < part.slabs()) {
+      kernels_.pack(slab, stride, static_cast<Index>(stride), depth, 0, depth, scratch.packed);
+      subtract_product({l, part, s + 1, depth}, scratch);
     }
-    if (below == 0) continue;
-    kernels_.pack(l, front.stride, front.rows, front.columns, first, last, scratch.packed);
-    subtract_product({u, front.update_stride, below, below, depth}, scratch);
+    if (left.columns == 0) continue;
+    kernels_.pack(slab, stride, front.rows - above, front.columns - above, 0, depth,
+                  scratch.packed);
+    subtract_product({u, left, 0, depth}, scratch);
   }
   return true;
 }
 
 // Tiles of columns from the left, where they are longest.
 void MultifrontalFactor::subtract_product(const Target& target, const Scratch& scratch) const {
-  const Index columns = tiles(target.columns), rows = tiles(target.rows);
-  const auto update = [&](Index first, Index last) {
-    kernels_.update(target.values, target.stride, target.columns, scratch.packed, rows,
-                    target.depth, first, last);
+  constexpr Index kTiles = ColumnSlabs::kColumns / FrontKernels::kTile;  // of a whole slab
+  const ColumnSlabs& shape = target.shape;
+  const auto update = [&](Index slab, Index first, Index last) {
+    const Index before = (slab - target.first) * kTiles;
+    kernels_.update(target.values + shape.begin(slab), shape.stride(slab), shape.columns_of(slab),
+                    scratch.packed + std::ptrdiff_t(before) * FrontKernels::kTile * target.depth,
+                    static_cast<Index>(shape.stride(slab)) / FrontKernels::kTile, target.depth,
+                    first, last);
   };
-  const double operations = 0.5 * target.rows * target.columns * target.depth;
-  if (scratch.threads == 1 || operations < kParallelUpdate) return update(0, columns);
-  parallel_tasks(
-      columns, [&](Index c, int) { update(c, c + 1); }, scratch.threads);
+  const auto columns = static_cast<double>(shape.columns - target.first * ColumnSlabs::kColumns);
+  const auto rows = static_cast<double>(shape.stride(target.first));
+  if (scratch.threads == 1 || 0.5 * rows * columns * target.depth < kParallelUpdate) {
+    for (Index s = target.first; s < shape.slabs(); ++s) update(s, 0, tiles(shape.columns_of(s)));
+    return;
+  }
+  const Index before = target.first * kTiles;
+  const auto update_tile = [&](Index t, int) {
+    const Index slab = (before + t) / kTiles, tile = (before + t) % kTiles;
+    update(slab, tile, tile + 1);
+  };
+  parallel_tasks(tiles(shape.columns) - before, update_tile, scratch.threads);
 }
 
 void MultifrontalFactor::take_in_entries(Index f, const Work& work) {
-  const AssemblyTree::Front& front = tree_.fronts()[f];
-  double* l = panel(f);
-  clear_triangle(l, front.stride, front.columns);
+  const ColumnSlabs shape = tree_.fronts()[f].part();
+  double* l = part(f);
+  clear_triangle(l, shape);
   for (const AssemblyTree::Entry& entry : tree_.entries(f))
     l[entry.place] = work.values[entry.slot];
   if (work.shift != 0)
-    for (Index c = 0; c < front.columns; ++c) l[c * front.stride + c] += work.shift;
+    for (Index c = 0; c < shape.columns; ++c) l[shape.column(c) + c] += work.shift;
 }
 
 void MultifrontalFactor::extend_add(Index child, const Scratch& scratch) {
   const AssemblyTree::Front& front = tree_.fronts()[child];
   const AssemblyTree::Front& parent = tree_.fronts()[front.parent];
+  const ColumnSlabs shape = front.update(), part = parent.part(), left = parent.update();
   const Index* place = tree_.rows_of_parent(child);
-  const Index count = front.rows - front.columns;
   const double* from = update(child, scratch);
-  double *l = panel(front.parent), *u = update(front.parent, scratch);
-  for (Index c = 0; c < count; ++c, from += front.update_stride) {
+  double *l = this->part(front.parent), *u = update(front.parent, scratch) - parent.columns;
+  for (Index c = 0; c < shape.columns; ++c) {
     const Index column = place[c];
-    double* to = column < parent.columns
-                     ? l + column * parent.stride
-                     : u + (column - parent.columns) * parent.update_stride - parent.columns;
-    for (Index r = c; r < count; ++r) to[place[r]] += from[r];
+    const double* const values = from + shape.column(c);
+    double* to = column < parent.columns ? l + part.column(column)
+                                         : u + left.column(column - parent.columns);
+    for (Index r = c; r < shape.columns; ++r) to[place[r]] += values[r];
   }
 }
 
 void MultifrontalFactor::forward(Index f, double* x) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
+  const ColumnSlabs shape = front.part();
   const std::span<const Index> below = tree_.rows_below(f);
   const std::size_t inside = to_size(inside_[f]);
   // Those above all tasks have none.
@@ -282,8 +293,10 @@ void MultifrontalFactor::forward(Index f, double* x) {
     return;
   }
   std::copy_n(own, front.columns, x);
-  std::fill(x + front.columns, x + front.stride, 0.0);
-  kernels_.forward(panel(f), front.stride, front.columns, x);
+  std::fill(x + front.columns, x + shape.rows, 0.0);
+  for (Index s = 0; s < shape.slabs(); ++s)
+    kernels_.forward(part(f) + shape.begin(s), shape.stride(s), shape.columns_of(s),
+                     x + s * ColumnSlabs::kColumns);
   std::copy_n(x, front.columns, own);
   x += front.columns;
   for (std::size_t k = 0; k < inside; ++k) permuted_[below[k]] += x[k];
@@ -300,12 +313,15 @@ void MultifrontalFactor::add_outside(const Task& task) {
 
 void MultifrontalFactor::backward(Index f, double* x) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
+  const ColumnSlabs shape = front.part();
   const std::span<const Index> below = tree_.rows_below(f);
   std::copy_n(permuted_.data() + front.first, front.columns, x);
   for (std::size_t k = 0; k < below.size(); ++k)
     x[to_size(front.columns) + k] = permuted_[below[k]];
-  std::fill(x + front.rows, x + front.stride, 0.0);
-  kernels_.backward(panel(f), front.stride, front.columns, x);
+  std::fill(x + front.rows, x + shape.rows, 0.0);
+  for (Index s = shape.slabs(); s-- > 0;)
+    kernels_.backward(part(f) + shape.begin(s), shape.stride(s), shape.columns_of(s),
+                      x + s * ColumnSlabs::kColumns);
   std::copy_n(x, front.columns, permuted_.data() + front.first);
 }
 
@@ -313,9 +329,9 @@ void MultifrontalFactor::solve(const Vec& r, Vec& p) {
   const auto tasks = static_cast<Index>(tasks_.size());
   const Index size = tree_.size(), pieces = (size + kPermuted - 1) / kPermuted;
   permuted_.resize(size);
-  front_values_.resize(static_cast<Eigen::Index>(to_size(threads_) * largest_stride_));
+  front_values_.resize(static_cast<Eigen::Index>(to_size(threads_) * most_rows_));
   const auto values = [&](int thread) {
-    return front_values_.data() + to_size(thread) * largest_stride_;
+    return front_values_.data() + to_size(thread) * most_rows_;
   };
   const auto for_each_unknown = [&](const auto& work) {
     const auto piece = [&](Index first, int) {

@@ -57,11 +57,12 @@ class MultifrontalFactor {
     int threads;  // that may share the work on a front
   };
 
-  // The lower triangle of a product goes here: rows by columns, each a sum of `depth` terms.
+  // Slabs from `first` on take the lower triangle of a product of packed rows, which begin with
+  // the first of theirs; each of its numbers is a sum of `depth` terms.
   struct Target {
     double* values;
-    FrontKernels::Stride stride;
-    Index columns, rows, depth;
+    ColumnSlabs shape;
+    Index first, depth;
   };
 
   void allocate();
@@ -79,7 +80,7 @@ class MultifrontalFactor {
   void forward(Index f, double* x);
   void add_outside(const Task& task);
   void backward(Index f, double* x);
-  double* panel(Index f) { return panels_.get() + tree_.fronts()[f].panel; }
+  double* part(Index f) { return factor_.get() + tree_.fronts()[f].begin; }
   double* update(Index f, const Scratch& scratch) {
     return (is_root_[f] ? updates_.get() : scratch.stack) + update_places_[f];
   }
@@ -87,7 +88,7 @@ class MultifrontalFactor {
   const AssemblyTree& tree_;
   const FrontKernels& kernels_;
   const int threads_;
-  std::size_t largest_stride_ = 0;
+  std::size_t most_rows_ = 0;      // of a front, padded
   std::vector<Task> tasks_;        // the most expensive first
   std::vector<Index> task_order_;  // as the tree has them
   std::vector<Index> above_;       // fronts of no task, ascending: one by one, on all threads
@@ -100,7 +101,7 @@ class MultifrontalFactor {
   // where its updates of the other rows wait for their turn.
   std::vector<Index> inside_;
   std::vector<std::size_t> outside_places_;
-  LargeArray panels_, updates_, packed_;
+  LargeArray factor_, updates_, packed_;
   Vec permuted_, front_values_, outside_;
 };
 

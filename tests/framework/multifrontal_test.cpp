@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "framework/random_matrix.h"
@@ -52,7 +54,7 @@ TEST(Multifrontal, FrontsOfAnySize) {
   Random random(1);
   for (const FrontKernels* kernels : all_front_kernels())
     for (const auto& [nodes, block] :
-         {std::pair(1, 1), {7, 1}, {8, 1}, {9, 1}, {31, 2}, {64, 1}, {65, 1}, {100, 2}}) {
+         {std::pair(1, 1), {7, 1}, {8, 1}, {9, 1}, {31, 2}, {64, 1}, {65, 1}, {100, 2}, {150, 2}}) {
       const Matrix m = random_matrix(random, nodes, block, 60);
       EXPECT_LE(residual(m, one_front(m.pattern), *kernels), 1e-14) << nodes << kernels->name;
       for (Index top = 1; top < nodes; top *= 3)
@@ -62,23 +64,40 @@ TEST(Multifrontal, FrontsOfAnySize) {
 }
 
 // Of more than 2^31 numbers, without the memory for them: what is counted, and where entries go.
-TEST(Multifrontal, CountsPanelsOf64Bits) {
-  constexpr Index kSize = 50000;
+TEST(Multifrontal, CountsFrontsOf64Bits) {
+  constexpr Index kSize = 80000, kBelow = 16, kColumns = kSize - kBelow;
   SparsePattern pattern;
   for (Index c = 0; c < kSize; ++c) pattern.append_column({});
   pattern.order_in_blocks(1);
-  const AssemblyTree tree(pattern, two_fronts(pattern, 4));
-  const std::size_t panel = to_size(kSize - 4) * to_size(kSize);
-  EXPECT_EQ(tree.fronts()[0].panel_size(), panel);
-  EXPECT_EQ(tree.fronts()[1].panel, panel);
-  EXPECT_EQ(tree.panel_size(), panel + 4 * 8);
+  const AssemblyTree tree(pattern, two_fronts(pattern, kBelow));
+  std::size_t part = 0;
+  for (std::size_t above = 0; above < to_size(kColumns); above += 64)
+    part += (to_size(kSize) - above) * std::min<std::size_t>(64, to_size(kColumns) - above);
+  EXPECT_GT(part, std::numeric_limits<Index>::max());
+  EXPECT_EQ(tree.fronts()[0].part().size(), part);
+  EXPECT_EQ(tree.fronts()[1].begin, part);
+  EXPECT_EQ(tree.factor_size(), part + to_size(kBelow) * kBelow);
   const AssemblyTree::Entry last = tree.entries(0).back();
-  EXPECT_EQ(last.slot, kSize - 5);
-  EXPECT_EQ(last.place, to_size(kSize - 5) * to_size(kSize) + to_size(kSize - 5));
-  // An update of 4 columns, and room to pack 64 columns for each thread.
+  EXPECT_EQ(last.slot, kColumns - 1);
+  EXPECT_EQ(last.place, part - kBelow - 1);
+  // An update of 16 columns, and room to pack 64 columns for each thread.
   const std::size_t bytes = MultifrontalFactor(tree).bytes() / sizeof(double);
-  EXPECT_GE(bytes, tree.panel_size() + 4 * 8 + 64 * to_size(kSize));
-  EXPECT_LE(bytes, tree.panel_size() + 4 * 8 + 64 * to_size(kSize + 8) * 64);
+  EXPECT_GE(bytes, tree.factor_size() + to_size(kBelow) * kBelow + 64 * to_size(kSize));
+  EXPECT_LE(bytes, tree.factor_size() + to_size(kBelow) * kBelow + 64 * to_size(kSize + 8) * 64);
+}
+
+// Every number of a trapezoid has a place of its own, and no place is left but above diagonals.
+TEST(Multifrontal, SlabsHaveAPlaceForEveryNumber) {
+  for (const auto& [rows, columns] : {std::pair(8, 0), {8, 3}, {64, 64}, {136, 65}, {200, 200}}) {
+    const ColumnSlabs shape{rows, columns};
+    std::vector<int> used(shape.size(), 0);
+    for (Index c = 0; c < columns; ++c)
+      for (Index r = c / 64 * 64; r < rows; ++r)
+        ++used[static_cast<std::size_t>(shape.column(c) + r)];
+    EXPECT_EQ(std::count(used.begin(), used.end(), 1), std::ssize(used)) << rows << ' ' << columns;
+    for (Index s = 0; s < shape.slabs(); ++s)
+      EXPECT_EQ(shape.begin(s), shape.column(64 * s) + 64 * s);
+  }
 }
 
 // The last columns of such a panel, of which nothing else is structure: as those of a small one.
