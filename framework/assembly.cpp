@@ -16,7 +16,7 @@ void append_reduced_unknowns(const ElementDofs& s, const Elimination& z, Index e
   for (Index k = 0; k < s.nodes.cols(); ++k)
     for (int c = 0; c < s.block; ++c) {
       const Index i = s.block * s.nodes(e, k) + c;
-      for (auto q = z.begin(i); q != z.end(i); ++q) out.push_back(q->reduced);
+      for (const auto& q : z.row(i)) out.push_back(q.reduced);
     }
 }
 
@@ -111,10 +111,10 @@ bool ScatterMap::find_unknowns(Index e, const ElementDofs& s, const Elimination&
   for (int k = 0; k < nodes_; ++k) {
     for (int c = 0; c < block_; ++c) {
       const Index x = block_ * s.nodes(e, k) + c;
-      const auto first = z.begin(x), last = z.end(x);
-      const bool is_fixed = first == last;
-      if (!is_fixed && (last - first > 1 || first->coefficient != 1.0)) return false;
-      const Index reduced = is_fixed ? -1 : first->reduced - c;
+      const Elimination::Row row = z.row(x);
+      const bool is_fixed = row.size() == 0;
+      if (!is_fixed && (row.size() > 1 || row.begin()->coefficient != 1.0)) return false;
+      const Index reduced = is_fixed ? -1 : row.begin()->reduced - c;
       // A node whose first unknown alone is fixed, and the next one the first of all.
       if (!is_fixed && reduced < 0) return false;
       if (c > 0 && reduced != unknown[k]) return false;
@@ -164,14 +164,14 @@ void ScatterMap::build_general(Index e, const ElementDofs& s, const Elimination&
   const auto full = [&](int i) { return s.block * s.nodes(e, i / s.block) + i % s.block; };
   const int local_size = nodes_ * block_;
   for (int i = 0; i < local_size; ++i) {
-    for (auto p = z.begin(full(i)); p != z.end(full(i)); ++p) {
-      gradient.push_back({i, {p->reduced, p->coefficient}});
+    for (const auto& p : z.row(full(i))) {
+      gradient.push_back({i, {p.reduced, p.coefficient}});
       for (int j = 0; j < local_size; ++j) {
         const int packed = std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j);
-        for (auto q = z.begin(full(j)); q != z.end(full(j)); ++q)
-          if (p->reduced >= q->reduced)
+        for (const auto& q : z.row(full(j)))
+          if (p.reduced >= q.reduced)
             contributions.push_back(
-                {packed, pattern.slot(p->reduced, q->reduced), p->coefficient * q->coefficient});
+                {packed, pattern.slot(p.reduced, q.reduced), p.coefficient * q.coefficient});
       }
     }
   }

@@ -29,21 +29,20 @@ Elimination::Elimination(Index full_size, const ConstraintRows& rows)
     reduced[i] = static_cast<Index>(free_.size());
     free_.push_back(i);
   }
-  offset_ = Vec::Zero(full_size);
-  starts_.push_back(0);
-  starts_.reserve(to_size(full_size) + 1);
-  entries_.reserve(to_size(full_size));
+  unknown_.reserve(to_size(full_size));
   for (Index i = 0; i < full_size; ++i) {
-    if (solved.fixed[i]) {
-      offset_[i] = solved.fixed_to[i];
-    } else if (const auto it = solved.others.find(i); it != solved.others.end()) {
-      for (const auto& [unknown, c] : it->second.terms) entries_.push_back({reduced[unknown], c});
-      offset_[i] = it->second.constant;
-    } else {
-      entries_.push_back({reduced[i], 1.0});
+    const auto it = solved.others.find(i);
+    const bool is_fixed = solved.fixed[i];
+    if (!is_fixed && it == solved.others.end()) {
+      unknown_.push_back(reduced[i]);
+      continue;
     }
-    starts_.push_back(entries_.size());
+    unknown_.push_back(-1 - static_cast<Index>(others_.size()));
+    others_.push_back({entries_.size(), is_fixed ? solved.fixed_to[i] : it->second.constant});
+    if (is_fixed) continue;
+    for (const auto& [unknown, c] : it->second.terms) entries_.push_back({reduced[unknown], c});
   }
+  others_.push_back({entries_.size(), 0});
   define_auxiliaries(rows);
 }
 
@@ -70,27 +69,41 @@ void Elimination::define_auxiliaries(const ConstraintRows& rows) {
 
 bool Elimination::begins_like(const Elimination& other, Index full_unknowns) const {
   if (full_unknowns > full_size() || full_unknowns > other.full_size()) return false;
-  const auto rows = full_unknowns + 1;
-  return std::equal(starts_.begin(), starts_.begin() + rows, other.starts_.begin()) &&
-         std::equal(begin(0), begin(full_unknowns), other.begin(0));
+  for (Index i = 0; i < full_unknowns; ++i)
+    if (!(row(i) == other.row(i))) return false;
+  return true;
 }
 
 void Elimination::expand(VecIn y, Vec& x) const {
-  x = offset_;
-  for (Index i = 0; i < full_size(); ++i)
-    for (auto e = begin(i); e != end(i); ++e) x[i] += e->coefficient * y[e->reduced];
+  x.resize(full_size());
+  for (Index i = 0; i < full_size(); ++i) {
+    x[i] = offset(i);
+    for (const Entry& e : row(i)) x[i] += e.coefficient * y[e.reduced];
+  }
+}
+
+VecIn Elimination::expanded(const VecIn& y, Vec& room) const {
+  if (is_identity()) return y;
+  expand(y, room);
+  return room;
+}
+
+VecIn Elimination::expanded_direction(const VecIn& dy, Vec& room) const {
+  if (is_identity()) return dy;
+  expand_direction(dy, room);
+  return room;
 }
 
 void Elimination::expand_direction(VecIn dy, Vec& dx) const {
   dx.setZero(full_size());
   for (Index i = 0; i < full_size(); ++i)
-    for (auto e = begin(i); e != end(i); ++e) dx[i] += e->coefficient * dy[e->reduced];
+    for (const Entry& e : row(i)) dx[i] += e.coefficient * dy[e.reduced];
 }
 
 void Elimination::restrict_gradient(VecIn gx, Vec& gy) const {
   gy.setZero(reduced_size());
   for (Index i = 0; i < full_size(); ++i)
-    for (auto e = begin(i); e != end(i); ++e) gy[e->reduced] += e->coefficient * gx[i];
+    for (const Entry& e : row(i)) gy[e.reduced] += e.coefficient * gx[i];
 }
 
 Vec Elimination::reduce(VecIn x, double* residual) const {
@@ -113,7 +126,8 @@ Vec Elimination::reduce(VecIn x, double* residual) const {
 // Preconditioned by the columns' lengths: Z is well conditioned.
 Vec Elimination::project(VecIn x) const {
   Vec lengths = Vec::Zero(reduced_size());
-  for (const Entry& e : entries_) lengths[e.reduced] += e.coefficient * e.coefficient;
+  for (Index i = 0; i < full_size(); ++i)
+    for (const Entry& e : row(i)) lengths[e.reduced] += e.coefficient * e.coefficient;
   return projection(*this, x, Identity(), lengths);
 }
 

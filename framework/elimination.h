@@ -10,6 +10,8 @@
 // is not controlled.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "majorant/framework/constraint.h"
@@ -30,24 +32,53 @@ class Elimination {
   // solve_rows().
   Elimination(Index full_size, const ConstraintRows& rows);
 
-  Index full_size() const { return static_cast<Index>(starts_.size()) - 1; }
+  Index full_size() const { return static_cast<Index>(unknown_.size()); }
   Index auxiliary_size() const { return auxiliary_size_; }
   Index reduced_size() const { return static_cast<Index>(free_.size()); }
   // Independent rows.
   Index rank() const { return full_size() + auxiliary_size() - reduced_size(); }
 
-  // Row i of Z: x[i] = sum coefficient * y[reduced] + offset(i).
-  const Entry* begin(Index i) const { return entries_.data() + starts_[static_cast<size_t>(i)]; }
-  const Entry* end(Index i) const { return entries_.data() + starts_[static_cast<size_t>(i) + 1]; }
-  double offset(Index i) const { return offset_[i]; }
+  // The entries of a row of Z.
+  class Row {
+   public:
+    const Entry* begin() const { return entries_ ? entries_ : &unit_; }
+    const Entry* end() const { return begin() + size_; }
+    std::size_t size() const { return size_; }
+    bool operator==(const Row& other) const {
+      return std::equal(begin(), end(), other.begin(), other.end());
+    }
+
+   private:
+    friend class Elimination;
+    const Entry* entries_ = nullptr;  // of a row of several, or of none
+    std::size_t size_ = 1;
+    Entry unit_{0, 1};
+  };
+  // x[i] = sum coefficient * y[reduced] + offset(i)
+  Row row(Index i) const {
+    Row row;
+    if (is_other(i)) {
+      const std::size_t first = others_[other_of(i)].entries;
+      row.entries_ = entries_.data() + first;
+      row.size_ = others_[other_of(i) + 1].entries - first;
+    } else {
+      row.unit_.reduced = unknown_[to_size(i)];
+    }
+    return row;
+  }
+  double offset(Index i) const { return is_other(i) ? others_[other_of(i)].offset : 0; }
   // The full unknown that reduced unknown j is; full_size() + a for auxiliary unknown a.
   Index full_index(Index j) const { return free_[static_cast<size_t>(j)]; }
 
   // Returns whether rows 0 to full_unknowns - 1 of Z are those of `other`.
   bool begins_like(const Elimination& other, Index full_unknowns) const;
 
-  void expand(VecIn y, Vec& x) const;               // x = Z y + c
-  void expand_direction(VecIn dy, Vec& dx) const;   // dx = Z dy
+  void expand(VecIn y, Vec& x) const;              // x = Z y + c
+  void expand_direction(VecIn dy, Vec& dx) const;  // dx = Z dy
+  // The same without a copy where nothing is constrained: y or dy itself, else in `room`. Both are
+  // to outlive what is returned.
+  VecIn expanded(const VecIn& y, Vec& room) const;
+  VecIn expanded_direction(const VecIn& dy, Vec& room) const;
   void restrict_gradient(VecIn gx, Vec& gy) const;  // gy = Z^T gx
   // y that equals x in the free unknowns (auxiliary ones: see ConstraintRows::add_auxiliary), and
   // the largest |x - (Z y + c)|.
@@ -65,12 +96,22 @@ class Elimination {
   };
   void define_auxiliaries(const ConstraintRows& rows);
 
-  std::vector<std::size_t> starts_;
+  // A row that is no unit row, or has an offset.
+  struct Other {
+    std::size_t entries;  // where its own begin
+    double offset;
+  };
+  // Every unknown is a reduced one, and there are no others.
+  bool is_identity() const { return others_.size() == 1 && auxiliary_size_ == 0; }
+  bool is_other(Index i) const { return unknown_[to_size(i)] < 0; }
+  std::size_t other_of(Index i) const { return to_size(-1 - unknown_[to_size(i)]); }
+
+  std::vector<Index> unknown_;  // of x[i]: the reduced unknown that it is, or -1 - its place below
+  std::vector<Other> others_;   // and one more, past the end
   std::vector<Entry> entries_;
   std::vector<Index> free_;
   Index auxiliary_size_ = 0;
   std::vector<Definition> definitions_;
-  Vec offset_;
 };
 
 }  // namespace majorant

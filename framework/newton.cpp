@@ -139,12 +139,11 @@ bool NewtonStepper::lagged_step(Vec& y, double& energy, Step& step) {
   Stopwatch watch;
   evaluator_.gradient(y, gradient_, stop_);
   r.seconds.assemble += watch.restart();
-  Vec p;
-  lagged_->direction(*solver_, y, gradient_, p);
+  lagged_->direction(*solver_, y, gradient_, p_);
   r.seconds.solve += watch.restart();
   r.curvature = options_.curvature;
   const double before = energy;
-  move_along(p, 1.0, y, energy, step);
+  move_along(p_, 1.0, y, energy, step);
   if (step.outcome != Outcome::Moved) return false;
   relative_decrement_ = relative_to(before, r.newton_decrement);
   lagged_->judge(r);
@@ -192,14 +191,13 @@ FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record)
   const FactorStatus factors = solver_->factorize(hessian_, shift);
   record.seconds.factorize += watch.restart();
   if (factors != FactorStatus::Ok) return factors;
-  rhs_ = -gradient_;
   last_tolerance_ = tolerance();
-  const Solution solution = solver_->solve(rhs_, p_, last_tolerance_);
+  const Solution solution = solver_->solve(-gradient_, p_, last_tolerance_);
   record.seconds.solve += watch.restart();
   record.residual = solution.residual;
   record.solver_iterations += solution.iterations;
   if (solution.status == SolveStatus::Indefinite) return FactorStatus::NotPositiveDefinite;
-  require_size("LinearSolver::solve: p", p_.size(), rhs_.size());
+  require_size("LinearSolver::solve: p", p_.size(), gradient_.size());
   return FactorStatus::Ok;
 }
 

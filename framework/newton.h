@@ -113,7 +113,7 @@ class NewtonStepper final : public Stepper {
 
   NewtonOptions options_;
   std::shared_ptr<LinearSolver> solver_;
-  Vec hessian_, rhs_, p_;
+  Vec hessian_, p_;
   double last_gradient_norm_ = 0, last_tolerance_ = 0;  // of the step before; 0: there is none
   double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step
   double projection_weight_ = 1;                                         // t of the next blend

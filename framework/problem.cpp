@@ -85,9 +85,8 @@ struct LeadingTerms {
     Index unknowns = 0;
     for (std::size_t k = 0; k < count; ++k) {
       slots.emplace_back(terms[k]->element_dofs(), elimination, pattern);
-      const auto* const last = elimination.begin(extent(*terms[k]));
-      for (auto e = elimination.begin(0); e != last; ++e)
-        unknowns = std::max(unknowns, e->reduced + 1);
+      for (Index i = 0; i < extent(*terms[k]); ++i)
+        for (const auto& e : elimination.row(i)) unknowns = std::max(unknowns, e.reduced + 1);
     }
     pattern.size = unknowns;
     pattern.column_starts.resize(to_size(unknowns) + 1);
@@ -102,9 +101,9 @@ Partition reduced_partition(const Partition* full, const Elimination& eliminatio
   if (!full || full->is_whole()) return Partition(elimination.reduced_size());
   bool single = elimination.auxiliary_size() == 0;
   for (Index i = 0; i < elimination.full_size(); ++i) {
-    const auto entries = elimination.end(i) - elimination.begin(i);
-    single = single && (entries == 0 || (entries == 1 && elimination.begin(i)->coefficient == 1 &&
-                                         elimination.offset(i) == 0));
+    const Elimination::Row row = elimination.row(i);
+    single = single && (row.size() == 0 || (row.size() == 1 && row.begin()->coefficient == 1 &&
+                                            elimination.offset(i) == 0));
   }
   single = single && elimination.reduced_size() <= elimination.full_size();
   std::vector<Index> kept;

@@ -190,11 +190,12 @@ class Evaluator {
   struct Scratch;
   double assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                   const StopCheck& stop);
-  void assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
-                     const StopCheck& stop, std::vector<double>& batch_energies);
+  void assemble_term(TermId k, VecIn x, BlendedCurvature curvature, Vec& gradient,
+                     Vec* hessian_values, const StopCheck& stop,
+                     std::vector<double>& batch_energies);
 
   Problem problem_;
-  Vec x_;
+  Vec x_;  // room
   std::vector<std::unique_ptr<Scratch>> scratch_;
   Counters counters_;
 };

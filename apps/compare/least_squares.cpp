@@ -68,11 +68,12 @@ std::vector<char> fixed_unknowns(const Problem& problem) {
   const Elimination& z = ProblemParts::elimination(problem);
   std::vector<char> fixed(to_size(z.full_size()), 0);
   for (Index i = 0; i < z.full_size(); ++i) {
-    const auto entries = z.end(i) - z.begin(i);
-    if (entries > 1 || (entries == 1 && (z.begin(i)->coefficient != 1.0 || z.offset(i) != 0.0 ||
-                                         z.full_index(z.begin(i)->reduced) != i)))
+    const Elimination::Row row = z.row(i);
+    const bool is_own = row.size() == 1 && row.begin()->coefficient == 1.0 && z.offset(i) == 0.0 &&
+                        z.full_index(row.begin()->reduced) == i;
+    if (row.size() > 0 && !is_own)
       throw InvalidArgument("LeastSquaresMinimizer: only fixed points can be held");
-    fixed[i] = entries == 0;
+    fixed[i] = row.size() == 0;
   }
   return fixed;
 }

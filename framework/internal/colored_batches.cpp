@@ -59,7 +59,7 @@ void visit_unknowns(const ElementDofs& s, const Elimination& z, Index e, const V
   for (Index k = 0; k < s.nodes.cols(); ++k)
     for (int c = 0; c < s.block; ++c) {
       const Index x = s.block * s.nodes(e, k) + c;
-      for (auto q = z.begin(x); q != z.end(x); ++q) visit(q->reduced);
+      for (const auto& q : z.row(x)) visit(q.reduced);
     }
 }
 

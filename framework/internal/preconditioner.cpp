@@ -20,12 +20,7 @@ constexpr double kMetricShift = 1e-3;
 
 bool same_z(const Elimination& a, const Elimination& b) {
   if (a.full_size() != b.full_size() || a.reduced_size() != b.reduced_size()) return false;
-  const auto equal = [](const Elimination::Entry& p, const Elimination::Entry& q) {
-    return p.reduced == q.reduced && p.coefficient == q.coefficient;
-  };
-  for (Index i = 0; i < a.full_size(); ++i)
-    if (!std::equal(a.begin(i), a.end(i), b.begin(i), b.end(i), equal)) return false;
-  return true;
+  return a.begins_like(b, a.full_size());
 }
 
 }  // namespace

@@ -255,7 +255,7 @@ class ArcRows {
 
 // Unknowns that constraints leave no choice.
 bool is_constant(const Elimination& elimination, Index unknown) {
-  return elimination.begin(unknown) == elimination.end(unknown);
+  return elimination.row(unknown).size() == 0;
 }
 
 }  // namespace
@@ -309,10 +309,8 @@ GridTranslations::GridTranslations(const BezierMap& map, const SeamlessLattice& 
       const auto [component, sign] = component_of_turned(edge.turns, c);
       const Index i = 2 * side + c, j = 2 * opposite + component;
       std::map<Index, double> difference;
-      for (const auto* e = elimination.begin(i); e != elimination.end(i); ++e)
-        difference[e->reduced] += e->coefficient;
-      for (const auto* e = elimination.begin(j); e != elimination.end(j); ++e)
-        difference[e->reduced] -= sign * e->coefficient;
+      for (const auto& e : elimination.row(i)) difference[e.reduced] += e.coefficient;
+      for (const auto& e : elimination.row(j)) difference[e.reduced] -= sign * e.coefficient;
       for (const auto& [unknown, coefficient] : difference)
         if (coefficient != 0) refuse_grid("a seam has no translation");
       translations_.push_back(

@@ -48,8 +48,8 @@ std::int64_t common_denominator(const Elimination& elimination, Index unknowns) 
   constexpr std::int64_t kMost = 256;
   std::int64_t denominator = 1;
   for (Index i = 0; i < unknowns; ++i)
-    for (const auto* e = elimination.begin(i); e != elimination.end(i); ++e)
-      for (double c = e->coefficient * static_cast<double>(denominator); c != std::round(c);
+    for (const auto& e : elimination.row(i))
+      for (double c = e.coefficient * static_cast<double>(denominator); c != std::round(c);
            c *= 2) {
         if (denominator == kMost) refuse_map("has seams with fractions");
         denominator *= 2;
@@ -78,8 +78,8 @@ std::vector<std::int64_t> rounded_unknowns(const std::vector<AlignedEdge>& held,
   }
   for (Index i = 0; i < unknowns; ++i) {
     std::int64_t sum = 0;
-    for (const auto* e = elimination.begin(i); e != elimination.end(i); ++e)
-      sum += std::llround(e->coefficient * static_cast<double>(denominator)) * free[e->reduced];
+    for (const auto& e : elimination.row(i))
+      sum += std::llround(e.coefficient * static_cast<double>(denominator)) * free[e.reduced];
     x.push_back(sum);
   }
   return x;

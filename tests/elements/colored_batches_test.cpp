@@ -160,9 +160,7 @@ TEST(Threads, BatchesOfOneColourShareNoReducedUnknown) {
       for (const Index e : ProblemParts::plan(problem, problem.terms().front()).batch(c).elements)
         for (Index k = 0; k < s.nodes.cols(); ++k)
           for (int b = 0; b < s.block; ++b)
-            for (auto q = z.begin(s.block * s.nodes(e, k) + b);
-                 q != z.end(s.block * s.nodes(e, k) + b); ++q)
-              own.insert(q->reduced);
+            for (const auto& q : z.row(s.block * s.nodes(e, k) + b)) own.insert(q.reduced);
       for (const Index u : own) shared += !unknowns.insert(u).second;
     }
   }

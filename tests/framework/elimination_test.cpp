@@ -68,10 +68,10 @@ void expect_null_space(const IntegerSystem& s, const Elimination& z) {
   for (std::size_t r = 0; r < s.a.size(); ++r) {
     std::vector<Rational> product(static_cast<std::size_t>(z.reduced_size()));
     for (Index i = 0; i < s.unknowns; ++i)
-      for (auto e = z.begin(i); e != z.end(i); ++e) {
-        const auto c = fraction(e->coefficient);
-        ASSERT_TRUE(c.has_value()) << e->coefficient << " is no rounded small fraction";
-        product[static_cast<std::size_t>(e->reduced)] += s.a[r][static_cast<std::size_t>(i)] * *c;
+      for (const auto& e : z.row(i)) {
+        const auto c = fraction(e.coefficient);
+        ASSERT_TRUE(c.has_value()) << e.coefficient << " is no rounded small fraction";
+        product[static_cast<std::size_t>(e.reduced)] += s.a[r][static_cast<std::size_t>(i)] * *c;
       }
     for (const Rational& p : product) EXPECT_EQ(p, 0) << "row " << r;
   }
@@ -143,9 +143,10 @@ TEST(Elimination, FreeUnknownsAreUnitRows) {
   const Elimination z(10, s.rows());
   for (Index j = 0; j < z.reduced_size(); ++j) {
     const Index i = z.full_index(j);
-    ASSERT_EQ(z.end(i) - z.begin(i), 1);
-    EXPECT_EQ(z.begin(i)->reduced, j);
-    EXPECT_EQ(z.begin(i)->coefficient, 1.0);
+    const Elimination::Row row = z.row(i);
+    ASSERT_EQ(row.size(), 1u);
+    EXPECT_EQ(row.begin()->reduced, j);
+    EXPECT_EQ(row.begin()->coefficient, 1.0);
     EXPECT_EQ(z.offset(i), 0.0);
     EXPECT_LT(j > 0 ? z.full_index(j - 1) : -1, i);
   }
@@ -229,7 +230,7 @@ TEST(Elimination, SeamChainsStayUnimodular) {
     const Elimination z(s.unknowns, s.rows());
     EXPECT_EQ(z.rank(), 2 * (kPoints - 1));
     for (Index i = 0; i < s.unknowns; ++i)
-      for (auto e = z.begin(i); e != z.end(i); ++e) EXPECT_EQ(std::abs(e->coefficient), 1.0);
+      for (const auto& e : z.row(i)) EXPECT_EQ(std::abs(e.coefficient), 1.0);
     expect_null_space(s, z);
   }
 }
@@ -290,9 +291,11 @@ TEST(Elimination, ReduceAfterExpandIsTheIdentity) {
   EXPECT_EQ(residual, 0.0);
   ASSERT_GT(z.rank(), 0);
   Index dependent = 0;
-  while (z.end(dependent) - z.begin(dependent) == 1 &&
-         z.full_index(z.begin(dependent)->reduced) == dependent)
-    ++dependent;
+  const auto is_free = [&](Index i) {
+    const Elimination::Row row = z.row(i);
+    return row.size() == 1 && z.full_index(row.begin()->reduced) == i;
+  };
+  while (is_free(dependent)) ++dependent;
   moved = x;
   moved[dependent] += 0.5;
   z.reduce(moved, &residual);

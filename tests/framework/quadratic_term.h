@@ -106,7 +106,7 @@ inline ElementDofs band_elements(Index elements, int nodes, int block) {
 inline Eigen::MatrixXd dense_z(const Elimination& z) {
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(z.full_size(), z.reduced_size());
   for (Index i = 0; i < z.full_size(); ++i)
-    for (auto e = z.begin(i); e != z.end(i); ++e) m(i, e->reduced) += e->coefficient;
+    for (const auto& e : z.row(i)) m(i, e.reduced) += e.coefficient;
   return m;
 }
 

@@ -34,7 +34,7 @@ ConstraintRows rows_of(const Eigen::MatrixXd& a, const Vec& b) {
 Eigen::MatrixXd null_space(const Elimination& z) {
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(z.full_size(), z.reduced_size());
   for (Index i = 0; i < z.full_size(); ++i)
-    for (auto e = z.begin(i); e != z.end(i); ++e) out(i, e->reduced) = e->coefficient;
+    for (const auto& e : z.row(i)) out(i, e.reduced) = e.coefficient;
   return out;
 }
 

@@ -48,7 +48,7 @@ TEST(AxisAlignment, KeepsOneValueAlongALine) {
       for (const Index node : edge_nodes(*space, e.half_edge))
         EXPECT_EQ(x[2 * node + e.coordinate], x[e.coordinate]);  // vertex 0 is the corner
     for (Index i = 0; i < z.full_size(); ++i)
-      for (auto q = z.begin(i); q != z.end(i); ++q) EXPECT_EQ(q->coefficient, 1.0);
+      for (const auto& q : z.row(i)) EXPECT_EQ(q.coefficient, 1.0);
     // Twice, and both coordinates of one edge.
     const AxisAlignment again(space, edges);
     EXPECT_EQ(eliminated(space, {&alignment, &again}).rank(), z.rank());

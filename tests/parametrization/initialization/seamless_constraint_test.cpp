@@ -48,10 +48,10 @@ void expect_exact(const std::vector<IntegerRow>& a, const Elimination& z) {
   for (const IntegerRow& row : a) {
     std::map<Index, long> product;
     for (const auto& [i, c] : row)
-      for (auto e = z.begin(i); e != z.end(i); ++e) {
-        const long entry = std::lround(e->coefficient);
-        ASSERT_EQ(double(entry), e->coefficient);
-        product[e->reduced] += c * entry;
+      for (const auto& e : z.row(i)) {
+        const long entry = std::lround(e.coefficient);
+        ASSERT_EQ(double(entry), e.coefficient);
+        product[e.reduced] += c * entry;
       }
     for (const auto& [j, value] : product) ASSERT_EQ(value, 0) << "column " << j;
   }
@@ -61,7 +61,7 @@ void expect_exact(const std::vector<IntegerRow>& a, const Elimination& z) {
 std::set<double> entries(const Elimination& z) {
   std::set<double> out;
   for (Index i = 0; i < z.full_size(); ++i)
-    for (auto e = z.begin(i); e != z.end(i); ++e) out.insert(std::abs(e->coefficient));
+    for (const auto& e : z.row(i)) out.insert(std::abs(e.coefficient));
   return out;
 }
 
@@ -314,7 +314,7 @@ Eigen::MatrixXd dense(const SparsePattern& p, const Vec& values) {
 Eigen::MatrixXd dense(const Elimination& z) {
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(z.full_size(), z.reduced_size());
   for (Index i = 0; i < z.full_size(); ++i)
-    for (auto e = z.begin(i); e != z.end(i); ++e) m(i, e->reduced) = e->coefficient;
+    for (const auto& e : z.row(i)) m(i, e.reduced) = e.coefficient;
   return m;
 }
 
