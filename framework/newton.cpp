@@ -45,7 +45,10 @@ class NewtonStepper::LaggedFactor {
       : rules_(rules), history_(rules.history, LbfgsOptions().cautious) {}
 
   bool serves() const { return steps_ > 0; }
-  void drop() { steps_ = 0; }
+  void drop() {
+    steps_ = 0;
+    history_.clear();
+  }
 
   // Starts anew after a Newton step from y, where the gradient was g.
   void renew(const Vec& y, const Vec& g, const Partition& partition, const IterationRecord& r,
@@ -121,6 +124,7 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   lagged_->drop();
   step.outcome = Outcome::Breakdown;  // whatever a step on a kept factor was
   if (!find_direction(y, r)) return;
+  hessian_ = Vec();  // memory for the steps on its factor
   const double before = energy;
   const Vec from = y;
   move_along(p_, 1.0, y, energy, step);
