@@ -178,11 +178,10 @@ constexpr double kFacetedWorth = 3;
 // ones is the last that changes anything.
 constexpr Index kMostRoutes = 3, kRouteWork = 20000;
 // What a cut may cost that is its own mirror image, and how long it may be, relative to the best
-// one: most of the difference is that the plane is where surfaces are seen.
-constexpr double kMirrorCost = 1.15, kMirrorLength = 1.1;
-// The part of its cost that shortening a cut saves, for the part of the limit that its strain
-// leaves before: on public models 0.1 to 0.4.
-constexpr double kShortened = 0.3;
+// one: most of the difference is that the plane is where surfaces are seen. It may leave this part
+// of the strain that others may: strains expected and found agree within 10 %, and what is cut
+// where more is found has no image.
+constexpr double kMirrorCost = 1.2, kMirrorLength = 1.2, kMirrorStrain = 0.9;
 // Vertices whose costs are compared with those of their images, at most, and the part by which
 // these may differ in the mean: rays leave a twentieth between what looks alike; a direction that
 // is not in the plane, half.
@@ -280,48 +279,55 @@ class Cutter {
     if (!plane || !costs_are_images(*plane)) return best;
     const MirroredCuts halves(mesh_, *plane, cost_, stop_);
     if (!halves.is_parted()) return best;
-    const std::optional<MirroredWay> way = cheapest_way(halves, cones_on(best, cones), cones);
-    if (!way) return best;
-    AutomaticCut full = way->cut;
-    std::optional<AutomaticCut> found;
+    const Cutter careful(*this, kMirrorStrain * limit_);
+    std::optional<AutomaticCut> cut = careful.cut_in_halves(halves, cones_on(best, cones), cones);
+    return cut && is_worth_mirroring(*cut, best) ? *std::move(cut) : best;
+  }
+
+  // The same as `other` with another limit.
+  Cutter(const Cutter& other, double limit) : Cutter(other) { limit_ = limit; }
+
+  // The cheapest cut found that is its own mirror image and keeps the limit.
+  std::optional<AutomaticCut> cut_in_halves(const MirroredCuts& halves,
+                                            const std::vector<Index>& through,
+                                            const std::vector<Index>& cones) const {
+    std::optional<MirroredWay> way = cheapest_way(halves, through, cones);
+    if (!way) return {};
     // Large ones once, as without images.
     const Index rounds = std::clamp(kRouteWork / mesh_.vertex_count(), 1, kMostRoutes);
-    for (Index k = 0; k < rounds; ++k) {
-      std::optional<AutomaticCut> cut = shortened_in_pairs(halves, full);
-      if (!cut || (found && !(cost(*cut) < cost(*found)))) break;
-      found = std::move(cut);
-      AutomaticCut next = routed_in_halves(halves, cones_on(*found, cones), way->half, way->ends);
-      const bool is_new = next.is_cut != found->is_cut && next.is_cut != full.is_cut;
-      if (!is_new || next.strain > limit_) break;
-      full = std::move(next);
+    for (Index k = 1; k < rounds; ++k) {
+      AutomaticCut next = routed_in_halves(halves, cones_on(way->cut, cones), way->half, way->ends);
+      if (next.strain > limit_ || next.is_cut == way->full) break;
+      std::optional<AutomaticCut> cut = shortened_in_pairs(halves, next);
+      if (!cut || !(cost(*cut) < cost(way->cut))) break;
+      way->cut = *std::move(cut);
+      way->full = std::move(next.is_cut);
     }
-    return found && is_worth_mirroring(*found, best) ? *std::move(found) : best;
+    return std::move(way->cut);
   }
 
   struct MirroredWay {
     MirroredCuts::Half half;
     MirroredCuts::Ends ends;
-    AutomaticCut cut;  // not shortened yet
+    std::vector<char> full;  // before it was shortened
+    AutomaticCut cut;
   };
 
   // Of the cuts in both halves through these, or through all cones where that leaves more than the
-  // limit, the one that is the cheapest once it is shortened, nearly always: shortening is what
-  // takes time.
+  // limit, the cheapest once it is shortened.
   std::optional<MirroredWay> cheapest_way(const MirroredCuts& halves,
                                           const std::vector<Index>& through,
                                           const std::vector<Index>& cones) const {
     std::optional<MirroredWay> best;
-    double least = std::numeric_limits<double>::infinity();
+    std::set<std::vector<char>> seen;
     for (const auto half : {MirroredCuts::Half::Above, MirroredCuts::Half::Below})
       for (const auto ends : {MirroredCuts::Ends::OfHalf, MirroredCuts::Ends::OfBoth}) {
-        AutomaticCut cut = routed_in_halves(halves, through, half, ends);
-        if (cut.strain > limit_) cut = routed_in_halves(halves, cones, half, ends);
-        if (cut.strain > limit_) continue;
-        const double shortened = cost(cut) * (1 - kShortened * (1 - cut.strain / limit_));
-        if (shortened < least) {
-          least = shortened;
-          best = {half, ends, std::move(cut)};
-        }
+        AutomaticCut full = routed_in_halves(halves, through, half, ends);
+        if (full.strain > limit_) full = routed_in_halves(halves, cones, half, ends);
+        if (full.strain > limit_ || !seen.insert(full.is_cut).second) continue;
+        std::optional<AutomaticCut> cut = shortened_in_pairs(halves, full);
+        if (cut && (!best || cost(*cut) < cost(best->cut)))
+          best = {half, ends, std::move(full.is_cut), *std::move(cut)};
       }
     return best;
   }
@@ -520,7 +526,8 @@ class Cutter {
   const SurfaceMesh& mesh_;
   const Vec cost_;
   const std::vector<char>& is_whole_;
-  const double limit_, unit_;
+  double limit_;
+  const double unit_;
   StopCheck stop_;
   const StopCheck& enough_;
   const Images images_;
