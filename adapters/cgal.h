@@ -36,10 +36,12 @@ PolygonMesh polygons_of(const CGAL::Surface_mesh<Point>& mesh) {
     out.positions[v.idx()] = {CGAL::to_double(p.x()), CGAL::to_double(p.y()),
                               CGAL::to_double(p.z())};
   }
+  std::vector<Index> polygon;
   for (const auto f : mesh.faces()) {
-    std::vector<Index>& polygon = out.polygons.emplace_back();
+    polygon.clear();
     for (const auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
       polygon.push_back(static_cast<Index>(mesh.target(h).idx()));
+    out.polygons.push_back(polygon);
   }
   return out;
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ inline std::vector<std::vector<Vector2>> corner_uv(const PolygonMesh& polygons,
                                                    const BezierMap& map) {
   const Vector2 none = Vector2::Constant(std::numeric_limits<double>::quiet_NaN());
   std::vector<std::vector<Vector2>> out;
-  for (const auto& polygon : polygons.polygons) out.emplace_back(polygon.size(), none);
+  for (const auto polygon : polygons.polygons) out.emplace_back(polygon.size(), none);
   const SurfaceMesh& mesh = map.mesh();
   const Points2 uv = map.corner_uv();
   for (Index h = 0; h < mesh.half_edge_count(); ++h) {
@@ -37,7 +38,7 @@ inline std::vector<std::vector<Vector2>> corner_uv(const PolygonMesh& polygons,
     };
     if (to_size(p) >= out.size())
       throw InvalidArgument(refuse("the map is of another mesh, there is no such face"));
-    const std::vector<Index>& polygon = polygons.polygons[p];
+    const std::span<const Index> polygon = polygons.polygons[p];
     const auto corner = std::find(polygon.begin(), polygon.end(), v);
     if (corner == polygon.end())
       throw InvalidArgument(refuse("the map is of another mesh, the face lacks this vertex"));

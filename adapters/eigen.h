@@ -30,8 +30,9 @@ PolygonMesh polygons_of(const Eigen::MatrixBase<V>& positions, const Eigen::Matr
   PolygonMesh out;
   for (Eigen::Index v = 0; v < positions.rows(); ++v)
     out.positions.push_back(positions.row(v).transpose().template cast<double>());
+  std::vector<Index> polygon;
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    std::vector<Index>& polygon = out.polygons.emplace_back();
+    polygon.clear();
     for (Eigen::Index k = 0; k < faces.cols(); ++k) {
       const auto v = faces(f, k);
       if (std::cmp_less(v, 0) || std::cmp_greater_equal(v, positions.rows()))
@@ -39,6 +40,7 @@ PolygonMesh polygons_of(const Eigen::MatrixBase<V>& positions, const Eigen::Matr
                               ", there are " + std::to_string(positions.rows()));
       polygon.push_back(static_cast<Index>(v));
     }
+    out.polygons.push_back(polygon);
   }
   return out;
 }
@@ -58,15 +60,17 @@ ParametrizationResult parametrize(const Eigen::MatrixBase<V>& positions,
 template <class F>
 Points2 corner_uv(const Eigen::MatrixBase<F>& faces, const BezierMap& map) {
   PolygonMesh polygons;
+  std::vector<Index> polygon;
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-    std::vector<Index>& polygon = polygons.polygons.emplace_back();
+    polygon.clear();
     for (Eigen::Index k = 0; k < faces.cols(); ++k)
       polygon.push_back(static_cast<Index>(faces(f, k)));
+    polygons.polygons.push_back(polygon);
   }
   Points2 out(faces.size(), 2);
   Eigen::Index row = 0;
-  for (const auto& polygon : corner_uv(polygons, map))
-    for (const Vector2& uv : polygon) out.row(row++) = uv;
+  for (const auto& corners : corner_uv(polygons, map))
+    for (const Vector2& uv : corners) out.row(row++) = uv;
   return out;
 }
 

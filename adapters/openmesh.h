@@ -39,9 +39,11 @@ PolygonMesh polygons_of(const Mesh& mesh) {
     static_assert(OpenMesh::vector_traits<std::decay_t<decltype(p)>>::size_ == 3);
     out.positions[static_cast<std::size_t>(v.idx())] = {double(p[0]), double(p[1]), double(p[2])};
   }
+  std::vector<Index> polygon;
   for (const auto f : mesh.faces()) {
-    std::vector<Index>& polygon = out.polygons.emplace_back();
+    polygon.clear();
     for (const auto h : mesh.fh_range(f)) polygon.push_back(mesh.to_vertex_handle(h).idx());
+    out.polygons.push_back(polygon);
   }
   return out;
 }

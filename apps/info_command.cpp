@@ -61,7 +61,7 @@ std::string in_words(const std::map<std::size_t, Index>& polygons) {
 
 void describe_polygons(const PolygonMesh& mesh, Description& out) {
   std::map<std::size_t, Index> polygons;
-  for (const auto& polygon : mesh.polygons) ++polygons[polygon.size()];
+  for (const auto polygon : mesh.polygons) ++polygons[polygon.size()];
   out.add("polygons: {} ({})\n", mesh.polygons.size(), in_words(polygons));
   for (const auto& [corners, count] : polygons)
     out.report["polygons"][std::to_string(corners)] = count;

@@ -39,13 +39,14 @@ std::vector<BezierMap> stars(int count, int corners, double smallest) {
   for (int k = 0; k < count; ++k) {
     PolygonMesh mesh;
     const double size = std::pow(smallest, uniform(random, 0, 1));
-    mesh.polygons.emplace_back();
+    std::vector<Index> star;
     for (int c = 0; c < corners; ++c) {
       const double angle = 2 * std::numbers::pi * (c + uniform(random, -0.3, 0.3)) / corners;
       const double radius = size * uniform(random, 0.4, 1);
       mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
-      mesh.polygons[0].push_back(c);
+      star.push_back(c);
     }
+    mesh.polygons.push_back(star);
     auto surface = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(mesh));
     Vec uv(2 * surface->vertex_count());
     for (Index v = 0; v < surface->vertex_count(); ++v)

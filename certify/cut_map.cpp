@@ -60,10 +60,9 @@ std::shared_ptr<const SurfaceMesh> welded(const MapFile& file, const std::string
   if (auto sound = sound_surface(parts_of(file, vertex, polygons.positions, name)))
     return std::make_shared<const SurfaceMesh>(std::move(*sound));
   const auto corners = file.cells.leftCols<3>();
-  for (Index c = 0; c < corners.rows(); ++c) {
-    polygons.polygons.emplace_back();
-    for (Index k = 0; k < 3; ++k) polygons.polygons.back().push_back(vertex[corners(c, k)]);
-  }
+  for (Index c = 0; c < corners.rows(); ++c)
+    polygons.polygons.push_back(
+        {vertex[corners(c, 0)], vertex[corners(c, 1)], vertex[corners(c, 2)]});
   return repair(polygons, {.orientation = Orientation::AsGiven, .numerics = Numerics::AsGiven})
       .mesh;
 }
@@ -94,8 +93,7 @@ Eigen::VectorXi number_by_place(const Points3& points, const PolygonMesh& known)
   const auto key = [](const Vector3& p) {  // -0 is 0
     return std::array<double, 3>{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
   };
-  for (const auto& polygon : known.polygons)
-    for (const Index v : polygon) number.emplace(key(known.positions[v]), v);
+  for (const Index v : known.polygons.indices()) number.emplace(key(known.positions[v]), v);
   auto next = static_cast<Index>(known.positions.size());
   Eigen::VectorXi vertex(points.rows());
   for (Index p = 0; p < points.rows(); ++p) {

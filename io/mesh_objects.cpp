@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -48,7 +49,7 @@ MeshObjects objects_of_gltf(const PolygonMesh& mesh) {
 class Used {
  public:
   explicit Used(std::size_t count) : number_(count, -1) {}
-  void mark(const std::vector<Index>& list) {
+  void mark(std::span<const Index> list) {
     for (const Index k : list) number_[to_size(k)] = 0;
   }
   // The used ones, in order.
@@ -61,18 +62,17 @@ class Used {
     }
     return used;
   }
-  std::vector<Index> operator()(std::vector<Index> list) const {
+  void renumber(std::span<Index> list) const {
     for (Index& k : list) k = number_[to_size(k)];
-    return list;
   }
 
  private:
   std::vector<Index> number_;
 };
 
-template <class List>
-List taken(const List& all, const std::vector<Index>& which) {
-  List part;
+template <class Value>
+std::vector<Value> taken(const std::vector<Value>& all, const std::vector<Index>& which) {
+  std::vector<Value> part;
   if (all.empty()) return part;
   part.reserve(which.size());
   for (const Index k : which) part.push_back(all[to_size(k)]);
@@ -80,15 +80,15 @@ List taken(const List& all, const std::vector<Index>& which) {
 }
 
 // The lists of these polygons, none where they are empty, and the elements that they use.
-std::vector<Index> take_lists(const std::vector<std::vector<Index>>& all, std::size_t count,
-                              const std::vector<Index>& polygons,
-                              std::vector<std::vector<Index>>& lists) {
-  lists = taken(all, polygons);
+std::vector<Index> take_lists(const IndexLists& all, std::size_t count,
+                              const std::vector<Index>& polygons, IndexLists& lists) {
   Used used(count);
-  for (const std::vector<Index>& list : lists) used.mark(list);
+  for (const Index p : polygons)
+    if (!all.empty()) lists.push_back(all[to_size(p)]);
+  used.mark(lists.indices());
   const std::vector<Index> which = used.number();
   if (which.empty()) lists.clear();
-  for (std::vector<Index>& list : lists) list = used(std::move(list));
+  used.renumber(lists.indices());
   return which;
 }
 

@@ -76,7 +76,7 @@ class PlainFile {
   void collect_corners() {
     has_normals_ = mesh_.polygon_normals.size() == mesh_.polygons.size() &&
                    std::all_of(mesh_.polygon_normals.begin(), mesh_.polygon_normals.end(),
-                               [](const auto& list) { return !list.empty(); }) &&
+                               [](const auto list) { return !list.empty(); }) &&
                    std::all_of(mesh_.normals.begin(), mesh_.normals.end(),
                                [](const Vector3& n) { return n.stableNorm() > 0; });
     const MapFile cells = to_map_file(mesh_);

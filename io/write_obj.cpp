@@ -122,8 +122,7 @@ class ObjText {
   }
 
   // The largest number in these lists of polygons, and one more; all where they are the last.
-  Index used(const std::vector<std::vector<Index>>& lists, Index first, Index last,
-             Index all) const {
+  Index used(const IndexLists& lists, Index first, Index last, Index all) const {
     if (last == count(mesh_.polygons)) return all;
     Index most = 0;
     for (Index p = first; p < last && !lists.empty(); ++p)
@@ -143,7 +142,7 @@ class ObjText {
   }
 
   void add_polygon(Index p, fmt::appender out) const {
-    const auto list = [p](const std::vector<std::vector<Index>>& lists) {
+    const auto list = [p](const IndexLists& lists) {
       return lists.empty() || lists[p].empty() ? nullptr : lists[p].data();
     };
     const auto& polygon = mesh_.polygons[p];

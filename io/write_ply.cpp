@@ -56,7 +56,7 @@ class PlyText {
         !mesh.colors.empty() && std::all_of(mesh.colors.begin(), mesh.colors.end(),
                                             [](const Vector3& color) { return color.allFinite(); });
     has_small_faces_ =
-        std::all_of(mesh.polygons.begin(), mesh.polygons.end(), [](const auto& polygon) {
+        std::all_of(mesh.polygons.begin(), mesh.polygons.end(), [](const auto polygon) {
           return polygon.size() <= std::numeric_limits<std::uint8_t>::max();
         });
   }
@@ -68,7 +68,7 @@ class PlyText {
                  sizeof(std::int32_t) * (mesh_.polygons.size() + numbers_.size()));
     for (const PlyVertex& vertex : vertices_) add_vertex(vertex, text);
     std::size_t corner = 0;
-    for (const auto& polygon : mesh_.polygons) {
+    for (const auto polygon : mesh_.polygons) {
       if (has_small_faces_)
         append(static_cast<std::uint8_t>(polygon.size()), text);
       else

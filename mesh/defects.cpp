@@ -239,8 +239,7 @@ class Finding {
 
   std::vector<Index> isolated() const {
     std::vector<char> is_used(input_.positions.size(), 0);
-    for (const auto& polygon : input_.polygons)
-      for (const Index v : polygon) is_used[v] = 1;
+    for (const Index v : input_.polygons.indices()) is_used[v] = 1;
     std::vector<Index> isolated;
     for (std::size_t v = 0; v < is_used.size(); ++v)
       if (!is_used[v]) isolated.push_back(static_cast<Index>(v));

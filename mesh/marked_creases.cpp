@@ -82,7 +82,7 @@ std::vector<char> marked_creases(const PolygonMesh& polygons, const RepairedSurf
   }
   if (polygons.polygon_normals.empty()) return creases;
   const auto normal = [&](Index h) -> Vector3 {
-    const std::vector<Index>& list = polygons.polygon_normals[polygon(h)];
+    const std::span<const Index> list = polygons.polygon_normals[polygon(h)];
     if (list.empty()) return Vector3::Zero();
     const Index corner = surface.polygon_corner(face_of(h), corner_of(h));
     return polygons.normals[to_size(list[to_size(corner)])].stableNormalized();

@@ -4,6 +4,7 @@
 //
 //   auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(read_mesh(path)));
 //
+// * index_lists.h: lists of indices in one array, the corners of polygons
 // * polygon_mesh.h: polygons, positions and texture coordinates, unchecked
 // * surface_mesh.h: a validated triangle mesh, and half-edges as numbers
 // * repair.h: what is wrong with polygons, a surface out of them, and a list of what was changed
@@ -11,6 +12,7 @@
 // * seams.h: where a surface was cut, how the two sides fit, and cones
 #pragma once
 
+#include "majorant/mesh/index_lists.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/repair.h"

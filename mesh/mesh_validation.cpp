@@ -33,8 +33,8 @@ namespace {
 }
 
 // of_polygon: empty, or for each polygon nothing or an index below `count` for every corner.
-void require_parallel(const PolygonMesh& input, const char* name,
-                      const std::vector<std::vector<Index>>& of_polygon, std::size_t count) {
+void require_parallel(const PolygonMesh& input, const char* name, const IndexLists& of_polygon,
+                      std::size_t count) {
   if (of_polygon.empty()) return;
   if (of_polygon.size() != input.polygons.size())
     refuse_list(input, fmt::format("{} of {} polygons, there are {}", name, of_polygon.size(),

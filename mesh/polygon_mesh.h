@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "majorant/framework/types.h"
+#include "majorant/mesh/index_lists.h"
 
 namespace majorant {
 
@@ -27,24 +28,24 @@ inline constexpr double kTenDigits = 1e-9;
 struct GltfScene;  // of io/
 
 struct PolygonMesh {
-  std::string file;                          // for messages; may be empty
-  std::vector<Vector3> positions;            // #V, model units
-  double position_rounding = 0;              // how far each may be from what it was made of, where
-                                             // the file has floats
-  std::vector<std::vector<Index>> polygons;  // #P lists of >= 3 vertex indices, 0-based
-  std::vector<long> polygon_lines;           // #P line (or record) numbers, 1-based; may be empty
+  std::string file;                 // for messages; may be empty
+  std::vector<Vector3> positions;   // #V, model units
+  double position_rounding = 0;     // how far each may be from what it was made of, where
+                                    // the file has floats
+  IndexLists polygons;              // #P lists of >= 3 vertex indices, 0-based
+  std::vector<long> polygon_lines;  // #P line (or record) numbers, 1-based; may be empty
 
-  std::vector<Vector2> texcoords;                     // #T; may be empty
-  std::vector<Vector2> texcoord_rounding;             // #T: how far the decimals of the file may be
-                                                      // from texcoords; empty: not at all
-  std::vector<std::vector<Index>> polygon_texcoords;  // #P lists parallel to polygons, or empty;
-                                                      // a polygon without vt has an empty list
+  std::vector<Vector2> texcoords;          // #T; may be empty
+  std::vector<Vector2> texcoord_rounding;  // #T: how far the decimals of the file may be
+                                           // from texcoords; empty: not at all
+  IndexLists polygon_texcoords;            // #P lists parallel to polygons, or empty; a polygon
+                                           // without vt has an empty list
 
   // Contents that an OBJ writer gives back unchanged; from OBJ, colours from PLY too.
   std::vector<Vector3>
       colors;  // #V, red green blue in 0..1, NaN for vertices without; may be empty
   std::vector<Vector3> normals;
-  std::vector<std::vector<Index>> polygon_normals;  // like polygon_texcoords
+  IndexLists polygon_normals;  // like polygon_texcoords
   std::vector<std::pair<Index, std::string>>
       directives;  // (polygon it precedes, line); "v 8": here the file has 8 vertices
   std::shared_ptr<const GltfScene> gltf;  // of a glTF file all that there is, for its writer

@@ -45,28 +45,34 @@ struct Sheets {
   Index pieces_given = 0;  // that hang together across edges between the same vertices
 };
 
-// For every list a number, equal for lists of the same vertices, in any order.
-std::vector<Index> classes(std::vector<std::vector<Index>> lists) {
+// Sorts each list, and returns their order then; equal ones stay in theirs.
+std::vector<Index> sorted_order(IndexLists& lists) {
+  for (const auto list : lists) std::sort(list.begin(), list.end());
   std::vector<Index> order(lists.size());
   std::iota(order.begin(), order.end(), 0);
-  for (auto& list : lists) std::sort(list.begin(), list.end());
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) { return lists[a] < lists[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
+    return std::ranges::lexicographical_compare(lists[a], lists[b]);
+  });
+  return order;
+}
+
+// For every list a number, equal for lists of the same vertices, in any order.
+std::vector<Index> classes(IndexLists lists) {
+  const std::vector<Index> order = sorted_order(lists);
   std::vector<Index> number(lists.size(), 0);
   for (std::size_t k = 1; k < order.size(); ++k)
-    number[order[k]] = number[order[k - 1]] + (lists[order[k]] != lists[order[k - 1]]);
+    number[order[k]] =
+        number[order[k - 1]] + !std::ranges::equal(lists[order[k]], lists[order[k - 1]]);
   return number;
 }
 
 // For every list its rank among the lists of the same vertices, in any order.
-std::vector<Index> ranks(std::vector<std::vector<Index>> lists) {
-  std::vector<Index> order(lists.size());
-  std::iota(order.begin(), order.end(), 0);
-  for (auto& list : lists) std::sort(list.begin(), list.end());
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return lists[a] < lists[b]; });
+std::vector<Index> ranks(IndexLists lists) {
+  const std::vector<Index> order = sorted_order(lists);
   std::vector<Index> rank(lists.size(), 0);
   for (std::size_t k = 1; k < order.size(); ++k)
-    if (lists[order[k]] == lists[order[k - 1]]) rank[order[k]] = rank[order[k - 1]] + 1;
+    if (std::ranges::equal(lists[order[k]], lists[order[k - 1]]))
+      rank[order[k]] = rank[order[k - 1]] + 1;
   return rank;
 }
 
@@ -83,7 +89,7 @@ class Gluing {
         is_turned_(to_size(face_count()), 0),
         layer_(to_size(face_count()), 0) {}
 
-  Sheets make(const std::vector<Index>& polygon, const std::vector<std::vector<Index>>& polygons,
+  Sheets make(const std::vector<Index>& polygon, const IndexLists& polygons,
               Orientation orientation) {
     find_layers(polygon, polygons);
     stop_.poll();
@@ -125,9 +131,8 @@ class Gluing {
 
   // Faces of one layer are glued to each other: of duplicates, the second ones are the second
   // layer. Layer -1 is glued to nothing.
-  void find_layers(const std::vector<Index>& polygon,
-                   const std::vector<std::vector<Index>>& polygons) {
-    std::vector<std::vector<Index>> corners;
+  void find_layers(const std::vector<Index>& polygon, const IndexLists& polygons) {
+    IndexLists corners;
     for (Index f = 0; f < face_count(); ++f)
       corners.push_back({triangles_(f, 0), triangles_(f, 1), triangles_(f, 2)});
     const std::vector<Index> of_triangle = ranks(std::move(corners)), of_polygon = ranks(polygons);
@@ -184,14 +189,13 @@ class Gluing {
 
   // Triangles, and the polygons that they are of, by where their corners are: equal numbers for
   // those at the same places.
-  std::array<std::vector<Index>, 2> numbers_of_places(
-      const std::vector<Index>& polygon, const std::vector<std::vector<Index>>& polygons) const {
-    std::vector<std::vector<Index>> corners, of_polygons = polygons;
+  std::array<std::vector<Index>, 2> numbers_of_places(const std::vector<Index>& polygon,
+                                                      const IndexLists& polygons) const {
+    IndexLists corners, of_polygons = polygons;
     for (Index f = 0; f < face_count(); ++f)
       corners.push_back(
           {place(triangles_(f, 0)), place(triangles_(f, 1)), place(triangles_(f, 2))});
-    for (auto& list : of_polygons)
-      for (Index& v : list) v = place(v);
+    for (Index& v : of_polygons.indices()) v = place(v);
     std::array<std::vector<Index>, 2> numbers{classes(std::move(corners)), {}};
     const std::vector<Index> polygon_class = classes(std::move(of_polygons));
     for (const Index p : polygon) numbers[1].push_back(polygon_class[p]);
@@ -199,8 +203,7 @@ class Gluing {
   }
 
   // Joins open sides between the same places, each with the only one that may be its other side.
-  void join_places(const std::vector<Index>& polygon,
-                   const std::vector<std::vector<Index>>& polygons) {
+  void join_places(const std::vector<Index>& polygon, const IndexLists& polygons) {
     if (place_.empty()) return;
     const auto [triangle_class, polygon_class] = numbers_of_places(polygon, polygons);
     std::vector<char> is_crowded(opposite_.size(), 0);
@@ -433,9 +436,9 @@ class Gluing {
 
 // triangles: #F by 3 vertices of `positions`; polygon: of the file, by triangle.
 Sheets make_sheets(const Cells& triangles, const std::vector<Index>& polygon,
-                   const std::vector<std::vector<Index>>& polygons,
-                   const std::vector<Vector3>& positions, const std::vector<Index>& place,
-                   Orientation orientation, const StopCheck& stop) {
+                   const IndexLists& polygons, const std::vector<Vector3>& positions,
+                   const std::vector<Index>& place, Orientation orientation,
+                   const StopCheck& stop) {
   return Gluing(triangles, positions, place, stop).make(polygon, polygons, orientation);
 }
 
@@ -618,9 +621,8 @@ class Repairing {
     given_.resize(static_cast<Index>(list_.triangles.size()), 3);
     for (Index f = 0; f < given_.rows(); ++f)
       for (Index k = 0; k < 3; ++k) given_(f, k) = welded_[list_.triangles[f][k]];
-    std::vector<std::vector<Index>> polygons = input_.polygons;
-    for (auto& polygon : polygons)
-      for (Index& v : polygon) v = welded_[v];
+    IndexLists polygons = input_.polygons;
+    for (Index& v : polygons.indices()) v = welded_[v];
     sheets_ = make_sheets(given_, list_.polygon, polygons, input_.positions, place_,
                           options_.orientation, stop_);
     out_.one_sided = sheets_.one_sided;
@@ -833,7 +835,7 @@ PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surfa
   const SurfaceMesh& mesh = *surface.mesh;
   for (Index f = 0; f < mesh.face_count(); ++f)
     for (Index k = 0; k < 3; ++k) {
-      auto& polygon = input.polygons[mesh.input_face(f)];
+      const std::span<Index> polygon = input.polygons[mesh.input_face(f)];
       Index& vertex = polygon[surface.polygon_corner(f, k)];
       const Index welded = mesh.input_vertex(mesh.faces()(f, k));
       if (input.positions[vertex] != input.positions[welded]) vertex = welded;

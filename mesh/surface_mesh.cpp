@@ -192,7 +192,8 @@ SurfaceMesh SurfaceMesh::from_arrays(const Eigen::Ref<const RowMatrix>& position
                     positions.cols()));
   PolygonMesh input;
   for (const auto& p : positions.rowwise()) input.positions.push_back(p.transpose());
-  for (const auto& f : faces.rowwise()) input.polygons.emplace_back(f.begin(), f.end());
+  for (const auto& f : faces.rowwise())
+    input.polygons.push_back(std::vector<Index>(f.begin(), f.end()));
   return from_polygons(input, stop);
 }
 

@@ -88,9 +88,7 @@ TriangleList triangulate(const PolygonMesh& input, Crossing crossing, const Stop
 }
 
 void place_texcoords(const PolygonMesh& input, const TriangleList& list, SurfaceParts& parts) {
-  if (std::all_of(input.polygon_texcoords.begin(), input.polygon_texcoords.end(),
-                  [](const auto& t) { return t.empty(); }))
-    return;
+  if (input.polygon_texcoords.indices().empty()) return;
   const auto count = static_cast<Index>(list.triangles.size());
   parts.corner_texcoords.setConstant(count, 6, std::numeric_limits<double>::quiet_NaN());
   parts.texcoord_ids.setConstant(count, 3, -1);

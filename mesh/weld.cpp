@@ -12,8 +12,7 @@ namespace {
 
 std::vector<Index> used_vertices(const PolygonMesh& mesh) {
   std::vector<char> is_used(mesh.positions.size(), 0);
-  for (const auto& polygon : mesh.polygons)
-    for (const Index v : polygon) is_used[v] = 1;
+  for (const Index v : mesh.polygons.indices()) is_used[v] = 1;
   std::vector<Index> used;
   for (std::size_t v = 0; v < is_used.size(); ++v)
     if (is_used[v]) used.push_back(static_cast<Index>(v));
@@ -73,7 +72,7 @@ void join_equal(const PolygonMesh& mesh, std::vector<Index> order, UnionFind& se
 // vertex.
 void part_corners(const PolygonMesh& mesh, std::vector<Index>& welded) {
   std::vector<std::pair<Index, Index>> apart;  // corners of a polygon in one set, both ways
-  for (const auto& polygon : mesh.polygons) {
+  for (const auto polygon : mesh.polygons) {
     std::vector<std::pair<Index, Index>> corners;  // set, vertex
     for (const Index v : polygon) corners.emplace_back(welded[v], v);
     std::sort(corners.begin(), corners.end());

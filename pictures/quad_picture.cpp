@@ -50,8 +50,7 @@ Valences valences_of(const QuadPicture& picture) {
   found.irregular.assign(picture.quads.positions.size(), 0);
   std::map<QuadEdge, int> sides;
   for_each_edge(picture, [&](Index, const QuadEdge& edge) { ++sides[edge]; });
-  for (const auto& quad : picture.quads.polygons)
-    for (const Index v : quad) ++found.irregular[v];
+  for (const Index v : picture.quads.polygons.indices()) ++found.irregular[v];
   for (int& count : found.irregular)
     if (count == 4) count = 0;
   for (const auto& [edge, count] : sides) {

@@ -82,8 +82,8 @@ class QuadJudge {
     const auto vertices = static_cast<Index>(quads.positions.size());
     for (const Vector3& p : quads.positions)
       if (!p.allFinite()) throw InvalidArgument("check_quads: a position is not finite");
-    for (const auto& polygon : quads.polygons)
-      for (const Index v : polygon) require_index("check_quads: vertex", v, vertices);
+    for (const Index v : quads.polygons.indices())
+      require_index("check_quads: vertex", v, vertices);
   }
 
   QuadCheck judge() {
@@ -106,7 +106,8 @@ class QuadJudge {
   bool are_all_quads() {
     std::vector<Index> others;
     for (Index q = 0; q < check_.count; ++q) {
-      std::vector<Index> corners = quads_.polygons[q];
+      const std::span<const Index> polygon = quads_.polygons[q];
+      std::vector<Index> corners(polygon.begin(), polygon.end());
       std::sort(corners.begin(), corners.end());
       const bool repeats = std::adjacent_find(corners.begin(), corners.end()) != corners.end();
       if (corners.size() != 4 || repeats) others.push_back(q);
@@ -236,7 +237,7 @@ class QuadJudge {
   }
 
   std::array<Vector3, 4> corners_of(Index q) const {
-    const std::vector<Index>& v = quads_.polygons[q];
+    const std::span<const Index> v = quads_.polygons[q];
     return {point(v[0]), point(v[1]), point(v[2]), point(v[3])};
   }
 
@@ -314,7 +315,7 @@ class QuadJudge {
   void measure_from_surface(const Points3& positions) {
     Cells halves(2 * check_.count, 3);
     for (Index q = 0; q < check_.count; ++q) {
-      const std::vector<Index>& v = quads_.polygons[q];
+      const std::span<const Index> v = quads_.polygons[q];
       halves.row(2 * q) << v[0], v[1], v[2];
       halves.row(2 * q + 1) << v[0], v[2], v[3];
     }

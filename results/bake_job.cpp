@@ -25,8 +25,7 @@ namespace {
 using CornerNormals = Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor>;
 
 bool has_texcoords(const PolygonMesh& polygons) {
-  return std::any_of(polygons.polygon_texcoords.begin(), polygons.polygon_texcoords.end(),
-                     [](const auto& corners) { return !corners.empty(); });
+  return !polygons.polygon_texcoords.indices().empty();
 }
 
 BakeSurface with_layout(const MapFile& file, std::string name) {

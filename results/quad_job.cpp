@@ -42,7 +42,7 @@ std::string ply_of_quads(const PolygonMesh& quads) {
       quads.positions.size(), quads.polygons.size());
   for (const Vector3& p : quads.positions)
     for (const double x : p) append(x, text);
-  for (const auto& polygon : quads.polygons) {
+  for (const auto polygon : quads.polygons) {
     append(static_cast<std::uint8_t>(polygon.size()), text);
     for (const Index v : polygon) append(std::int32_t{v}, text);
   }
@@ -95,7 +95,7 @@ PolygonMesh quads_of(const std::string& path, const VolumeMesh& mesh) {
       throw Error(ErrorKind::Unsupported,
                   fmt::format("{}: {}, no straight quads", path, describe(block.type)));
     for (const auto& nodes : block.nodes.rowwise())
-      quads.polygons.emplace_back(nodes.begin(), nodes.end());
+      quads.polygons.push_back(std::vector<Index>(nodes.begin(), nodes.end()));
   }
   return quads;
 }
@@ -129,9 +129,9 @@ std::optional<double> number_in(const std::string& text) {
 void append_mesh(const PolygonMesh& part, PolygonMesh& all) {
   const auto first = static_cast<Index>(all.positions.size());
   all.positions.insert(all.positions.end(), part.positions.begin(), part.positions.end());
-  for (std::vector<Index> polygon : part.polygons) {
-    for (Index& v : polygon) v += first;
-    all.polygons.push_back(std::move(polygon));
+  for (const auto polygon : part.polygons) {
+    all.polygons.push_back(polygon);
+    for (Index& v : all.polygons.back()) v += first;
   }
 }
 

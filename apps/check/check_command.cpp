@@ -116,7 +116,7 @@ bool may_be_quads(const Request& request) {
 bool is_of_quads(const PolygonMesh& mesh) {
   return mesh.texcoords.empty() &&
          std::all_of(mesh.polygons.begin(), mesh.polygons.end(),
-                     [](const std::vector<Index>& polygon) { return polygon.size() == 4; });
+                     [](const auto polygon) { return polygon.size() == 4; });
 }
 
 void require_of_maps(const Request& request) {

@@ -53,12 +53,13 @@ std::optional<BezierMap> glued(const BezierMap& map, const std::vector<Index>& g
     welded.positions.push_back(map.mesh().positions().row(v));
   bool is_other = false;
   for (Index f = 0; f < map.mesh().face_count(); ++f) {
-    welded.polygons.emplace_back();
+    std::array<Index, 3> corners;
     for (Index k = 0; k < 3; ++k) {
       const Index v = map.mesh().faces()(f, k);
       is_other = is_other || first[v] != v;
-      welded.polygons.back().push_back(first[v]);
+      corners[to_size(k)] = first[v];
     }
+    welded.polygons.push_back(corners);
   }
   if (!is_other) return std::nullopt;
   const auto mesh =

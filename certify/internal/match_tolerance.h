@@ -22,8 +22,7 @@ inline double match_tolerance(const Eigen::AlignedBox3d& box) {
 // The bounding box of the vertices that polygons have.
 inline Eigen::AlignedBox3d box_of(const PolygonMesh& surface) {
   Eigen::AlignedBox3d box;
-  for (const auto& polygon : surface.polygons)
-    for (const Index v : polygon) box.extend(surface.positions[v]);
+  for (const Index v : surface.polygons.indices()) box.extend(surface.positions[v]);
   return box;
 }
 

@@ -146,8 +146,7 @@ class FaceMatcher {
   // Returns which vertex of the cells the surface lacks or has elsewhere; empty: none.
   std::string name_places() {
     std::vector<char> is_used(place_.size(), 0);
-    for (const auto& polygon : surface_.polygons)
-      for (const Index v : polygon) is_used[v] = 1;
+    for (const Index v : surface_.polygons.indices()) is_used[v] = 1;
     for (Index v = 0; v < cells_.vertex_count(); ++v) {
       const Index name = cells_.input_vertex(v);
       const bool is_known = to_size(name) < place_.size() && is_used[name];

@@ -94,7 +94,7 @@ class Matcher {
 
   static std::vector<Side> sides_of(const PolygonMesh& surface) {
     std::vector<Side> sides;
-    sides.reserve(3 * surface.polygons.size());
+    sides.reserve(surface.polygons.indices().size());
     for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
       const auto& polygon = surface.polygons[p];
       for (std::size_t k = 0; k < polygon.size(); ++k)
@@ -114,8 +114,7 @@ class Matcher {
 
   void find_size() {
     used_.assign(surface_.positions.size(), 0);
-    for (const auto& polygon : surface_.polygons)
-      for (const Index v : polygon) used_[v] = 1;
+    for (const Index v : surface_.polygons.indices()) used_[v] = 1;
     const Eigen::AlignedBox3d box = box_of(surface_);
     size_ = box.sizes().maxCoeff();
     close_ = match_tolerance(box) + rounding_;
@@ -415,7 +414,7 @@ PolygonMesh triangulated(const PolygonMesh& surface) {
   PolygonMesh out;
   out.positions = surface.positions;
   for (const auto& triangle : triangulate(surface, Crossing::Fanned, {}).triangles)
-    out.polygons.emplace_back(triangle.begin(), triangle.end());
+    out.polygons.push_back(triangle);
   return out;
 }
 

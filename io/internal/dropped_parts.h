@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,15 +66,20 @@ class DroppedParts {
 // dropped(list, index); then takes values that are not finite out of `values`, what belongs to them
 // out of `companions` (as many, or none), and numbers the others anew.
 template <class Vector, class Dropped>
-void drop_unusable(std::vector<Vector>& values, std::vector<Vector>& companions,
-                   std::vector<std::vector<Index>>& lists, const Dropped& dropped) {
-  for (std::size_t p = 0; p < lists.size(); ++p) {
-    const auto bad = std::find_if(lists[p].begin(), lists[p].end(), [&](Index k) {
-      return k < 0 || to_size(k) >= values.size() || !values[k].allFinite();
-    });
-    if (bad == lists[p].end()) continue;
-    dropped(p, *bad);
-    lists[p].clear();
+void drop_unusable(std::vector<Vector>& values, std::vector<Vector>& companions, IndexLists& lists,
+                   const Dropped& dropped) {
+  const auto is_bad = [&](Index k) {
+    return k < 0 || to_size(k) >= values.size() || !values[k].allFinite();
+  };
+  if (std::any_of(lists.indices().begin(), lists.indices().end(), is_bad)) {
+    IndexLists usable;
+    for (std::size_t p = 0; p < lists.size(); ++p) {
+      const std::span<const Index> list = lists[p];
+      const auto bad = std::find_if(list.begin(), list.end(), is_bad);
+      if (bad != list.end()) dropped(p, *bad);
+      usable.push_back(bad == list.end() ? list : std::span<const Index>());
+    }
+    lists = std::move(usable);
   }
   std::vector<Index> numbers(values.size());
   std::size_t kept = 0;
@@ -86,8 +92,7 @@ void drop_unusable(std::vector<Vector>& values, std::vector<Vector>& companions,
   if (kept == values.size()) return;
   values.resize(kept);
   if (!companions.empty()) companions.resize(kept);
-  for (auto& list : lists)
-    for (Index& k : list) k = numbers[k];
+  for (Index& k : lists.indices()) k = numbers[k];
 }
 
 }  // namespace majorant

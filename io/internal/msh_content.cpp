@@ -376,8 +376,8 @@ PolygonMesh read_msh_mesh(const std::string& path, std::string content, const St
       mesh.texcoords.emplace_back(contents.u.values[node].value, contents.v.values[node].value);
   }
   for (Index c = 0; c < contents.cells.rows(); ++c) {
-    auto& polygon = mesh.polygons.emplace_back();
-    for (Index k = 0; k < 3; ++k) polygon.push_back(vertices[contents.cells(c, k)]);
+    const auto corner = [&](Index k) { return vertices[contents.cells(c, k)]; };
+    mesh.polygons.push_back({corner(0), corner(1), corner(2)});
   }
   if (has_map) mesh.polygon_texcoords = mesh.polygons;
   require_complete(mesh);

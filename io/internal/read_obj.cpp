@@ -66,21 +66,26 @@ class ObjReader {
 
   // Room for what these lines seem to hold, so that lists do not move while they grow.
   void reserve(std::string_view text) {
-    std::size_t positions = 0, texcoords = 0, faces = 0;
+    std::size_t positions = 0, texcoords = 0, faces = 0, corners = 0;
     for (std::size_t line = 0; line < text.size();) {
       const std::string_view word = text.substr(line, 2);
       positions += word == "v ";
       texcoords += word == "vt";
       faces += word == "f ";
       const std::size_t end = text.find('\n', line);
+      if (faces == 1 && corners == 0) {  // the others may be alike
+        const std::string_view face = text.substr(line, end - line);
+        corners = static_cast<std::size_t>(std::count(face.begin(), face.end(), ' '));
+      }
       line = end == std::string_view::npos ? text.size() : end + 1;
     }
     mesh_.positions.reserve(positions);
     mesh_.texcoords.reserve(texcoords);
     mesh_.texcoord_rounding.reserve(texcoords);
-    mesh_.polygons.reserve(faces);
+    const std::size_t indices = std::min(corners * faces, text.size() / 2);
+    mesh_.polygons.reserve(faces, indices);
     mesh_.polygon_lines.reserve(faces);
-    if (texcoords > 0) mesh_.polygon_texcoords.reserve(faces);
+    if (texcoords > 0) mesh_.polygon_texcoords.reserve(faces, indices);
   }
 
   // True where nothing that was read depends on the lines before: indices that count backwards, and
@@ -120,10 +125,10 @@ class ObjReader {
     move_behind(mesh_.texcoords, next.mesh_.texcoords);
     move_behind(mesh_.texcoord_rounding, next.mesh_.texcoord_rounding);
     move_behind(mesh_.normals, next.mesh_.normals);
-    move_behind(mesh_.polygons, next.mesh_.polygons);
-    move_behind(mesh_.polygon_texcoords, next.mesh_.polygon_texcoords);
-    move_behind(mesh_.polygon_normals, next.mesh_.polygon_normals);
     move_behind(mesh_.polygon_lines, next.mesh_.polygon_lines);
+    mesh_.polygons.append(next.mesh_.polygons);
+    mesh_.polygon_texcoords.append(next.mesh_.polygon_texcoords);
+    mesh_.polygon_normals.append(next.mesh_.polygon_normals);
     for (std::size_t k = 0; k < spaces_.size(); ++k) {
       spaces_[k].count += next.spaces_[k].count;
       if (next.spaces_[k].largest <= spaces_[k].largest) continue;
@@ -143,8 +148,7 @@ class ObjReader {
     if (skipped_lines_ > 0) warn_of_skipped();
     dropped_.conclude(mesh_);
     for (auto* lists : {&mesh_.polygon_texcoords, &mesh_.polygon_normals})
-      if (std::all_of(lists->begin(), lists->end(), [](const auto& list) { return list.empty(); }))
-        lists->clear();
+      if (lists->indices().empty()) lists->clear();
     return std::move(mesh_);
   }
 
@@ -380,10 +384,10 @@ class ObjReader {
       });
     }
     mesh_.polygons.push_back(lists[0]);
-    const auto add = [&](std::vector<std::vector<Index>>& of_polygon, std::vector<Index>& list) {
+    const auto add = [&](IndexLists& of_polygon, const std::vector<Index>& list) {
       if (of_polygon.empty() && list.empty()) return;  // none has any, yet
-      of_polygon.resize(mesh_.polygons.size());
-      of_polygon.back() = list;
+      of_polygon.resize(mesh_.polygons.size() - 1);
+      of_polygon.push_back(list);
     };
     add(mesh_.polygon_texcoords, lists[1]);
     add(mesh_.polygon_normals, lists[2]);

@@ -87,7 +87,7 @@ class OffReader {
     if (!counts_share_a_line) require_more("the number of edges is missing");
     if (!cursor_.at_end_of_line()) cursor_.next_integer("number of edges");
     mesh_.positions.reserve(static_cast<std::size_t>(vertices_));
-    mesh_.polygons.reserve(static_cast<std::size_t>(faces_));
+    mesh_.polygons.reserve(static_cast<std::size_t>(faces_), 3 * static_cast<std::size_t>(faces_));
   }
 
   // A number has at least two bytes, a vertex or a face more than one: larger counts are a lie.
@@ -170,8 +170,7 @@ class OffReader {
     if (corners < 3) {
       cursor_.fail(fmt::format("face with {} corners; at least 3 are needed", corners));
     }
-    std::vector<Index> polygon;
-    polygon.reserve(static_cast<std::size_t>(std::min<long long>(corners, 8)));
+    polygon_.clear();
     for (long long k = 0; k < corners; ++k) {
       continue_record("faces", i, faces_);
       const long long vertex = cursor_.next_integer("vertex index");
@@ -179,10 +178,10 @@ class OffReader {
         cursor_.fail(fmt::format("vertex index {} out of range 0..{}; correct the face", vertex,
                                  vertices_ - 1));
       }
-      polygon.push_back(static_cast<Index>(vertex));
+      polygon_.push_back(static_cast<Index>(vertex));
     }
     while (layout_ != Layout::Stream && !cursor_.at_end_of_line()) skip_attribute("face colour");
-    mesh_.polygons.push_back(std::move(polygon));
+    mesh_.polygons.push_back(polygon_);
     mesh_.polygon_lines.push_back(line);
   }
 
@@ -202,6 +201,7 @@ class OffReader {
   Layout layout_ = Layout::Stream;
   DroppedParts dropped_;
   PolygonMesh mesh_;
+  std::vector<Index> polygon_;  // at hand
 };
 
 }  // namespace

@@ -151,8 +151,7 @@ void join_copies(PolygonMesh& mesh, const std::vector<Index>& copy_of) {
   }
   mesh.positions = std::move(positions);
   mesh.colors = std::move(colors);
-  for (auto& polygon : mesh.polygons)
-    for (Index& v : polygon) v = copy_of[v];
+  for (Index& v : mesh.polygons.indices()) v = copy_of[v];
 }
 
 // One record: the values of all properties, flat; property p holds values[begin[p] .. begin[p+1]).
@@ -354,9 +353,9 @@ class PlyReader {
       source_.fail(
           fmt::format("face {} with {} corners; at least 3 are needed", record_ + 1, count));
     }
-    std::vector<Index> polygon(count);
-    for (std::size_t k = 0; k < count; ++k) polygon[k] = vertex_index(record.values[first + k]);
-    mesh_.polygons.push_back(std::move(polygon));
+    polygon_.resize(count);
+    for (std::size_t k = 0; k < count; ++k) polygon_[k] = vertex_index(record.values[first + k]);
+    mesh_.polygons.push_back(polygon_);
     mesh_.polygon_lines.push_back(source_.place(record_));
     if (has_wedges_) add_wedges(record, count);
   }
@@ -403,7 +402,7 @@ class PlyReader {
       const auto [a, b, c] = last;
       if (a == b || b == c || c == a) continue;
       const bool is_turned = length % 2 == 0;
-      mesh_.polygons.push_back(is_turned ? std::vector{b, a, c} : std::vector{a, b, c});
+      mesh_.polygons.push_back({is_turned ? b : a, is_turned ? a : b, c});
       mesh_.polygon_lines.push_back(source_.place(record_));
     }
   }
@@ -414,15 +413,18 @@ class PlyReader {
     std::map<std::tuple<Index, double, double>, Index> numbers;
     mesh_.texcoords.clear();
     wedge_uv_.resize(mesh_.polygons.size());
-    mesh_.polygon_texcoords.resize(mesh_.polygons.size());
-    for (std::size_t p = 0; p < mesh_.polygons.size(); ++p)
+    std::vector<Index> list;
+    for (std::size_t p = 0; p < mesh_.polygons.size(); ++p) {
+      list.clear();
       for (std::size_t k = 0; k < wedge_uv_[p].size(); ++k) {
         const Vector2& uv = wedge_uv_[p][k];
         const auto [entry, is_new] = numbers.emplace(std::tuple(mesh_.polygons[p][k], uv[0], uv[1]),
                                                      static_cast<Index>(mesh_.texcoords.size()));
         if (is_new) mesh_.texcoords.push_back(uv);
-        mesh_.polygon_texcoords[p].push_back(entry->second);
+        list.push_back(entry->second);
       }
+      mesh_.polygon_texcoords.push_back(list);
+    }
   }
 
   // At the end, since faces may come before the vertices.
@@ -451,6 +453,7 @@ class PlyReader {
   std::size_t corners_ = 0, wedges_ = 0, input_vertex_ = 0;
   std::vector<Index> copy_of_;                  // by vertex
   std::vector<std::vector<Vector2>> wedge_uv_;  // by face
+  std::vector<Index> polygon_;                  // at hand
 };
 
 }  // namespace

@@ -57,10 +57,10 @@ class VertexMerger {
 
 void add_triangle(PolygonMesh& mesh, VertexMerger& merger, const std::array<Vector3, 3>& corners,
                   long record) {
-  std::vector<Index> polygon(3);
+  std::array<Index, 3> polygon;
   std::transform(corners.begin(), corners.end(), polygon.begin(),
                  [&merger](const Vector3& corner) { return merger.vertex(corner); });
-  mesh.polygons.push_back(std::move(polygon));
+  mesh.polygons.push_back(polygon);
   mesh.polygon_lines.push_back(record);
 }
 
@@ -75,7 +75,7 @@ PolygonMesh read_binary_stl(const std::string& path, std::string_view content,
   }
   PolygonMesh mesh;
   mesh.file = path;
-  mesh.polygons.reserve(count);
+  mesh.polygons.reserve(count, 3 * std::size_t{count});
   VertexMerger merger(mesh.positions);
   ByteCursor cursor(path, content.substr(kHeaderBytes), ByteOrder::Little);
   for (long facet = 1; facet <= static_cast<long>(count); ++facet) {

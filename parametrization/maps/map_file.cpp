@@ -19,7 +19,7 @@ namespace majorant {
 
 namespace {
 
-bool is_positive(const PolygonMesh& mesh, const std::vector<Index>& texture,
+bool is_positive(const PolygonMesh& mesh, std::span<const Index> texture,
                  const std::array<int, 3>& triangle) {
   const auto uv = [&](int k) { return mesh.texcoords[texture[triangle[k]]]; };
   return orientation(uv(0), uv(1), uv(2)) > 0;
@@ -102,7 +102,7 @@ MapFile to_map_file(const PolygonMesh& textured) {
   file.points_rounding = textured.position_rounding;
   std::vector<std::pair<Index, Index>> corners;  // of the cells: (vertex, texture coordinate)
   std::vector<Index> faces;
-  corners.reserve(3 * textured.polygons.size());
+  corners.reserve(textured.polygons.indices().size());
   faces.reserve(textured.polygons.size());
   for (std::size_t p = 0; p < textured.polygons.size(); ++p) {
     const auto& polygon = textured.polygons[p];

@@ -149,9 +149,11 @@ PolygonMesh mesh_from_map(const MapFile& map, const std::string& file) {
   mesh.texcoords = std::move(corners.texcoords);
   for (std::size_t t = 0; t < corners.cell.size(); ++t) {
     const auto row = static_cast<Index>(t);
-    mesh.polygons.emplace_back(corners.vertices.row(row).begin(), corners.vertices.row(row).end());
-    mesh.polygon_texcoords.emplace_back(corners.texcoord_ids.row(row).begin(),
-                                        corners.texcoord_ids.row(row).end());
+    const auto add = [row](const Cells& cells, IndexLists& lists) {
+      lists.push_back({cells(row, 0), cells(row, 1), cells(row, 2)});
+    };
+    add(corners.vertices, mesh.polygons);
+    add(corners.texcoord_ids, mesh.polygon_texcoords);
     mesh.polygon_lines.push_back(long{corners.cell[t]} + 1);
   }
   return mesh;

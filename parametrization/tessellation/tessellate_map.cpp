@@ -142,7 +142,7 @@ class PolygonTransfer {
 
   PolygonMesh run() {
     for (auto* lists : {&result_.polygons, &result_.polygon_texcoords})
-      lists->reserve(input_.polygons.size());
+      lists->reserve(input_.polygons.size(), input_.polygons.indices().size());
     result_.positions = pieces_.positions();
     result_.texcoords = pieces_.texcoords();
     result_.normals = input_.normals;
@@ -186,14 +186,20 @@ class PolygonTransfer {
       for (const Index c : faces_.cells(face)) add_pieces(face, c);
       return;
     }
-    const auto keep = [is_turned = is_turned(face)](auto list) {
+    const auto turn = [is_turned = is_turned(face)](auto&& list) {
       if (is_turned) std::reverse(list.begin(), list.end());
-      return list;
     };
-    if (origins_) origins_->push_back({static_cast<Index>(face), keep(all_corners(face))});
-    result_.polygons.push_back(keep(input_.polygons[face]));
-    result_.polygon_texcoords.push_back(keep(std::move(texcoords)));
-    if (has_normals()) result_.polygon_normals.push_back(keep(input_.polygon_normals[face]));
+    const auto keep = [&turn](std::span<const Index> list, IndexLists& lists) {
+      lists.push_back(list);
+      turn(lists.back());
+    };
+    if (origins_) {
+      origins_->push_back({static_cast<Index>(face), all_corners(face)});
+      turn(origins_->back().corners);
+    }
+    keep(input_.polygons[face], result_.polygons);
+    keep(texcoords, result_.polygon_texcoords);
+    if (has_normals()) keep(input_.polygon_normals[face], result_.polygon_normals);
   }
 
   std::vector<PlaceOnPolygon> all_corners(std::size_t face) const {
@@ -251,9 +257,10 @@ class PolygonTransfer {
           origins_->back().corners.push_back({faces_.corners[c], pieces_.points(c)[p].xi});
       }
       if (!has_normals()) continue;
-      result_.polygon_normals.emplace_back();
-      if (normals.empty()) continue;
-      for (const int p : piece.corners) result_.polygon_normals.back().push_back(normals[p]);
+      std::vector<Index> of_piece;
+      if (!normals.empty())
+        for (const int p : piece.corners) of_piece.push_back(normals[p]);
+      result_.polygon_normals.push_back(of_piece);
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include <span>
 #include <string>
 
 #include "arrays.h"
@@ -15,20 +16,20 @@ namespace {
 // Lists of numbers, one after the other, and where each begins.
 using Lists = std::pair<Integers, Integers>;
 
-std::vector<std::vector<Index>> unpacked(const Lists& lists) {
+IndexLists unpacked(const Lists& lists) {
   const auto& [numbers, starts] = lists;
-  std::vector<std::vector<Index>> out(static_cast<std::size_t>(starts.size() - 1));
-  for (std::size_t k = 0; k < out.size(); ++k)
-    out[k].assign(numbers.data() + starts.at(k), numbers.data() + starts.at(k + 1));
+  IndexLists out;
+  out.reserve(static_cast<std::size_t>(starts.size() - 1),
+              static_cast<std::size_t>(numbers.size()));
+  for (py::ssize_t k = 0; k + 1 < starts.size(); ++k)
+    out.push_back(std::span(numbers.data() + starts.at(k), numbers.data() + starts.at(k + 1)));
   return out;
 }
 
-Lists packed(const std::vector<std::vector<Index>>& lists) {
-  std::vector<Index> numbers, starts{0};
-  for (const std::vector<Index>& list : lists) {
-    numbers.insert(numbers.end(), list.begin(), list.end());
-    starts.push_back(static_cast<Index>(numbers.size()));
-  }
+Lists packed(const IndexLists& lists) {
+  std::vector<Index> starts{0};
+  for (const auto list : lists) starts.push_back(starts.back() + static_cast<Index>(list.size()));
+  const std::span<const Index> numbers = lists.indices();
   return {Integers(static_cast<py::ssize_t>(numbers.size()), numbers.data()),
           Integers(static_cast<py::ssize_t>(starts.size()), starts.data())};
 }

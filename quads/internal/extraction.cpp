@@ -395,7 +395,7 @@ PolygonMesh ExtractedQuads::polygons() {
       }
       corners.push_back(number_[name]);
     }
-    mesh.polygons.push_back(std::move(corners));
+    mesh.polygons.push_back(corners);
   }
   return mesh;
 }

@@ -73,7 +73,7 @@ class Smoother {
   void find_sliding(const SurfaceMesh& surface, const HeldVertices& held) {
     const std::vector<char> is_corner = held_corners(surface, held.is_feature);
     std::set<std::pair<Index, Index>> edges;
-    for (const std::vector<Index>& quad : mesh_.polygons)
+    for (const auto quad : mesh_.polygons)
       for (std::size_t k = 0; k < 4; ++k) edges.emplace(quad[k], quad[(k + 1) % 4]);
     for (const auto& [from, to] : held.feature_edges) {
       sides_[from].after = to;
@@ -150,7 +150,7 @@ class Smoother {
   }
 
   std::array<Vector3, 4> corners_of(Index q) const {
-    const std::vector<Index>& c = mesh_.polygons[q];
+    const std::span<const Index> c = mesh_.polygons[q];
     return {mesh_.positions[c[0]], mesh_.positions[c[1]], mesh_.positions[c[2]],
             mesh_.positions[c[3]]};
   }
@@ -208,7 +208,7 @@ class Smoother {
   Vector3 middle(std::size_t v) const {
     Vector3 sum = Vector3::Zero();
     for (const Index q : quads_[v]) {
-      const std::vector<Index>& c = mesh_.polygons[q];
+      const std::span<const Index> c = mesh_.polygons[q];
       for (std::size_t k = 0; k < 4; ++k)
         if (c[k] == static_cast<Index>(v))  // every neighbour is the next one in one quad
           sum += mesh_.positions[c[(k + 1) % 4]];

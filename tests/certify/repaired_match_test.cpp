@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "majorant/mesh/repair.h"
+#include "mesh/list_edits.h"
 
 namespace majorant {
 namespace {
@@ -42,11 +43,12 @@ PolygonMesh soup() {
   const PolygonMesh mesh = tetrahedron();
   PolygonMesh out;
   for (const auto& polygon : mesh.polygons) {
-    auto& corners = out.polygons.emplace_back();
+    std::vector<Index> corners;
     for (const Index v : polygon) {
       corners.push_back(static_cast<Index>(out.positions.size()));
       out.positions.push_back(mesh.positions[v]);
     }
+    out.polygons.push_back(corners);
   }
   return out;
 }
@@ -63,8 +65,8 @@ Written written(const PolygonMesh& surface) {
   Written out;
   out.cells.positions = surface.positions;
   for (Index f = 0; f < mesh.face_count(); ++f) {
-    auto& cell = out.cells.polygons.emplace_back();
-    for (Index k = 0; k < 3; ++k) cell.push_back(mesh.input_vertex(mesh.faces()(f, k)));
+    const auto corner = [&](Index k) { return mesh.input_vertex(mesh.faces()(f, k)); };
+    out.cells.polygons.push_back({corner(0), corner(1), corner(2)});
     out.face.push_back(mesh.input_face(f));
   }
   return out;
@@ -89,19 +91,19 @@ TEST(RepairedMatch, FacesAreFoundByTheirCorners) {
     Written file = written(surface);
     file.face.clear();
     EXPECT_EQ(defect(file, surface), "");
-    std::reverse(file.cells.polygons.begin(), file.cells.polygons.end());
+    change_lists(file.cells.polygons, [](auto& all) { std::reverse(all.begin(), all.end()); });
     EXPECT_EQ(defect(file, surface), "");
     Written less = file;
-    less.cells.polygons.pop_back();
+    less.cells.polygons.resize(less.cells.polygons.size() - 1);
     EXPECT_NE(defect(less, surface), "");
     Written other = file;
-    other.cells.polygons.back() = other.cells.polygons.front();
+    change_lists(other.cells.polygons, [](auto& all) { all.back() = all.front(); });
     EXPECT_NE(defect(other, surface), "");
   }
   Written bent = written(turned_quads());  // the other diagonal of the first, on the right side
   bent.face.clear();
-  bent.cells.polygons[0] = {0, 1, 3};
-  bent.cells.polygons[1] = {1, 4, 3};
+  set_list(bent.cells.polygons, 0, {0, 1, 3});
+  set_list(bent.cells.polygons, 1, {1, 4, 3});
   EXPECT_EQ(defect(bent, turned_quads()), "");
   std::swap(bent.cells.polygons[1][0], bent.cells.polygons[1][1]);
   EXPECT_NE(defect(bent, turned_quads()), "");
@@ -141,12 +143,12 @@ TEST(RepairedMatch, AnyDiagonalButAWrongOne) {
   const std::vector<std::vector<Index>> one = {{0, 1, 4}, {0, 4, 3}},
                                         other = {{0, 1, 3}, {1, 4, 3}};
   for (const auto& cells : {one, other}) {
-    std::copy(cells.begin(), cells.end(), file.cells.polygons.begin());
+    for (std::size_t c = 0; c < 2; ++c) set_list(file.cells.polygons, c, cells[c]);
     EXPECT_EQ(defect(file, surface), "");
   }
-  file.cells.polygons[1] = one[1];  // both, which leaves a corner out
+  set_list(file.cells.polygons, 1, one[1]);  // both, which leaves a corner out
   EXPECT_NE(defect(file, surface).find("face 0 is mapped by cells"), std::string::npos);
-  file.cells.polygons[0] = file.cells.polygons[1];
+  set_list(file.cells.polygons, 0, one[1]);
   EXPECT_NE(defect(file, surface), "");
 }
 
@@ -186,9 +188,9 @@ TEST(RepairedMatch, PiecesOfFaces) {
       EXPECT_EQ(defect({cells, {}}, surface), "");
       EXPECT_EQ(match({cells, {}}, surface)->changed, static_cast<Index>(surface.polygons.size()));
       PolygonMesh bad = cells;
-      bad.polygons.pop_back();
+      bad.polygons.resize(cells.polygons.size() - 1);
       EXPECT_NE(defect({bad, {}}, surface), "");  // one is missing
-      bad.polygons.push_back(bad.polygons.front());
+      bad.polygons.push_back(bad.polygons[0]);
       EXPECT_NE(defect({bad, {}}, surface), "");  // another is there twice
       bad = cells;
       std::swap(bad.polygons[1][1], bad.polygons[1][2]);
@@ -216,7 +218,7 @@ TEST(RepairedMatch, WhatIsWrongIsNamed) {
   const Written good = written(surface);
   const auto says = [&](const Written& file) { return defect(file, surface); };
   Written bad = good;
-  bad.cells.polygons.pop_back();
+  bad.cells.polygons.resize(bad.cells.polygons.size() - 1);
   bad.face.pop_back();
   EXPECT_EQ(says(bad), "face 4 of the surface has 0 cells instead of 1");
   bad = good;
@@ -233,7 +235,7 @@ TEST(RepairedMatch, WhatIsWrongIsNamed) {
   EXPECT_EQ(says(bad), "the surface has no face 7");
   bad = good;
   bad.cells.positions.push_back(bad.cells.positions[4]);
-  bad.cells.polygons[4] = {0, 1, 5};
+  set_list(bad.cells.polygons, 4, {0, 1, 5});
   EXPECT_EQ(says(bad), "the surface has no vertex 5");
 }
 

@@ -10,6 +10,7 @@
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/io.h"
 #include "majorant/parametrization/maps/map_file.h"
+#include "mesh/list_edits.h"
 
 namespace majorant {
 namespace {
@@ -219,12 +220,11 @@ TEST(StackedCharts, AFoldAtTheAxis) {
   };
   for (int order = 0; order < 4; ++order) {
     if (order % 2 == 1) {
-      std::swap(mesh.polygons[0], mesh.polygons[1]);
-      std::swap(mesh.polygon_texcoords[0], mesh.polygon_texcoords[1]);
+      swap_lists(mesh.polygons, 0, 1);
+      swap_lists(mesh.polygon_texcoords, 0, 1);
     }
     if (order == 2) {  // vertices from the other end
-      for (auto& polygon : mesh.polygons)
-        for (Index& v : polygon) v = 5 - v;
+      for (Index& v : mesh.polygons.indices()) v = 5 - v;
       std::reverse(mesh.positions.begin(), mesh.positions.end());
     }
     EXPECT_EQ(verdict(to_map_file(mesh), kAllowed), ProofStatus::Proven);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "mesh/list_edits.h"
+
 namespace majorant {
 namespace {
 
@@ -60,7 +62,7 @@ TEST(SurfaceMatch, TinySurfaces) {
       cells.polygons.push_back({q[1], q[2], q[3]});
     }
     EXPECT_EQ(match(cells, surface).defect, "") << size;
-    std::swap(cells.polygons[0], cells.polygons[1]);
+    swap_lists(cells.polygons, 0, 1);
     EXPECT_EQ(match(cells, surface).defect, "") << size;
   }
 }
@@ -68,7 +70,7 @@ TEST(SurfaceMatch, TinySurfaces) {
 TEST(SurfaceMatch, TheSameFacesInAnyOrder) {
   const PolygonMesh surface = triangles(0.1);
   PolygonMesh cells = surface;
-  std::swap(cells.polygons[0], cells.polygons[5]);
+  swap_lists(cells.polygons, 0, 5);
   std::rotate(cells.polygons[2].begin(), cells.polygons[2].begin() + 1, cells.polygons[2].end());
   const SurfaceMatch same = match(cells, surface);
   EXPECT_EQ(same.defect, "");
@@ -79,8 +81,8 @@ TEST(SurfaceMatch, TheSameFacesInAnyOrder) {
 TEST(SurfaceMatch, PolygonsInAnyTriangles) {
   PolygonMesh cells = triangles(0.1);
   EXPECT_EQ(match(cells, quads(0.1)).defect, "");
-  cells.polygons[0] = {0, 1, 3};  // the other diagonal of the first quad
-  cells.polygons[1] = {1, 4, 3};
+  set_list(cells.polygons, 0, {0, 1, 3});  // the other diagonal of the first quad
+  set_list(cells.polygons, 1, {1, 4, 3});
   EXPECT_EQ(match(cells, quads(0.1)).defect, "");
   EXPECT_EQ(match(cells, quads(0.1)).same, 4);
   // Of a surface of triangles the bent diagonal is another surface; in a plane it is not.
@@ -96,8 +98,8 @@ TEST(SurfaceMatch, FacesCutIntoPieces) {
   PolygonMesh cells = surface;
   // Edge (0, 4) of faces 0 and 1 gets a vertex at a third of it.
   cells.positions.push_back(cells.positions[0] / 3 * 2 + cells.positions[4] / 3);
-  cells.polygons[0] = {0, 1, 9};
-  cells.polygons[1] = {0, 9, 3};
+  set_list(cells.polygons, 0, {0, 1, 9});
+  set_list(cells.polygons, 1, {0, 9, 3});
   cells.polygons.push_back({1, 4, 9});
   cells.polygons.push_back({9, 4, 3});
   EXPECT_EQ(match(cells, surface).defect, "");
@@ -119,9 +121,9 @@ TEST(SurfaceMatch, SlitsAreFollowedOnTheirOwnSide) {
   for (Index k = 1; k < 5; ++k) surface.polygons.push_back({0, k, k + 1});
   PolygonMesh cells = surface;
   for (const double t : {0.5, 0.25, 0.75}) cells.positions.emplace_back(t, 0, 0);
-  cells.polygons[0] = {0, 6, 2};  // (0, 1) is halved by 6
+  set_list(cells.polygons, 0, {0, 6, 2});  // (0, 1) is halved by 6
   cells.polygons.push_back({6, 1, 2});
-  cells.polygons[3] = {4, 7, 0};  // (0, 5) has vertices at a quarter and at three quarters
+  set_list(cells.polygons, 3, {4, 7, 0});  // (0, 5) has vertices at a quarter and at three quarters
   cells.polygons.push_back({4, 8, 7});
   cells.polygons.push_back({4, 5, 8});
   EXPECT_EQ(match(cells, surface).defect, "");
@@ -131,10 +133,10 @@ TEST(SurfaceMatch, SlitsAreFollowedOnTheirOwnSide) {
 TEST(SurfaceMatch, DefectsAreNamed) {
   const PolygonMesh surface = triangles(0.1);
   PolygonMesh cells = surface;
-  cells.polygons.pop_back();
+  cells.polygons.resize(7);
   EXPECT_NE(match(cells, surface).defect.find("face 7"), std::string::npos);
   cells = surface;
-  for (auto& polygon : cells.polygons) std::swap(polygon[0], polygon[1]);
+  for (const auto polygon : cells.polygons) std::swap(polygon[0], polygon[1]);
   EXPECT_NE(match(cells, surface).defect.find("turned over"), std::string::npos);
   cells = surface;
   cells.positions[4].z() += 1e-3;
@@ -216,11 +218,7 @@ TEST(SurfaceMatch, SeveralComponents) {
   const auto shift = static_cast<Index>(surface.positions.size());
   for (int v = 0; v < shift; ++v)
     surface.positions.push_back(surface.positions[static_cast<std::size_t>(v)] + Vector3(9, 0, 0));
-  for (int f = 0; f < 8; ++f) {
-    auto polygon = surface.polygons[static_cast<std::size_t>(f)];
-    for (Index& v : polygon) v += shift;
-    surface.polygons.push_back(polygon);
-  }
+  append_lists(surface.polygons, surface.polygons, shift);
   EXPECT_EQ(match(surface, surface).defect, "");
   PolygonMesh half = surface;
   half.polygons.resize(8);

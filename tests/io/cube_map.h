@@ -32,12 +32,9 @@ inline PolygonMesh cube() {
       }
     for (const int a : {0, 1, 3, 4})
       for (const auto& t : {std::array{a, a + 1, a + 4}, std::array{a, a + 4, a + 3}}) {
-        auto& polygon = mesh.polygons.emplace_back();
-        auto& texture = mesh.polygon_texcoords.emplace_back();
-        for (const int c : t) {
-          polygon.push_back(corners[static_cast<std::size_t>(c)]);
-          texture.push_back(base + c);
-        }
+        const auto corner = [&](std::size_t k) { return corners[static_cast<std::size_t>(t[k])]; };
+        mesh.polygons.push_back({corner(0), corner(1), corner(2)});
+        mesh.polygon_texcoords.push_back({base + t[0], base + t[1], base + t[2]});
       }
   }
   return mesh;

@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-using Polygons = std::vector<std::vector<Index>>;
+using Polygons = IndexLists;
 
 PolygonMesh read(const std::string& name, std::string_view content) {
   const TemporaryFolder folder;

@@ -24,8 +24,8 @@ TEST(MeshObjects, LinesOfAnObj) {
   const ObjectMesh chair = object_mesh(mesh, objects, 1);
   EXPECT_EQ(chair.vertices, (std::vector<Index>{3, 4, 5, 6}));
   EXPECT_EQ(chair.polygons, (std::vector<Index>{1, 3}));
-  EXPECT_EQ(chair.mesh.polygons, (std::vector<std::vector<Index>>{{0, 1, 2}, {2, 1, 3}}));
-  EXPECT_EQ(chair.mesh.polygon_texcoords, (std::vector<std::vector<Index>>{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(chair.mesh.polygons, (IndexLists{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(chair.mesh.polygon_texcoords, (IndexLists{{0, 1, 2}, {2, 1, 3}}));
   EXPECT_EQ(chair.mesh.positions.back(), Vector3(6, 1, 0));
   EXPECT_EQ(chair.mesh.texcoords.back(), Vector2(1, 1));
   const std::vector<std::pair<Index, std::string>> lines{
@@ -33,7 +33,7 @@ TEST(MeshObjects, LinesOfAnObj) {
   EXPECT_EQ(chair.mesh.directives, lines);
   const ObjectMesh table = object_mesh(mesh, objects, 2);
   EXPECT_EQ(table.vertices, (std::vector<Index>{0, 1, 2}));
-  EXPECT_EQ(table.mesh.polygons, (std::vector<std::vector<Index>>{{2, 1, 0}}));
+  EXPECT_EQ(table.mesh.polygons, (IndexLists{{2, 1, 0}}));
   EXPECT_TRUE(table.mesh.texcoords.empty() && table.mesh.polygon_texcoords.empty());
 }
 

@@ -11,7 +11,7 @@
 namespace majorant {
 namespace {
 
-using Polygons = std::vector<std::vector<Index>>;
+using Polygons = IndexLists;
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 

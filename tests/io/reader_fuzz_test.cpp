@@ -17,7 +17,7 @@ void require_valid(const PolygonMesh& mesh) {
   ASSERT_FALSE(mesh.polygons.empty());
   for (const Vector3& p : mesh.positions) ASSERT_TRUE(p.allFinite());
   for (const Vector2& t : mesh.texcoords) ASSERT_TRUE(t.allFinite());
-  const auto require_lists = [&](const std::vector<std::vector<Index>>& lists, std::size_t count) {
+  const auto require_lists = [&](const IndexLists& lists, std::size_t count) {
     ASSERT_TRUE(lists.empty() || lists.size() == mesh.polygons.size());
     for (std::size_t p = 0; p < lists.size(); ++p) {
       ASSERT_TRUE(lists[p].empty() || lists[p].size() == mesh.polygons[p].size());

@@ -9,7 +9,7 @@
 namespace majorant {
 namespace {
 
-using Polygons = std::vector<std::vector<Index>>;
+using Polygons = IndexLists;
 
 // A quad (two cells) and a triangle, cut apart along their common edge (vertices 2 and 3).
 struct QuadExample {
@@ -97,13 +97,13 @@ TEST(WriteObj, TurnedFacesAreWrittenTurned) {
 TEST(WriteObj, AFaceThatHasAVertexTwiceHasATextureCoordinateForEachCorner) {
   const TemporaryFolder folder;
   QuadExample example;
-  example.input.polygons[1] = {2, 5, 2};
+  example.input.polygons = {{1, 2, 3, 4}, {2, 5, 2}};
   example.map.input_vertex[6] = 2;
   example.map.points.row(6) = example.map.points.row(4);
   write_obj(folder.file("out.obj"), example.map, &example.input);
   const PolygonMesh mesh = read_mesh(folder.file("out.obj"));
-  EXPECT_EQ(mesh.polygons[1], (std::vector<Index>{2, 5, 2}));
-  EXPECT_EQ(mesh.polygon_texcoords[1], (std::vector<Index>{4, 5, 6}));
+  EXPECT_EQ(mesh.polygons, (Polygons{{1, 2, 3, 4}, {2, 5, 2}}));
+  EXPECT_EQ(mesh.polygon_texcoords, (Polygons{{0, 1, 2, 3}, {4, 5, 6}}));
 }
 
 // New vertices on edges have a colour where both ends of the edge have one.
@@ -158,7 +158,7 @@ TEST(WriteObj, RefusesAnotherInputAndBadRefinement) {
   error_message(ErrorKind::Usage, [&] { write_obj(path, example.map, nullptr, {.refine = 0}); });
   error_message(ErrorKind::Usage,
                 [&] { write_obj(path, example.map, nullptr, {.refine = 2000000000}); });
-  example.input.polygons.pop_back();
+  example.input.polygons.resize(1);
   error_message(ErrorKind::Invalid, [&] { write_obj(path, example.map, &example.input); });
   example.input.polygons = {{0, 1, 2, 3}, {2, 5, 3}};
   error_message(ErrorKind::Invalid, [&] { write_obj(path, example.map, &example.input); });

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "cube_map.h"
 #include "io_test_helpers.h"
@@ -74,8 +75,9 @@ TEST(WritePly, LargePolygons) {
   for (Index k = 0; k < kCorners; ++k)
     input.positions.emplace_back(std::cos(2 * std::numbers::pi * k / kCorners),
                                  std::sin(2 * std::numbers::pi * k / kCorners), 0);
-  input.polygons.emplace_back();
-  for (Index k = 0; k < kCorners; ++k) input.polygons[0].push_back(k);
+  std::vector<Index> corners(kCorners);
+  std::iota(corners.begin(), corners.end(), 0);
+  input.polygons.push_back(corners);
   map.points.resize(kCorners, 3);
   map.input_vertex = Eigen::VectorXi::LinSpaced(kCorners, 0, kCorners - 1);
   map.input_face = Eigen::VectorXi::Zero(kCorners - 2);

@@ -1,6 +1,7 @@
 // Every defect by name, count and place; what is no defect is not named.
 #include "expected_error.h"
 #include "majorant/mesh/repair.h"
+#include "mesh/list_edits.h"
 #include "mesh/surfaces_of_any_genus.h"
 
 namespace majorant {
@@ -99,10 +100,7 @@ TEST(Defects, FindsTJunctions) {
     const PolygonMesh coarse = quads(2);
     const auto first = static_cast<Index>(mesh.positions.size());
     for (const Vector3& p : coarse.positions) mesh.positions.push_back(p + Vector3(1, 0, 0));
-    for (std::vector<Index> polygon : coarse.polygons) {
-      for (Index& v : polygon) v += first;
-      mesh.polygons.push_back(polygon);
-    }
+    append_lists(mesh.polygons, coarse.polygons, first);
     for (Vector3& p : mesh.positions)
       p = Vector3(0.6 * p.x() - 0.64 * p.y(), 0.8 * p.x() + 0.48 * p.y(), 0.6 * p.y());
     const Index odd = fine % 2;  // then the middle of the coarse side lies on a fine edge, too
@@ -133,10 +131,7 @@ TEST(Defects, SumsUpComponents) {
   const auto first = static_cast<Index>(mesh.positions.size());
   const PolygonMesh ring = grid_without(6, {7, 10});
   for (const Vector3& p : ring.positions) mesh.positions.push_back(p + Vector3(9, 0, 0));
-  for (std::vector<Index> polygon : ring.polygons) {
-    for (Index& v : polygon) v += first;
-    mesh.polygons.push_back(polygon);
-  }
+  append_lists(mesh.polygons, ring.polygons, first);
   const std::vector<ComponentShape> shapes = find_defects(mesh).components;
   ASSERT_EQ(shapes.size(), 2u);
   EXPECT_EQ(shapes[0].genus(), 1);

@@ -6,6 +6,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "mesh/list_edits.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {
@@ -27,12 +28,9 @@ Cells faces_of(const PolygonMesh& mesh) {
 // Disks, an annulus, a torus with and without a hole, two components.
 std::vector<Cells> surfaces() {
   PolygonMesh annulus = grid(5);
-  annulus.polygons.erase(annulus.polygons.begin() + 24, annulus.polygons.begin() + 26);
+  erase_lists(annulus.polygons, 24, 2);
   PolygonMesh two = torus(5, 4, 0);
-  for (auto p : grid(2).polygons) {
-    for (Index& v : p) v += 20;
-    two.polygons.push_back(p);
-  }
+  append_lists(two.polygons, grid(2).polygons, 20);
   return {cells_of({{0, 1, 2}}),    faces_of(grid(3)),        faces_of(annulus),
           faces_of(torus(6, 5, 0)), faces_of(torus(6, 5, 2)), faces_of(two)};
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/list_edits.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {
@@ -49,14 +50,18 @@ TEST(MarkedCreases, BetweenSmoothingGroups) {
 TEST(MarkedCreases, WhereNormalsAreSplit) {
   PolygonMesh mesh = grid(4);
   mesh.normals = {{0, 0, 1}, {0, 1, 1}, {0, 1e-4, 2}};
-  for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
-    mesh.polygon_normals.emplace_back(3, p < 16 ? 0 : 1);
+  const auto give_normals = [&](const std::function<Index(std::size_t)>& normal) {
+    mesh.polygon_normals = {};
+    for (std::size_t p = 0; p < mesh.polygons.size(); ++p)
+      mesh.polygon_normals.push_back({normal(p), normal(p), normal(p)});
+  };
+  give_normals([](std::size_t p) { return p < 16 ? 0 : 1; });
   EXPECT_EQ(marked_edges(mesh), 4);
-  for (std::size_t p = 16; p < mesh.polygons.size(); ++p) mesh.polygon_normals[p].assign(3, 2);
+  give_normals([](std::size_t p) { return p < 16 ? 0 : 2; });
   EXPECT_EQ(marked_edges(mesh), 0);  // the same but for rounding
-  for (std::size_t p = 0; p < mesh.polygons.size(); ++p) mesh.polygon_normals[p].assign(3, p % 2);
+  give_normals([](std::size_t p) { return static_cast<Index>(p % 2); });
   EXPECT_EQ(marked_edges(mesh), 0);  // all: flat shading
-  mesh.polygon_normals[0].clear();
+  set_list(mesh.polygon_normals, 0, {});
   EXPECT_EQ(marked_edges(mesh), 0);
 }
 

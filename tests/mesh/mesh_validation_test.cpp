@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "expected_error.h"
+#include "mesh/list_edits.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
@@ -26,7 +27,7 @@ TEST(MeshValidation, AcceptsADisk) {
 
 TEST(MeshValidation, AcceptsAllFacesReversed) {
   PolygonMesh mesh = grid(4, bumpy);
-  for (auto& polygon : mesh.polygons) std::reverse(polygon.begin(), polygon.end());
+  reverse_lists(mesh.polygons);
   EXPECT_NO_THROW(SurfaceMesh::from_polygons(mesh).require_disk());
 }
 
@@ -57,8 +58,8 @@ TEST(MeshValidation, DegeneracyDoesNotDependOnScale) {
     for (Vector3& p : mesh.positions) p *= scale;
     EXPECT_NO_THROW(SurfaceMesh::from_polygons(mesh)) << scale;
     mesh.positions[5] = 0.5 * (mesh.positions[0] + mesh.positions[4]);
-    mesh.polygons[0] = {0, 5, 4};
-    mesh.polygons[1] = {0, 1, 5};
+    set_list(mesh.polygons, 0, {0, 5, 4});
+    set_list(mesh.polygons, 1, {0, 1, 5});
     EXPECT_THROW(SurfaceMesh::from_polygons(mesh), Error) << scale;
   }
 }
@@ -96,9 +97,8 @@ TEST(MeshValidation, RefusesSheetsThatTouchInAVertex) {
 
   // Two corners of one sheet, far from each other, become one vertex.
   PolygonMesh pinched = grid(4);
-  for (auto& polygon : pinched.polygons)
-    for (Index& v : polygon)
-      if (v == 24) v = 0;
+  for (Index& v : pinched.polygons.indices())
+    if (v == 24) v = 0;
   expect_contains(refusal(pinched), {"inline.obj", "vertex 1:", "non-manifold"});
 }
 
@@ -107,9 +107,9 @@ TEST(MeshValidation, RefusesSheetsThatTouchInAnInteriorVertex) {
   PolygonMesh mesh = cone(6, true);
   const PolygonMesh other = cone(6, true);
   for (const Vector3& p : other.positions) mesh.positions.push_back(p + Vector3(0, 0, 3));
-  for (std::vector<Index> polygon : other.polygons) {
-    for (Index& v : polygon) v = v == 0 ? 0 : v + 7;
+  for (const auto polygon : other.polygons) {
     mesh.polygons.push_back(polygon);
+    for (Index& v : mesh.polygons.back()) v = v == 0 ? 0 : v + 7;
     mesh.polygon_lines.push_back(101 + static_cast<long>(mesh.polygon_lines.size()));
   }
   expect_contains(refusal(mesh), {"inline.obj", "vertex 1:", "non-manifold"});
@@ -152,11 +152,9 @@ TEST(MeshValidation, RefusesTwoComponents) {
   PolygonMesh mesh = grid(4);
   const PolygonMesh other = grid(2);
   for (const Vector3& p : other.positions) mesh.positions.push_back(p + Vector3(5, 0, 0));
-  for (std::vector<Index> polygon : other.polygons) {
-    for (Index& v : polygon) v += 25;
-    mesh.polygons.push_back(polygon);
-    mesh.polygon_lines.push_back(101 + static_cast<long>(mesh.polygon_lines.size()));
-  }
+  append_lists(mesh.polygons, other.polygons, 25);
+  for (std::size_t k = mesh.polygon_lines.size(); k < mesh.polygons.size(); ++k)
+    mesh.polygon_lines.push_back(101 + static_cast<long>(k));
   expect_contains(refusal(mesh), {"inline.obj:133: face 33", "2 components", "repair()"});
 }
 
@@ -194,7 +192,7 @@ TEST(MeshValidation, AClosedSurfaceIsNoDisk) {
 
 TEST(MeshValidation, AnAnnulusIsNoDisk) {
   PolygonMesh mesh = grid(4);
-  mesh.polygons.erase(mesh.polygons.begin() + 10, mesh.polygons.begin() + 12);  // quad (1, 1)
+  erase_lists(mesh.polygons, 10, 2);  // quad (1, 1)
   mesh.polygon_lines.resize(30);
   // The hole's smallest vertex is 6, counted from 1: 7.
   expect_contains(disk_refusal(mesh),

@@ -27,9 +27,10 @@ inline PolygonMesh obj_file(const std::string& path) {
       words >> p.x() >> p.y() >> p.z();
       mesh.positions.push_back(p);
     } else if (kind == "f") {
-      mesh.polygons.emplace_back();
+      std::vector<Index> polygon;
+      while (words >> word) polygon.push_back(std::atoi(word.c_str()) - 1);
+      mesh.polygons.push_back(polygon);
       mesh.polygon_lines.push_back(number);
-      while (words >> word) mesh.polygons.back().push_back(std::atoi(word.c_str()) - 1);
     }
   }
   return mesh;

@@ -37,7 +37,7 @@ TEST(Refusal, EveryRemedyHasWordsOfItsOwn) {
 
 TEST(Refusal, LeavesTheLibraryAsOne) {
   PolygonMesh mesh = grid(3);
-  mesh.polygons.push_back(mesh.polygons.front());
+  mesh.polygons.push_back(mesh.polygons[0]);
   try {
     SurfaceMesh::from_polygons(mesh);
     FAIL();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "majorant/mesh/repair.h"
+#include "mesh/list_edits.h"
 
 namespace majorant {
 
@@ -109,10 +110,7 @@ using Shape = std::array<Index, 3>;
 inline PolygonMesh both(PolygonMesh a, const PolygonMesh& b) {
   const auto first = static_cast<Index>(a.positions.size());
   a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  for (std::vector<Index> polygon : b.polygons) {
-    for (Index& v : polygon) v += first;
-    a.polygons.push_back(polygon);
-  }
+  append_lists(a.polygons, b.polygons, first);
   return a;
 }
 
@@ -121,12 +119,13 @@ inline PolygonMesh textured(PolygonMesh mesh, const std::function<int(const Vect
   for (const auto& polygon : mesh.polygons) {
     Vector3 middle = Vector3::Zero();
     for (const Index v : polygon) middle += mesh.positions[v] / double(polygon.size());
-    auto& corners = mesh.polygon_texcoords.emplace_back();
+    std::vector<Index> corners;
     for (const Index v : polygon) {
       corners.push_back(static_cast<Index>(mesh.texcoords.size()));
       mesh.texcoords.emplace_back(mesh.positions[v].head<2>());
       mesh.texcoords.back().x() += 10 * part(middle);
     }
+    mesh.polygon_texcoords.push_back(corners);
   }
   return mesh;
 }

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "expected_error.h"
+#include "mesh/list_edits.h"
 #include "mesh/repair_checks.h"
 #include "mesh/surfaces_of_any_genus.h"
 
@@ -13,7 +14,7 @@ namespace {
 using Faces = std::vector<std::vector<Index>>;
 
 PolygonMesh with_faces(PolygonMesh mesh, const Faces& more) {
-  mesh.polygons.insert(mesh.polygons.end(), more.begin(), more.end());
+  mesh.polygons.append(more);
   return mesh;
 }
 
@@ -38,8 +39,7 @@ PolygonMesh moebius(int n, int width) {
 TEST(Repair, LeavesGoodMeshesAlone) {
   PolygonMesh far = grid(4, bumpy);
   far.positions.insert(far.positions.begin() + 3, Vector3(7, 7, 7));  // no face uses it
-  for (auto& polygon : far.polygons)
-    for (Index& v : polygon) v += v >= 3;
+  for (Index& v : far.polygons.indices()) v += v >= 3;
   for (Vector3& p : far.positions) p += Vector3(100, -200, 0);
   for (const PolygonMesh& mesh :
        {grid(5, bumpy), torus(8, 6, 0), torus(8, 6, 1), cone(5, true), tetrahedron(), far,
@@ -65,8 +65,7 @@ TEST(Repair, RefusesAMeshWithoutFaces) {
 TEST(Repair, SplitsVerticesWhereSheetsTouch) {
   // Two balls that have one vertex in common, and a boundary that passes a vertex twice.
   PolygonMesh balls = both(octahedron(), octahedron());
-  for (auto& polygon : balls.polygons)
-    for (Index& v : polygon) v = v == 11 ? 0 : v;
+  for (Index& v : balls.polygons.indices()) v = v == 11 ? 0 : v;
   RepairedSurface out = repaired(balls);
   EXPECT_EQ(shape_of(out), (Shape{2, 0, 4}));
   EXPECT_EQ(count_of(out, RepairKind::SplitVertex), 1);
@@ -74,8 +73,8 @@ TEST(Repair, SplitsVerticesWhereSheetsTouch) {
   EXPECT_EQ(out.mesh->input_vertex(out.mesh->vertex_count() - 1), 0);  // copies come last
 
   PolygonMesh holes = grid(6, bumpy);  // two squares that touch in a corner
-  holes.polygons.erase(holes.polygons.begin() + 42, holes.polygons.begin() + 44);
-  holes.polygons.erase(holes.polygons.begin() + 28, holes.polygons.begin() + 30);
+  erase_lists(holes.polygons, 42, 2);
+  erase_lists(holes.polygons, 28, 2);
   out = repaired(holes);
   EXPECT_EQ(shape_of(out), (Shape{1, 2, 0}));
   EXPECT_EQ(count_of(out, RepairKind::SplitVertex), 1);
@@ -122,9 +121,8 @@ TEST(Repair, WhatHangsTogetherAroundBothEndsStaysTogether) {
 TEST(Repair, DuplicatesMakeASurfaceOfTheirOwn) {
   PolygonMesh mesh = grid(4, bumpy);
   for (int k = 8; k < 16; ++k) {  // a row of squares, folded over
-    std::vector<Index> again = mesh.polygons[k];
-    std::reverse(again.begin(), again.end());
-    mesh.polygons.push_back(again);
+    mesh.polygons.push_back(mesh.polygons[k]);
+    std::ranges::reverse(mesh.polygons.back());
   }
   mesh.polygons.push_back(mesh.polygons[10]);  // and one face a third time
   const RepairedSurface out = repaired(mesh);
@@ -171,7 +169,7 @@ TEST(Repair, TurnsTheFewer) {
   EXPECT_EQ(out.polygon_corner.row(0), Eigen::RowVector3i(0, 2, 1));
   for (const PolygonMesh& whole : {grid(3), torus(8, 6, 1)}) {
     PolygonMesh reversed = whole;
-    for (auto& polygon : reversed.polygons) std::reverse(polygon.begin(), polygon.end());
+    reverse_lists(reversed.polygons);
     EXPECT_TRUE(repaired(reversed).repairs.empty());
   }
 }
@@ -184,8 +182,8 @@ TEST(Repair, CutsAMoebiusStripOnceAcross) {
   std::mt19937 random(1);
   for (int k = 0; k < 5; ++k) {
     PolygonMesh mesh = moebius(40, 4);
-    std::shuffle(mesh.polygons.begin(), mesh.polygons.end(), random);
-    for (auto& polygon : mesh.polygons)
+    change_lists(mesh.polygons, [&](auto& all) { std::shuffle(all.begin(), all.end(), random); });
+    for (const auto polygon : mesh.polygons)
       if (random() % 2) std::swap(polygon[0], polygon[2]);
     const RepairedSurface shuffled = repaired(mesh);
     EXPECT_EQ(shape_of(shuffled), (Shape{1, 1, 1}));
@@ -322,7 +320,7 @@ TEST(Repair, HoldsForRandomDamage) {
                                       : moebius(8, 2);
     const int damages = 1 + below(12);
     for (int k = 0; k < damages; ++k) {
-      auto& polygon = mesh.polygons[below(mesh.polygons.size())];
+      const auto polygon = mesh.polygons[below(mesh.polygons.size())];
       const Index v = below(mesh.positions.size()), w = below(mesh.positions.size());
       switch (below(7)) {
         case 0:
@@ -335,11 +333,10 @@ TEST(Repair, HoldsForRandomDamage) {
           mesh.positions[v] = mesh.positions[w];
           break;
         case 3:
-          mesh.polygons.push_back(std::vector<Index>(polygon));
+          mesh.polygons.push_back(polygon);
           break;
         case 4:
-          for (auto& p : mesh.polygons)
-            for (Index& corner : p) corner = corner == v ? w : corner;
+          for (Index& corner : mesh.polygons.indices()) corner = corner == v ? w : corner;
           break;
         case 5:
           mesh.polygons.push_back({v, w, below(mesh.positions.size())});

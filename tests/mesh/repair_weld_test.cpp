@@ -3,6 +3,7 @@
 #include <map>
 #include <random>
 
+#include "mesh/list_edits.h"
 #include "mesh/repair_checks.h"
 #include "mesh/surfaces_of_any_genus.h"
 
@@ -12,10 +13,10 @@ namespace {
 PolygonMesh soup_of(const PolygonMesh& welded) {
   PolygonMesh soup = polygon_mesh({}, {});
   for (const auto& polygon : welded.polygons) {
-    soup.polygons.emplace_back();
-    for (const Index v : polygon) {
-      soup.polygons.back().push_back(static_cast<Index>(soup.positions.size()));
+    soup.polygons.push_back(polygon);
+    for (Index& v : soup.polygons.back()) {
       soup.positions.push_back(welded.positions[v]);
+      v = static_cast<Index>(soup.positions.size()) - 1;
     }
   }
   return soup;
@@ -39,11 +40,11 @@ PolygonMesh split_by(const PolygonMesh& whole, const std::function<Index(std::si
   PolygonMesh split = polygon_mesh({}, {});
   std::map<std::pair<Index, Index>, Index> copies;
   for (std::size_t p = 0; p < whole.polygons.size(); ++p) {
-    split.polygons.emplace_back();
-    for (const Index v : whole.polygons[p]) {
+    split.polygons.push_back(whole.polygons[p]);
+    for (Index& v : split.polygons.back()) {
       const auto [copy, is_new] = copies.try_emplace({part(p), v}, copies.size());
       if (is_new) split.positions.push_back(whole.positions[v]);
-      split.polygons.back().push_back(copy->second);
+      v = copy->second;
     }
   }
   return split;
@@ -76,7 +77,7 @@ TEST(Repair, JoinsWhatWasSplit) {
 TEST(Repair, JoinsNoSheetWithItsBack) {
   const PolygonMesh front = grid(3, bumpy);
   PolygonMesh back = front;
-  for (auto& polygon : back.polygons) std::reverse(polygon.begin(), polygon.end());
+  reverse_lists(back.polygons);
   const PolygonMesh card = both(front, back);
   const std::size_t faces = front.polygons.size();
   for (const Index parts : {1, 2, 3}) {
@@ -114,7 +115,7 @@ TEST(Repair, JoinsNoThirdFaceToAnEdge) {
                                          {{0, 1, 2}, {4, 3, 5}, {7, 6, 8}, {2, 1, 9}});
   EXPECT_EQ(repaired(walls, kJoined).mesh->topology().components, 3);
   PolygonMesh two = walls;
-  two.polygons.erase(two.polygons.begin() + 2);
+  erase_lists(two.polygons, 2, 1);
   two.positions[8] = two.positions[7] = two.positions[6] = {7, 7, 7};
   EXPECT_EQ(repaired(two, kJoined).mesh->topology().components, 1);
 }

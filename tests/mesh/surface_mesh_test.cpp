@@ -8,6 +8,7 @@
 #include "counted_stop.h"
 #include "expected_error.h"
 #include "majorant/mesh/triangulate_polygon.h"
+#include "mesh/list_edits.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
@@ -194,8 +195,9 @@ TEST(TriangulatePolygon, PolygonsThatAreNotSimple) {
       EXPECT_EQ(triangulate_polygon(corners).size(), to_size(n) - 2);
       continue;
     }
-    PolygonMesh mesh = polygon_mesh(corners, {{}});
-    for (int k = 0; k < n; ++k) mesh.polygons[0].push_back(k);
+    std::vector<Index> all(corners.size());
+    std::iota(all.begin(), all.end(), 0);
+    const PolygonMesh mesh = polygon_mesh(corners, std::vector<std::vector<Index>>{all});
     expect_contains(
         error_message(ErrorKind::Unsupported, [&] { SurfaceMesh::from_polygons(mesh); }),
         {"inline.obj:101", "3000 corners", "crosses or touches itself"});
@@ -259,7 +261,7 @@ TEST(SurfaceMesh, BoundaryLoopsRunWithTheFaces) {
   EXPECT_EQ(square.boundary_loops()[0], (std::vector<Index>{0, 1, 2, 5, 8, 7, 6, 3}));
 
   PolygonMesh reversed = grid(2);
-  for (auto& polygon : reversed.polygons) std::reverse(polygon.begin(), polygon.end());
+  reverse_lists(reversed.polygons);
   EXPECT_EQ(SurfaceMesh::from_polygons(reversed).boundary_loops()[0],
             (std::vector<Index>{0, 3, 6, 7, 8, 5, 2, 1}));
 
@@ -268,7 +270,7 @@ TEST(SurfaceMesh, BoundaryLoopsRunWithTheFaces) {
     expect_proper_loops(*generated(name));
   }
   PolygonMesh annulus = grid(5);
-  annulus.polygons.erase(annulus.polygons.begin() + 24, annulus.polygons.begin() + 26);
+  erase_lists(annulus.polygons, 24, 2);
   annulus.polygon_lines.resize(48);
   const SurfaceMesh two = SurfaceMesh::from_polygons(annulus);
   EXPECT_EQ(two.boundary_loops().size(), 2u);

@@ -87,10 +87,10 @@ inline PolygonMesh octahedron() {
 // A grid with the given squares (numbered row by row) left out.
 inline PolygonMesh grid_without(int n, const std::set<int>& squares, const Height& height = flat) {
   PolygonMesh mesh = grid(n, height);
-  std::vector<std::vector<Index>> kept;
+  IndexLists kept;
   for (std::size_t f = 0; f < mesh.polygons.size(); ++f)
     if (!squares.count(static_cast<int>(f / 2))) kept.push_back(mesh.polygons[f]);
-  return polygon_mesh(mesh.positions, kept);
+  return polygon_mesh(mesh.positions, std::move(kept));
 }
 
 inline PolygonMesh one_triangle() {

@@ -17,8 +17,7 @@ namespace majorant {
 inline constexpr double kPi = 3.14159265358979323846;
 
 // Face k (0-based) comes from line 101 + k of "inline.obj".
-inline PolygonMesh polygon_mesh(std::vector<Vector3> positions,
-                                std::vector<std::vector<Index>> polygons) {
+inline PolygonMesh polygon_mesh(std::vector<Vector3> positions, IndexLists polygons) {
   PolygonMesh mesh;
   mesh.file = "inline.obj";
   mesh.positions = std::move(positions);

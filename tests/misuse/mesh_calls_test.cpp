@@ -66,10 +66,12 @@ const std::vector<Call> kCalls{
      [] { surface([](PolygonMesh& m) { m.polygons[0][0] = -1; }); }},
     {"polygon_of_two", "InvalidArgument: polygon 1 has 2 corners",
      [] { surface([](PolygonMesh& m) {
-            m.polygons[1] = {0, 1};
+            m.polygons = {{0, 1, 2}, {0, 1}};
           }); }},
     {"polygon_of_none", "InvalidArgument: polygon 0 has 0 corners",
-     [] { surface([](PolygonMesh& m) { m.polygons[0] = {}; }); }},
+     [] { surface([](PolygonMesh& m) {
+            m.polygons = {{}, {0, 2, 3}};
+          }); }},
     {"nan_position", "InvalidArgument: vertex 3 is at (0, nan, 0), finite numbers are needed",
      [] { surface([](PolygonMesh& m) { m.positions[3].y() = kNan; }); }},
     {"infinite_position", "InvalidArgument: vertex 0 is at (-inf, 0, 0)",
@@ -97,7 +99,7 @@ const std::vector<Call> kCalls{
           }); }},
     {"vertex_twice", "Error Unsupported: face 1: a vertex occurs twice; repair() makes",
      [] { surface([](PolygonMesh& m) {
-            m.polygons[1] = {0, 2, 2};
+            m.polygons = {{0, 1, 2}, {0, 2, 2}};
           }); }},
     {"huge",
      "Error Unsupported: edges of length 1e+200 to 1.41e+200: areas leave the range of doubles; "
@@ -149,7 +151,7 @@ const std::vector<Call> kCalls{
      }},
     {"turned_face", "Error Unsupported: face 1: faces on both sides of edge (0, 2) run against",
      [] { surface([](PolygonMesh& m) {
-            m.polygons[1] = {0, 3, 2};
+            m.polygons = {{0, 1, 2}, {0, 3, 2}};
           }); }},
     {"two_components", "Error Unsupported: face 2: the mesh has 2 components, a second one starts",
      [] {

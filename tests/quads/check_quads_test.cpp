@@ -10,6 +10,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/quads/exact_normals.h"
+#include "mesh/list_edits.h"
 #include "parametrization/fields/closed_surfaces.h"
 
 namespace majorant {
@@ -64,7 +65,7 @@ TEST(CheckQuads, FoldedToTheLastBit) {
   const SurfaceMesh surface = SurfaceMesh::from_polygons(cube(4));
   PolygonMesh quads = quads_of(cube(4));
   // A corner of the first quad onto the line of its neighbours, then a last bit back.
-  const std::vector<Index> first = quads.polygons[0];
+  const auto first = quads.polygons[0];
   const Vector3 middle = (quads.positions[first[1]] + quads.positions[first[3]]) / 2;
   const Vector3 inward = quads.positions[first[0]] - middle;
   quads.positions[first[0]] = middle;
@@ -81,7 +82,7 @@ TEST(CheckQuads, TurnedInsideOut) {
   const SurfaceMesh surface = SurfaceMesh::from_polygons(sphere(5));
   PolygonMesh quads = quads_of(sphere(5));
   EXPECT_TRUE(check_quads(quads, &surface).is_valid());
-  for (auto& polygon : quads.polygons) std::swap(polygon[1], polygon[3]);
+  for (const auto polygon : quads.polygons) std::swap(polygon[1], polygon[3]);
   const QuadCheck check = check_quads(quads, &surface);
   EXPECT_EQ(static_cast<Index>(check.turned.size()), check.count);
   EXPECT_TRUE(check.folded.empty());
@@ -178,10 +179,8 @@ TEST(CheckQuads, BordersThatTouch) {
   PolygonMesh quads =
       plate(6, [](int i, int j) { return (i == 2 && j == 2) || (i == 3 && j == 3); });
   const Index corner = 3 * 7 + 3;
-  const auto one = std::find_if(
-      quads.polygons.begin(), quads.polygons.end(),
-      [&](const auto& quad) { return std::find(quad.begin(), quad.end(), corner) != quad.end(); });
-  std::replace(one->begin(), one->end(), corner, static_cast<Index>(quads.positions.size()));
+  const std::span<Index> corners = quads.polygons.indices();
+  *std::find(corners.begin(), corners.end(), corner) = static_cast<Index>(quads.positions.size());
   quads.positions.push_back(Vector3(quads.positions[corner]));
   const SurfaceMesh surface = surface_of(quads);
   EXPECT_EQ(surface.topology().boundary_loops, 2);
@@ -196,8 +195,7 @@ TEST(CheckQuads, ComponentsAreComparedByThemselves) {
     PolygonMesh both = quads_of(cube(1));
     const PolygonMesh one = both;
     const auto count = static_cast<Index>(one.positions.size());
-    both.polygons.erase(both.polygons.begin(),
-                        both.polygons.begin() + static_cast<std::ptrdiff_t>(left_out_of_first));
+    erase_lists(both.polygons, 0, left_out_of_first);
     for (const Vector3& p : one.positions) both.positions.push_back(p + Vector3(3, 0, 0));
     for (std::size_t q = left_out_of_second; q < one.polygons.size(); ++q) {
       both.polygons.push_back(one.polygons[q]);
@@ -214,7 +212,7 @@ TEST(CheckQuads, RefusesWhatIsNoMesh) {
   PolygonMesh quads = quads_of(cube(1));
   quads.polygons[0][0] = 99;
   EXPECT_THROW(check_quads(quads, nullptr), InvalidArgument);
-  quads.polygons[0] = {0, 1, 2};
+  set_list(quads.polygons, 0, {0, 1, 2});
   const QuadCheck check = check_quads(quads, nullptr);
   EXPECT_FALSE(check.is_valid());
   EXPECT_FALSE(check.is_surface);

@@ -262,7 +262,7 @@ TEST(QuadMesh, RefusesWhatItCannot) {
     EXPECT_NE(std::string(error.what()).find("one quarter turn"), std::string::npos);
   }
   PolygonMesh open = sphere(3);
-  open.polygons.pop_back();
+  open.polygons.resize(open.polygons.size() - 1);
   open.polygon_lines.clear();
   QuadMeshOptions given;
   given.map.cones.emplace();

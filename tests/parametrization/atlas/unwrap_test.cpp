@@ -15,6 +15,7 @@
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/seams/congruent_surfaces.h"
+#include "mesh/list_edits.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
 #include "random.h"
@@ -100,10 +101,7 @@ PolygonMesh moved(PolygonMesh mesh, const Vector3& by) {
 PolygonMesh together(PolygonMesh a, const PolygonMesh& b) {
   const auto first = static_cast<Index>(a.positions.size());
   a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  for (std::vector<Index> polygon : b.polygons) {
-    for (Index& v : polygon) v += first;
-    a.polygons.push_back(polygon);
-  }
+  append_lists(a.polygons, b.polygons, first);
   a.polygon_lines.clear();
   return a;
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "majorant/framework/parallel.h"
+#include "mesh/list_edits.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
@@ -63,8 +64,7 @@ void expect_rings(const CollapsingMesh& mesh) {
 const SurfaceMesh& with_holes() {
   static const auto mesh = [] {
     PolygonMesh plain = grid(12, bumpy);
-    for (const std::size_t f : {200u, 100u, 60u})
-      plain.polygons.erase(plain.polygons.begin() + static_cast<std::ptrdiff_t>(f));
+    for (const std::size_t f : {200u, 100u, 60u}) erase_lists(plain.polygons, f, 1);
     plain.polygon_lines.resize(plain.polygons.size());
     return surface(plain);
   }();

@@ -12,6 +12,7 @@
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure.h"
+#include "mesh/list_edits.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 
@@ -90,8 +91,7 @@ double turns(const std::vector<Index>& loop, const Vec& uv) {
 // filled, is not.
 TEST(Multiresolution, HasHoles) {
   PolygonMesh plain = grid(20, bumpy);
-  for (const std::size_t f : {620u, 300u, 180u})
-    plain.polygons.erase(plain.polygons.begin() + static_cast<std::ptrdiff_t>(f));
+  for (const std::size_t f : {620u, 300u, 180u}) erase_lists(plain.polygons, f, 1);
   plain.polygon_lines.resize(plain.polygons.size());
   const auto mesh = surface(plain);
   ASSERT_EQ(mesh->boundary_loops().size(), 4u);

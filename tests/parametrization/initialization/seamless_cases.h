@@ -34,7 +34,7 @@ inline SeamlessCase seamless_case(std::vector<Vector3> positions,
                                   const std::vector<std::array<Vector2, 3>>& uv,
                                   const std::vector<std::array<char, 3>>& cut_sides) {
   SeamlessCase out;
-  std::vector<std::vector<Index>> polygons;
+  IndexLists polygons;
   for (const auto& t : triangles) polygons.push_back({t[0], t[1], t[2]});
   out.polygons = polygon_mesh(std::move(positions), std::move(polygons));
   const SurfaceMesh plain = SurfaceMesh::from_polygons(out.polygons);
@@ -49,11 +49,10 @@ inline SeamlessCase seamless_case(std::vector<Vector3> positions,
   const SurfaceMesh cut = plain.cut_along(out.is_cut, nullptr);
   out.polygons.texcoords.resize(to_size(cut.vertex_count()));
   for (Index f = 0; f < cut.face_count(); ++f) {
-    out.polygons.polygon_texcoords.emplace_back();
-    for (Index k = 0; k < 3; ++k) {
-      out.polygons.polygon_texcoords.back().push_back(cut.faces()(f, k));
-      out.polygons.texcoords[cut.faces()(f, k)] = out.corners.row(f).segment<2>(2 * k);
-    }
+    const auto corner = [&](Index k) { return cut.faces()(f, k); };
+    out.polygons.polygon_texcoords.push_back({corner(0), corner(1), corner(2)});
+    for (Index k = 0; k < 3; ++k)
+      out.polygons.texcoords[corner(k)] = out.corners.row(f).segment<2>(2 * k);
   }
   out.mesh = surface(out.polygons);
   return out;

@@ -67,7 +67,7 @@ TEST(TutteMap, IsTheOneOfItsDefinition) {
 // Faces that run the other way round give a map that is still positive on the faces as they are.
 TEST(TutteMap, FollowsTheOrientationOfTheFaces) {
   PolygonMesh mesh = grid(4, bumpy);
-  for (auto& polygon : mesh.polygons) std::swap(polygon[0], polygon[2]);
+  for (const auto polygon : mesh.polygons) std::swap(polygon[0], polygon[2]);
   // A square's corner triangles have all vertices on the boundary but none is collapsed.
   const auto reversed = surface(mesh);
   const Vec uv = tutte_map(*reversed);

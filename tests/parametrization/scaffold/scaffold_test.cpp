@@ -8,6 +8,7 @@
 #include "expected_error.h"
 #include "majorant/constraints/constraints.h"
 #include "majorant/framework/problem.h"
+#include "mesh/list_edits.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"
 
 namespace majorant {
@@ -43,10 +44,7 @@ Around around(const PolygonMesh& polygons, int degree) {
 // The unit square without two of its 36 squares.
 PolygonMesh two_holes() {
   PolygonMesh mesh = grid(6);
-  for (const int square : {22, 13}) {
-    const auto first = mesh.polygons.begin() + 2 * square;
-    mesh.polygons.erase(first, first + 2);
-  }
+  for (const std::size_t square : {22, 13}) erase_lists(mesh.polygons, 2 * square, 2);
   mesh.polygon_lines.resize(mesh.polygons.size());
   return mesh;
 }

@@ -8,6 +8,7 @@
 
 #include "expected_error.h"
 #include "majorant/mesh/repair.h"
+#include "mesh/list_edits.h"
 #include "parametrization/seams/cut_checks.h"
 
 namespace majorant {
@@ -51,10 +52,7 @@ TEST(ChooseCuts, CutsEveryComponent) {
   const auto count = static_cast<Index>(two.positions.size());
   const PolygonMesh other = torus(16, 8, 0);
   for (const Vector3& p : other.positions) two.positions.push_back(p + Vector3(9, 0, 0));
-  for (std::vector<Index> polygon : other.polygons) {
-    for (Index& v : polygon) v += count;
-    two.polygons.push_back(polygon);
-  }
+  append_lists(two.polygons, other.polygons, count);
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(two, {}, Components::Any);
   const SurfaceCuts cuts = choose_cuts(mesh, {});
   expect_planar_pieces(mesh, cuts);
@@ -89,7 +87,7 @@ SurfaceMesh mirrored_limbs() {
     return p.normalized() * (1 + 1.8 * far);
   });
   std::vector<std::vector<Index>> triangles;
-  for (const std::vector<Index>& q : mesh.polygons) {
+  for (const auto q : mesh.polygons) {
     triangles.push_back({q[0], q[1], q[2]});
     triangles.push_back({q[0], q[2], q[3]});
   }
@@ -298,10 +296,9 @@ TEST(ChooseCuts, TextureIslands) {
     Index axis = 0;
     (c - a).cwiseAbs().minCoeff(&axis);
     const Index island = 2 * axis + (a[axis] > 0);
-    input.polygon_texcoords.emplace_back();
-    for (const Index v : polygon)
-      input.polygon_texcoords.back().push_back(island * static_cast<Index>(input.positions.size()) +
-                                               v);
+    input.polygon_texcoords.push_back(polygon);
+    for (Index& vt : input.polygon_texcoords.back())
+      vt += island * static_cast<Index>(input.positions.size());
   }
   input.texcoords.assign(6 * input.positions.size(), Vector2(0, 0));
   const SurfaceMesh mesh = SurfaceMesh::from_polygons(input);
@@ -314,9 +311,11 @@ TEST(ChooseCuts, TextureIslands) {
   // corner, which is cut as nothing else would be.
   for (const auto& [sides, pieces] : {std::pair{2, 5}, {3, 4}}) {
     PolygonMesh partial = input;
-    for (auto& texture : partial.polygon_texcoords) {
+    partial.polygon_texcoords = {};
+    for (const auto texture : input.polygon_texcoords) {
       const Index island = texture[0] / static_cast<Index>(input.positions.size());
-      if (island % 2 == 0 && island < 2 * sides) texture.clear();
+      const bool is_left_out = island % 2 == 0 && island < 2 * sides;
+      partial.polygon_texcoords.push_back(is_left_out ? std::span<const Index>() : texture);
     }
     const SurfaceMesh some = SurfaceMesh::from_polygons(partial);
     const SurfaceCuts less = choose_cuts(some, cuts_by(CutMethod::Texture));
@@ -352,7 +351,7 @@ SurfaceMesh open_box(int n) {
     for (const Index v : polygon) least = std::min(least, box.positions[v].z());
     return least > 0.5 * most;
   };
-  std::erase_if(box.polygons, is_lid);
+  change_lists(box.polygons, [&](auto& all) { std::erase_if(all, is_lid); });
   box.polygon_lines.clear();
   return SurfaceMesh::from_polygons(box);
 }

@@ -46,10 +46,10 @@ inline void expect_planar_pieces(const SurfaceMesh& mesh, const SurfaceCuts& cut
 inline PolygonMesh sphere_with_holes(int n, int holes) {
   PolygonMesh mesh = cube_sphere(n);
   const std::size_t step = mesh.polygons.size() / static_cast<std::size_t>(holes);
-  std::vector<std::vector<Index>> kept;
+  IndexLists kept;
   for (std::size_t f = 0; f < mesh.polygons.size(); ++f)
     if (f % step != 0) kept.push_back(mesh.polygons[f]);
-  mesh.polygons = kept;
+  mesh.polygons = std::move(kept);
   return mesh;
 }
 

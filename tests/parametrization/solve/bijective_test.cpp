@@ -4,6 +4,7 @@
 #include "expected_error.h"
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
+#include "mesh/list_edits.h"
 #include "mesh/obj_file.h"
 #include "parametrization/solve/parametrize_expectations.h"
 
@@ -101,10 +102,7 @@ TEST(Bijective, CostsNothingWhereNothingOverlaps) {
 
 TEST(Bijective, ADiskWithTwoHoles) {
   PolygonMesh polygons = grid(6, bumpy);
-  for (const int square : {22, 13}) {
-    const auto first = polygons.polygons.begin() + 2 * square;
-    polygons.polygons.erase(first, first + 2);
-  }
+  for (const std::size_t square : {22, 13}) erase_lists(polygons.polygons, 2 * square, 2);
   polygons.polygon_lines.resize(polygons.polygons.size());
   const auto mesh = surface(polygons);
   const BezierMap start =
@@ -130,8 +128,7 @@ TEST(Bijective, ADiskWithTwoHoles) {
 // steps on coarser meshes have a scaffold, and boundary vertices come back inside of the image.
 TEST(Bijective, StartsInManyResolutionsHaveNoOverlaps) {
   PolygonMesh holes = grid(24, bumpy);
-  for (const std::size_t f : {820u, 500u, 280u})
-    holes.polygons.erase(holes.polygons.begin() + static_cast<std::ptrdiff_t>(f));
+  for (const std::size_t f : {820u, 500u, 280u}) erase_lists(holes.polygons, f, 1);
   holes.polygon_lines.resize(holes.polygons.size());
   for (const auto& [mesh, boundary] :
        {std::pair(ramp(1.3, 400), BoundaryCondition::Free),

@@ -104,7 +104,7 @@ TEST(PlanarMap, IsTheIdentity) {
 
 TEST(PlanarMap, OfReversedFacesIsSeenFromBelow) {
   PolygonMesh mesh = bar();
-  for (auto& polygon : mesh.polygons) std::swap(polygon[0], polygon[1]);
+  for (const auto polygon : mesh.polygons) std::swap(polygon[0], polygon[1]);
   const BezierMap rest = planar_map(surface(mesh));
   for (Index v = 0; v < rest.mesh().vertex_count(); ++v) {
     EXPECT_EQ(rest.control_points()[2 * v], -rest.mesh().positions()(v, 0));

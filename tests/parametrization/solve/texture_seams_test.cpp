@@ -5,6 +5,7 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "mesh/list_edits.h"
 #include "parametrization/initialization/seamless_cases.h"
 
 namespace majorant {
@@ -32,7 +33,7 @@ TEST(TextureMap, RefusesSeamsAndMissingCoordinates) {
   expect_contains(error_message(ErrorKind::Unsupported, [&] { texture_map(*surface(seam)); }),
                   {"inline.obj", "vertex 3", "several", "take another start"});
   PolygonMesh missing = textured();
-  missing.polygon_texcoords[4].clear();
+  set_list(missing.polygon_texcoords, 4, {});
   expect_contains(error_message(ErrorKind::Unsupported, [&] { texture_map(*surface(missing)); }),
                   {"inline.obj", "texture coordinates", "take another start"});
 }
@@ -197,7 +198,7 @@ TEST(TextureSeams, FlippedFacesAreInfeasible) {
 
 TEST(TextureSeams, CornersWithoutCoordinatesAreUnsupported) {
   SeamlessCase c = squares_case(unit_cube(), 2, Charts::One);
-  c.polygons.polygon_texcoords[5].clear();
+  set_list(c.polygons.polygon_texcoords, 5, {});
   expect_contains(
       error_message(ErrorKind::Unsupported, [&] { seamless_from_texture(*surface(c.polygons)); }),
       {"inline.obj", "texture coordinates"});

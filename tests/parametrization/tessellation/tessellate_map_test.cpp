@@ -17,7 +17,7 @@ namespace majorant {
 namespace {
 
 using exact::Rational;
-using Polygons = std::vector<std::vector<Index>>;
+using Polygons = IndexLists;
 
 // Twice the area, in exact arithmetic.
 Rational area(const Vector2& a, const Vector2& b, const Vector2& c) {
