@@ -23,10 +23,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/repair.h"
-#include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/quads/internal/aligned_map.h"
 #include "majorant/quads/internal/arc_numbers.h"
-#include "majorant/quads/internal/border.h"
 
 using namespace majorant;
 
@@ -88,18 +86,10 @@ int main(int argc, char** argv) {
     const RepairedSurface surface = repair(read_mesh(argv[i]), {.welding = Welding::EqualPlaces});
     if (surface.mesh->topology().components != 1) continue;
     const std::string name = std::filesystem::path(argv[i]).stem().string();
-    const SurfaceMesh room = with_room(*surface.mesh).mesh;
-    SeamlessOptions how;
-    ParametrizationOptions options;
-    options.map.degree = 1;
-    for (Index h = 0; h < room.half_edge_count(); ++h)
-      if (room.opposite(h) < 0) options.map.aligned.push_back(h);
-    if (!options.map.aligned.empty()) how.field.aligned = held_flags(room);
+    const RoomySurface room = with_room(*surface.mesh);
     try {
       RunRecord record;
-      const ParametrizationResult solved =
-          parametrize(make_seamless(room, how, record).map, options, record);
-      SeamlessLattice lattice(room, solved.map.value());
+      SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map);
       const TMesh t_mesh = trace_t_mesh(lattice);
       for (std::size_t c = 0; c < counts.size(); ++c) {
         measure(name, lattice, t_mesh, counts[c], ArcNumbers::Arcs::Joined, joined[c]);

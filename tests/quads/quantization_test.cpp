@@ -13,9 +13,7 @@
 #include <vector>
 
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/quads/internal/border.h"
+#include "majorant/quads/internal/aligned_map.h"
 #include "majorant/quads/internal/extraction.h"
 #include "parametrization/fields/closed_surfaces.h"
 #include "public_data.h"
@@ -72,18 +70,9 @@ TEST(Quantization, SidesAgree) {
   if (path != nullptr) file.open(path);
   for (const auto& [name, mesh] : surfaces) {
     if (path == nullptr && mesh.face_count() > 1000) continue;
-    const SurfaceMesh room = with_room(mesh).mesh;
+    const RoomySurface room = with_room(mesh);
     RunRecord record;
-    SeamlessOptions how;
-    ParametrizationOptions options;
-    options.map.degree = 1;
-    for (Index h = 0; h < room.half_edge_count(); ++h)
-      if (room.opposite(h) < 0) options.map.aligned.push_back(h);
-    if (!options.map.aligned.empty()) how.field.aligned = held_flags(room);
-    const ParametrizationResult solved =
-        parametrize(make_seamless(room, how, record).map, options, record);
-    ASSERT_TRUE(solved.map) << name;
-    SeamlessLattice lattice(room, *solved.map);
+    SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map);
     const TMesh t_mesh = trace_t_mesh(lattice);
     for (const long count : {500, 4000}) {
       const Instance asked = instance_of(lattice, t_mesh, count);
