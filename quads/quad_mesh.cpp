@@ -209,11 +209,20 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                                                    {Arcs::Separate, 1},  {Arcs::Separate, 1.03}};
   std::optional<std::string> why;
   double least_off = std::numeric_limits<double>::infinity();
-  const auto attempt = [&](Arcs arcs, double part) {
+  const auto numbers_for = [&](const std::string& what, Arcs arcs, const auto& find) {
+    record.announce("whole numbers for " + what);
     ArcNumbers numbers(lattice, t_mesh, arcs, stop);
-    const std::vector<Index> edges =
-        options.edge_length ? numbers.at(*options.edge_length / lattice.unit() / std::sqrt(part))
-                            : numbers.for_count(part * asked);
+    std::vector<Index> edges = find(numbers);
+    record.announce(fmt::format("{} quads", quad_count(t_mesh, edges)));
+    return edges;
+  };
+  const auto attempt = [&](Arcs arcs, double part) {
+    const std::vector<Index> edges = numbers_for(
+        fmt::format("{} quads", std::lround(part * asked)), arcs, [&](ArcNumbers& numbers) {
+          return options.edge_length
+                     ? numbers.at(*options.edge_length / lattice.unit() / std::sqrt(part))
+                     : numbers.for_count(part * asked);
+        });
     const double off = std::abs(static_cast<double>(quad_count(t_mesh, edges)) / asked - 1);
     if (result.check.count > 0 && off >= least_off) return;
     JudgedQuads made = placer.place(edges);
@@ -227,7 +236,9 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
     result.degree = made.degree;
     result.least_count.reset();
     if (static_cast<double>(result.check.count) <= (1 + kCountClose) * asked) return;
-    const long least = quad_count(t_mesh, ArcNumbers(lattice, t_mesh, Arcs::Joined, stop).fewest());
+    const long least =
+        quad_count(t_mesh, numbers_for("as few quads as possible", Arcs::Joined,
+                                       [](ArcNumbers& numbers) { return numbers.fewest(); }));
     result.least_count = std::min(least, long{result.check.count});
   };
   const auto attempt_for = [&](Arcs arcs, double part) {
