@@ -1,9 +1,10 @@
 // CPU milliseconds that whole numbers for the arcs of a T-mesh take, the search for the edge length
-// included, and how good they are. A row for each mesh and count, without features; last rows:
-// means.
+// included, and how good they are. Rows for each mesh and count; last rows: means.
 //
-//     arcs     of the T-mesh; joined: they may have no edges, as quad_mesh() asks first, separate:
-//              all have one at least
+//     joined   one search, without features: arcs may have no edges, as quad_mesh() asks first
+//     separate the same, all have one at least
+//     run      all searches of a whole run of quad_mesh(), with features
+//     arcs     of the T-mesh
 //     quads    that they make, of those asked
 //     off      sum (n - wanted)^2 / max(wanted, 1) over arcs, at the edge length that makes as many
 //
@@ -16,21 +17,49 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/run_record.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/repair.h"
-#include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/quads/internal/aligned_map.h"
 #include "majorant/quads/internal/arc_numbers.h"
-#include "majorant/quads/internal/border.h"
+#include "majorant/quads/quad_mesh.h"
 
 using namespace majorant;
 
 namespace {
+
+// Of quad_mesh(), which says what it is at.
+class SearchClock final : public RunObserver {
+ public:
+  void begin(Activity) override { end(); }
+  void announce(std::string_view part) override {
+    end();
+    if (!part.starts_with("whole numbers")) return;
+    start_ = std::clock();
+    ++searches_;
+  }
+  double milliseconds() const { return milliseconds_; }
+  int searches() const { return searches_; }
+
+ private:
+  void end() {
+    if (!start_) return;
+    milliseconds_ += 1000 * static_cast<double>(std::clock() - *start_) / CLOCKS_PER_SEC;
+    start_.reset();
+  }
+
+  std::optional<std::clock_t> start_;
+  double milliseconds_ = 0;
+  int searches_ = 0;
+};
 
 struct Sums {
   double milliseconds = 0;
@@ -50,25 +79,48 @@ double off_of(const SeamlessLattice& lattice, const TMesh& t_mesh,
   return sum;
 }
 
-void measure(const std::string& name, const SeamlessLattice& lattice, const TMesh& t_mesh,
-             double count, ArcNumbers::Arcs arcs, Sums& sums) {
-  const bool is_joined = arcs == ArcNumbers::Arcs::Joined;
-  const std::clock_t start = std::clock();
-  std::string made;
-  try {
-    const std::vector<Index> edges = ArcNumbers(lattice, t_mesh, arcs, {}).for_count(count);
-    made = fmt::format("{} | {:.2f}", quad_count(t_mesh, edges), off_of(lattice, t_mesh, edges));
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::Infeasible) throw;
-    made = " | ";
-  }
-  const double milliseconds =
-      1000 * static_cast<double>(std::clock() - start) / static_cast<double>(CLOCKS_PER_SEC);
+void print_row(const std::string& name, const std::string& arcs, const char* kind, double count,
+               const std::string& made, int searches, double milliseconds, Sums& sums) {
   sums.milliseconds += milliseconds;
   ++sums.rows;
-  fmt::print("| {} | {} | {} | {} | {} | {:.1f} |\n", name, t_mesh.arcs.size(),
-             is_joined ? "joined" : "separate", count, made, milliseconds);
+  fmt::print("| {} | {} | {} | {} | {} | {} | {:.1f} |\n", name, arcs, kind, count, made, searches,
+             milliseconds);
   std::fflush(stdout);
+}
+
+// Empty where there is nothing.
+template <class Make>
+std::string made_by(const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::Infeasible) throw;
+    return " | ";
+  }
+}
+
+void measure_search(const std::string& name, const SeamlessLattice& lattice, const TMesh& t_mesh,
+                    double count, ArcNumbers::Arcs arcs, Sums& sums) {
+  const std::clock_t start = std::clock();
+  const std::string made = made_by([&] {
+    const std::vector<Index> edges = ArcNumbers(lattice, t_mesh, arcs, {}).for_count(count);
+    return fmt::format("{} | {:.2f}", quad_count(t_mesh, edges), off_of(lattice, t_mesh, edges));
+  });
+  print_row(name, std::to_string(t_mesh.arcs.size()),
+            arcs == ArcNumbers::Arcs::Joined ? "joined" : "separate", count, made, 1,
+            1000 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, sums);
+}
+
+void measure_run(const std::string& name, const SurfaceMesh& mesh, double count, Sums& sums) {
+  SearchClock clock;
+  RunRecord record(std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(),
+                   nullptr, &clock);
+  QuadMeshOptions options;
+  options.count = std::lround(count);
+  options.threads = 1;
+  const std::string made =
+      made_by([&] { return fmt::format("{} | ", quad_mesh(mesh, options, record).check.count); });
+  print_row(name, "", "run", count, made, clock.searches(), clock.milliseconds(), sums);
 }
 
 }  // namespace
@@ -81,41 +133,35 @@ int main(int argc, char** argv) {
   std::vector<double> counts;
   std::istringstream list(argv[1]);
   for (std::string count; std::getline(list, count, ',');) counts.push_back(std::stod(count));
-  fmt::print("| file | arcs | | asked | quads | off | ms |\n");
-  fmt::print("|---|---|---|---|---|---|---|\n");
-  std::vector<Sums> joined(counts.size()), separate(counts.size());
+  fmt::print("| file | arcs | | asked | quads | off | searches | ms |\n");
+  fmt::print("|---|---|---|---|---|---|---|---|\n");
+  std::vector<Sums> joined(counts.size()), separate(counts.size()), run(counts.size());
   for (int i = 2; i < argc; ++i) {
     const RepairedSurface surface = repair(read_mesh(argv[i]), {.welding = Welding::EqualPlaces});
     if (surface.mesh->topology().components != 1) continue;
     const std::string name = std::filesystem::path(argv[i]).stem().string();
-    const SurfaceMesh room = with_room(*surface.mesh).mesh;
-    SeamlessOptions how;
-    ParametrizationOptions options;
-    options.map.degree = 1;
-    for (Index h = 0; h < room.half_edge_count(); ++h)
-      if (room.opposite(h) < 0) options.map.aligned.push_back(h);
-    if (!options.map.aligned.empty()) how.field.aligned = held_flags(room);
+    const RoomySurface room = with_room(*surface.mesh);
     try {
       RunRecord record;
-      const ParametrizationResult solved =
-          parametrize(make_seamless(room, how, record).map, options, record);
-      SeamlessLattice lattice(room, solved.map.value());
+      SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map);
       const TMesh t_mesh = trace_t_mesh(lattice);
       for (std::size_t c = 0; c < counts.size(); ++c) {
-        measure(name, lattice, t_mesh, counts[c], ArcNumbers::Arcs::Joined, joined[c]);
-        measure(name, lattice, t_mesh, counts[c], ArcNumbers::Arcs::Separate, separate[c]);
+        measure_search(name, lattice, t_mesh, counts[c], ArcNumbers::Arcs::Joined, joined[c]);
+        measure_search(name, lattice, t_mesh, counts[c], ArcNumbers::Arcs::Separate, separate[c]);
+        measure_run(name, *surface.mesh, counts[c], run[c]);
       }
     } catch (const Error& error) {
-      fmt::print("| {} | | | | {} | | |\n", name, error.what());
+      fmt::print("| {} | | | | {} | | | |\n", name, error.what());
     }
   }
   const auto print_mean = [](const char* arcs, double count, const Sums& sums) {
-    fmt::print("| mean of {} | | {} | {} | | | {:.1f} |\n", sums.rows, arcs, count,
+    fmt::print("| mean of {} | | {} | {} | | | | {:.1f} |\n", sums.rows, arcs, count,
                sums.milliseconds / std::max(sums.rows, 1));
   };
   for (std::size_t c = 0; c < counts.size(); ++c) {
     print_mean("joined", counts[c], joined[c]);
     print_mean("separate", counts[c], separate[c]);
+    print_mean("run", counts[c], run[c]);
   }
   return 0;
 }

@@ -366,7 +366,8 @@ class QuadJudge {
     return place;
   }
 
-  // The nearest place of the border; where several vertices of it are at one place, all of these.
+  // The nearest place of the border; where several vertices or edges of it are at one place, on all
+  // of these.
   std::vector<Place> places_of(const Vector3& p, double close) const {
     const Place nearest = nearest_place(p);
     const std::vector<Index>& loop = surface_->boundary_loops()[nearest.loop];
@@ -379,7 +380,19 @@ class QuadJudge {
       for (const auto& [on, along] : found->second) places.push_back({on, along, nearest.distance});
       return places;
     }
-    return {nearest};
+    const auto edges =
+        touching_edges_.find(ends_of(loop[before], loop[(before + 1) % loop.size()]));
+    if (edges == touching_edges_.end()) return {nearest};
+    const auto start_of = [&](const Place& edge) {
+      return key_of(surface_->boundary_loops()[edge.loop][static_cast<std::size_t>(edge.along)]);
+    };
+    const double part = nearest.along - static_cast<double>(before);
+    std::vector<Place> places;
+    for (const Place& edge : edges->second) {
+      const bool runs_along = start_of(edge) == key_of(loop[before]);
+      places.push_back({edge.loop, edge.along + (runs_along ? part : 1 - part), nearest.distance});
+    }
+    return places;
   }
 
   using Key = std::array<double, 3>;
@@ -388,12 +401,22 @@ class QuadJudge {
     return {p.x(), p.y(), p.z()};
   }
 
+  using Ends = std::pair<Key, Key>;
+  Ends ends_of(Index a, Index b) const { return std::minmax({key_of(a), key_of(b)}); }
+
   void find_touching_borders() {
     const auto& loops = surface_->boundary_loops();
     for (std::size_t l = 0; l < loops.size(); ++l)
       for (std::size_t i = 0; i < loops[l].size(); ++i)
         touching_[key_of(loops[l][i])].emplace_back(static_cast<Index>(l), static_cast<double>(i));
-    std::erase_if(touching_, [](const auto& places) { return places.second.size() < 2; });
+    for (const Place& edge : edge_places_) {
+      const std::vector<Index>& loop = loops[edge.loop];
+      const auto i = static_cast<std::size_t>(edge.along);
+      touching_edges_[ends_of(loop[i], loop[(i + 1) % loop.size()])].push_back(edge);
+    }
+    const auto is_single = [](const auto& places) { return places.second.size() < 2; };
+    std::erase_if(touching_, is_single);
+    std::erase_if(touching_edges_, is_single);
   }
 
   // Whether the vertices of a loop, which may be at these places, go around that one of the surface
@@ -622,8 +645,9 @@ class QuadJudge {
   std::vector<std::vector<Index>> loops_;
   std::optional<SurfaceTree> border_tree_;
   // Where several vertices of the surface's border are at one place: loops, and vertices of them.
-  std::map<std::array<double, 3>, std::vector<std::pair<Index, double>>> touching_;
-  std::vector<Place> edge_places_;  // where the segments of border_tree_ begin
+  std::map<Key, std::vector<std::pair<Index, double>>> touching_;
+  std::map<Ends, std::vector<Place>> touching_edges_;  // the same of edges: where they begin
+  std::vector<Place> edge_places_;                     // where the segments of border_tree_ begin
   std::vector<Index> missing_;
 };
 

@@ -13,9 +13,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/mesh_messages.h"
-#include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/solve/parametrize.h"
+#include "majorant/quads/internal/aligned_map.h"
 #include "majorant/quads/internal/arc_numbers.h"
 #include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/extraction.h"
@@ -65,51 +64,6 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
   if (const double asked = asked_of(mesh, options); asked > kMostQuads)
     throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
                                                     message_prefix(mesh), asked, kMostQuads));
-}
-
-// One quad around a vertex would meet itself along an edge.
-void require_turns(const SurfaceMesh& mesh, Index vertex, int quarter_turns) {
-  if (quarter_turns == 1)
-    throw Error(ErrorKind::Infeasible,
-                fmt::format("{}vertex {}: a cone of one quarter turn, around which there are no "
-                            "quads; refine the mesh there",
-                            message_prefix(mesh), user_vertex(mesh, vertex)));
-}
-
-// Cones of a surface with held edges cannot be chosen, and none may have a map.
-Start seamless_start(const SurfaceMesh& mesh, const SeamlessOptions& how, const RunRecord& record) {
-  try {
-    return make_seamless(mesh, how, record);
-  } catch (const Refusal& refusal) {
-    if (refusal.kind() != ErrorKind::Invalid || how.field.aligned.empty()) throw;
-    throw Error(ErrorKind::Infeasible, refusal.problem() + "; refine the mesh there");
-  }
-}
-
-// status receives how the optimization ended.
-BezierMap seamless_map(const RoomySurface& surface, const QuadMeshOptions& options,
-                       RunRecord& record, Status& status) {
-  const SurfaceMesh& mesh = surface.mesh;
-  SeamlessOptions how = options.map;
-  how.threads = options.threads;
-  ParametrizationOptions optimize;
-  const std::vector<char> is_held = held_flags(mesh, surface.is_feature);
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (is_held[h] && (mesh.opposite(h) < 0 || h < mesh.opposite(h)))
-      optimize.map.aligned.push_back(h);
-  if (!optimize.map.aligned.empty()) how.field.aligned = is_held;
-  record.begin(Activity::Starting);
-  if (how.cones)
-    for (const Cone& cone : *how.cones) require_turns(mesh, cone.vertex, cone.quarter_turns);
-  const Start start = seamless_start(mesh, how, record);
-  const std::vector<int>& turns = start.map.seams().quarter_turns();
-  for (std::size_t v = 0; v < turns.size(); ++v)
-    require_turns(mesh, static_cast<Index>(v), turns[v]);
-  optimize.map.degree = 1;
-  optimize.solve.threads = options.threads;
-  const ParametrizationResult result = parametrize(start.map, optimize, record);
-  status = result.status;
-  return result.map ? *result.map : start.map;
 }
 
 // Quads, not smoothed and not judged any further where they make no surface.
@@ -234,7 +188,12 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
   const StopCheck& stop = record.start_stop();
   QuadMesh result;
   const RoomySurface roomy = with_room(mesh, features);
-  const BezierMap map = seamless_map(roomy, options, record, result.status);
+  record.begin(Activity::Starting);
+  SeamlessOptions how = options.map;
+  how.threads = options.threads;
+  const AlignedMap aligned = aligned_map(roomy, how, record);
+  const BezierMap& map = aligned.map;
+  result.status = aligned.status;
   SeamlessLattice lattice(roomy.mesh, map, roomy.is_feature);
   const TMesh t_mesh = trace_t_mesh(lattice, stop);
   for (const TNode& node : t_mesh.nodes)
@@ -250,11 +209,20 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                                                    {Arcs::Separate, 1},  {Arcs::Separate, 1.03}};
   std::optional<std::string> why;
   double least_off = std::numeric_limits<double>::infinity();
-  const auto attempt = [&](Arcs arcs, double part) {
+  const auto numbers_for = [&](const std::string& what, Arcs arcs, const auto& find) {
+    record.announce("whole numbers for " + what);
     ArcNumbers numbers(lattice, t_mesh, arcs, stop);
-    const std::vector<Index> edges =
-        options.edge_length ? numbers.at(*options.edge_length / lattice.unit() / std::sqrt(part))
-                            : numbers.for_count(part * asked);
+    std::vector<Index> edges = find(numbers);
+    record.announce(fmt::format("{} quads", quad_count(t_mesh, edges)));
+    return edges;
+  };
+  const auto attempt = [&](Arcs arcs, double part) {
+    const std::vector<Index> edges = numbers_for(
+        fmt::format("{} quads", std::lround(part * asked)), arcs, [&](ArcNumbers& numbers) {
+          return options.edge_length
+                     ? numbers.at(*options.edge_length / lattice.unit() / std::sqrt(part))
+                     : numbers.for_count(part * asked);
+        });
     const double off = std::abs(static_cast<double>(quad_count(t_mesh, edges)) / asked - 1);
     if (result.check.count > 0 && off >= least_off) return;
     JudgedQuads made = placer.place(edges);
@@ -268,7 +236,9 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
     result.degree = made.degree;
     result.least_count.reset();
     if (static_cast<double>(result.check.count) <= (1 + kCountClose) * asked) return;
-    const long least = quad_count(t_mesh, ArcNumbers(lattice, t_mesh, Arcs::Joined, stop).fewest());
+    const long least =
+        quad_count(t_mesh, numbers_for("as few quads as possible", Arcs::Joined,
+                                       [](ArcNumbers& numbers) { return numbers.fewest(); }));
     result.least_count = std::min(least, long{result.check.count});
   };
   const auto attempt_for = [&](Arcs arcs, double part) {

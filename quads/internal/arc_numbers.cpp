@@ -23,8 +23,11 @@ std::vector<Index> ArcNumbers::at(double edge_length) {
 }
 
 std::vector<Index> ArcNumbers::fewest() {
-  constexpr double kLongest = std::numeric_limits<double>::infinity();
-  return without_bad_quads([&] { return joined_at(kLongest); });
+  // So long that none is wanted anywhere, but of numbers that are as few those on longer arcs: the
+  // same ones however they are found.
+  double longest = 0;
+  for (const TArc& arc : mesh_.arcs) longest += static_cast<double>(arc.length());
+  return without_bad_quads([&] { return joined_at(longest); });
 }
 
 std::vector<Index> ArcNumbers::for_count(double asked) {

@@ -25,7 +25,7 @@ namespace majorant {
 // that may have a lower one, in at most kMostDescents steps of the search, so that it is the least
 // sum where these were enough.
 enum class Effort { First, Least };
-// Chosen: on the public meshes searches that end at all do so after some 150.
+// Chosen: on the public meshes searches that end at all do so after some 120.
 inline constexpr long kMostDescents = 200;
 
 class Quantization {

@@ -188,6 +188,36 @@ TEST(CheckQuads, BordersThatTouch) {
   EXPECT_TRUE(check.is_valid()) << check.defects.front();
 }
 
+// A sheet of so many squares, cut open from a third of its height to two thirds.
+PolygonMesh slit_plate(int squares) {
+  PolygonMesh quads = plate(squares, [](int, int) { return false; });
+  for (Vector3& p : quads.positions) p *= 12.0 / squares;
+  const auto count = static_cast<Index>(quads.positions.size());
+  for (Index v = 0; v < count; ++v) {
+    const Vector3 p = quads.positions[v];
+    if (p.x() != 6 || p.y() <= 4 || p.y() >= 8) continue;
+    const auto other = static_cast<Index>(quads.positions.size());
+    quads.positions.push_back(p);
+    for (std::vector<Index>& quad : quads.polygons) {
+      double sum = 0;
+      for (const Index u : quad) sum += quads.positions[u].x();
+      if (sum > 4 * 6) std::replace(quad.begin(), quad.end(), v, other);
+    }
+  }
+  return quads;
+}
+
+// Vertices within the edges of a slit, whose sides are at one place.
+TEST(CheckQuads, BordersThatAreAtOnePlace) {
+  const SurfaceMesh surface = surface_of(slit_plate(6));
+  EXPECT_EQ(surface.topology().boundary_loops, 2);
+  PolygonMesh quads = slit_plate(12);
+  const QuadCheck check = check_quads(quads, &surface);
+  EXPECT_TRUE(check.is_valid()) << check.defects.front();
+  quads.positions.back().y() = 4.5;  // beyond the next one
+  EXPECT_TRUE(says(check_quads(quads, &surface), "does not follow one of the surface once"));
+}
+
 // The same sums of Euler characteristics, components and loops: a closed cube and one without two
 // opposite sides, or two cubes without one side.
 TEST(CheckQuads, ComponentsAreComparedByThemselves) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -161,6 +162,54 @@ TEST(Features, ThoseTooShortForTheQuadsAreRelaxed) {
   EXPECT_TRUE(made.check.is_valid());
   EXPECT_FALSE(made.relaxed.empty());
   EXPECT_EQ(made.check.feature_lines + static_cast<Index>(made.relaxed.size()), made.feature_lines);
+}
+
+// A flat cylinder, its axis and four rings of so many points on either side.
+SurfaceMesh coin(int around, double height) {
+  constexpr int kRings = 4;
+  PolygonMesh mesh;
+  const auto center = [&](int side) { return static_cast<Index>(side * (1 + kRings * around)); };
+  const auto at = [&](int side, int ring, int i) {
+    return static_cast<Index>(center(side) + 1 + (ring - 1) * around + i % around);
+  };
+  const auto add = [&](int side, Index a, Index b, Index c) {
+    mesh.polygons.push_back(side == 0 ? std::vector<Index>{a, c, b} : std::vector<Index>{a, b, c});
+  };
+  for (const int side : {0, 1}) {
+    mesh.positions.emplace_back(0, 0, side * height);
+    for (int ring = 1; ring <= kRings; ++ring)
+      for (int i = 0; i < around; ++i) {
+        const double angle = 2 * std::numbers::pi * i / around, radius = double(ring) / kRings;
+        mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                    side * height);
+      }
+    for (int i = 0; i < around; ++i) add(side, center(side), at(side, 1, i), at(side, 1, i + 1));
+    for (int ring = 1; ring < kRings; ++ring)
+      for (int i = 0; i < around; ++i) {
+        add(side, at(side, ring, i), at(side, ring + 1, i), at(side, ring + 1, i + 1));
+        add(side, at(side, ring, i), at(side, ring + 1, i + 1), at(side, ring, i + 1));
+      }
+  }
+  for (int i = 0; i < around; ++i) {
+    add(1, at(0, kRings, i), at(0, kRings, i + 1), at(1, kRings, i + 1));
+    add(1, at(0, kRings, i), at(1, kRings, i + 1), at(1, kRings, i));
+  }
+  return SurfaceMesh::from_polygons(mesh);
+}
+
+// With the edges of the coin there are more quads than asked, and without them none.
+TEST(Features, StayWhereThereAreNoQuadsWithoutThem) {
+  const SurfaceMesh mesh = coin(24, 0.07);
+  QuadMeshOptions options;
+  options.count = 40;
+  RunRecord record;
+  const QuadMesh made = quad_mesh(mesh, options, record);
+  EXPECT_EQ(made.feature_lines, 2);
+  EXPECT_TRUE(made.relaxed.empty());
+  EXPECT_TRUE(made.least_count);
+  EXPECT_GT(made.check.count, (1 + kCountClose) * 40);
+  options.features = std::vector<char>();
+  EXPECT_THROW(quad_mesh(mesh, options, record), Error);
 }
 
 TEST(Features, ExcludeGivenCones) {

@@ -12,10 +12,9 @@
 #include "majorant/certify/inverse_map.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/rest_shapes_of.h"
-#include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/quads/features.h"
+#include "majorant/quads/internal/aligned_map.h"
 #include "majorant/quads/internal/extraction.h"
 #include "majorant/quads/internal/quantization.h"
 #include "majorant/quads/quad_mesh.h"
@@ -36,15 +35,7 @@ struct Quantized {
   Quantized(const SurfaceMesh& mesh, const std::vector<char>& features, double count)
       : room(with_room(mesh, features)) {
     RunRecord record;
-    SeamlessOptions how;
-    ParametrizationOptions options;
-    options.map.degree = 1;
-    const std::vector<char> is_held = held_flags(room.mesh, room.is_feature);
-    for (Index h = 0; h < room.mesh.half_edge_count(); ++h)
-      if (is_held[h] && (room.mesh.opposite(h) < h)) options.map.aligned.push_back(h);
-    if (!options.map.aligned.empty()) how.field.aligned = is_held;
-    map = std::make_unique<BezierMap>(
-        *parametrize(make_seamless(room.mesh, how, record).map, options, record).map);
+    map = std::make_unique<BezierMap>(aligned_map(room, {}, record).map);
     lattice = std::make_unique<SeamlessLattice>(room.mesh, *map, room.is_feature);
     t_mesh = trace_t_mesh(*lattice);
     const double length = std::sqrt(static_cast<double>(lattice->twice_area()) / 2 / count);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -13,9 +14,7 @@
 #include <vector>
 
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/quads/internal/border.h"
+#include "majorant/quads/internal/aligned_map.h"
 #include "majorant/quads/internal/extraction.h"
 #include "parametrization/fields/closed_surfaces.h"
 #include "public_data.h"
@@ -72,18 +71,9 @@ TEST(Quantization, SidesAgree) {
   if (path != nullptr) file.open(path);
   for (const auto& [name, mesh] : surfaces) {
     if (path == nullptr && mesh.face_count() > 1000) continue;
-    const SurfaceMesh room = with_room(mesh).mesh;
+    const RoomySurface room = with_room(mesh);
     RunRecord record;
-    SeamlessOptions how;
-    ParametrizationOptions options;
-    options.map.degree = 1;
-    for (Index h = 0; h < room.half_edge_count(); ++h)
-      if (room.opposite(h) < 0) options.map.aligned.push_back(h);
-    if (!options.map.aligned.empty()) how.field.aligned = held_flags(room);
-    const ParametrizationResult solved =
-        parametrize(make_seamless(room, how, record).map, options, record);
-    ASSERT_TRUE(solved.map) << name;
-    SeamlessLattice lattice(room, *solved.map);
+    SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map);
     const TMesh t_mesh = trace_t_mesh(lattice);
     for (const long count : {500, 4000}) {
       const Instance asked = instance_of(lattice, t_mesh, count);
@@ -93,6 +83,40 @@ TEST(Quantization, SidesAgree) {
         for (std::size_t s = 0; s < 2; ++s)
           EXPECT_EQ(sum_of(patch.sides[s], asked.edges), sum_of(patch.sides[s + 2], asked.edges));
       file << json_of(fmt::format("{} {}", name, count), t_mesh, asked);
+    }
+  }
+}
+
+double off_of(const std::vector<double>& wanted, const std::vector<Index>& edges) {
+  double sum = 0;
+  for (std::size_t a = 0; a < edges.size(); ++a)
+    sum += (edges[a] - wanted[a]) * (edges[a] - wanted[a]) / std::max(wanted[a], 1.0);
+  return sum;
+}
+
+// Where the search went on from other numbers, and where it began anew.
+TEST(Quantization, IsTheLeastSumWhateverWasAskedBefore) {
+  const RoomySurface room = with_room(SurfaceMesh::from_polygons(sphere(8)));
+  RunRecord record;
+  SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map);
+  const TMesh t_mesh = trace_t_mesh(lattice);
+  const auto area = static_cast<double>(lattice.twice_area()) / 2;
+  std::vector<Index> least(t_mesh.arcs.size(), 0);
+  Quantization going_on(t_mesh, std::vector<double>(least.size(), 0), least);
+  for (const double count : {20.0, 21.0, 500.0, 520.0, 40.0, 1e5, 7.0}) {
+    std::vector<double> wanted;
+    for (const TArc& arc : t_mesh.arcs)
+      wanted.push_back(static_cast<double>(arc.length()) * std::sqrt(count / area));
+    going_on.want(wanted);
+    for (int raised = 0; raised < 3; ++raised) {
+      SCOPED_TRACE(fmt::format("{} quads, {} raised", count, raised));
+      const std::vector<Index> edges = going_on.numbers(Effort::Least);
+      const double off = off_of(wanted, edges);
+      EXPECT_NEAR(off, off_of(wanted, Quantization(t_mesh, wanted, least).numbers(Effort::Least)),
+                  1e-6 * off);
+      const auto arc = static_cast<Index>((7 * raised + 1) % edges.size());
+      least[arc] = edges[arc] + 1;
+      going_on.raise(arc, least[arc]);
     }
   }
 }

@@ -1,0 +1,59 @@
+#include "majorant/quads/internal/aligned_map.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "majorant/framework/error.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/refusal.h"
+#include "majorant/parametrization/solve/parametrize.h"
+
+namespace majorant {
+namespace {
+
+// One quad around a vertex would meet itself along an edge.
+void require_turns(const SurfaceMesh& mesh, Index vertex, int quarter_turns) {
+  if (quarter_turns == 1)
+    throw Error(ErrorKind::Infeasible,
+                fmt::format("{}vertex {}: a cone of one quarter turn, around which there are no "
+                            "quads; refine the mesh there",
+                            message_prefix(mesh), user_vertex(mesh, vertex)));
+}
+
+// Cones of a surface with held edges cannot be chosen, and none may have a map.
+Start seamless_start(const SurfaceMesh& mesh, const SeamlessOptions& how, const RunRecord& record) {
+  try {
+    return make_seamless(mesh, how, record);
+  } catch (const Refusal& refusal) {
+    if (refusal.kind() != ErrorKind::Invalid || how.field.aligned.empty()) throw;
+    throw Error(ErrorKind::Infeasible, refusal.problem() + "; refine the mesh there");
+  }
+}
+
+}  // namespace
+
+AlignedMap aligned_map(const RoomySurface& surface, SeamlessOptions how, RunRecord& record) {
+  const SurfaceMesh& mesh = surface.mesh;
+  ParametrizationOptions optimize;
+  const std::vector<char> is_held = held_flags(mesh, surface.is_feature);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h)
+    if (is_held[h] && (mesh.opposite(h) < 0 || h < mesh.opposite(h)))
+      optimize.map.aligned.push_back(h);
+  if (!optimize.map.aligned.empty()) how.field.aligned = is_held;
+  if (how.cones)
+    for (const Cone& cone : *how.cones) require_turns(mesh, cone.vertex, cone.quarter_turns);
+  const Start start = seamless_start(mesh, how, record);
+  const std::vector<int>& turns = start.map.seams().quarter_turns();
+  for (std::size_t v = 0; v < turns.size(); ++v)
+    require_turns(mesh, static_cast<Index>(v), turns[v]);
+  optimize.map.degree = 1;
+  optimize.solve.threads = how.threads;
+  const ParametrizationResult result = parametrize(start.map, optimize, record);
+  return {result.map ? *result.map : start.map, result.status};
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
