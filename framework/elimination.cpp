@@ -82,18 +82,6 @@ void Elimination::expand(VecIn y, Vec& x) const {
   }
 }
 
-VecIn Elimination::expanded(const VecIn& y, Vec& room) const {
-  if (is_identity()) return y;
-  expand(y, room);
-  return room;
-}
-
-VecIn Elimination::expanded_direction(const VecIn& dy, Vec& room) const {
-  if (is_identity()) return dy;
-  expand_direction(dy, room);
-  return room;
-}
-
 void Elimination::expand_direction(VecIn dy, Vec& dx) const {
   dx.setZero(full_size());
   for (Index i = 0; i < full_size(); ++i)

@@ -73,12 +73,8 @@ class Elimination {
   // Returns whether rows 0 to full_unknowns - 1 of Z are those of `other`.
   bool begins_like(const Elimination& other, Index full_unknowns) const;
 
-  void expand(VecIn y, Vec& x) const;              // x = Z y + c
-  void expand_direction(VecIn dy, Vec& dx) const;  // dx = Z dy
-  // The same without a copy where nothing is constrained: y or dy itself, else in `room`. Both are
-  // to outlive what is returned.
-  VecIn expanded(const VecIn& y, Vec& room) const;
-  VecIn expanded_direction(const VecIn& dy, Vec& room) const;
+  void expand(VecIn y, Vec& x) const;               // x = Z y + c
+  void expand_direction(VecIn dy, Vec& dx) const;   // dx = Z dy
   void restrict_gradient(VecIn gx, Vec& gy) const;  // gy = Z^T gx
   // y that equals x in the free unknowns (auxiliary ones: see ConstraintRows::add_auxiliary), and
   // the largest |x - (Z y + c)|.
@@ -101,8 +97,6 @@ class Elimination {
     std::size_t entries;  // where its own begin
     double offset;
   };
-  // Every unknown is a reduced one, and there are no others.
-  bool is_identity() const { return others_.size() == 1 && auxiliary_size_ == 0; }
   bool is_other(Index i) const { return unknown_[to_size(i)] < 0; }
   std::size_t other_of(Index i) const { return to_size(-1 - unknown_[to_size(i)]); }
 

@@ -103,9 +103,9 @@ double Evaluator::value(VecIn y, const StopCheck& stop) {
   require_no_stop("Evaluator: the stop check", stop, partition_of(problem_));
   const AddedSeconds time(counters_.value_seconds);
   ++counters_.values;
-  const VecIn x = ProblemParts::elimination(problem_).expanded(y, x_);
+  ProblemParts::elimination(problem_).expand(y, x_);
   double total = 0;
-  for (const TermId id : problem_.terms()) add_energy(problem_, id, x, stop, total);
+  for (const TermId id : problem_.terms()) add_energy(problem_, id, x_, stop, total);
   return partition_of(problem_).sum(total);
 }
 
@@ -143,21 +143,21 @@ std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
 double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                            const StopCheck& stop) {
   require_no_stop("Evaluator: the stop check", stop, partition_of(problem_));
-  const VecIn x = ProblemParts::elimination(problem_).expanded(y, x_);
+  ProblemParts::elimination(problem_).expand(y, x_);
   gradient.setZero(problem_.size());
   while (scratch_.size() < to_size(ThreadCount::current()))
     scratch_.push_back(std::make_unique<Scratch>());
   double total = 0;
   std::vector<double> energies;
   for (const TermId k : problem_.terms()) {
-    assemble_term(k, x, curvature, gradient, hessian_values, stop, energies);
+    assemble_term(k, curvature, gradient, hessian_values, stop, energies);
     for (const double e : energies) total += e;
   }
   partition_of(problem_).add_to_owners(gradient);
   return partition_of(problem_).sum(total);
 }
 
-void Evaluator::assemble_term(TermId k, VecIn x, BlendedCurvature curvature, Vec& gradient,
+void Evaluator::assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient,
                               Vec* hessian_values, const StopCheck& stop,
                               std::vector<double>& batch_energies) {
   const EnergyTerm& term = problem_.term(k);
@@ -176,7 +176,7 @@ void Evaluator::assemble_term(TermId k, VecIn x, BlendedCurvature curvature, Vec
     local.value = s.local.reserve((1 + n + packed) * stride);
     local.gradient = local.value + stride;
     if (hessian_values) local.hessian = local.gradient + n * stride;
-    term.local(x, batch, curvature, state, s.kernel, local);
+    term.local(x_, batch, curvature, state, s.kernel, local);
     double sum = 0;
     for (std::size_t p = 0; p < batch.elements.size(); ++p) {
       const Index e = batch.elements[p];

@@ -38,9 +38,9 @@ LineSearch::LineSearch(Evaluator& evaluator, const LineSearchOptions& options, c
       rounding_(decrement <= kResolution * std::abs(energy)
                     ? kRoundingPart * kResolution * std::abs(energy)
                     : 0.0),
-      x_(ProblemParts::elimination(evaluator.problem()).expanded(y, room_x_)),
-      d_(ProblemParts::elimination(evaluator.problem()).expanded_direction(p, room_d_)) {
+      x_(evaluator.problem().expand(y)) {
   require_no_stop("LineSearch: the stop check", stop_, partition_of(evaluator.problem()));
+  ProblemParts::elimination(evaluator.problem()).expand_direction(p, d_);
 }
 
 LineSearch::Result LineSearch::find(double first) {
@@ -83,10 +83,7 @@ bool LineSearch::accept(double s) {
   if (!(trial <= energy_ - options_.armijo * s * decrement_ + rounding_))
     return refuse(StepLimit::Energy);
   if (best_step_ > 0 && !(trial < best_energy_)) return false;
-  Vec room;
-  if (evaluator_.violation(
-          ProblemParts::elimination(evaluator_.problem()).expanded(candidate, room)))
-    return refuse(StepLimit::Checker);
+  if (evaluator_.violation(evaluator_.point())) return refuse(StepLimit::Checker);
   best_step_ = s;
   best_energy_ = trial;
   return true;

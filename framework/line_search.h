@@ -94,8 +94,7 @@ class LineSearch {
   // An increase that is taken for rounding, 0 where the decrement is above kResolution. Below, the
   // step is taken if it does no visible harm, so that gradients can go below sqrt(epsilon).
   double rounding_;
-  Vec room_x_, room_d_;  // of what follows, where it is not y and p themselves
-  VecIn x_, d_;
+  Vec x_, d_;
   StepBound bound_;
   StepLimit limit_ = StepLimit::None;
   double best_step_ = 0, best_energy_ = 0;

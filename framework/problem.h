@@ -175,6 +175,8 @@ class Evaluator {
     const FeasibilityChecker* checker = nullptr;
     Verdict verdict;
   };
+  // The full unknowns of the last evaluation.
+  const Vec& point() const { return x_; }
   // The first of the problem's checkers that does not find x feasible (full unknowns), if any.
   std::optional<Violation> violation(VecIn x);
 
@@ -190,12 +192,11 @@ class Evaluator {
   struct Scratch;
   double assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                   const StopCheck& stop);
-  void assemble_term(TermId k, VecIn x, BlendedCurvature curvature, Vec& gradient,
-                     Vec* hessian_values, const StopCheck& stop,
-                     std::vector<double>& batch_energies);
+  void assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
+                     const StopCheck& stop, std::vector<double>& batch_energies);
 
   Problem problem_;
-  Vec x_;  // room
+  Vec x_;
   std::vector<std::unique_ptr<Scratch>> scratch_;
   Counters counters_;
 };
