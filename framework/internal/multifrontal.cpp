@@ -309,36 +309,45 @@ void MultifrontalFactor::backward(Index f, double* x) {
   std::copy_n(x, front.columns, permuted_.data() + front.first);
 }
 
-void MultifrontalFactor::solve(const Vec& r, Vec& p) {
-  const auto tasks = static_cast<Index>(tasks_.size());
-  const Index size = tree_.size(), pieces = (size + kPermuted - 1) / kPermuted;
-  permuted_.resize(size);
+// f(k) of every unknown, in pieces.
+template <class F>
+void MultifrontalFactor::for_each_unknown(const F& work) const {
+  const Index size = tree_.size();
+  const auto piece = [&](Index first, int) {
+    for (Index k = first * kPermuted; k < std::min(size, (first + 1) * kPermuted); ++k) work(k);
+  };
+  parallel_tasks((size + kPermuted - 1) / kPermuted, piece, threads_);
+}
+
+// permuted_ becomes L^-1 P r.
+void MultifrontalFactor::forward_all(const Vec& r) {
+  permuted_.resize(tree_.size());
   front_values_.resize(static_cast<Eigen::Index>(to_size(threads_) * largest_stride_));
-  const auto values = [&](int thread) {
-    return front_values_.data() + to_size(thread) * largest_stride_;
-  };
-  const auto for_each_unknown = [&](const auto& work) {
-    const auto piece = [&](Index first, int) {
-      for (Index k = first * kPermuted; k < std::min(size, (first + 1) * kPermuted); ++k) work(k);
-    };
-    parallel_tasks(pieces, piece, threads_);
-  };
   for_each_unknown([&](Index k) { permuted_[k] = r[tree_.order()[k]]; });
   const auto forward_task = [&](Index t, int thread) {
-    for (Index f = tasks_[t].first; f < tasks_[t].last; ++f) forward(f, values(thread));
+    for (Index f = tasks_[t].first; f < tasks_[t].last; ++f) forward(f, front_values(thread));
   };
-  parallel_tasks(tasks, forward_task, threads_);
+  parallel_tasks(static_cast<Index>(tasks_.size()), forward_task, threads_);
   auto task = task_order_.begin();
   for (const Index f : above_) {
     for (; task != task_order_.end() && tasks_[*task].last <= f; ++task) add_outside(tasks_[*task]);
-    forward(f, values(0));
+    forward(f, front_values(0));
   }
-  for (std::size_t k = above_.size(); k-- > 0;) backward(above_[k], values(0));
+}
+
+void MultifrontalFactor::half_solve(const Vec& r, Vec& y) {
+  forward_all(r);
+  y = permuted_;
+}
+
+void MultifrontalFactor::solve(const Vec& r, Vec& p) {
+  forward_all(r);
+  for (std::size_t k = above_.size(); k-- > 0;) backward(above_[k], front_values(0));
   const auto backward_task = [&](Index t, int thread) {
-    for (Index f = tasks_[t].last; f-- > tasks_[t].first;) backward(f, values(thread));
+    for (Index f = tasks_[t].last; f-- > tasks_[t].first;) backward(f, front_values(thread));
   };
-  parallel_tasks(tasks, backward_task, threads_);
-  p.resize(size);
+  parallel_tasks(static_cast<Index>(tasks_.size()), backward_task, threads_);
+  p.resize(tree_.size());
   for_each_unknown([&](Index k) { p[tree_.order()[k]] = permuted_[k]; });
 }
 

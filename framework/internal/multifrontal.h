@@ -43,6 +43,8 @@ class MultifrontalFactor {
   // H + shift * I; values parallel to the pattern's rows. False: not positive definite.
   bool factorize(const Vec& values, double shift);
   void solve(const Vec& r, Vec& p);
+  // The first half of solve(): y with (P^T L) y = r, as many zeros as the fronts of r leave.
+  void half_solve(const Vec& r, Vec& y);
 
  private:
   // A subtree, for one thread: fronts first to last - 1.
@@ -76,6 +78,12 @@ class MultifrontalFactor {
   void subtract_product(const Target& target, const Scratch& scratch) const;
   void take_in_entries(Index f, const Work& work);
   void extend_add(Index child, const Scratch& scratch);
+  void forward_all(const Vec& r);
+  template <class F>
+  void for_each_unknown(const F& work) const;
+  double* front_values(int thread) {
+    return front_values_.data() + to_size(thread) * largest_stride_;
+  }
   void forward(Index f, double* x);
   void add_outside(const Task& task);
   void backward(Index f, double* x);
