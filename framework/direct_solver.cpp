@@ -34,13 +34,14 @@ class DirectSolver final : public LinearSolver {
     if (analysed_ && same(*analysed_, pattern)) return;
     require_valid(pattern);
     analysed_.reset();
+    FactorMemory memory = factor_ ? factor_->release() : FactorMemory();
     factor_.reset();
     tree_.reset();
     size_ = pattern.size;
     nonzeros_ = pattern.nonzeros();
     if (pattern.size == 0) return;
     make_tree(pattern);
-    factor_ = std::make_unique<MultifrontalFactor>(*tree_);
+    factor_ = std::make_unique<MultifrontalFactor>(*tree_, front_kernels(), std::move(memory));
     describe();
     analysed_ = pattern;
   }

@@ -64,12 +64,22 @@ struct MultifrontalFactor::Work {
   double shift;
 };
 
-MultifrontalFactor::MultifrontalFactor(const AssemblyTree& tree, const FrontKernels& kernels)
+void FactorMemory::Part::fit(std::size_t numbers) {
+  if (values && numbers <= size) return;
+  values.reset();  // both at once may be more than there is
+  size = 0;
+  values = large_array(numbers);
+  size = numbers;
+}
+
+MultifrontalFactor::MultifrontalFactor(const AssemblyTree& tree, const FrontKernels& kernels,
+                                       FactorMemory memory)
     : tree_(tree),
       kernels_(kernels),
       threads_(tree.operations() < kParallelOperations ? 1 : ThreadCount::current()),
       update_places_(tree.fronts().size()),
-      is_root_(tree.fronts().size(), 0) {
+      is_root_(tree.fronts().size(), 0),
+      memory_(std::move(memory)) {
   for (const AssemblyTree::Front& front : tree_.fronts())
     largest_stride_ = std::max(largest_stride_, static_cast<std::size_t>(front.stride));
   make_tasks();
@@ -82,14 +92,15 @@ std::size_t MultifrontalFactor::bytes() const {
 }
 
 void MultifrontalFactor::allocate() {
-  panels_ = large_array(tree_.panel_size());
-  updates_ = large_array(updates_size());
-  packed_ = large_array(to_size(threads_) * packed_size());
+  memory_.panels.fit(tree_.panel_size());
+  memory_.updates.fit(updates_size());
+  memory_.packed.fit(to_size(threads_) * packed_size());
+  has_memory_ = true;
 }
 
 MultifrontalFactor::Scratch MultifrontalFactor::scratch(int thread, int threads) {
-  return {packed_.get() + to_size(thread) * packed_size(),
-          updates_.get() + roots_size_ + to_size(thread) * stack_size_, threads};
+  return {memory_.packed.values.get() + to_size(thread) * packed_size(),
+          memory_.updates.values.get() + roots_size_ + to_size(thread) * stack_size_, threads};
 }
 
 // Goes down from the top: a subtree that is small enough is a task, the root of another one is
@@ -191,7 +202,7 @@ std::size_t MultifrontalFactor::packed_size() const {
 }
 
 bool MultifrontalFactor::factorize(const Vec& values, double shift) {
-  if (!packed_) allocate();
+  if (!has_memory_) allocate();
   const Work work{values, shift};
   std::atomic<bool> positive{true};
   const auto factorize_task = [&](Index t, int thread) {

@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/internal/assembly_tree.h"
@@ -31,11 +32,27 @@ struct FreedByMalloc {
 };
 using LargeArray = std::unique_ptr<double[], FreedByMalloc>;
 
+// The large arrays of a factor, which the next one may have: touching fresh memory costs about as
+// much as the factorization of a mesh's matrix in it.
+struct FactorMemory {
+  struct Part {
+    LargeArray values;
+    std::size_t size = 0;
+    // Room for so many numbers; what they were is lost where it grows. Throws std::bad_alloc.
+    void fit(std::size_t numbers);
+  };
+  Part panels, updates, packed;
+};
+
 class MultifrontalFactor {
  public:
-  // tree outlives this. Allocates nothing large before the first factorize().
+  // tree outlives this. Allocates nothing large before the first factorize(), and then what
+  // `memory` does not have.
   explicit MultifrontalFactor(const AssemblyTree& tree,
-                              const FrontKernels& kernels = front_kernels());
+                              const FrontKernels& kernels = front_kernels(),
+                              FactorMemory memory = {});
+  // What it has allocated; nothing but the destructor comes after.
+  FactorMemory release() { return std::move(memory_); }
 
   // Returns the bytes of all that factorize() allocates: the factor, updates that wait, scratch.
   std::size_t bytes() const;
@@ -87,9 +104,9 @@ class MultifrontalFactor {
   void forward(Index f, double* x);
   void add_outside(const Task& task);
   void backward(Index f, double* x);
-  double* panel(Index f) { return panels_.get() + tree_.fronts()[f].panel; }
+  double* panel(Index f) { return memory_.panels.values.get() + tree_.fronts()[f].panel; }
   double* update(Index f, const Scratch& scratch) {
-    return (is_root_[f] ? updates_.get() : scratch.stack) + update_places_[f];
+    return (is_root_[f] ? memory_.updates.values.get() : scratch.stack) + update_places_[f];
   }
 
   const AssemblyTree& tree_;
@@ -108,7 +125,8 @@ class MultifrontalFactor {
   // where its updates of the other rows wait for their turn.
   std::vector<Index> inside_;
   std::vector<std::size_t> outside_places_;
-  LargeArray panels_, updates_, packed_;
+  FactorMemory memory_;
+  bool has_memory_ = false;  // enough for this tree
   Vec permuted_, front_values_, outside_;
 };
 
