@@ -34,13 +34,14 @@ class DirectSolver final : public LinearSolver {
     if (analysed_ && same(*analysed_, pattern)) return;
     require_valid(pattern);
     analysed_.reset();
+    FactorMemory memory = factor_ ? factor_->release() : FactorMemory();
     factor_.reset();
     tree_.reset();
     size_ = pattern.size;
     nonzeros_ = pattern.nonzeros();
     if (pattern.size == 0) return;
     make_tree(pattern);
-    factor_ = std::make_unique<MultifrontalFactor>(*tree_);
+    factor_ = std::make_unique<MultifrontalFactor>(*tree_, front_kernels(), std::move(memory));
     describe();
     analysed_ = pattern;
   }
@@ -57,6 +58,30 @@ class DirectSolver final : public LinearSolver {
     else
       p.resize(r.size());
     return {};
+  }
+  // Of L^-1 P R, column by column, what is not 0.
+  Eigen::MatrixXd inverse_products(Index size, const std::vector<SparseColumn>& columns,
+                                   const StopCheck& stop) override {
+    require_size("LinearSolver::inverse_products: size", size, size_);
+    const auto count = static_cast<Index>(columns.size());
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero(count, count);
+    if (!factor_) return products;
+    std::vector<SparseColumn> halves(columns.size());
+    Vec r = Vec::Zero(size), y;
+    for (Index k = 0; k < count; ++k) {
+      stop.poll();
+      for (const auto& [unknown, value] : columns[k]) r[unknown] += value;
+      factor_->half_solve(r, y);
+      for (const auto& [unknown, value] : columns[k]) r[unknown] = 0;
+      for (Index u = 0; u < size; ++u)
+        if (y[u] != 0) halves[k].emplace_back(u, y[u]);
+      for (Index i = 0; i <= k; ++i) {
+        double sum = 0;
+        for (const auto& [u, value] : halves[i]) sum += value * y[u];
+        products(i, k) = products(k, i) = sum;
+      }
+    }
+    return products;
   }
   std::size_t bytes() const override { return factor_ ? factor_->bytes() : 0; }
   std::string description() const override { return description_; }

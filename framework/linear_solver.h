@@ -16,6 +16,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
@@ -90,6 +91,13 @@ class LinearSolver {
   // p with |H p - r| <= tolerance |r|, H with its shift; only after factorize() returned Ok.
   // tolerance: in [0, 1); 0 asks for all that rounding leaves. Direct solvers do not look at it.
   virtual Solution solve(const Vec& r, Vec& p, double tolerance = 0) = 0;
+  // A column with few entries: unknowns, ascending, and values.
+  using SparseColumn = std::vector<std::pair<Index, double>>;
+  // R^T (H + shift I)^-1 R for the `size` unknowns' rows and these columns of R; only after
+  // factorize() returned Ok. A solve for each column; of the direct solver half of it, and less
+  // where the column has few entries. Throws Stopped.
+  virtual Eigen::MatrixXd inverse_products(Index size, const std::vector<SparseColumn>& columns,
+                                           const StopCheck& stop = {});
   // Memory that factorize() is going to allocate for the factor and its making, known after the
   // analysis, before any of it is taken; 0: not known.
   virtual std::size_t bytes() const { return 0; }

@@ -61,12 +61,22 @@ struct MultifrontalFactor::Work {
   double shift;
 };
 
-MultifrontalFactor::MultifrontalFactor(const AssemblyTree& tree, const FrontKernels& kernels)
+void FactorMemory::Part::fit(std::size_t numbers) {
+  if (values && numbers <= size) return;
+  values.reset();  // both at once may be more than there is
+  size = 0;
+  values = large_array(numbers);
+  size = numbers;
+}
+
+MultifrontalFactor::MultifrontalFactor(const AssemblyTree& tree, const FrontKernels& kernels,
+                                       FactorMemory memory)
     : tree_(tree),
       kernels_(kernels),
       threads_(tree.operations() < kParallelOperations ? 1 : ThreadCount::current()),
       update_places_(tree.fronts().size()),
-      is_root_(tree.fronts().size(), 0) {
+      is_root_(tree.fronts().size(), 0),
+      memory_(std::move(memory)) {
   for (const AssemblyTree::Front& front : tree_.fronts())
     most_rows_ = std::max(most_rows_, static_cast<std::size_t>(front.part().rows));
   make_tasks();
@@ -80,14 +90,15 @@ std::size_t MultifrontalFactor::bytes() const {
 }
 
 void MultifrontalFactor::allocate() {
-  factor_ = large_array(tree_.factor_size());
-  updates_ = large_array(updates_size());
-  packed_ = large_array(to_size(threads_) * packed_size());
+  memory_.factor.fit(tree_.factor_size());
+  memory_.updates.fit(updates_size());
+  memory_.packed.fit(to_size(threads_) * packed_size());
+  has_memory_ = true;
 }
 
 MultifrontalFactor::Scratch MultifrontalFactor::scratch(int thread, int threads) {
-  return {packed_.get() + to_size(thread) * packed_size(),
-          updates_.get() + roots_size_ + to_size(thread) * stack_size_, threads};
+  return {memory_.packed.values.get() + to_size(thread) * packed_size(),
+          memory_.updates.values.get() + roots_size_ + to_size(thread) * stack_size_, threads};
 }
 
 // Goes down from the top: a subtree that is small enough is a task, the root of another one is
@@ -189,7 +200,7 @@ std::size_t MultifrontalFactor::packed_size() const {
 }
 
 bool MultifrontalFactor::factorize(const Vec& values, double shift) {
-  if (!packed_) allocate();
+  if (!has_memory_) allocate();
   const Work work{values, shift};
   std::atomic<bool> positive{true};
   const auto factorize_task = [&](Index t, int thread) {
@@ -325,36 +336,45 @@ void MultifrontalFactor::backward(Index f, double* x) {
   std::copy_n(x, front.columns, permuted_.data() + front.first);
 }
 
-void MultifrontalFactor::solve(const Vec& r, Vec& p) {
-  const auto tasks = static_cast<Index>(tasks_.size());
-  const Index size = tree_.size(), pieces = (size + kPermuted - 1) / kPermuted;
-  permuted_.resize(size);
+// f(k) of every unknown, in pieces.
+template <class F>
+void MultifrontalFactor::for_each_unknown(const F& work) const {
+  const Index size = tree_.size();
+  const auto piece = [&](Index first, int) {
+    for (Index k = first * kPermuted; k < std::min(size, (first + 1) * kPermuted); ++k) work(k);
+  };
+  parallel_tasks((size + kPermuted - 1) / kPermuted, piece, threads_);
+}
+
+// permuted_ becomes L^-1 P r.
+void MultifrontalFactor::forward_all(const Vec& r) {
+  permuted_.resize(tree_.size());
   front_values_.resize(static_cast<Eigen::Index>(to_size(threads_) * most_rows_));
-  const auto values = [&](int thread) {
-    return front_values_.data() + to_size(thread) * most_rows_;
-  };
-  const auto for_each_unknown = [&](const auto& work) {
-    const auto piece = [&](Index first, int) {
-      for (Index k = first * kPermuted; k < std::min(size, (first + 1) * kPermuted); ++k) work(k);
-    };
-    parallel_tasks(pieces, piece, threads_);
-  };
   for_each_unknown([&](Index k) { permuted_[k] = r[tree_.order()[k]]; });
   const auto forward_task = [&](Index t, int thread) {
-    for (Index f = tasks_[t].first; f < tasks_[t].last; ++f) forward(f, values(thread));
+    for (Index f = tasks_[t].first; f < tasks_[t].last; ++f) forward(f, front_values(thread));
   };
-  parallel_tasks(tasks, forward_task, threads_);
+  parallel_tasks(static_cast<Index>(tasks_.size()), forward_task, threads_);
   auto task = task_order_.begin();
   for (const Index f : above_) {
     for (; task != task_order_.end() && tasks_[*task].last <= f; ++task) add_outside(tasks_[*task]);
-    forward(f, values(0));
+    forward(f, front_values(0));
   }
-  for (std::size_t k = above_.size(); k-- > 0;) backward(above_[k], values(0));
+}
+
+void MultifrontalFactor::half_solve(const Vec& r, Vec& y) {
+  forward_all(r);
+  y = permuted_;
+}
+
+void MultifrontalFactor::solve(const Vec& r, Vec& p) {
+  forward_all(r);
+  for (std::size_t k = above_.size(); k-- > 0;) backward(above_[k], front_values(0));
   const auto backward_task = [&](Index t, int thread) {
-    for (Index f = tasks_[t].last; f-- > tasks_[t].first;) backward(f, values(thread));
+    for (Index f = tasks_[t].last; f-- > tasks_[t].first;) backward(f, front_values(thread));
   };
-  parallel_tasks(tasks, backward_task, threads_);
-  p.resize(size);
+  parallel_tasks(static_cast<Index>(tasks_.size()), backward_task, threads_);
+  p.resize(tree_.size());
   for_each_unknown([&](Index k) { p[tree_.order()[k]] = permuted_[k]; });
 }
 

@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "majorant/framework/internal/assembly_tree.h"
@@ -31,11 +32,27 @@ struct FreedByMalloc {
 };
 using LargeArray = std::unique_ptr<double[], FreedByMalloc>;
 
+// The large arrays of a factor, which the next one may have: touching fresh memory costs about as
+// much as the factorization of a mesh's matrix in it.
+struct FactorMemory {
+  struct Part {
+    LargeArray values;
+    std::size_t size = 0;
+    // Room for so many numbers; what they were is lost where it grows. Throws std::bad_alloc.
+    void fit(std::size_t numbers);
+  };
+  Part factor, updates, packed;
+};
+
 class MultifrontalFactor {
  public:
-  // tree outlives this. Allocates nothing large before the first factorize().
+  // tree outlives this. Allocates nothing large before the first factorize(), and then what
+  // `memory` does not have.
   explicit MultifrontalFactor(const AssemblyTree& tree,
-                              const FrontKernels& kernels = front_kernels());
+                              const FrontKernels& kernels = front_kernels(),
+                              FactorMemory memory = {});
+  // What it has allocated; nothing but the destructor comes after.
+  FactorMemory release() { return std::move(memory_); }
 
   // Returns the bytes of all that factorize() allocates: the factor, updates that wait, scratch.
   std::size_t bytes() const;
@@ -43,6 +60,8 @@ class MultifrontalFactor {
   // H + shift * I; values parallel to the pattern's rows. False: not positive definite.
   bool factorize(const Vec& values, double shift);
   void solve(const Vec& r, Vec& p);
+  // The first half of solve(): y with (P^T L) y = r, as many zeros as the fronts of r leave.
+  void half_solve(const Vec& r, Vec& y);
 
  private:
   // A subtree, for one thread: fronts first to last - 1.
@@ -77,12 +96,16 @@ class MultifrontalFactor {
   void subtract_product(const Target& target, const Scratch& scratch) const;
   void take_in_entries(Index f, const Work& work);
   void extend_add(Index child, const Scratch& scratch);
+  void forward_all(const Vec& r);
+  template <class F>
+  void for_each_unknown(const F& work) const;
+  double* front_values(int thread) { return front_values_.data() + to_size(thread) * most_rows_; }
   void forward(Index f, double* x);
   void add_outside(const Task& task);
   void backward(Index f, double* x);
-  double* part(Index f) { return factor_.get() + tree_.fronts()[f].begin; }
+  double* part(Index f) { return memory_.factor.values.get() + tree_.fronts()[f].begin; }
   double* update(Index f, const Scratch& scratch) {
-    return (is_root_[f] ? updates_.get() : scratch.stack) + update_places_[f];
+    return (is_root_[f] ? memory_.updates.values.get() : scratch.stack) + update_places_[f];
   }
 
   const AssemblyTree& tree_;
@@ -101,7 +124,8 @@ class MultifrontalFactor {
   // where its updates of the other rows wait for their turn.
   std::vector<Index> inside_;
   std::vector<std::size_t> outside_places_;
-  LargeArray factor_, updates_, packed_;
+  FactorMemory memory_;
+  bool has_memory_ = false;  // enough for this tree
   Vec permuted_, front_values_, outside_;
 };
 

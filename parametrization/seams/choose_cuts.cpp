@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <queue>
 #include <set>
 #include <string>
 #include <utility>
@@ -509,16 +511,55 @@ class Cutter {
     return on;
   }
 
+  // What a cut through all of these costs at least: disjoint balls around them, in each of which it
+  // leads from the middle to the border, half as far as to the nearest other one or the boundary.
+  double cost_to_join(const std::vector<Index>& vertices) const {
+    const auto size = to_size(mesh_.vertex_count());
+    std::vector<std::vector<Index>> leaving(size);
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (mesh_.opposite(h) >= 0) leaving[mesh_.from_vertex(h)].push_back(h);
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    std::vector<double> distance(size, kFar);
+    std::vector<Index> nearest(size, -1);
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
+    const auto start_at = [&](Index v) {
+      distance[v] = 0;
+      nearest[v] = v;
+      front.emplace(0, v);
+    };
+    const std::vector<char> is_boundary = mesh_.boundary_flags();
+    for (std::size_t v = 0; v < size; ++v)
+      if (is_boundary[v]) start_at(static_cast<Index>(v));
+    for (const Index v : vertices) start_at(v);
+    while (!front.empty()) {
+      const auto [d, v] = front.top();
+      front.pop();
+      if (d > distance[v]) continue;
+      for (const Index h : leaving[v]) {
+        const Index w = mesh_.to_vertex(h);
+        if (d + cost_[h] >= distance[w]) continue;
+        distance[w] = d + cost_[h];
+        nearest[w] = nearest[v];
+        front.emplace(distance[w], w);
+      }
+    }
+    std::vector<double> apart(size, kFar);  // by vertex: from the nearest other one
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      const Index v = mesh_.from_vertex(h), w = mesh_.to_vertex(h);
+      if (mesh_.opposite(h) < 0 || nearest[v] == nearest[w]) continue;
+      apart[nearest[v]] = std::min(apart[nearest[v]], distance[v] + cost_[h] + distance[w]);
+    }
+    double sum = 0;
+    for (const Index v : vertices)
+      if (apart[v] < kFar) sum += 0.5 * apart[v];
+    return sum;
+  }
+
   // The cut through all vertices that are not flat, if that is worth it, else `best`.
   AutomaticCut developed(const AutomaticCut& best) const {
     const double most = cost(best) + (is_faceted_ ? kFacetedWorth : kDevelopableWorth);
-    Vec cheapest = Vec::Constant(mesh_.vertex_count(), most * unit_);
-    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-      for (const Index v : {mesh_.from_vertex(h), mesh_.to_vertex(h)})
-        cheapest[v] = std::min(cheapest[v], cost_[h]);
-    double least = 0;
-    for (const Index v : curved_) least += 0.5 * cheapest[v];
-    if (least > most * unit_) return best;
+    if (cost_to_join(curved_) > most * unit_) return best;
     const AutomaticCut cut = routed(curved_);
     return cost(cut) <= most && (is_faceted_ || cut.strain < best.strain) ? cut : best;
   }

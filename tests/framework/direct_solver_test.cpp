@@ -1,6 +1,7 @@
 // The sparse Cholesky solvers, the library's own and CHOLMOD, against dense linear algebra.
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <limits>
 
 #include "framework/random_matrix.h"
@@ -54,6 +55,31 @@ TEST_P(Factorization, SolvesPositiveDefiniteSystems) {
     ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok) << nodes << ' ' << block;
     expect_solves(*solver, m.dense, random);
     expect_solves(*solver, m.dense, random);
+  }
+}
+
+TEST_P(Factorization, ProductsInTheInverse) {
+  Random random(3);
+  const auto solver = make();
+  for (const auto& [nodes, block] : {std::pair(1, 1), {20, 2}, {300, 1}}) {
+    const Matrix m = random_matrix(random, nodes, block, 60);
+    const auto size = static_cast<Index>(m.dense.rows());
+    std::vector<LinearSolver::SparseColumn> columns;
+    Eigen::MatrixXd r = Eigen::MatrixXd::Zero(size, 3);
+    for (Index k = 0; k < 3; ++k) {
+      const Index first = k * (size - 1) / 3, last = size - 1;
+      columns.push_back({{first, 2.0 + k}});
+      if (first < last) columns.back().emplace_back(last, -1);
+      for (const auto& [unknown, value] : columns.back()) r(unknown, k) = value;
+    }
+    const double shift = 0.5;
+    solver->analyze(m.pattern);
+    ASSERT_EQ(solver->factorize(m.values, shift), FactorStatus::Ok) << nodes << ' ' << block;
+    const Eigen::MatrixXd h = m.dense + shift * Eigen::MatrixXd::Identity(size, size);
+    const Eigen::MatrixXd expected = r.transpose() * h.ldlt().solve(r);
+    const Eigen::MatrixXd found = solver->inverse_products(size, columns);
+    EXPECT_LE((found - expected).norm(), 1e-10 * expected.norm()) << nodes << ' ' << block;
+    expect_solves(*solver, h, random);
   }
 }
 

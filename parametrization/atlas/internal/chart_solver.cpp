@@ -46,6 +46,17 @@ bool has_area_margin(const BezierMap& map) {
                                    map.control_points().head(2 * mesh.vertex_count())) == 0;
 }
 
+// Faces from which on a chart starts anew once it is cut, in many resolutions: a slit in the map that
+// it was cut from is a tenth of an edge wide at first and opens by a factor at each step, which on
+// 250,000 faces takes sixty steps for ten. And where that start, all but the minimum, overlaps
+// itself, so does the minimum, which is not waited for: seven to sixteen steps.
+constexpr Index kVeryLarge = 50000;
+
+bool starts_anew(const SurfaceMesh& mesh, const MapOptions& asked) {
+  return mesh.face_count() >= kVeryLarge && mesh.rest_triangles().empty() && asked.pins.empty() &&
+         asked.handles.empty();
+}
+
 Status status_of(Directive why) {
   return why == Directive::Interrupt ? Status::Interrupted : Status::TimeLimit;
 }
@@ -150,7 +161,8 @@ Chart ChartSolver::solve(RunRecord& record) {
                        overlaps_unfolded() && record.directive() == Directive::Continue;
   const auto has_start = [&] { return !is_done_ && !is_left; };
   if (has_start() && hints_.shape == ChartShape::Unfolds) try_unfolded(record);
-  if (has_start() && hints_.parent.size() > 0) try_parent(record);
+  const bool is_cut_since = hints_.parent.size() > 0;
+  if (has_start() && is_cut_since && !starts_anew(*mesh_, options_.map)) try_parent(record);
   if (has_start()) try_tutte(record);
   if (!is_done_) keep_start(record);
   if (is_left) {
@@ -205,6 +217,11 @@ bool ChartSolver::try_many_resolutions(MapInjectivity injectivity, RunRecord& re
     const Vec start = initial_map(*mesh_, asked, record, &taken);
     if (taken != StartMethod::Multiresolution) {
       tutte_ = start;
+      return false;
+    }
+    if (injectivity == MapInjectivity::Local && starts_anew(*mesh_, options_.map) &&
+        !has_proven_boundary(BezierMap::linear(mesh_, start))) {
+      is_overlapping_ = true;
       return false;
     }
     if (!attempt(start, injectivity, record)) return false;

@@ -6,6 +6,7 @@
 #include <complex>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "majorant/elements/bernstein_space.h"
@@ -158,6 +159,27 @@ bool put_near(const CollapsingMesh& mesh, VertexDescent& descent,
     distance = std::max(distance, (descent.place(mesh.to(h)) - u).norm());
   });
   return put_along(descent, back.vertex, u, distance * inward(mesh, descent, back));
+}
+
+// Of a boundary vertex: along the middle of the corner that opened at u, between its faces, as near
+// as it has to be. Whatever the angle, that is inside of the image.
+bool put_into_corner(const CollapsingMesh& mesh, VertexDescent& descent,
+                     const CollapsingMesh::Restored& back) {
+  const Vector2 u = descent.place(back.onto);
+  const auto to_complex = [](const Vector2& p) { return Complex(p.x(), p.y()); };
+  double angle = 0, distance = 0;
+  std::optional<Complex> first;  // the way to the neighbour where the corner begins
+  mesh.for_each_leaving(back.vertex, [&](Index h) {
+    const Index a = mesh.to(h), b = mesh.from(previous(h));
+    if (a == back.onto || b == back.onto) return;
+    const Complex one = to_complex(descent.place(a) - u), other = to_complex(descent.place(b) - u);
+    if (!first) first = one;
+    angle += std::arg(other / one);
+    distance = std::max({distance, std::abs(one), std::abs(other)});
+  });
+  if (!first) return false;
+  const Complex middle = std::polar(distance, std::arg(*first) + angle / 2);
+  return put_along(descent, back.vertex, u, {middle.real(), middle.imag()});
 }
 
 // Of a boundary vertex: the next one and the one before on the boundary.
@@ -375,7 +397,7 @@ bool put_back_within(const CollapsingMesh& mesh, const Points3& positions, Verte
   // near to the vertex are within the image.
   return put_at_best(descent, back, edge_behind(mesh, descent, v),
                      {beside, on_edge.norm() * inward(mesh, descent, back)}) ||
-         put_near(mesh, descent, back);
+         put_into_corner(mesh, descent, back);
 }
 
 }  // namespace majorant

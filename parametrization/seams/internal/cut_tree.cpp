@@ -191,14 +191,9 @@ void CutTree::hold(const StopCheck& stop) {
       add(branch, {{base.to_vertex(next(h)), 1}, {base.to_vertex(next(mesh_.opposite(h))), -1}});
   }
   const auto count = static_cast<Index>(held.size());
-  Eigen::MatrixXd g(count, count);
+  Eigen::MatrixXd g = sheet.responses(held, stop);
   Vec values(count);
-  for (Index k = 0; k < count; ++k) {
-    stop.poll();
-    const Vec response = sheet.response(held[k]);
-    for (Index i = 0; i < count; ++i) g(i, k) = sheet.apply(held[i], response);
-    values[k] = sheet.apply(held[k], sheet.chi());
-  }
+  for (Index k = 0; k < count; ++k) values[k] = sheet.apply(held[k], sheet.chi());
   const Vec scale = g.diagonal().cwiseSqrt().cwiseInverse();
   g = (scale.asDiagonal() * g * scale.asDiagonal()).eval();
   g.diagonal().array() += kSoftness;

@@ -15,7 +15,7 @@
 // cuts do. With C the rows that say so, G = C A^-1 C^T, P = G^-1, x = P C chi: letting go of some
 // of them (rows R) adds
 //     x_R^T P_RR^-1 x_R
-// to the strain, and P, x for the rest follow from P, x. One solve for each row, none for a
+// to the strain, and P, x for the rest follow from P, x. Half a solve for each row, none for a
 // question.
 #pragma once
 

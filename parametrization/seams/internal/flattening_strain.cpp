@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "majorant/framework/pattern_of_pairs.h"
@@ -146,21 +147,23 @@ double FlatteningStrain::apply(const Functional& functional, const Vec& chi) con
   return sum;
 }
 
-Vec FlatteningStrain::load_of(const Functional& functional) const {
-  Vec load = Vec::Zero(unknowns_);
+FlatteningStrain::Functional FlatteningStrain::load_of(const Functional& functional) const {
+  std::map<Index, double> load;
   for (const auto& [v, factor] : functional)
     if (row_[v] >= 0) load[row_[v]] += factor;
-  return load;
+  std::erase_if(load, [](const auto& entry) { return entry.second == 0; });
+  return {load.begin(), load.end()};
 }
 
 bool FlatteningStrain::is_zero(const Functional& functional) const {
-  return load_of(functional).isZero(0);
+  return load_of(functional).empty();
 }
 
-Vec FlatteningStrain::response(const Functional& functional) const {
-  Vec chi;
-  solver_->solve(load_of(functional), chi);
-  return chi;
+Eigen::MatrixXd FlatteningStrain::responses(const std::vector<Functional>& functionals,
+                                            const StopCheck& stop) const {
+  std::vector<LinearSolver::SparseColumn> loads;
+  for (const Functional& functional : functionals) loads.push_back(load_of(functional));
+  return solver_->inverse_products(unknowns_, loads, stop);
 }
 
 double stretch_of_strain(double strain) { return std::sqrt(1 + 1.5 * strain); }

@@ -43,13 +43,16 @@ class FlatteningStrain {
   double apply(const Functional& functional, const Vec& chi) const;
   const Vec& chi() const { return chi_; }            // by unknown, for apply()
   bool is_zero(const Functional& functional) const;  // for all chi
-  // The response chi to the curvature `functional`, which is not zero.
-  Vec response(const Functional& functional) const;
+  // For each two of these, which are not zero: one of them, applied to the response chi to the
+  // curvature that the other one is. Stopped.
+  Eigen::MatrixXd responses(const std::vector<Functional>& functionals,
+                            const StopCheck& stop) const;
 
  private:
   void measure(const SurfaceMesh& piece);
   void number_unknowns(const SurfaceMesh& piece, Index outer);
-  Vec load_of(const Functional& functional) const;
+  // By unknown, sorted, without zeros.
+  Functional load_of(const Functional& functional) const;
   void factorize(const SurfaceMesh& piece, Ordering ordering, const StopCheck& stop);
 
   Vec area_, load_;         // #V

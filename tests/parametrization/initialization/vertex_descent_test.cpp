@@ -2,6 +2,8 @@
 // lowers it without turning a triangle over.
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
 
+#include <numbers>
+
 #include "majorant/energies/energy_factory.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/problem.h"
@@ -166,6 +168,36 @@ TEST(Reinsertion, WithinTheImageItGrowsNowhere) {
       area = now;
     }
   }
+}
+
+// Around the end of a slit, nearly all that is around a vertex comes back to its neighbour: no
+// place in which the slit, a few degrees wide, is crossed.
+TEST(Reinsertion, KeepsASlitOpen) {
+  constexpr Index kRays = 7;
+  constexpr double kStep = 350.0 / 6 * std::numbers::pi / 180;
+  RowMatrix positions(kRays + 2, 3);
+  positions.row(0) << 0, 0, 0;        // comes back
+  positions.row(1) << 0.1, -0.05, 0;  // onto this one it had collapsed
+  Cells faces(kRays, 3);
+  faces.row(0) << 0, 1, 2;
+  for (Index k = 0; k < kRays; ++k) {
+    positions.row(k + 2) << std::cos(k * kStep), std::sin(k * kStep), 0;
+    if (k > 0) faces.row(k) << 0, k + 1, k + 2;
+  }
+  Sheet s(std::make_shared<const SurfaceMesh>(SurfaceMesh::from_arrays(positions, faces)),
+          {{symmetric_dirichlet(), 1.0}});
+  Index h = s.left.leaving(0);
+  ASSERT_EQ(s.left.to(h), 1);
+  ASSERT_TRUE(s.left.may_collapse(h, CollapsingMesh::End::Start, 16));
+  s.left.collapse(h, CollapsingMesh::End::Start);
+  for (Index v = 0; v < kRays + 2; ++v)
+    s.descent.put(v, v == 1 ? Vector2(0, 0) : s.mesh->positions().row(v).head<2>().transpose());
+  const double area = image_area(s);
+  const auto back = s.left.restore();
+  s.descent.measure_all();
+  ASSERT_TRUE(put_back_within(s.left, s.mesh->positions(), s.descent, back));
+  EXPECT_TRUE(s.descent.has_area_margin(0));
+  EXPECT_LE(image_area(s), area);
 }
 
 // All vertices of a map are taken back one after the other; nothing is improved.
