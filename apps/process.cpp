@@ -129,8 +129,10 @@ constexpr int kHeapStep = 32 << 20;  // bytes
 
 // What is freed between two steps is kept for the next one: the system would only clear it and map
 // it again, which costs more than most steps do; and the heap is in large pages, where the system
-// has them for who asks: a run of 160,000 faces has 4,700 page faults for 168,000. Nothing is mapped
-// on its own, as glibc maps what has more than 32 MiB: half of the system's time of 250,000 faces.
+// has them for who asks: a run of 160,000 faces has 4,700 page faults for 168,000. Nothing is
+// mapped on its own, as glibc maps what has more than 32 MiB: half of the system's time of 250,000
+// faces; an unwrap of 1M faces has a peak of 4.7 GB for 3.9 with it, as what is free lies in
+// pieces.
 void keep_memory() {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());

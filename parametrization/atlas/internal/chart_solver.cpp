@@ -46,10 +46,10 @@ bool has_area_margin(const BezierMap& map) {
                                    map.control_points().head(2 * mesh.vertex_count())) == 0;
 }
 
-// Faces from which on a chart starts anew once it is cut, in many resolutions: a slit in the map that
-// it was cut from is a tenth of an edge wide at first and opens by a factor at each step, which on
-// 250,000 faces takes sixty steps for ten. And where that start, all but the minimum, overlaps
-// itself, so does the minimum, which is not waited for: seven to sixteen steps.
+// Faces from which on a chart starts anew once it is cut, in many resolutions: a slit in the map
+// that it was cut from is a tenth of an edge wide at first and opens by a factor at each step,
+// which on 250,000 faces takes sixty steps for ten. And where that start, all but the minimum,
+// overlaps itself, so does the minimum, which is not waited for: seven to sixteen steps.
 constexpr Index kVeryLarge = 50000;
 
 bool starts_anew(const SurfaceMesh& mesh, const MapOptions& asked) {
