@@ -117,12 +117,12 @@ TEST(RealRows, IntegersBesideThemStayExact) {
   for (int k = 2; k < 4; ++k) add(both, k);
   const Elimination a(8, integers), b(8, both);
   for (Index i = 0; i < 6; ++i) {
-    ASSERT_EQ(a.end(i) - a.begin(i), b.end(i) - b.begin(i));
-    EXPECT_EQ(a.begin(i)->coefficient, b.begin(i)->coefficient);
+    ASSERT_EQ(a.row(i).size(), b.row(i).size());
+    EXPECT_EQ(a.row(i).begin()->coefficient, b.row(i).begin()->coefficient);
     EXPECT_EQ(a.offset(i), b.offset(i));
   }
   EXPECT_EQ(a.rank() + 1, b.rank());
-  EXPECT_EQ(b.begin(0)->coefficient, 2401.0 / 81);  // (7/3)^4, rounded once
+  EXPECT_EQ(b.row(0).begin()->coefficient, 2401.0 / 81);  // (7/3)^4, rounded once
 }
 
 // Whatever the order: what integers say is not changed by a real row before them.
