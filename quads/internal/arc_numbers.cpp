@@ -32,7 +32,11 @@ std::vector<Index> ArcNumbers::fewest() {
 
 std::vector<Index> ArcNumbers::for_count(double asked) {
   double length = 0;
-  const std::vector<Index> edges = without_bad_quads([&] { return closest_to(asked, length); });
+  const std::vector<Index> edges = without_bad_quads([&] {
+    Found found = closest_to(asked);
+    length = found.length;
+    return std::move(found.edges);
+  });
   const std::optional<std::vector<Index>> closer = refined(edges, length);
   const bool is_close = closer && std::abs(static_cast<double>(quad_count(mesh_, *closer)) / asked -
                                            1) <= kCountClose;
@@ -47,7 +51,7 @@ std::vector<Index> ArcNumbers::without_bad_quads(const Numbers& numbers) {
     std::vector<Index> edges = numbers();
     const std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).arcs_of_bad_quads();
     if (more.empty() || round == kRounds) return edges;
-    for (const Index arc : more) quantization_.raise(arc, edges[arc] + 1);
+    for (const Index arc : more) raise(arc, edges[arc] + 1);
   }
 }
 
@@ -60,7 +64,7 @@ std::vector<Index> ArcNumbers::joined_at(double edge_length) {
     std::vector<Index> more = ExtractedQuads(lattice_, mesh_, edges).joining_arcs();
     if (more.empty() && quad_count(mesh_, edges) == 0) more = {longest_without_edges(edges)};
     if (more.empty()) return edges;
-    for (const Index arc : more) quantization_.raise(arc, edges[arc] + 1);
+    for (const Index arc : more) raise(arc, edges[arc] + 1);
   }
 }
 
@@ -76,6 +80,11 @@ std::optional<std::vector<Index>> ArcNumbers::refined(const std::vector<Index>& 
   return nearest;
 }
 
+void ArcNumbers::raise(Index arc, Index least) {
+  quantization_.raise(arc, least);
+  ++raised_;
+}
+
 void ArcNumbers::want(double edge_length) {
   std::vector<double> wanted;
   for (const TArc& arc : mesh_.arcs)
@@ -83,31 +92,52 @@ void ArcNumbers::want(double edge_length) {
   quantization_.want(wanted);
 }
 
-// length receives that of their edges.
-std::vector<Index> ArcNumbers::closest_to(double asked, double& length) {
-  constexpr int kSteps = 12;
+// Longer edges make fewer quads, in steps. Where one step passes by what was asked by more than
+// kCountClose, the arcs that lose edges there keep them, so that others lose theirs instead.
+ArcNumbers::Found ArcNumbers::closest_to(double asked) {
+  // Chosen: a needle of 1,000 quads takes two.
+  constexpr int kMostSteps = 3;
+  double length = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
+  Found best;
+  for (int step = 0;; ++step) {
+    const auto [more, fewer] = closest_from(length, asked, best);
+    if (std::abs(best.ratio - 1) <= kCountClose || step == kMostSteps || !more || !fewer)
+      return best;
+    for (Index a = 0; a < static_cast<Index>(more->edges.size()); ++a)
+      if (more->edges[a] > fewer->edges[a]) raise(a, more->edges[a]);
+    length = more->length;
+  }
+}
+
+// best: what is closer replaces it.
+ArcNumbers::Bracket ArcNumbers::closest_from(double length, double asked, Found& best) {
+  constexpr int kTried = 12;
   constexpr double kNearEnough = 0.005;
   // Longer edges in a row that make no fewer quads, all more than asked, after which still longer
   // ones are not tried.
   constexpr int kMostInVain = 3;
-  double next = std::sqrt(static_cast<double>(lattice_.twice_area()) / 2 / asked);
-  std::vector<Index> best;
-  double least_off = std::numeric_limits<double>::infinity(), least_ratio = least_off;
-  for (int step = 0, in_vain = 0; step < kSteps && in_vain < kMostInVain; ++step) {
-    std::vector<Index> edges = joined_at(next);
-    const double ratio = static_cast<double>(quad_count(mesh_, edges)) / asked;
-    const double off = std::abs(std::log(ratio));
+  Bracket bracket;
+  double least_ratio = std::numeric_limits<double>::infinity(), last_off = least_ratio;
+  for (int tried = 0, in_vain = 0; tried < kTried && in_vain < kMostInVain; ++tried) {
+    const long raised = raised_;
+    Found found{length, joined_at(length), 0};
+    found.ratio = static_cast<double>(quad_count(mesh_, found.edges)) / asked;
+    // Those were of fewer edges.
+    if (raised_ != raised) bracket.fewer.reset();
+    const double ratio = found.ratio, off = found.off();
     in_vain = ratio >= least_ratio && least_ratio > 1 ? in_vain + 1 : 0;
     least_ratio = std::min(ratio, least_ratio);
-    if (off < least_off) {
-      least_off = off;
-      length = next;
-      best = std::move(edges);
-    }
+    if (off < best.off()) best = found;
     if (off <= kNearEnough) break;
-    next *= std::sqrt(ratio);
+    (ratio > 1 ? bracket.more : bracket.fewer) = std::move(found);
+    // As many as of squares, while that halves what they are off; else by bisection.
+    length *= std::sqrt(ratio);
+    const auto& [more, fewer] = bracket;
+    if (more && fewer && (length <= more->length || length >= fewer->length || off > last_off / 2))
+      length = std::sqrt(more->length * fewer->length);
+    last_off = off;
   }
-  return best;
+  return bracket;
 }
 
 Index ArcNumbers::longest_without_edges(const std::vector<Index>& edges) const {

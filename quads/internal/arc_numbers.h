@@ -11,6 +11,7 @@
 // changed until the count is as asked.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -36,11 +37,24 @@ class ArcNumbers {
   std::vector<Index> for_count(double asked);
 
  private:
+  struct Found {
+    double length = 0;  // of the edges that were wanted
+    std::vector<Index> edges;
+    double ratio = 0;  // of the number of quads to that asked
+    double off() const { return std::abs(std::log(ratio)); }
+  };
+  // With more quads than asked, and with fewer, of longer edges.
+  struct Bracket {
+    std::optional<Found> more, fewer;
+  };
+
   template <class Numbers>
   std::vector<Index> without_bad_quads(const Numbers& numbers);
   std::vector<Index> joined_at(double edge_length);
   std::optional<std::vector<Index>> refined(const std::vector<Index>& edges, double edge_length);
-  std::vector<Index> closest_to(double asked, double& length);
+  Found closest_to(double asked);
+  Bracket closest_from(double length, double asked, Found& best);
+  void raise(Index arc, Index least);
   void want(double edge_length);
   Index longest_without_edges(const std::vector<Index>& edges) const;
 
@@ -48,6 +62,7 @@ class ArcNumbers {
   const TMesh& mesh_;
   const StopCheck& stop_;
   Quantization quantization_;  // with the least numbers that were needed so far
+  long raised_ = 0;            // how often they were raised
 };
 
 }  // namespace majorant
