@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -198,7 +199,7 @@ PolygonMesh slit_plate(int squares) {
     if (p.x() != 6 || p.y() <= 4 || p.y() >= 8) continue;
     const auto other = static_cast<Index>(quads.positions.size());
     quads.positions.push_back(p);
-    for (std::vector<Index>& quad : quads.polygons) {
+    for (const std::span<Index> quad : quads.polygons) {
       double sum = 0;
       for (const Index u : quad) sum += quads.positions[u].x();
       if (sum > 4 * 6) std::replace(quad.begin(), quad.end(), v, other);
