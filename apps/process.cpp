@@ -124,17 +124,14 @@ std::size_t stack_bytes() {
 // many at most: what is reserved is not to be more than what may be used (FreeMemoryOnly).
 constexpr std::size_t kReservedHeap = std::size_t{1} << 30;  // bytes
 constexpr std::size_t kReservedPart = 4;
-// What is fetched for the heap at a time, beyond what is asked for.
-constexpr int kHeapStep = 32 << 20;  // bytes
+// What is larger is mapped, and given back to the system, on its own: as much as glibc allows.
+constexpr int kLargestInHeap = 32 << 20;  // bytes
 
 // What is freed between two steps is kept for the next one: the system would only clear it and map
 // it again, which costs more than most steps do; and the heap is in large pages, where the system
-// has them for who asks: a run of 160,000 faces has 4,700 page faults for 168,000. Nothing is
-// mapped on its own, as glibc maps what has more than 32 MiB: half of the system's time of 250,000
-// faces; an unwrap of 1M faces has a peak of 4.7 GB for 3.9 with it, as what is free lies in
-// pieces.
+// has them for who asks: a run of 160,000 faces has 4,700 page faults for 168,000.
 void keep_memory() {
-  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_MMAP_THRESHOLD, kLargestInHeap);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   rlimit space{}, data{};
   ::getrlimit(RLIMIT_AS, &space);
@@ -142,11 +139,11 @@ void keep_memory() {
   if (space.rlim_cur != RLIM_INFINITY || data.rlim_cur != RLIM_INFINITY) return;
   const std::size_t free = reading_memory().value_or(kReservedPart * kReservedHeap);
   const std::size_t reserved = std::min(kReservedHeap, free / kReservedPart);
-  if (reserved < 2 * kHeapStep) return;
+  if (reserved < 2 * kLargestInHeap) return;
   mallopt(M_TOP_PAD, static_cast<int>(reserved));
-  void* volatile first = std::malloc(kHeapStep / 2);  // or compilers leave it out
+  void* volatile first = std::malloc(kLargestInHeap / 2);  // or compilers leave it out
   std::free(first);
-  mallopt(M_TOP_PAD, kHeapStep);
+  mallopt(M_TOP_PAD, kLargestInHeap);
 #ifdef MADV_HUGEPAGE
   constexpr std::uintptr_t kLargePage = 1 << 21;
   const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0)) / kLargePage * kLargePage;

@@ -6,7 +6,8 @@
 //   std::vector<double> values(shape.size());         // 208 * 64 + 144 * 36
 //   values[shape.column(70) + 80] = 1;                // row 80 of column 70
 //   for (Index s = 0; s < shape.slabs(); ++s)
-//     factorize_slab(values.data() + shape.begin(s), shape.stride(s), shape.columns_of(s));
+//     front_kernels().factorize(values.data() + shape.begin(s), shape.stride(s), 0,
+//                               shape.columns_of(s));
 #pragma once
 
 #include <algorithm>

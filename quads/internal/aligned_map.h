@@ -1,7 +1,7 @@
 // The seamless map that quads are made from: of degree 1, optimized, with the border and features
 // along its axes.
 //
-//   const RoomySurface room = with_room(*mesh, features);
+//   const RoomySurface room = with_room(*mesh, sharp_edges(*mesh, 35));
 //   const AlignedMap aligned = aligned_map(room, {}, record);
 //   SeamlessLattice lattice(room.mesh, aligned.map, room.is_feature);
 #pragma once
