@@ -86,7 +86,7 @@ class LinearSolver {
   // column, on the unknowns of the next analysis. Algebraic multigrid converges sooner for it;
   // other solvers ignore it.
   virtual void hint_near_null_space(Eigen::MatrixXd /*vectors*/) {}
-  // Factorizes H + shift * I; `values` parallel to pattern.rows.
+  // Factorizes H + shift * I; `values`, parallel to pattern.rows, may be gone before solve().
   virtual FactorStatus factorize(const Vec& values, double shift) = 0;
   // p with |H p - r| <= tolerance |r|, H with its shift; only after factorize() returned Ok.
   // tolerance: in [0, 1); 0 asks for all that rounding leaves. Direct solvers do not look at it.

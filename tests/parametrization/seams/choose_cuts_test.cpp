@@ -4,12 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "expected_error.h"
+#include "majorant/mesh/marked_creases.h"
 #include "majorant/mesh/repair.h"
+#include "majorant/parametrization/seams/visibility.h"
 #include "mesh/list_edits.h"
+#include "mesh/obj_file.h"
 #include "parametrization/seams/cut_checks.h"
+#include "public_data.h"
 
 namespace majorant {
 namespace {
@@ -133,6 +138,21 @@ TEST(ChooseCuts, AreTheirOwnMirrorImageWhereTheSurfaceIs) {
     EXPECT_EQ(cuts.components.at(0).pieces, 1);
     EXPECT_LE(cuts.components.at(0).estimated_stretch, stretch);
     EXPECT_GE(mirrored_part(mesh, cuts.is_cut), 0.9);
+  }
+}
+
+// Though the plane is where they are seen most.
+TEST(ChooseCuts, HiddenOnesAreTheirOwnMirrorImage) {
+  const std::filesystem::path folder = public_data("closed");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
+  for (const char* name : {"blub_1886.obj", "spot_1654.obj"}) {
+    const PolygonMesh polygons = obj_file(folder / name);
+    const RepairedSurface surface = repair(polygons);
+    const SurfaceMesh& mesh = *surface.mesh;
+    CutOptions options;
+    options.wanted.creases = marked_creases(polygons, surface);
+    options.wanted.weight = hiding_weights(mesh, ambient_visibility(mesh));
+    EXPECT_GE(mirrored_part(mesh, choose_cuts(mesh, options).is_cut), 0.95) << name;
   }
 }
 
