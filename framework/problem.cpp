@@ -85,7 +85,8 @@ struct LeadingTerms {
     Index unknowns = 0;
     for (std::size_t k = 0; k < count; ++k) {
       slots.emplace_back(terms[k]->element_dofs(), elimination, pattern);
-      for (Index i = 0; i < extent(*terms[k]); ++i)
+      const Index last = extent(*terms[k]);
+      for (Index i = 0; i < last; ++i)
         for (const auto& e : elimination.row(i)) unknowns = std::max(unknowns, e.reduced + 1);
     }
     pattern.size = unknowns;
