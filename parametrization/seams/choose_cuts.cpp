@@ -180,10 +180,8 @@ constexpr double kFacetedWorth = 3;
 // ones is the last that changes anything.
 constexpr Index kMostRoutes = 3, kRouteWork = 20000;
 // What a cut may cost that is its own mirror image, and how long it may be, relative to the best
-// one: most of the difference is that the plane is where surfaces are seen. It may leave this part
-// of the strain that others may: strains expected and found agree within 10 %, and what is cut
-// where more is found has no image.
-constexpr double kMirrorCost = 1.2, kMirrorLength = 1.2, kMirrorStrain = 0.9;
+// one: most of the difference is that the plane is where surfaces are seen.
+constexpr double kMirrorCost = 1.15, kMirrorLength = 1.1;
 // Vertices whose costs are compared with those of their images, at most, and the part by which
 // these may differ in the mean: rays leave a twentieth between what looks alike; a direction that
 // is not in the plane, half.
@@ -281,20 +279,8 @@ class Cutter {
     if (!plane || !costs_are_images(*plane)) return best;
     const MirroredCuts halves(mesh_, *plane, cost_, stop_);
     if (!halves.is_parted()) return best;
-    const Cutter careful(*this, kMirrorStrain * limit_);
-    std::optional<AutomaticCut> cut = careful.cut_in_halves(halves, cones_on(best, cones), cones);
-    return cut && is_worth_mirroring(*cut, best) ? *std::move(cut) : best;
-  }
-
-  // The same as `other` with another limit.
-  Cutter(const Cutter& other, double limit) : Cutter(other) { limit_ = limit; }
-
-  // The cheapest cut found that is its own mirror image and keeps the limit.
-  std::optional<AutomaticCut> cut_in_halves(const MirroredCuts& halves,
-                                            const std::vector<Index>& through,
-                                            const std::vector<Index>& cones) const {
-    std::optional<MirroredWay> way = cheapest_way(halves, through, cones);
-    if (!way) return {};
+    std::optional<MirroredWay> way = cheapest_way(halves, cones_on(best, cones), cones);
+    if (!way) return best;
     // Large ones once, as without images.
     const Index rounds = std::clamp(kRouteWork / mesh_.vertex_count(), 1, kMostRoutes);
     for (Index k = 1; k < rounds; ++k) {
@@ -305,7 +291,7 @@ class Cutter {
       way->cut = *std::move(cut);
       way->full = std::move(next.is_cut);
     }
-    return std::move(way->cut);
+    return is_worth_mirroring(way->cut, best) ? std::move(way->cut) : best;
   }
 
   struct MirroredWay {
@@ -567,8 +553,7 @@ class Cutter {
   const SurfaceMesh& mesh_;
   const Vec cost_;
   const std::vector<char>& is_whole_;
-  double limit_;
-  const double unit_;
+  const double limit_, unit_;
   StopCheck stop_;
   const StopCheck& enough_;
   const Images images_;
