@@ -192,14 +192,14 @@ class BezierTriangleSpace final : public BernsteinSpace {
   // of columns.
   BezierTriangleSpace(NodeNumbering numbering, int degree);
 
-  const Cells& faces() const { return faces_; }
+  const Cells& faces() const { return degree() == 1 ? cells() : faces_; }
 
   // Control points of the same map in `higher`, a space of degree + 1 over the same faces.
   // x: 2 numbers per node.
   Vec elevate(VecIn x, const BezierTriangleSpace& higher) const;
 
  private:
-  Cells faces_;
+  Cells faces_;  // empty at degree 1, where they are the cells
 };
 
 // Nodes of the space along a half-edge, from its start to its end: degree + 1 of them. Half-edge

@@ -41,10 +41,14 @@ LatticeNumbering number_lattice(const Cells& faces, Index vertex_count, int n) {
 }
 
 BezierTriangleSpace::BezierTriangleSpace(const Cells& faces, Index vertex_count, int degree)
-    : BernsteinSpace(triangle(degree), faces, vertex_count), faces_(faces) {}
+    : BernsteinSpace(triangle(degree), faces, vertex_count) {
+  if (degree > 1) faces_ = faces;
+}
 
 BezierTriangleSpace::BezierTriangleSpace(NodeNumbering numbering, int degree)
-    : BernsteinSpace(triangle(degree), std::move(numbering)), faces_(cells().leftCols<3>()) {}
+    : BernsteinSpace(triangle(degree), std::move(numbering)) {
+  if (degree > 1) faces_ = cells().leftCols<3>();
+}
 
 Vec BezierTriangleSpace::elevate(VecIn x, const BezierTriangleSpace& higher) const {
   require_enough("BezierTriangleSpace::elevate: x", x.size(), 2 * node_count());

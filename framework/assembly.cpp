@@ -91,7 +91,6 @@ ScatterMap::ScatterMap(const ElementDofs& element_dofs, const Elimination& elimi
   const Index count = element_dofs.element_count();
   unknown_.assign(to_size(count) * to_size(nodes_), -1);
   slot_.assign(to_size(count) * pairs() * to_size(block_), -1);
-  general_of_.assign(to_size(count), -1);
   std::vector<char> is_direct(to_size(count));
   const auto place = [&](Index task, int) {
     std::vector<int> order;
@@ -158,6 +157,7 @@ ScatterMap ScatterMap::moved(const std::vector<Index>& places) const {
 
 void ScatterMap::build_general(Index e, const ElementDofs& s, const Elimination& z,
                                const SparsePattern& pattern) {
+  general_of_.resize(to_size(s.element_count()), -1);
   general_of_[e] = static_cast<Index>(general_.size());
   std::vector<Contribution> contributions;
   std::vector<std::pair<int, Target>> gradient;
@@ -181,7 +181,7 @@ void ScatterMap::build_general(Index e, const ElementDofs& s, const Elimination&
 
 void ScatterMap::add_hessian(Index element, const LocalSystem& local, int p, double factor,
                              double* values) const {
-  if (const Index g = general_of_[element]; g >= 0) {
+  if (const Index g = general_of(element); g >= 0) {
     for (const Contribution& c : general_[g])
       values[c.slot] += factor * c.coefficient * local.hessian[c.local * LocalSystem::stride + p];
     return;
@@ -209,7 +209,7 @@ void ScatterMap::add_hessian(Index element, const LocalSystem& local, int p, dou
 
 void ScatterMap::add_gradient(Index element, const LocalSystem& local, int p, double factor,
                               double* gradient) const {
-  if (const Index g = general_of_[element]; g >= 0) {
+  if (const Index g = general_of(element); g >= 0) {
     for (const auto& [i, target] : general_gradient_[g])
       gradient[target.reduced] +=
           factor * target.coefficient * local.gradient[i * LocalSystem::stride + p];

@@ -49,6 +49,7 @@ class ScatterMap {
   bool find_unknowns(Index element, const ElementDofs& element_dofs, const Elimination& z);
   // The slots of such an element. order: scratch.
   void find_slots(Index element, const SparsePattern& pattern, std::vector<int>& order);
+  Index general_of(Index element) const { return general_of_.empty() ? -1 : general_of_[element]; }
   std::size_t pairs() const { return to_size(nodes_ * (nodes_ + 1) / 2); }
 
   int nodes_, block_;           // nodes of an element, unknowns of a node
@@ -56,7 +57,7 @@ class ScatterMap {
   // #E by pairs of nodes, packed, by block: in each column of the one that comes first, where the
   // entries of the other one begin; of a node with itself, its diagonal.
   std::vector<Index> slot_;
-  std::vector<Index> general_of_;  // #E: index into the general lists, or -1
+  std::vector<Index> general_of_;  // #E: index into the general lists, or -1; empty: all -1
   std::vector<std::vector<Contribution>> general_;
   std::vector<std::vector<std::pair<int, Target>>> general_gradient_;
 };

@@ -1,5 +1,6 @@
 #include "majorant/framework/available_resources.h"
 
+#include <malloc.h>
 #include <sched.h>
 
 #include <algorithm>
@@ -84,6 +85,12 @@ int processors_of_affinity() {
 }
 
 }  // namespace
+
+void release_free_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
 
 std::optional<std::size_t> available_memory(const std::string& root) {
   if (const char* told = std::getenv("MAJORANT_MEMORY_BYTES"))

@@ -21,6 +21,10 @@ std::optional<std::size_t> free_memory(const std::string& root = "");
 // replaces it.
 std::optional<std::size_t> available_memory(const std::string& root = "");
 
+// Gives memory that is free in the heap back to the system: a program keeps it to be fast, and a
+// great demand comes on top of it. With glibc; with other libraries nothing happens.
+void release_free_memory();
+
 // The least of the processors of its affinity, of the CPU quota of its control groups, rounded up,
 // and of OMP_NUM_THREADS, which batch systems set; at least 1.
 int available_processors(const std::string& root = "");

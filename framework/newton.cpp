@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/argument_check.h"
+#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/first_order.h"
 #include "majorant/framework/internal/lbfgs_history.h"
@@ -35,6 +36,9 @@ constexpr double kRotationShift = 1.5;
 // The values that t of a blend rises to when it was too small: by about a factor of 5, so that two
 // failures lead from the exact Hessian to one that is mostly projected.
 constexpr double kRaised[] = {0.1, 0.5, 1};
+// Entries of a Hessian from which on memory that is free is worth the milliseconds that it takes to
+// give it back: of a map of half a million faces.
+constexpr Index kLargeHessian = 4'000'000;
 
 }  // namespace
 
@@ -47,7 +51,7 @@ class NewtonStepper::LaggedFactor {
   bool serves() const { return steps_ > 0; }
   void drop() {
     steps_ = 0;
-    history_.clear();
+    history_.release();
   }
 
   // Starts anew after a Newton step from y, where the gradient was g.
@@ -122,6 +126,7 @@ void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
 void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   lagged_->drop();
+  if (evaluator_.problem().pattern().nonzeros() >= kLargeHessian) release_free_memory();
   step.outcome = Outcome::Breakdown;  // whatever a step on a kept factor was
   if (!find_direction(y, r)) return;
   hessian_ = Vec();  // memory for the steps on its factor

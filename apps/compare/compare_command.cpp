@@ -4,7 +4,6 @@
 // help that parametrize gives Newton (degree schedule, refined quadrature, ways out of
 // stalls).
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <CLI/App.hpp>
 #include <algorithm>
@@ -40,6 +39,7 @@
 #include "apps/streams.h"
 #include "apps/within_memory.h"
 #include "majorant/certify/map_proof.h"
+#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/parallel.h"
@@ -107,7 +107,7 @@ double median_seconds(const Work& work) {
 class MemoryPeak {
  public:
   MemoryPeak() {
-    ::malloc_trim(0);
+    release_free_memory();
     std::ofstream("/proc/self/clear_refs") << "5";
     before_ = status("VmHWM:");
   }

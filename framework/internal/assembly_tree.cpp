@@ -40,9 +40,9 @@ double AssemblyTree::Front::operations() const {
 AssemblyTree::AssemblyTree(const SparsePattern& pattern, const BlockElimination& elimination) {
   std::vector<Index> starts;
   order_ = ordered_unknowns(pattern, elimination.order, starts);
-  make_fronts(elimination, starts);
-  find_parents();
-  place_entries(pattern);
+  const std::vector<Index> front_of = make_fronts(elimination, starts);
+  find_parents(front_of);
+  place_entries(pattern, front_of);
 }
 
 std::span<const Index> AssemblyTree::children(Index f) const {
@@ -57,9 +57,9 @@ std::span<const AssemblyTree::Entry> AssemblyTree::entries(Index f) const {
   return {entries_.data() + front(f).entries, entries_.data() + front(f + 1).entries};
 }
 
-void AssemblyTree::make_fronts(const BlockElimination& elimination,
-                               const std::vector<Index>& starts) {
-  front_of_.resize(order_.size());
+std::vector<Index> AssemblyTree::make_fronts(const BlockElimination& elimination,
+                                             const std::vector<Index>& starts) {
+  std::vector<Index> front_of(order_.size());
   const std::size_t supernodes = elimination.supernode_starts.size() - 1;
   fronts_.reserve(supernodes + 1);
   for (std::size_t g = 0; g < supernodes; ++g) {
@@ -81,7 +81,7 @@ void AssemblyTree::make_fronts(const BlockElimination& elimination,
     if (size > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();
     factor_size_ += size;
     for (Index c = 0; c < front.columns; ++c) {
-      front_of_[front.first + c] = static_cast<Index>(g);
+      front_of[front.first + c] = static_cast<Index>(g);
       nonzeros_ += front.rows - c;
     }
     operations_ += front.operations();
@@ -91,15 +91,16 @@ void AssemblyTree::make_fronts(const BlockElimination& elimination,
   end.begin = factor_size_;
   end.below = rows_below_.size();
   fronts_.push_back(end);
+  return front_of;
 }
 
-void AssemblyTree::find_parents() {
+void AssemblyTree::find_parents(const std::vector<Index>& front_of) {
   const auto count = static_cast<Index>(fronts_.size()) - 1;
   rows_of_parent_.resize(rows_below_.size());
   child_starts_.assign(to_size(count) + 2, 0);
   for (Index f = 0; f < count; ++f) {
     Front& front = fronts_[f];
-    front.parent = front.rows > front.columns ? front_of_[rows_below_[front.below]] : -1;
+    front.parent = front.rows > front.columns ? front_of[rows_below_[front.below]] : -1;
     if (front.parent < 0) continue;
     ++child_starts_[to_size(front.parent) + 2];
     const Front& parent = fronts_[front.parent];
@@ -125,7 +126,7 @@ void AssemblyTree::find_parents() {
 }
 
 // A counting sort: it counts the entries of each front, then puts each entry where it belongs.
-void AssemblyTree::place_entries(const SparsePattern& pattern) {
+void AssemblyTree::place_entries(const SparsePattern& pattern, const std::vector<Index>& front_of) {
   std::vector<Index> position(order_.size());
   for (std::size_t k = 0; k < order_.size(); ++k) position[order_[k]] = static_cast<Index>(k);
   const std::size_t count = fronts_.size() - 1;
@@ -137,13 +138,13 @@ void AssemblyTree::place_entries(const SparsePattern& pattern) {
         use(k, column, row);
       }
   };
-  visit([&](Index, Index column, Index) { ++starts[to_size(front_of_[column]) + 2]; });
+  visit([&](Index, Index column, Index) { ++starts[to_size(front_of[column]) + 2]; });
   for (std::size_t f = 2; f < starts.size(); ++f) starts[f] += starts[f - 1];
   entries_.resize(pattern.rows.size());
   std::vector<Index> columns(entries_.size());
   // Until a front's turn comes the place of an entry is its row.
   visit([&](Index k, Index column, Index row) {
-    const std::size_t at = starts[to_size(front_of_[column]) + 1]++;
+    const std::size_t at = starts[to_size(front_of[column]) + 1]++;
     entries_[at] = {k, static_cast<std::uint32_t>(row)};
     columns[at] = column;
   });

@@ -70,12 +70,14 @@ class AssemblyTree {
 
  private:
   const Front& front(Index f) const { return fronts_[f]; }
-  void make_fronts(const BlockElimination& elimination, const std::vector<Index>& starts);
-  void find_parents();
-  void place_entries(const SparsePattern& pattern);
+  // Returns the front of each position.
+  std::vector<Index> make_fronts(const BlockElimination& elimination,
+                                 const std::vector<Index>& starts);
+  void find_parents(const std::vector<Index>& front_of);
+  void place_entries(const SparsePattern& pattern, const std::vector<Index>& front_of);
 
   std::vector<Front> fronts_;  // and one more, past the end
-  std::vector<Index> order_, front_of_;
+  std::vector<Index> order_;
   std::vector<Index> rows_below_, rows_of_parent_;
   std::vector<Index> child_starts_, children_;
   std::vector<Entry> entries_;

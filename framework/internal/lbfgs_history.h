@@ -27,6 +27,11 @@ class History {
   bool empty() const { return pairs_.empty(); }
   // Forgets all pairs; what visit() adds next still begins where it was last.
   void clear() { pairs_.clear(); }
+  // Forgets all pairs, and the point: memory for others. visit() has to wait for start().
+  void release() {
+    clear();
+    y_ = g_ = Vec();
+  }
   // Forgets all pairs and begins at y with the gradient g. partition: of both, outlives the
   // history.
   void start(const Vec& y, const Vec& g) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -44,6 +45,15 @@ LargeArray large_array(std::size_t size) {
   return LargeArray(static_cast<double*>(values));
 }
 
+// Gives the large pages that lie within an array back to the system. Its numbers are lost, the
+// address space stays: who writes there gets fresh pages.
+void release_pages(double* values, std::size_t size) {
+  const auto begin = reinterpret_cast<std::uintptr_t>(values);
+  const std::uintptr_t first = (begin + kLargePage - 1) / kLargePage * kLargePage;
+  const std::uintptr_t last = (begin + size * sizeof(double)) / kLargePage * kLargePage;
+  if (first < last) ::madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+}
+
 // The lower triangle, and what of the upper one shares tiles with it.
 void clear_triangle(double* values, const ColumnSlabs& shape) {
   for (Index c = 0; c < shape.columns; ++c) {
@@ -70,10 +80,11 @@ void FactorMemory::Part::fit(std::size_t numbers) {
 }
 
 MultifrontalFactor::MultifrontalFactor(const AssemblyTree& tree, const FrontKernels& kernels,
-                                       FactorMemory memory)
+                                       FactorMemory memory, std::size_t large)
     : tree_(tree),
       kernels_(kernels),
       threads_(tree.operations() < kParallelOperations ? 1 : ThreadCount::current()),
+      is_large_(tree.factor_size() * sizeof(double) >= large),
       update_places_(tree.fronts().size()),
       is_root_(tree.fronts().size(), 0),
       memory_(std::move(memory)) {
@@ -201,6 +212,9 @@ std::size_t MultifrontalFactor::packed_size() const {
 
 bool MultifrontalFactor::factorize(const Vec& values, double shift) {
   if (!has_memory_) allocate();
+  // Fronts above all tasks have no use for their part before the updates of tasks wait for them.
+  if (is_large_)
+    for (const Index f : above_) release_pages(part(f), tree_.fronts()[f].part().size());
   const Work work{values, shift};
   std::atomic<bool> positive{true};
   const auto factorize_task = [&](Index t, int thread) {
@@ -210,8 +224,10 @@ bool MultifrontalFactor::factorize(const Vec& values, double shift) {
   };
   parallel_tasks(static_cast<Index>(tasks_.size()), factorize_task, threads_);
   const Scratch all = scratch(0, threads_);
+  if (is_large_) release_pages(all.stack, to_size(threads_) * stack_size_);
   for (const Index f : above_)
     if (positive && !factorize_front(f, work, all)) positive = false;
+  if (is_large_) release_pages(memory_.updates.values.get(), updates_size());
   return positive;
 }
 
@@ -221,7 +237,11 @@ bool MultifrontalFactor::factorize_front(Index f, const Work& work, const Scratc
   double *l = this->part(f), *u = update(f, scratch);
   take_in_entries(f, work);
   clear_triangle(u, left);
-  for (const Index child : tree_.children(f)) extend_add(child, scratch);
+  for (const Index child : tree_.children(f)) {
+    extend_add(child, scratch);
+    if (scratch.threads > 1 && is_large_)
+      release_pages(update(child, scratch), tree_.fronts()[child].update().size());
+  }
   for (Index s = 0; s < part.slabs(); ++s) {
     double* const slab = l + part.begin(s);
     const FrontKernels::Stride stride = part.stride(s);

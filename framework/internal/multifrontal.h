@@ -46,11 +46,15 @@ struct FactorMemory {
 
 class MultifrontalFactor {
  public:
+  // The bytes of a factor from which on memory that it does not need yet, or any more, is given
+  // back: of a map of 300,000 faces. To map it again takes a hundredth of the factorization.
+  static constexpr std::size_t kLarge = std::size_t(256) << 20;
+
   // tree outlives this. Allocates nothing large before the first factorize(), and then what
-  // `memory` does not have.
+  // `memory` does not have. large: kLarge; another number in tests.
   explicit MultifrontalFactor(const AssemblyTree& tree,
                               const FrontKernels& kernels = front_kernels(),
-                              FactorMemory memory = {});
+                              FactorMemory memory = {}, std::size_t large = kLarge);
   // What it has allocated; nothing but the destructor comes after.
   FactorMemory release() { return std::move(memory_); }
 
@@ -111,6 +115,7 @@ class MultifrontalFactor {
   const AssemblyTree& tree_;
   const FrontKernels& kernels_;
   const int threads_;
+  const bool is_large_;            // memory that waits is worth giving back
   std::size_t most_rows_ = 0;      // of a front, padded
   std::vector<Task> tasks_;        // the most expensive first
   std::vector<Index> task_order_;  // as the tree has them

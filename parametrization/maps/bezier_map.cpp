@@ -19,8 +19,8 @@ BezierMap::BezierMap(std::shared_ptr<const SurfaceMesh> mesh,
     : mesh_(given("BezierMap: the mesh", std::move(mesh))),
       space_(given("BezierMap: the space", std::move(space))),
       seams_(seams ? std::move(seams) : std::make_shared<const Seams>()),
-      x_(std::move(control_points)) {
-  require_size("BezierMap: the control points", x_.size(), 2 * space_->node_count());
+      x_(std::make_shared<const Vec>(std::move(control_points))) {
+  require_size("BezierMap: the control points", x_->size(), 2 * space_->node_count());
   if (space_->element_count() != mesh_->face_count())
     throw InvalidArgument(fmt::format("BezierMap: a space over {} faces for a mesh of {}",
                                       space_->element_count(), mesh_->face_count()));
@@ -42,7 +42,7 @@ Vector2 BezierMap::evaluate(Index face, const Barycentric& xi) const {
   require_index("BezierMap: face", face, mesh_->face_count());
   const Vec b = bernstein_values(degree(), xi);
   Vector2 uv = Vector2::Zero();
-  for (Index k = 0; k < b.size(); ++k) uv += b[k] * x_.segment<2>(2 * space_->cells()(face, k));
+  for (Index k = 0; k < b.size(); ++k) uv += b[k] * x_->segment<2>(2 * space_->cells()(face, k));
   return uv;
 }
 
@@ -50,7 +50,7 @@ Eigen::Matrix2d BezierMap::jacobian(Index face, const Barycentric& xi) const {
   require_index("BezierMap: face", face, mesh_->face_count());
   const Eigen::MatrixX2d g = bernstein_gradients(degree(), xi);
   Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
-  for (Index k = 0; k < g.rows(); ++k) j += x_.segment<2>(2 * space_->cells()(face, k)) * g.row(k);
+  for (Index k = 0; k < g.rows(); ++k) j += x_->segment<2>(2 * space_->cells()(face, k)) * g.row(k);
   return j * rest_shape(*mesh_, face).inverse_of(0);
 }
 
@@ -73,7 +73,7 @@ Points2 BezierMap::sample(const std::vector<Barycentric>& points) const {
   Points2 local(space_->nodes_per_element(), 2);
   for (Index f = 0; f < space_->element_count(); ++f) {
     for (Index k = 0; k < local.rows(); ++k)
-      local.row(k) = x_.segment<2>(2 * space_->cells()(f, k));
+      local.row(k) = x_->segment<2>(2 * space_->cells()(f, k));
     uv.middleRows(f * count, count) = basis * local;
   }
   return uv;
@@ -82,7 +82,7 @@ Points2 BezierMap::sample(const std::vector<Barycentric>& points) const {
 BezierMap BezierMap::elevated() const {
   auto higher = std::make_shared<const BezierTriangleSpace>(mesh_->faces(), mesh_->vertex_count(),
                                                             degree() + 1);
-  Vec x = space_->elevate(x_, *higher);
+  Vec x = space_->elevate(*x_, *higher);
   return with(std::move(higher), std::move(x));
 }
 

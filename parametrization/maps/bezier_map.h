@@ -38,9 +38,9 @@ class BezierMap {
   const std::shared_ptr<const BezierTriangleSpace>& shared_space() const { return space_; }
   const std::shared_ptr<const Seams>& shared_seams() const { return seams_; }
   const Seams& seams() const { return *seams_; }  // empty where the surface is not cut
-  const Vec& control_points() const { return x_; }
+  const Vec& control_points() const { return *x_; }
   // The same as rows, u and v of every node: #N by 2, a view that lives as long as the map.
-  Eigen::Map<const Points2> control_uv() const { return {x_.data(), x_.size() / 2, 2}; }
+  Eigen::Map<const Points2> control_uv() const { return {x_->data(), x_->size() / 2, 2}; }
   // uv of the corners of the faces, row 3 face + corner: 3 #F by 2. What meshes with texture
   // coordinates have; where the surface is cut, the corners of a vertex differ.
   Points2 corner_uv() const;
@@ -70,7 +70,7 @@ class BezierMap {
   std::shared_ptr<const SurfaceMesh> mesh_;
   std::shared_ptr<const BezierTriangleSpace> space_;
   std::shared_ptr<const Seams> seams_;
-  Vec x_;
+  std::shared_ptr<const Vec> x_;
 };
 
 // A mesh of Bezier triangles in the plane that may change its triangulation: what edge flips and

@@ -68,7 +68,6 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
       depth_(setup.solve.injectivity_depth),
       injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest->measure,
                                                             depth_, setup.stop)),
-      element_weight_(Vec::Ones(space_->element_count())),
       x_(domain.unknowns(x)),
       bounds_(std::move(bounds)),
       built_([&] {
@@ -367,7 +366,7 @@ void DegreeSolver::take_soft_steps(RunRecord& record) {
   SoftStart descent(*this, record);
   if (!descent.weigh()) return;
   stepper_.descend(descent, brief_rules(record.iterations_left(), kAnyDecrease));
-  element_weight_.setOnes();
+  element_weight_ = Vec();
   apply_state();
 }
 
@@ -564,16 +563,19 @@ DegreeSolver::RemedyOutcome DegreeSolver::refine(const std::vector<Index>& block
 // [MC20] Sec. 4.3: the blocking triangles lose their say for a few steps, not their positivity.
 DegreeSolver::RemedyOutcome DegreeSolver::exclude(SolveResult& result, RunRecord& record) {
   const SolveResult stalled = result;
+  std::vector<Index> excluded;  // faces of the map
   for (const Index e : stalled.blocking)
-    if (e < element_weight_.size()) element_weight_[e] = rules().excluded_weight;
-  if (partition().all((element_weight_.array() == 1).all())) return RemedyOutcome::None;
+    if (e < space_->element_count()) excluded.push_back(e);
+  if (!partition().any(!excluded.empty())) return RemedyOutcome::None;
+  element_weight_ = Vec::Ones(space_->element_count());
+  for (const Index e : excluded) element_weight_[e] = rules().excluded_weight;
   record.mark(Remedy::Exclude);
   const Checkpoint best = checkpoint();
   apply_state();
   StoppingRules brief = unlimited(rules().excluded_tolerance);
   brief.max_iterations = rules().excluded_iterations;
   descend(brief, Phase::Excluded, record);
-  element_weight_.setOnes();
+  element_weight_ = Vec();
   apply_state();
   result = descend(unlimited(rules().excluded_tolerance), Phase::Newton, record);
   if (result.energy < stalled.energy) return RemedyOutcome::GoOn;

@@ -162,7 +162,7 @@ class DegreeSolver {
   int depth_;
   std::shared_ptr<const LocalInjectivity> injectivity_;
   std::vector<long> proven_inside_;  // by the solves along a barrier
-  Vec element_weight_;               // 1, or else for a while: soft start, excluded
+  Vec element_weight_;               // empty: 1; else for a while: soft start, excluded
   Vec x_;                            // unknowns of the domain, the map's first
   Bounds bounds_;
   MapProblem built_;

@@ -4,12 +4,17 @@
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 #include <numeric>
 
 #include "framework/random_matrix.h"
+#include "majorant/framework/internal/block_graph.h"
+#include "majorant/framework/internal/block_ordering.h"
+#include "majorant/framework/internal/symbolic_analysis.h"
 #include "majorant/framework/parallel.h"
 
 namespace majorant {
@@ -227,6 +232,41 @@ TEST(Multifrontal, ThreadsTakeLittleMemory) {
   const double alone = bytes(1);
   EXPECT_LT(bytes(2), 1.25 * alone);
   EXPECT_LT(bytes(4), 1.25 * alone);
+}
+
+std::size_t resident_bytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t all = 0, resident = 0;
+  file >> all >> resident;
+  return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+// What it gives back to the system is lost, and comes from it again.
+TEST(Multifrontal, LargeFactorsGiveBackWhatOnlyWaits) {
+  const SparsePattern pattern = grid(250);
+  const BlockGraph graph(pattern);
+  const AssemblyTree tree(pattern,
+                          analyze_elimination(graph, fill_reducing_order(graph, Ordering::Metis)));
+  Random random(5);
+  Vec values = random.vector(pattern.nonzeros());
+  for (Index c = 0; c < pattern.size; ++c) values[pattern.diagonal_slot(c)] += 12;
+  const Vec r = random.vector(pattern.size);
+  std::size_t resident = 0;
+  const auto solve = [&](int threads, std::size_t large) {
+    const ThreadCount count(threads);
+    const std::size_t before = resident_bytes();
+    MultifrontalFactor factor(tree, front_kernels(), {}, large);
+    EXPECT_TRUE(factor.factorize(2 * values, 0) && factor.factorize(values, 0));
+    resident = resident_bytes() - before;
+    Vec p;
+    factor.solve(r, p);
+    return p;
+  };
+  const Vec p = solve(2, MultifrontalFactor::kLarge);
+  const std::size_t kept = resident;
+  for (const int threads : {1, 2, 8}) EXPECT_EQ(solve(threads, 0), p) << threads;
+  solve(2, 0);
+  EXPECT_LT(resident + 10'000'000, kept) << kept;
 }
 
 }  // namespace
