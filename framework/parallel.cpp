@@ -266,8 +266,8 @@ class Pool {
   std::atomic<unsigned> news_{0};  // loops and tasks that came
   std::vector<Loop*> loops_;
   std::vector<SideTask::State*> sides_;  // that have not begun
-  int busy_ = 0;     // callers that are in a loop, threads of the pool that work
-  int started_ = 0;  // threads of the pool
+  int busy_ = 0;      // callers that are in a loop, threads of the pool that work
+  int started_ = 0;   // threads of the pool
   int sleeping_ = 0;  // of them
 };
 
