@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "apps/process.h"
 #include "apps/streams.h"
 
 namespace majorant::app {
@@ -194,7 +195,9 @@ Progress::Progress(const CommonOptions& options, std::vector<Activity> stages) {
 
 Progress::~Progress() = default;
 
+// A start and what was prepared beside it leave holes that the factorization does not fit into.
 void Progress::begin(Activity activity) {
+  if (activity == Activity::Solving) give_back_memory();
   if (display_) display_->begin(activity);
 }
 

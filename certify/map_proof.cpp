@@ -22,6 +22,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
+#include "majorant/framework/side_task.h"
 #include "majorant/mesh/refusal.h"
 
 namespace majorant {
@@ -156,7 +157,8 @@ std::string describe(const GlobalInjectivity& proof, const CornerNames& input_ve
                      edge(contact.half_edge_b), certain ? "meet" : "may meet", where);
 }
 
-// Asks one question after the other; later ones build on earlier answers.
+// Asks one question after the other; later ones build on earlier answers. Those that do not are
+// asked at the same time.
 class MapProof::Judge {
  public:
   // stacks: of the cells, mirrored charts turned back; null: no chart lies on another.
@@ -165,29 +167,23 @@ class MapProof::Judge {
       : proof_(proof), file_(file), name_(name), request_(request), stacks_(stacks) {}
 
   void run() {
-    try {
-      judge_positivity();
-    } catch (const Stopped&) {  // inside of a cell
-      if (proof_.positive.answer == ProofStatus::NotAsked) proof_.positive = stopped_finding();
-    }
-    judge_flatness();
-    try {
-      cut_.emplace(file_, name_);
-    } catch (const Error& e) {
-      return give_up(problem_of(e));
-    }
-    judge_surface();
-    judge_cuts();
-    judge_angles();
-    try {
-      proof_.map_ = cut_->map_cut_along(borders());
-    } catch (const Error& e) {  // an edge is open whose ends are not
-      if (proof_.continuous.answer == ProofStatus::Proven)
-        proof_.continuous = {ProofStatus::Undecided, problem_of(e)};
-      if (request_.overlap == ProofRequest::Overlap::Forbidden)
-        proof_.injective = {ProofStatus::Undecided, problem_of(e)};
-      return;
-    }
+    std::string unfit;
+    both([this] { judge_cells(); },
+         [&] {
+           try {
+             cut_.emplace(file_, name_);
+           } catch (const Error& e) {
+             unfit = problem_of(e);
+           }
+         });
+    if (!cut_) return give_up(unfit);
+    both([this] { judge_surface(); },
+         [this] {
+           judge_cuts();
+           judge_angles();
+           open();
+         });
+    if (!proof_.map_) return;
     proof_.cuts.charts = proof_.map_->mesh().topology().components;
     judge_overlaps(*proof_.map_);
     find_seams();
@@ -195,6 +191,27 @@ class MapProof::Judge {
 
  private:
   bool is_stopped() const { return request_.stop() != Directive::Continue; }
+
+  void judge_cells() {
+    try {
+      judge_positivity();
+    } catch (const Stopped&) {  // inside of a cell
+      if (proof_.positive.answer == ProofStatus::NotAsked) proof_.positive = stopped_finding();
+    }
+    judge_flatness();
+  }
+
+  // The map that is cut along its borders; none where that cannot be.
+  void open() {
+    try {
+      proof_.map_ = cut_->map_cut_along(borders());
+    } catch (const Error& e) {  // an edge is open whose ends are not
+      if (proof_.continuous.answer == ProofStatus::Proven)
+        proof_.continuous = {ProofStatus::Undecided, problem_of(e)};
+      if (request_.overlap == ProofRequest::Overlap::Forbidden)
+        proof_.injective = {ProofStatus::Undecided, problem_of(e)};
+    }
+  }
 
   // The cells are no surface: of one that was given, they are not its faces.
   void give_up(const std::string& reason) {

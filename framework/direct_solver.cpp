@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <pthread.h>
 
 #include <memory>
 #include <optional>
@@ -11,8 +12,109 @@
 #include "majorant/framework/internal/symbolic_analysis.h"
 #include "majorant/framework/internal/symbolic_update.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/pattern_analysis.h"
 
 namespace majorant {
+
+struct PatternAnalysis::Parts {
+  BlockGraph graph;
+  Ordering chosen;
+  BlockElimination elimination;
+  std::unique_ptr<const AssemblyTree> tree;
+
+  Parts(const SparsePattern& pattern, BlockGraph of_it, Ordering asked)
+      : graph(std::move(of_it)),
+        chosen(chosen_ordering(asked, graph)),
+        elimination(analyze_elimination(graph, fill_reducing_order(graph, chosen))),
+        tree(std::make_unique<const AssemblyTree>(pattern, elimination)) {}
+};
+
+PatternAnalysis::PatternAnalysis(const SparsePattern& pattern, Ordering asked)
+    : pattern_(&pattern),
+      asked_(asked),
+      parts_(std::make_shared<Parts>(pattern, BlockGraph(pattern), asked)) {}
+
+PatternAnalysis::~PatternAnalysis() = default;
+
+std::shared_ptr<PatternAnalysis::Parts> PatternAnalysis::take(const SparsePattern& pattern,
+                                                              Ordering asked) {
+  return &pattern == pattern_ && asked == asked_ ? std::move(parts_) : nullptr;
+}
+
+namespace {
+
+thread_local PatternAnalysis* offered = nullptr;
+
+}  // namespace
+
+OfferedAnalysis::OfferedAnalysis(PatternAnalysis* analysis)
+    : before_(std::exchange(offered, analysis)) {}
+
+OfferedAnalysis::~OfferedAnalysis() { offered = before_; }
+
+PatternAnalysis* OfferedAnalysis::current() { return offered; }
+
+namespace {
+
+thread_local SigtermGate* gate_of_this_thread = nullptr;
+
+}  // namespace
+
+SigtermGate::SigtermGate() : before_(std::exchange(gate_of_this_thread, this)) {}
+
+SigtermGate::~SigtermGate() {
+  gate_of_this_thread = before_;
+  close();
+}
+
+void SigtermGate::enter() {
+  Stage now = Stage::Closed;
+  if (stage_.compare_exchange_strong(now, Stage::Asked)) now = Stage::Asked;
+  for (; now == Stage::Asked; now = stage_) stage_.wait(Stage::Asked);
+  if (now == Stage::Refused) throw Stopped(Directive::Interrupt);
+}
+
+void SigtermGate::hold() {
+  if (mask_) return;
+  sigset_t term;
+  sigemptyset(&term);
+  sigaddset(&term, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &term, &mask_.emplace());
+}
+
+void SigtermGate::close() {
+  if (mask_) pthread_sigmask(SIG_SETMASK, &*mask_, nullptr);
+  mask_.reset();
+}
+
+// Unless somebody has entered.
+void SigtermGate::move_to(Stage stage) {
+  for (Stage from : {Stage::Closed, Stage::Asked})
+    if (stage_.compare_exchange_strong(from, stage)) break;
+  stage_.notify_all();
+}
+
+void SigtermGate::open() {
+  hold();
+  move_to(Stage::Open);
+}
+
+void SigtermGate::refuse() { move_to(Stage::Refused); }
+
+void SigtermGate::poll() {
+  const Stage now = stage_;
+  if (now == Stage::Asked) open();
+  if (now == Stage::Left) close();
+}
+
+StopCheck SigtermGate::polled(const StopCheck& stop) {
+  if (!gate_of_this_thread) return stop;
+  return StopCheck([stop] {
+    if (gate_of_this_thread) gate_of_this_thread->poll();
+    return stop();
+  });
+}
+
 namespace {
 
 // Patterns that differ from the last one by at most so many edges for each block keep its ordering,
@@ -87,20 +189,29 @@ class DirectSolver final : public LinearSolver {
   std::string description() const override { return description_; }
 
  private:
+  using Analysis = PatternAnalysis::Parts;
+
   void make_tree(const SparsePattern& pattern) {
+    if (PatternAnalysis* const offer = OfferedAnalysis::current())
+      if (const auto found = offer->take(pattern, ordering_)) return adopt(std::move(*found));
     BlockGraph graph(pattern);
     extended_ = extend_last(pattern, graph);
-    if (!extended_) {
+    if (extended_) {
+      last_graph_ = std::move(graph);
+    } else {
       last_graph_.reset();
-      order(pattern, graph);
+      elimination_ = {};
+      tree_.reset();
+      adopt(Analysis(pattern, std::move(graph), ordering_));
     }
-    last_graph_ = std::move(graph);
   }
 
-  void order(const SparsePattern& pattern, const BlockGraph& graph) {
-    chosen_ = chosen_ordering(ordering_, graph);
-    elimination_ = analyze_elimination(graph, fill_reducing_order(graph, chosen_));
-    tree_ = std::make_unique<const AssemblyTree>(pattern, elimination_);
+  void adopt(Analysis&& found) {
+    extended_ = false;
+    chosen_ = found.chosen;
+    last_graph_ = std::move(found.graph);
+    elimination_ = std::move(found.elimination);
+    tree_ = std::move(found.tree);
     fresh_operations_ = tree_->operations();
   }
 

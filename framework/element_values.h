@@ -21,7 +21,7 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const Colored
 // Parallel to `elements`, all by the same rule of the term, whatever `state` says of rules: a plan
 // is not worth making for one evaluation, or for few elements.
 Vec element_values(const EnergyTerm& term, const TermState& state, RuleId rule,
-                   std::span<const Index> elements, VecIn x);
+                   std::span<const Index> elements, VecIn x, const StopCheck& stop = {});
 
 }  // namespace majorant
 

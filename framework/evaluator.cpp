@@ -71,10 +71,10 @@ Vec element_values(const EnergyTerm& term, const TermState& state, const Colored
 }
 
 Vec element_values(const EnergyTerm& term, const TermState& state, RuleId rule,
-                   std::span<const Index> elements, VecIn x) {
+                   std::span<const Index> elements, VecIn x, const StopCheck& stop) {
   constexpr std::size_t size = ElementBatch::kMaxSize;
   Vec f(static_cast<Index>(elements.size()));
-  visit_batches(static_cast<Index>((elements.size() + size - 1) / size), {},
+  visit_batches(static_cast<Index>((elements.size() + size - 1) / size), stop,
                 [&](Index c, Workspace& workspace) {
                   const std::size_t first = size * to_size(c);
                   const auto part =

@@ -5,6 +5,7 @@
 #include <signal.h>
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -14,8 +15,21 @@
 
 #include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/side_task.h"
 
 namespace majorant {
+
+// Guarded by the pool's mutex, but for what only the task's own thread touches while it runs.
+struct SideTask::State {
+  enum class Stage { Waiting, Running, Done };
+
+  std::function<void()> work;
+  int threads;  // that the owner may use, his own among them
+  const void* pool = nullptr;
+  Stage stage = Stage::Waiting;
+  std::exception_ptr error = nullptr;
+};
+
 namespace {
 
 thread_local int threads_of_this_thread = 0;  // 0: as many as there are processors
@@ -46,7 +60,8 @@ class Loop {
   int threads() const { return threads_; }
 
   // Guarded by the pool's mutex: threads that have joined, and those of them that are at work.
-  int joined = 1, at_work = 1;
+  int joined = 1;
+  std::atomic<int> at_work{1};
 
  private:
   void keep(Index task, std::exception_ptr error) {
@@ -77,6 +92,31 @@ class InTask {
   InTask& operator=(const InTask&) = delete;
 };
 
+// The time that a thread looks out for more to do before it sleeps. Loops of a solve come one after
+// the other with less between them, and two calls of the system, to sleep and to be woken, take as
+// long.
+constexpr std::chrono::microseconds kLinger{30};
+
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+// Returns early where it `is_over`.
+template <class IsOver>
+void linger(const IsOver& is_over) {
+  const auto end = std::chrono::steady_clock::now() + kLinger;
+  do {
+    for (int k = 0; k < 16; ++k) {
+      if (is_over()) return;
+      pause();
+    }
+  } while (std::chrono::steady_clock::now() < end);
+}
+
 // Its threads end with the process: whoever works when it exits must not outlive what he works on.
 class Pool {
  public:
@@ -87,19 +127,48 @@ class Pool {
   }
 
   void run(Loop& loop) {
+    int sleeping = 0;
     {
       const std::lock_guard lock(mutex_);
       loops_.push_back(&loop);
       ++busy_;
       start(loop.threads() - 1);
+      news_.fetch_add(1, std::memory_order_release);
+      sleeping = sleeping_;
     }
-    for (int k = 1; k < loop.threads(); ++k) wake_.notify_one();
+    for (int k = 1; k < loop.threads() && k <= sleeping; ++k) wake_.notify_one();
     loop.run(0);
+    {
+      const std::lock_guard lock(mutex_);
+      std::erase(loops_, &loop);
+      --busy_;
+      --loop.at_work;
+    }
+    linger([&] { return loop.at_work.load(std::memory_order_acquire) == 0; });
     std::unique_lock lock(mutex_);
-    std::erase(loops_, &loop);
-    --busy_;
-    --loop.at_work;
     done_.wait(lock, [&] { return loop.at_work == 0; });
+  }
+
+  using Stage = SideTask::State::Stage;
+
+  void begin(SideTask::State& task) {
+    {
+      const std::lock_guard lock(mutex_);
+      task.pool = this;
+      sides_.push_back(&task);
+      start(task.threads - 1);
+      news_.fetch_add(1, std::memory_order_release);
+    }
+    wake_.notify_one();
+  }
+  // Waits for what has begun, and takes back what has not. Returns whether it is done.
+  bool end(SideTask::State& task) {
+    if (task.pool != this) return false;  // that of the parent process
+    std::unique_lock lock(mutex_);
+    std::erase(sides_, &task);
+    if (task.stage == Stage::Waiting) return false;
+    done_.wait(lock, [&] { return task.stage == Stage::Done; });
+    return true;
   }
 
  private:
@@ -134,12 +203,53 @@ class Pool {
     return nullptr;
   }
 
+  // Returns one that waits and whose owner has fewer threads at work than he may have; null: none.
+  SideTask::State* one_to_begin() const {
+    for (SideTask::State* side : sides_)
+      if (busy_ < side->threads) return side;
+    return nullptr;
+  }
+
+  void run(SideTask::State& side, std::unique_lock<std::mutex>& lock) {
+    std::erase(sides_, &side);
+    side.stage = Stage::Running;
+    ++busy_;
+    lock.unlock();
+    try {
+      side.work();
+    } catch (...) {
+      side.error = std::current_exception();
+    }
+    lock.lock();
+    --busy_;
+    side.stage = Stage::Done;
+    done_.notify_all();
+  }
+
   void work() {
     const InTask always;
     std::unique_lock lock(mutex_);
     for (;;) {
       Loop* loop = nullptr;
-      wake_.wait(lock, [&] { return (loop = one_to_join()) != nullptr; });
+      SideTask::State* side = nullptr;
+      const auto has_work = [&] {
+        side = one_to_begin();
+        loop = side ? nullptr : one_to_join();
+        return side || loop;
+      };
+      if (!has_work()) {
+        const unsigned seen = news_.load(std::memory_order_relaxed);
+        lock.unlock();
+        linger([&] { return news_.load(std::memory_order_acquire) != seen; });
+        lock.lock();
+        ++sleeping_;
+        wake_.wait(lock, has_work);
+        --sleeping_;
+      }
+      if (side) {
+        run(*side, lock);
+        continue;
+      }
       const int thread = loop->joined++;
       ++loop->at_work;
       ++busy_;
@@ -153,9 +263,12 @@ class Pool {
 
   std::mutex mutex_;
   std::condition_variable wake_, done_;
+  std::atomic<unsigned> news_{0};  // loops and tasks that came
   std::vector<Loop*> loops_;
-  int busy_ = 0;     // callers and threads of the pool that are in a loop
-  int started_ = 0;  // threads of the pool
+  std::vector<SideTask::State*> sides_;  // that have not begun
+  int busy_ = 0;      // callers that are in a loop, threads of the pool that work
+  int started_ = 0;   // threads of the pool
+  int sleeping_ = 0;  // of them
 };
 
 }  // namespace
@@ -187,6 +300,21 @@ void parallel_tasks(Index count, const std::function<void(Index task, int thread
     Pool::get().run(loop);
   }
   loop.rethrow();
+}
+
+SideTask::SideTask(std::function<void()> work)
+    : state_(std::make_unique<State>(State{std::move(work), ThreadCount::current()})) {
+  if (state_->threads > 1) Pool::get().begin(*state_);
+}
+
+SideTask::~SideTask() {
+  if (state_->pool) Pool::get().end(*state_);
+}
+
+bool SideTask::finish() {
+  if (!state_->pool || !Pool::get().end(*state_)) return false;
+  if (state_->error) std::rethrow_exception(state_->error);
+  return true;
 }
 
 }  // namespace majorant

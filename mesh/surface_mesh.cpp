@@ -15,6 +15,7 @@
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/pair_order.h"
+#include "majorant/framework/side_task.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/mesh_validation.h"
@@ -154,13 +155,18 @@ SurfaceMesh SurfaceMesh::from_polygons(const PolygonMesh& input, const StopCheck
                                        Components components, Shapes shapes) {
   require_sound_lists(input);
   const TriangleList list = triangulate(input, Crossing::Refused, stop);
-  require_proper_faces(input, list, shapes, stop);
-  if (shapes == Shapes::Proper) require_usable_coordinates(input);
-  stop.poll();
-  require_manifold_edges(input, list);
-  stop.poll();
-  if (components == Components::One) require_one_component(input, list);
-  stop.poll();
+  both(
+      [&] {
+        require_proper_faces(input, list, shapes, stop);
+        if (shapes == Shapes::Proper) require_usable_coordinates(input);
+        stop.poll();
+      },
+      [&] {
+        require_manifold_edges(input, list);
+        stop.poll();
+        if (components == Components::One) require_one_component(input, list);
+        stop.poll();
+      });
 
   SurfaceParts parts;
   parts.file = input.file;
@@ -233,11 +239,16 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
     std::sort(vertex_of_input_.begin(), vertex_of_input_.end());
   opposite_ = opposite_half_edges(faces_);
   stop.poll();
-  if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)
-    throw Refusal(ErrorKind::Unsupported, file_,
-                  fmt::format("{}vertex {}: sheets of the surface touch there (non-manifold); ",
-                              message_prefix(file_), told(file_, input_vertex(v))),
-                  Hint::Repair, " duplicates the vertex");
+  const auto refuse_touching = [this] {
+    if (const Index v = find_touching_vertex(faces_, opposite_); v >= 0)
+      throw Refusal(ErrorKind::Unsupported, file_,
+                    fmt::format("{}vertex {}: sheets of the surface touch there (non-manifold); ",
+                                message_prefix(file_), told(file_, input_vertex(v))),
+                    Hint::Repair, " duplicates the vertex");
+  };
+  std::vector<Index> component;
+  both([&] { refuse_touching(); }, [&] { component = face_components(opposite_); });
+  stop.poll();
   Index boundary_edges = 0;
   for (const std::vector<Index>& half_edges : boundary_half_edges(faces_, opposite_)) {
     boundary_edges += static_cast<Index>(half_edges.size());
@@ -245,7 +256,6 @@ void SurfaceMesh::build_connectivity(const StopCheck& stop) {
     for (const Index h : half_edges) loop.push_back(from_vertex(h));
   }
   stop.poll();
-  const std::vector<Index> component = face_components(opposite_);
   const Index components =
       component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
   topology_ = {vertex_count(), (half_edge_count() + boundary_edges) / 2, face_count(), components,

@@ -40,10 +40,12 @@ Side make_side(const Cells& cells, Index cell, std::size_t number, const NodeLat
   return side;
 }
 
+enum class SharedEdges { Visited, LeftOut };  // those of two cells
+
 // visit(sides): those of each part that cells share, by corners, vertices, cell and part.
 template <class Visit>
 void for_each_part(const NodeLattice& lattice, const Cells& cells, Index vertex_count,
-                   const Visit& visit) {
+                   SharedEdges shared_edges, const Visit& visit) {
   const std::vector<NodeLattice::Part>& parts = lattice.parts();
   const auto per_cell = static_cast<Index>(parts.size());
   const auto count = per_cell * static_cast<Index>(cells.rows());
@@ -55,18 +57,24 @@ void for_each_part(const NodeLattice& lattice, const Cells& cells, Index vertex_
     if (std::none_of(parts.begin(), parts.end(),
                      [&](const auto& part) { return part.corners.size() == corners; }))
       continue;
-    const PairOrder order(vertex_count, count, [&](Index k) {
-      const std::vector<int>& of_part = parts[k % per_cell].corners;
+    const auto pair_of = [&](Index cell, Index part) {
+      const std::vector<int>& of_part = parts[part].corners;
       if (of_part.size() != corners) return std::pair(Index{-1}, Index{-1});
       if (corners == 2) {
-        const auto [low, high] =
-            std::minmax({cells(k / per_cell, of_part[0]), cells(k / per_cell, of_part[1])});
+        const auto [low, high] = std::minmax({cells(cell, of_part[0]), cells(cell, of_part[1])});
         return std::pair(low, high);
       }
-      const Side s = side(k);
+      const Side s = make_side(cells, cell, to_size(part), parts[part]);
       return std::pair(s.vertices[0], s.vertices[1]);
-    });
+    };
+    // Of triangles by a constant, by which dividing is cheap.
+    const PairOrder order =
+        per_cell == 3
+            ? PairOrder(vertex_count, count, [&](Index k) { return pair_of(k / 3, k % 3); })
+            : PairOrder(vertex_count, count,
+                        [&](Index k) { return pair_of(k / per_cell, k % per_cell); });
     order.for_each_run([&](std::span<const PairOrder::Entry> run) {
+      if (corners == 2 && run.size() == 2 && shared_edges == SharedEdges::LeftOut) return;
       sides.clear();
       for (const auto& [ignored, k] : run) sides.push_back(side(k));
       if (corners > 2)
@@ -194,7 +202,11 @@ NodeNumbering number_nodes(const NodeLattice& lattice, const Cells& cells, Index
   out.node_count = with_more_nodes(0, to_size(vertex_count));
   NodeOrder order(lattice, cells);
   std::vector<Side> outer;
-  for_each_part(lattice, cells, vertex_count, [&](std::span<const Side> sides) {
+  // Of two cells is an edge as it should be, and where it has no nodes there is nothing to do.
+  const bool has_nodes = std::ranges::any_of(
+      lattice.parts(), [](const NodeLattice::Part& part) { return !part.nodes.empty(); });
+  const SharedEdges shared = has_nodes ? SharedEdges::Visited : SharedEdges::LeftOut;
+  for_each_part(lattice, cells, vertex_count, shared, [&](std::span<const Side> sides) {
     const Side& first = sides.front();
     const NodeLattice::Part& part = lattice.parts()[first.part];
     const bool facet = !part.closure.empty();

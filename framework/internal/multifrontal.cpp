@@ -18,9 +18,10 @@ namespace {
 // Less is not worth waking threads for: of the whole factorization, half a millisecond on one core,
 // and of one update in it, a tenth of that.
 constexpr double kParallelOperations = 1e7, kParallelUpdate = 2e6;
-// Largest subtree for one thread, of the operations of all for each thread: the last one to finish
-// keeps the others waiting for at most an eighth of the time.
-constexpr double kTaskPart = 1.0 / 8;
+// Largest subtree for one thread, of the operations of all for each thread. Smaller ones leave less
+// to wait for at the end, but more fronts above them, which are eliminated one by one: with 1/8,
+// solves of meshes of 10,000 to 160,000 faces take longer on two threads, and no less memory.
+constexpr double kTaskPart = 1.0 / 2;
 // Unknowns that a task permutes: fewer are not worth waking a thread for.
 constexpr Index kPermuted = 16384;
 

@@ -10,10 +10,13 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/pattern_analysis.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
+#include "majorant/parametrization/initialization/internal/sweep_stages.h"
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -100,7 +103,7 @@ class Multiresolution {
       : surface_(surface),
         asked_(asked),
         run_(run),
-        stop_(run.start_stop()),
+        stop_(SigtermGate::polled(run.start_stop())),
         rules_(rules),
         record_(record),
         solve_level_(solve_level),
@@ -202,7 +205,7 @@ class Multiresolution {
     }
     record.faces = mesh_.faces_left();
     record.insert_seconds = watch.restart();
-    for (int sweep = 0; sweep < rules_.sweeps; ++sweep) this->sweep();
+    sweep();
     record.sweep_seconds = watch.restart();
     if (record.high_energy >= rules_.compressed_share * returning) relax_compressed(record);
     record.compressed_seconds = watch.restart();
@@ -269,11 +272,25 @@ class Multiresolution {
     return held_[v] ? descent_.improve_within(v, steps) : descent_.improve(v, steps);
   }
 
+  // One vertex after the other, in the order of their numbers, several times.
   void sweep() {
-    for (Index v = 0; v < mesh_.vertex_count(); ++v) {
-      stop_.poll_at(to_size(v));
-      if (mesh_.is_present(v) && !held_[v]) descent_.improve(v, 1);
+    const auto moves = [this](Index v) { return mesh_.is_present(v) && !held_[v]; };
+    const int threads = ThreadCount::current();
+    if (threads > 1) {
+      const SweepStages stages(mesh_, moves, rules_.sweeps);
+      return stages.visit(descents_of(threads), stop_);
     }
+    for (int sweep = 0; sweep < rules_.sweeps; ++sweep)
+      for (Index v = 0; v < mesh_.vertex_count(); ++v) {
+        stop_.poll_at(to_size(v));
+        if (moves(v)) descent_.improve(v, 1);
+      }
+  }
+
+  // One a thread.
+  std::vector<VertexDescent>& descents_of(int threads) {
+    descents_.resize(to_size(threads), descent_);
+    return descents_;
   }
 
   // Errors of a start that is hard to make sit in a small part of the surface: there a step
@@ -412,7 +429,7 @@ class Multiresolution {
   const SurfaceMesh& surface_;
   const MapOptions& asked_;
   RunRecord& run_;
-  const StopCheck& stop_;
+  const StopCheck stop_;
   const MultiresolutionRules& rules_;
   MultiresolutionRecord& record_;
   const LevelSolver& solve_level_;  // where is_apart()
@@ -421,7 +438,8 @@ class Multiresolution {
   CollapsingMesh mesh_;
   Vec uv_;
   VertexDescent descent_;
-  std::vector<char> all_, held_;  // by vertex; held: moved by solves of levels at most
+  std::vector<VertexDescent> descents_;  // copies of it
+  std::vector<char> all_, held_;         // by vertex; held: moved by solves of levels at most
   std::vector<Index> ring_;
   int level_ = 0;            // that is being made, 0 the finest
   double level_energy_ = 0;  // mean, where the last level ended

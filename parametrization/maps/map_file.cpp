@@ -76,7 +76,7 @@ MapFile to_map_file(const BezierMap& map) {
   file.input_face.resize(space.element_count());
   for (Index f = space.element_count() - 1; f >= 0; --f) {
     file.input_face[f] = map.mesh().input_face(f);
-    for (int l = 0; l < ix.count(); ++l) {
+    for (int l = 3; l < ix.count(); ++l) {  // but the corners, which are vertices
       Vector3 point = Vector3::Zero();
       for (int k = 0; k < 3; ++k)
         point += ix.multi(l)[k] * map.mesh().input_position(map.mesh().faces()(f, k));

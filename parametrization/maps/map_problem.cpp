@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "majorant/constraints/constraints.h"
@@ -249,6 +250,21 @@ std::vector<Index> gauge_vertices(const MapSpecification& spec, const BezierTria
   return gauge;
 }
 
+namespace {
+
+// Where all elements have one rule their order is as good as any.
+Vec values_by(const std::vector<RuleId>& rules, const EnergyTerm& term, const TermState& state,
+              VecIn x, const StopCheck& stop) {
+  const RuleId first = rules.empty() ? 0 : rules.front();
+  if (!std::all_of(rules.begin(), rules.end(), [=](RuleId rule) { return rule == first; }))
+    return element_values(term, state, ColoredBatches(term.element_dofs(), rules), x, stop);
+  std::vector<Index> all(to_size(term.element_dofs().element_count()));
+  std::iota(all.begin(), all.end(), 0);
+  return element_values(term, state, first, all, x, stop);
+}
+
+}  // namespace
+
 DensityTerms energy_terms(const MapSpecification& spec,
                           const std::shared_ptr<const BezierTriangleSpace>& space,
                           const std::vector<Quadrature>& rules) {
@@ -319,8 +335,7 @@ Vec energy_by_face(const MapSpecification& spec, const DensityTerms& terms,
   TermState state;
   state.element_rule = rules;
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    const ColoredBatches plan(terms[k]->element_dofs(), rules);
-    Vec values = spec.energy[k].weight * element_values(*terms[k], state, plan, x, stop);
+    Vec values = spec.energy[k].weight * values_by(rules, *terms[k], state, x, stop);
     const Vec weight = weight_of_faces(spec, spec.energy[k], {});
     if (weight.size() > 0) values.array() *= weight.array();
     sum += values;

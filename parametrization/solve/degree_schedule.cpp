@@ -39,6 +39,7 @@ void DegreeSchedule::enter() {
 // The symmetric Dirichlet energy is finite on every injective map; a stop ends it with the best map
 // so far.
 void DegreeSchedule::minimize_gentle_energy() {
+  domain_.take_prepared();  // of the other energy
   DegreeSolver::Setup gentle = setup_;
   gentle.map.energy = {{symmetric_dirichlet(), 1.0}};
   gentle.solve.curvature = Curvature::Projected;

@@ -38,6 +38,13 @@ HeldBounds bounds_of(const std::shared_ptr<const MapExtension>& added) {
   return HeldBounds(std::move(bounds));
 }
 
+// What was prepared for a solve from x; null: nothing, or for another one.
+std::shared_ptr<PreparedParts> prepared_for(MapDomain& domain, const BezierTriangleSpace& space,
+                                            const Vec& x) {
+  std::shared_ptr<PreparedParts> prepared = domain.take_prepared();
+  return prepared && prepared->fits(space, x) ? prepared : nullptr;
+}
+
 void require_curvature(const MapExtension& added, const HeldBounds& bounds, Curvature asked) {
   const auto require = [asked](const EnergyTerm& term) {
     if (!term.supports(asked))
@@ -52,11 +59,12 @@ void require_curvature(const MapExtension& added, const HeldBounds& bounds, Curv
 
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                            std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
-    : DegreeSolver(setup, domain, std::move(space), x, {bounds_of(setup.map.added)}) {}
+    : DegreeSolver(setup, domain, space, x, {bounds_of(setup.map.added)},
+                   prepared_for(domain, *space, x)) {}
 
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                            std::shared_ptr<const BezierTriangleSpace> space, const Vec& x,
-                           Bounds bounds)
+                           Bounds bounds, std::shared_ptr<PreparedParts> prepared)
     : setup_(setup),
       domain_(domain),
       space_(std::move(space)),
@@ -64,24 +72,29 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
       levels_(
           optimizer_ladder(space_->degree(), setup.solve.quadrature_points, setup.rules.quadrature),
           space_->element_count()),
-      terms_(energy_terms(setup.map, space_, levels_.rules())),
+      terms_(prepared ? prepared->terms : energy_terms(setup.map, space_, levels_.rules())),
       depth_(setup.solve.injectivity_depth),
-      injectivity_(std::make_shared<const LocalInjectivity>(space_, 2 * setup.map.rest->measure,
-                                                            depth_, setup.stop)),
+      injectivity_(prepared ? prepared->injectivity
+                            : std::make_shared<const LocalInjectivity>(
+                                  space_, 2 * setup.map.rest->measure, depth_, setup.stop)),
       x_(domain.unknowns(x)),
       bounds_(std::move(bounds)),
+      prepared_(std::move(prepared)),
       built_([&] {
         require_curvature(terms_, setup.solve.curvature);
         if (setup.map.added)
           require_curvature(*setup.map.added, bounds_.held, setup.solve.curvature);
         setup.stop.poll();
-        MapProblem built = build();
+        MapProblem built = prepared_ ? prepared_->built : build();
         setup.stop.poll();  // what follows is the analysis of its pattern
         return built;
       }()),
+      offer_(std::in_place, prepared_ ? &*prepared_->analysis : nullptr),
       stepper_(built_.problem,
                newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering(),
                               solver_of(setup.solve, built_.problem, domain.ordering()))) {
+  offer_.reset();
+  prepared_.reset();
   if (setup.map.added && !setup.map.added->constraints().empty()) meet_added_constraints();
 }
 

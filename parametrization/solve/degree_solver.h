@@ -20,6 +20,7 @@
 #include "majorant/framework/barrier_path.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/partition.h"
+#include "majorant/framework/pattern_analysis.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
@@ -93,7 +94,8 @@ class DegreeSolver {
     double barrier_weight = 1;
   };
   DegreeSolver(const Setup& setup, MapDomain& domain,
-               std::shared_ptr<const BezierTriangleSpace> space, const Vec& x, Bounds bounds);
+               std::shared_ptr<const BezierTriangleSpace> space, const Vec& x, Bounds bounds,
+               std::shared_ptr<PreparedParts> prepared = nullptr);
 
   // A point that a run can come back to.
   struct Checkpoint {
@@ -165,7 +167,10 @@ class DegreeSolver {
   Vec element_weight_;               // empty: 1; else for a while: soft start, excluded
   Vec x_;                            // unknowns of the domain, the map's first
   Bounds bounds_;
+  // Made beside the start; while this is constructed; null: nothing was.
+  std::shared_ptr<PreparedParts> prepared_;
   MapProblem built_;
+  std::optional<OfferedAnalysis> offer_;  // likewise, of what was prepared
   NewtonStepper stepper_;
   double began_at_ = 0;  // own energy at the start of the last descent
   bool soft_started_ = false;

@@ -168,8 +168,11 @@ void require_face_data(const SurfaceMesh& mesh, const MapOptions& asked) {
   }
 }
 
+double normal_scale(const SurfaceMesh& mesh) { return scale_of(mesh, *one_process()); }
+
 NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked, Origin origin,
-                                 std::shared_ptr<const MapPart> part)
+                                 std::shared_ptr<const MapPart> part,
+                                 std::shared_ptr<const RestShapes> rest)
     : map_(given), specification_(asked) {
   MapSpecification& spec = specification_;
   spec.part = std::move(part);
@@ -181,7 +184,8 @@ NormalizedStart::NormalizedStart(const BezierMap& given, const MapOptions& asked
   moved_ = largest_distance(given.control_points(), start.control_points());
   const SurfaceMesh& mesh = start.mesh();
   const Vec& uv = start.control_points();
-  spec.rest = std::make_shared<const RestShapes>(rest_shapes(mesh, frame_.scale));
+  spec.rest =
+      rest ? std::move(rest) : std::make_shared<const RestShapes>(rest_shapes(mesh, frame_.scale));
   spec.seams = start.shared_seams();
   const bool tied = !start.seams().empty() || !asked.aligned.empty();
   std::vector<Index> fixed;  // sorted

@@ -15,6 +15,9 @@ namespace majorant {
 // Throws InvalidArgument unless face weights and data of energies are for the faces of the mesh.
 void require_face_data(const SurfaceMesh& mesh, const MapOptions& asked);
 
+// The factor between the model and the coordinates of an optimization, a power of two.
+double normal_scale(const SurfaceMesh& mesh);
+
 // Extents of the surface beyond which the position of a free map is given up for its digits.
 // Three of the sixteen digits are lost there.
 inline constexpr double kLargestOffset = 1000;
@@ -48,8 +51,10 @@ class NormalizedStart {
   // part: whose start, points, weights and data these are, pins on all ranks that have the vertex,
   // handles on its owner; null: the whole map. Collective where there are several ranks; throws on
   // one or on several, whatever the scale, and does not ask whether the start is injective.
+  // rest: rest_shapes(mesh, normal_scale(mesh)), where somebody has them; null: they are made.
   NormalizedStart(const BezierMap& start, const MapOptions& asked, Origin origin = Origin::Free,
-                  std::shared_ptr<const MapPart> part = nullptr);
+                  std::shared_ptr<const MapPart> part = nullptr,
+                  std::shared_ptr<const RestShapes> rest = nullptr);
 
   double scale() const { return frame_.scale; }
   const BezierMap& map() const { return map_; }  // (uv - origin) * scale

@@ -21,6 +21,7 @@
 #include "majorant/parametrization/scaffold/improve_mesh.h"
 #include "majorant/parametrization/solve/degree_schedule.h"
 #include "majorant/parametrization/solve/free_scale.h"
+#include "majorant/parametrization/solve/internal/prepared_solve.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
 #include "majorant/parametrization/solve/pin_homotopy.h"
@@ -79,18 +80,21 @@ void require_valid(const ParametrizationOptions& options) {
 class Run {
  public:
   Run(const SolverRules& rules, std::shared_ptr<const MapPart> part, const BezierMap& start,
-      const ParametrizationOptions& options, RunRecord& record, const Keeping& keeping)
+      const ParametrizationOptions& options, RunRecord& record, const Keeping& keeping,
+      std::shared_ptr<PreparedParts> prepared = nullptr)
       : options_(options),
         record_(record),
         keeping_(keeping),
-        start_(start, options.map, options.extend ? Origin::Kept : Origin::Free, part),
+        start_(start, options.map, options.extend ? Origin::Kept : Origin::Free, part,
+               prepared ? prepared->rest : nullptr),
         map_(start_.map()),
         setup_{start_.specification(),
                options.solve,
                part ? StopCheck() : record.stop(),
                rules,
                {},
-               {}} {
+               {}},
+        prepared_(std::move(prepared)) {
     if (part) record_.agree([part](int own) { return part->ranks().of_first(own); });
     if (options.solve.watch || options.extend || keeping.every > 0)
       setup_.watch = [this](const TraceEntry& row, const MapView& at) {
@@ -204,7 +208,8 @@ class Run {
   }
 
   std::unique_ptr<MapDomain> make_domain() const {
-    if (options_.map.injectivity == MapInjectivity::Local) return std::make_unique<PlainDomain>();
+    if (options_.map.injectivity == MapInjectivity::Local)
+      return std::make_unique<PlainDomain>(std::move(prepared_));
     try {
       return std::make_unique<ScaffoldedDomain>(map_, options_.solve.scaffold_flips, setup_.rules,
                                                 setup_.stop);
@@ -352,6 +357,7 @@ class Run {
   NormalizedStart start_;
   BezierMap map_;  // normalised: the start, then the result
   DegreeSolver::Setup setup_;
+  std::shared_ptr<PreparedParts> prepared_;        // until there is a domain; may be null
   std::shared_ptr<const MapExtension> extension_;  // of the degree of map_, or of one below
   Directive observed_ = Directive::Continue;
   std::unique_ptr<MapDomain> domain_;
@@ -368,10 +374,10 @@ void require_degree_one(const BezierMap& start) {
   require_finite("the start", start.control_points());
 }
 
-}  // namespace
-
-ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
-                                     const ParametrizationOptions& options, RunRecord& record) {
+// prepared: for this start; may be null.
+ParametrizationResult solve_from(const BezierMap& start, const ParametrizationOptions& options,
+                                 const SolverRules& rules, RunRecord& record,
+                                 std::shared_ptr<PreparedParts> prepared) {
   require_valid(options);
   require_degree_one(start);
   const ThreadCount threads(options.solve.threads);
@@ -380,7 +386,7 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
   // Edges that stay parallel to an axis leave a start no way to turn.
   ParametrizationResult result;
   if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty()) {
-    result = Run(rules, nullptr, start, options, record, {}).solve({});
+    result = Run(rules, nullptr, start, options, record, {}, std::move(prepared)).solve({});
   } else {
     require_scale(resolved.map, start);
     const PinSolver solver = pin_solver(record, rules);
@@ -389,6 +395,13 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
   }
   result.handles = resolved.map.handles;
   return result;
+}
+
+}  // namespace
+
+ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& start,
+                                     const ParametrizationOptions& options, RunRecord& record) {
+  return solve_from(start, options, rules, record, nullptr);
 }
 
 ParametrizationResult parametrize_part(std::shared_ptr<const MapPart> part, const BezierMap& start,
@@ -436,9 +449,16 @@ ParametrizationResult parametrize(std::shared_ptr<const SurfaceMesh> mesh,
   StartMethod taken;
   MapOptions asked = options.map;
   if (options.extend && asked.start == StartMethod::Automatic) asked.start = StartMethod::Tutte;
-  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, asked, record, &taken));
+  mesh->require_planar();
+  require_face_data(*mesh, asked);
+  const SolverRules rules;
+  PreparedSolve preparing(mesh, options, rules, record);
+  Vec uv = initial_map(*mesh, asked, record, &taken);
+  std::shared_ptr<PreparedParts> prepared = preparing.finish();
+  const BezierMap start = prepared ? BezierMap(mesh, prepared->space, std::move(uv))
+                                   : BezierMap::linear(mesh, std::move(uv));
   const double initialize_seconds = record.seconds() - started;
-  ParametrizationResult result = parametrize(start, options, record);
+  ParametrizationResult result = solve_from(start, options, rules, record, std::move(prepared));
   result.start = taken;
   result.initialize_seconds = initialize_seconds;
   return result;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/pattern_analysis.h"
 
 namespace majorant {
 namespace {
@@ -73,6 +74,54 @@ TEST(ForeignCode, SignalsWaitForTheEndOfTheCall) {
     EXPECT_EQ(noticed, 0);
   }
   EXPECT_EQ(noticed, 1);
+}
+
+// METIS on another thread: SIGTERM waits as long as it orders, and no longer.
+TEST(ForeignCode, SignalsWaitForTheEndOfAnotherThreadsCall) {
+  struct sigaction mine {};
+  mine.sa_handler = [](int) { ++noticed; };
+  ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
+  noticed = 0;
+  SigtermGate gate;
+  const StopCheck stop = SigtermGate::polled({});
+  stop.poll();
+  raise(SIGTERM);
+  EXPECT_EQ(noticed, 1) << "nobody has asked";
+  std::atomic<bool> entered = false, leave = false, left = false;
+  std::thread other([&] {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, nullptr);  // as those of the pool
+    gate.enter();
+    entered = true;
+    while (!leave) std::this_thread::yield();
+    gate.leave();
+    left = true;
+  });
+  while (!entered) stop.poll();
+  raise(SIGTERM);
+  stop.poll();
+  EXPECT_EQ(noticed, 1) << "it waits";
+  leave = true;
+  while (!left) std::this_thread::yield();
+  stop.poll();
+  EXPECT_EQ(noticed, 2);
+  other.join();
+}
+
+TEST(ForeignCode, WhoGoesLetsNobodyEnter) {
+  SigtermGate gate;
+  std::atomic<bool> refused = false;
+  std::thread other([&] {
+    try {
+      gate.enter();
+    } catch (const Stopped&) {
+      refused = true;
+    }
+  });
+  gate.refuse();
+  other.join();
+  EXPECT_TRUE(refused);
 }
 
 // Otherwise the second would keep METIS's handlers for the program's, and leave them.

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/side_task.h"
 
 namespace majorant {
 namespace {
@@ -188,6 +189,149 @@ TEST(ThreadCount, LastsAsLongAsItsBlock) {
   }
   EXPECT_EQ(ThreadCount::current(), before);
   EXPECT_THROW(ThreadCount(-1), InvalidArgument);
+}
+
+// Whether it was set within a minute.
+bool is_set(const std::atomic<bool>& flag) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!flag && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+  return flag;
+}
+
+TEST(SideTask, GoesOnBesideItsOwner) {
+  for (const int threads : {2, 3, 8}) {
+    const ThreadCount some(threads);
+    for (int round = 0; round < 50; ++round) {
+      std::atomic<bool> begun = false, go_on = false;
+      int x = 0;
+      SideTask side([&] {
+        begun = true;
+        EXPECT_TRUE(is_parallel_task());
+        EXPECT_EQ(ThreadCount::current(), 1);
+        if (is_set(go_on)) x = 7;
+      });
+      ASSERT_TRUE(is_set(begun));
+      go_on = true;
+      EXPECT_TRUE(side.finish());
+      EXPECT_EQ(x, 7);
+    }
+  }
+}
+
+TEST(SideTask, IsLeftToItsOwnerWhoHasOneThread) {
+  const auto never = [] { ADD_FAILURE(); };
+  {
+    const ThreadCount one(1);
+    EXPECT_FALSE(SideTask(never).finish());
+    const SideTask dropped(never);
+  }
+  const ThreadCount four(4);
+  parallel_tasks(8, [&](Index, int) { EXPECT_FALSE(SideTask(never).finish()); });
+}
+
+TEST(SideTask, TakesAThreadFromTheLoopsOfItsOwner) {
+  const ThreadCount two(2);
+  std::atomic<bool> begun = false, go_on = false;
+  SideTask side([&] {
+    begun = true;
+    is_set(go_on);
+  });
+  ASSERT_TRUE(is_set(begun));
+  for (int round = 0; round < 20; ++round)
+    parallel_tasks(100, [&](Index, int thread) { EXPECT_EQ(thread, 0); });
+  go_on = true;
+  EXPECT_TRUE(side.finish());
+}
+
+// Each of the second and third keeps a thread; where there are two, the last waits for the one that
+// the first has, or is left to the owner.
+TEST(SideTask, SeveralShareThePool) {
+  const ThreadCount three(3);
+  for (int round = 0; round < 200; ++round) {
+    std::atomic<int> done = 0;
+    SideTask a([&] { ++done; }), b([&] { ++done; }), c([&] { ++done; });
+    int left = 0;
+    for (SideTask* side : {&a, &b, &c}) left += side->finish() ? 0 : 1;
+    EXPECT_EQ(done + left, 3);
+  }
+}
+
+TEST(SideTask, WhatItThrowsIsThrownAtItsEnd) {
+  const ThreadCount two(2);
+  std::atomic<bool> begun = false;
+  SideTask side([&] {
+    begun = true;
+    throw std::runtime_error("no");
+  });
+  ASSERT_TRUE(is_set(begun));
+  EXPECT_THROW(side.finish(), std::runtime_error);
+  begun = false;
+  {
+    const SideTask unasked([&] {
+      begun = true;
+      throw std::runtime_error("nobody hears it");
+    });
+    ASSERT_TRUE(is_set(begun));
+  }
+  int sum = 0;
+  SideTask next([&] { sum = 1; });
+  if (!next.finish()) sum = 1;
+  EXPECT_EQ(sum, 1) << "and the pool goes on";
+}
+
+// Whoever leaves the block takes what it works on along.
+TEST(SideTask, IsWaitedFor) {
+  const ThreadCount two(2);
+  std::atomic<bool> begun = false, ended = false;
+  {
+    const SideTask side([&] {
+      begun = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      ended = true;
+    });
+    ASSERT_TRUE(is_set(begun));
+  }
+  EXPECT_TRUE(ended);
+}
+
+TEST(SideTask, AForkedChildHasNoneOfItsParents) {
+  const ThreadCount two(2);
+  std::atomic<bool> begun = false, go_on = false;
+  SideTask side([&] {
+    begun = true;
+    is_set(go_on);
+  });
+  ASSERT_TRUE(is_set(begun));
+  const auto in_child = [&] {
+    int own = 0;
+    SideTask other([&] { own = 1; });
+    if (!other.finish()) own = 1;
+    return side.finish() || own != 1 ? 1 : 0;
+  };
+  EXPECT_EQ(exit_code_of_child(in_child), 0);
+  go_on = true;
+  EXPECT_TRUE(side.finish());
+}
+
+TEST(Both, RunsBothAndThrowsWhatTheFirstThrows) {
+  for (const int threads : {1, 2, 5}) {
+    const ThreadCount some(threads);
+    for (int round = 0; round < 50; ++round) {
+      int a = 0, b = 0;
+      both([&] { a = 1; }, [&] { b = 2; });
+      EXPECT_EQ(a + b, 3);
+      const auto fail = [](int number) { throw number; };
+      const auto nothing = [] {};
+      EXPECT_THROW(both(nothing, [&] { fail(2); }), int);
+      try {
+        both([&] { fail(1); }, [&] { fail(2); });
+        ADD_FAILURE() << "nothing was thrown";
+      } catch (const int number) {
+        EXPECT_EQ(number, 1);
+      }
+    }
+  }
 }
 
 }  // namespace

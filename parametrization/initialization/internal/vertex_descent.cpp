@@ -208,7 +208,7 @@ bool put_at_best(VertexDescent& descent, const CollapsingMesh::Restored& back,
                  const DirectedEdge& edge, std::initializer_list<Vector2> offsets) {
   const Vector2 u = descent.place(back.onto);
   double least = std::numeric_limits<double>::infinity();
-  Vector2 best;
+  Vector2 best = u;
   for (Vector2 offset : offsets)
     for (int k = 0; k < kMostLengths; ++k, offset /= 2) {
       descent.put(back.vertex, u + offset);
@@ -239,51 +239,55 @@ Vector2 inner_neighbours(const CollapsingMesh& mesh, const VertexDescent& descen
 
 VertexDescent::VertexDescent(const CollapsingMesh& mesh, const Points3& positions,
                              const EnergySum& energy, Vec& uv)
-    : mesh_(mesh), positions_(positions), uv_(uv), shape_(to_size(mesh.face_slots())) {
+    : map_(std::make_shared<Map>(Map{
+          mesh, positions, uv, {}, {}, {}, {}, std::vector<Shape>(to_size(mesh.face_slots()))})) {
   if (knows_elements(energy))
     throw InvalidArgument("VertexDescent: the energy has data or weights of faces");
   for (const WeightedEnergy& e : energy) {
-    terms_.push_back(density_of(e.make));
-    term_weight_.push_back(e.weight);
+    map_->terms.push_back(density_of(e.make));
+    map_->term_weight.push_back(e.weight);
   }
   rows_.resize(StarView::Rows * StarView::stride);
 }
 
 void VertexDescent::measure(Index f) {
-  const auto corner = [&](int k) -> Vector3 { return positions_.row(mesh_.from(3 * f + k)); };
+  const auto corner = [&](int k) -> Vector3 {
+    return map_->positions.row(map_->mesh.from(3 * f + k));
+  };
   const Vector3 origin = corner(2), e1 = corner(0) - origin, e2 = corner(1) - origin;
   const double length = e1.norm(), dot = e1.dot(e2), area = e1.cross(e2).norm();
-  shape_[f] = {1 / length, -dot / (length * area), length / area, weight_of(f) * area / 2};
+  map_->shape[f] = {1 / length, -dot / (length * area), length / area, weight_of(f) * area / 2};
 }
 
 double VertexDescent::weight_of(Index f) const {
-  if (face_weight_.size() > 0) return face_weight_[f];
-  if (vertex_weight_.size() == 0) return 1;
-  return (vertex_weight_[mesh_.from(3 * f)] + vertex_weight_[mesh_.from(3 * f + 1)] +
-          vertex_weight_[mesh_.from(3 * f + 2)]) /
+  if (map_->face_weight.size() > 0) return map_->face_weight[f];
+  if (map_->vertex_weight.size() == 0) return 1;
+  return (map_->vertex_weight[map_->mesh.from(3 * f)] +
+          map_->vertex_weight[map_->mesh.from(3 * f + 1)] +
+          map_->vertex_weight[map_->mesh.from(3 * f + 2)]) /
          3;
 }
 
 void VertexDescent::measure_all() {
-  parallel_for(mesh_.face_slots(), kFacesOfATask, [&](Index f) {
-    if (mesh_.has_face(f)) measure(f);
+  parallel_for(map_->mesh.face_slots(), kFacesOfATask, [&](Index f) {
+    if (map_->mesh.has_face(f)) measure(f);
   });
 }
 
 void VertexDescent::measure_star(Index v) {
-  mesh_.for_each_leaving(v, [&](Index h) { measure(face_of(h)); });
+  map_->mesh.for_each_leaving(v, [&](Index h) { measure(face_of(h)); });
 }
 
 void VertexDescent::gather(Index v) {
   using S = StarView;
   count_ = 0;
   star_weight_ = 0;
-  mesh_.for_each_leaving(v, [&](Index h) {
+  map_->mesh.for_each_leaving(v, [&](Index h) {
     const int block = count_ / S::stride, p = count_ % S::stride;
     const auto start = static_cast<std::size_t>(block * S::Rows * S::stride);
     if (rows_.size() < start + S::Rows * S::stride) rows_.resize(start + S::Rows * S::stride);
     double* row = rows_.data() + start + p;
-    const Shape& s = shape_[face_of(h)];
+    const Shape& s = map_->shape[face_of(h)];
     const double gx[3] = {s.g0x, 0, -s.g0x}, gy[3] = {s.g0y, s.g1y, -s.g0y - s.g1y};
     const Index a = next(h), b = previous(h);
     row[S::GaX * S::stride] = gx[corner_of(a)];
@@ -291,11 +295,11 @@ void VertexDescent::gather(Index v) {
     row[S::GbX * S::stride] = gx[corner_of(b)];
     row[S::GbY * S::stride] = gy[corner_of(b)];
     row[S::Weight * S::stride] = s.weight;
-    const Index va = mesh_.from(a), vb = mesh_.from(b);
-    row[S::AX * S::stride] = uv_[2 * va];
-    row[S::AY * S::stride] = uv_[2 * va + 1];
-    row[S::BX * S::stride] = uv_[2 * vb];
-    row[S::BY * S::stride] = uv_[2 * vb + 1];
+    const Index va = map_->mesh.from(a), vb = map_->mesh.from(b);
+    row[S::AX * S::stride] = map_->uv[2 * va];
+    row[S::AY * S::stride] = map_->uv[2 * va + 1];
+    row[S::BX * S::stride] = map_->uv[2 * vb];
+    row[S::BY * S::stride] = map_->uv[2 * vb + 1];
     star_weight_ += s.weight;
     ++count_;
   });
@@ -313,9 +317,9 @@ StarModel VertexDescent::model(const Vector2& p) const {
   for (int first = 0; first < count_; first += StarView::stride) {
     const StarView view{std::min(count_ - first, StarView::stride),
                         rows_.data() + static_cast<std::ptrdiff_t>(first) * StarView::Rows};
-    for (std::size_t k = 0; k < terms_.size(); ++k) {
-      const StarModel m = terms_[k]->star(view, p);
-      const double w = term_weight_[k];
+    for (std::size_t k = 0; k < map_->terms.size(); ++k) {
+      const StarModel m = map_->terms[k]->star(view, p);
+      const double w = map_->term_weight[k];
       sum.f += w * m.f;
       sum.gx += w * m.gx;
       sum.gy += w * m.gy;
@@ -367,7 +371,7 @@ double VertexDescent::improve(Index v, int steps) {
 }
 
 double VertexDescent::improve_within(Index v, int steps) {
-  const DirectedEdge edge = edge_behind(mesh_, *this, v);
+  const DirectedEdge edge = edge_behind(map_->mesh, *this, v);
   const double least = edge.area(place(v)) / 2;
   if (!(least > 0)) return mean_energy(v);
   return improve(v, steps, [&](const Vector2& p) { return edge.area(p) >= least; });

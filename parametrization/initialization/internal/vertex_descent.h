@@ -9,6 +9,9 @@
 // and lowers the energy, so that a map without inverted triangles never gets any. The triangles are
 // those that a CollapsingMesh has left, measured against themselves in space.
 //
+// A copy works on the same map, in memory of its own: one for each thread. Two threads may improve,
+// measure or put back vertices that are no neighbours at the same time.
+//
 // The place of a vertex that comes back to a map: always one that leaves its triangles positive.
 //
 //     const auto back = mesh.restore();
@@ -16,6 +19,7 @@
 //     if (put_back(mesh, positions, descent, back)) descent.improve(back.vertex, 4);
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "majorant/energies/energy_factory.h"
@@ -23,7 +27,7 @@
 
 namespace majorant {
 
-class VertexDescent {
+class alignas(64) VertexDescent {  // copies in no common line of a cache
  public:
   // mesh, positions (#V by 3) and uv (2 numbers per vertex) outlive this and are what it works on;
   // uv in the units of positions. Throws InvalidArgument for energies of other than planar
@@ -33,8 +37,8 @@ class VertexDescent {
 
   // Factors of the energy, 1 as long as nobody says: by face slot, or by vertex, a face having the
   // mean of its corners.
-  void weigh_faces(const Vec& weight) { face_weight_ = weight; }
-  void weigh_vertices(const Vec& weight) { vertex_weight_ = weight; }
+  void weigh_faces(const Vec& weight) { map_->face_weight = weight; }
+  void weigh_vertices(const Vec& weight) { map_->vertex_weight = weight; }
   double weight_of(Index face) const;
 
   // The shapes of all faces, or of those around v, are what they are now.
@@ -50,8 +54,8 @@ class VertexDescent {
   // edge that had closed behind it, at half of its distance at least.
   double improve_within(Index v, int steps);
 
-  Vector2 place(Index v) const { return uv_.segment<2>(2 * v); }
-  void put(Index v, const Vector2& p) { uv_.segment<2>(2 * v) = p; }
+  Vector2 place(Index v) const { return map_->uv.segment<2>(2 * v); }
+  void put(Index v, const Vector2& p) { map_->uv.segment<2>(2 * v) = p; }
 
  private:
   // Gradients of the hat functions of corners 0 and 1 in the frame of flat_triangles(), corner 0 on
@@ -65,13 +69,17 @@ class VertexDescent {
   double improve(Index v, int steps, const F& is_allowed);
   StarModel model(const Vector2& p) const;
 
-  const CollapsingMesh& mesh_;
-  const Points3& positions_;
-  std::vector<std::shared_ptr<const DensityTerm>> terms_;
-  std::vector<double> term_weight_;
-  Vec& uv_;
-  Vec face_weight_, vertex_weight_;
-  std::vector<Shape> shape_;
+  struct Map {  // that all copies work on
+    const CollapsingMesh& mesh;
+    const Points3& positions;
+    Vec& uv;
+    std::vector<std::shared_ptr<const DensityTerm>> terms;
+    std::vector<double> term_weight;
+    Vec face_weight, vertex_weight;
+    std::vector<Shape> shape;
+  };
+
+  std::shared_ptr<Map> map_;
   std::vector<double> rows_;  // StarViews one after the other
   int count_ = 0;
   double star_weight_ = 0;

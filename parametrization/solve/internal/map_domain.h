@@ -21,6 +21,7 @@
 #include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/scaffold/scaffold.h"
+#include "majorant/parametrization/solve/internal/prepared_solve.h"
 #include "majorant/parametrization/solve/solver_rules.h"
 
 namespace majorant {
@@ -43,6 +44,9 @@ class MapDomain {
                            const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
                            const DensityTerms& terms,
                            const std::shared_ptr<const LocalInjectivity>& injectivity, VecIn x) = 0;
+
+  // What was prepared of the first problem, for whoever asks first; null: nothing.
+  virtual std::shared_ptr<PreparedParts> take_prepared() { return nullptr; }
 
   // States that follow the unknowns x of the last problem built; empty: as they are. Not stopped:
   // coming back to a place after a stop needs it, too.
@@ -82,6 +86,9 @@ class MapDomain {
 
 class PlainDomain final : public MapDomain {
  public:
+  explicit PlainDomain(std::shared_ptr<PreparedParts> prepared = nullptr)
+      : prepared_(std::move(prepared)) {}
+
   Vec unknowns(VecIn map) const override { return map; }
   MapProblem build(const MapSpecification& map,
                    const std::shared_ptr<const BezierTriangleSpace>& space, VecIn start,
@@ -89,6 +96,10 @@ class PlainDomain final : public MapDomain {
                    const std::shared_ptr<const LocalInjectivity>& injectivity, VecIn) override {
     return map_problem(map, space, start, terms, injectivity);
   }
+  std::shared_ptr<PreparedParts> take_prepared() override { return std::move(prepared_); }
+
+ private:
+  std::shared_ptr<PreparedParts> prepared_;
 };
 
 // [MC20] Sec. 6. Every iteration is one Newton step on

@@ -1,0 +1,92 @@
+#include "majorant/parametrization/solve/internal/prepared_solve.h"
+
+#include <exception>
+#include <utility>
+
+#include "majorant/framework/parallel.h"
+#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/parametrization/solve/internal/quadrature_levels.h"
+#include "majorant/parametrization/solve/normalized_start.h"
+
+namespace majorant {
+namespace {
+
+// Faces below which a start is made before a thread has prepared anything.
+constexpr Index kWorthPreparing = 5000;
+
+// Returns whether the first problem of a run is known before the start: one of the plain map, of
+// which nothing is held but a point that NormalizedStart moves to the origin.
+bool is_known_before(const SurfaceMesh& mesh, const ParametrizationOptions& options) {
+  const MapOptions& asked = options.map;
+  return mesh.face_count() >= kWorthPreparing && !asked.initial && !options.extend &&
+         (asked.degree == 1 || options.solve.elevation == Elevation::Incremental) &&
+         asked.injectivity == MapInjectivity::Local && asked.pins.empty() &&
+         asked.handles.empty() && asked.aligned.empty() &&
+         asked.boundary == BoundaryCondition::Free && asked.boundary_angles == BoundaryAngles::Free;
+}
+
+void prepare(PreparedParts& parts, const SurfaceMesh& mesh, const ParametrizationOptions& options,
+             const SolverRules& rules, const RunRecord& record, SigtermGate& gate) {
+  const StopCheck& stop = record.start_stop();
+  parts.space = std::make_shared<const BezierTriangleSpace>(mesh.faces(), mesh.vertex_count(), 1);
+  parts.rest = std::make_shared<const RestShapes>(rest_shapes(mesh, normal_scale(mesh)));
+  MapSpecification spec(options.map);
+  spec.rest = parts.rest;
+  const QuadratureLevels levels(
+      optimizer_ladder(1, options.solve.quadrature_points, rules.quadrature),
+      parts.space->element_count());
+  parts.terms = energy_terms(spec, parts.space, levels.rules());
+  parts.injectivity = std::make_shared<const LocalInjectivity>(
+      parts.space, 2 * parts.rest->measure, options.solve.injectivity_depth, record.stop());
+  stop.poll();
+  parts.built = map_problem(spec, parts.space, Vec::Zero(2 * parts.space->node_count()),
+                            parts.terms, parts.injectivity);
+  stop.poll();
+  gate.enter();
+  parts.analysis.emplace(parts.built.problem.pattern(), Ordering::Automatic);
+  gate.leave();
+}
+
+}  // namespace
+
+bool PreparedParts::fits(const BezierTriangleSpace& of, const Vec& start) const {
+  if (&of != space.get()) return false;
+  double residual = 0;
+  built.problem.reduce(start, &residual);
+  return residual == 0;
+}
+
+PreparedSolve::PreparedSolve(std::shared_ptr<const SurfaceMesh> mesh,
+                             const ParametrizationOptions& options, const SolverRules& rules,
+                             const RunRecord& record) {
+  if (ThreadCount::current() == 1 || !is_known_before(*mesh, options)) return;
+  gate_.emplace();
+  task_.emplace([this, mesh = std::move(mesh), &options, rules, &record] {
+    auto parts = std::make_shared<PreparedParts>();
+    prepare(*parts, *mesh, options, rules, record, *gate_);
+    parts_ = std::move(parts);
+  });
+}
+
+PreparedSolve::~PreparedSolve() {
+  if (task_) gate_->refuse();
+}
+
+// Whatever went wrong: who has nothing prepared meets it again, or has been stopped.
+std::shared_ptr<PreparedParts> PreparedSolve::finish() {
+  if (!task_) return nullptr;
+  bool done = false;
+  gate_->open();
+  try {
+    done = task_->finish();
+  } catch (const std::exception&) {
+  }
+  task_.reset();
+  gate_.reset();
+  return done ? std::move(parts_) : nullptr;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
