@@ -152,14 +152,6 @@ void keep_memory() {
 #endif
 }
 
-// Clearing it anew costs as much as is gained where it is less.
-constexpr std::size_t kMuchFreed = std::size_t{64} << 20;  // bytes
-
-void give_back_memory() {
-  const struct mallinfo2 heap = ::mallinfo2();
-  if (heap.fordblks - heap.keepcost > kMuchFreed) ::malloc_trim(heap.keepcost);
-}
-
 void prepare_process() {
   keep_memory();
   open_standard_streams();

@@ -38,10 +38,6 @@ class FreeMemoryOnly {
   rlimit before_{};
 };
 
-// What was freed and kept for the next step goes back to the system, where it is much: for before a
-// step that takes all that there is.
-void give_back_memory();
-
 // The number of threads for a number asked for; 0: as many as ThreadCount has; fewer where an
 // address space limit (ulimit -v) leaves no space for their stacks: results do not depend on it.
 int usable_threads(int asked);

@@ -13,7 +13,6 @@
 #include <thread>
 #include <utility>
 
-#include "apps/process.h"
 #include "apps/streams.h"
 
 namespace majorant::app {
@@ -195,9 +194,7 @@ Progress::Progress(const CommonOptions& options, std::vector<Activity> stages) {
 
 Progress::~Progress() = default;
 
-// A start and what was prepared beside it leave holes that the factorization does not fit into.
 void Progress::begin(Activity activity) {
-  if (activity == Activity::Solving) give_back_memory();
   if (display_) display_->begin(activity);
 }
 
