@@ -44,6 +44,11 @@ Vec SparseSpd::solve(const Vec& rhs) const {
   return x;
 }
 
+Vec SparseSpd::solution_entries(const LinearSolver::SparseColumn& rhs,
+                                const std::vector<Index>& unknowns) const {
+  return solver_->solution_entries(size(), rhs, unknowns);
+}
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -34,6 +34,10 @@ class SparseSpd {
             const StopCheck& stop = {});
 
   Vec solve(const Vec& rhs) const;
+  // The entries at these unknowns of the solution for a right-hand side of few entries, to the last
+  // bit: much cheaper than all of it.
+  Vec solution_entries(const LinearSolver::SparseColumn& rhs,
+                       const std::vector<Index>& unknowns) const;
   Index size() const { return pattern_->size; }
 
  private:

@@ -51,29 +51,52 @@ Vec ConePotential::derive(const Vec& charge) const {
   return 2 * solve(mass_.cwiseProduct(potential));
 }
 
+Vec ConePotential::unit_response(Index v) const {
+  Vec unit = Vec::Zero(mesh_.vertex_count());
+  unit[v] = 1;
+  return derive(unit);
+}
+
 const Vec& ConePotential::response(Index v) {
   const auto [place, is_new] = responses_.try_emplace(v);
-  if (is_new) {
-    Vec unit = Vec::Zero(mesh_.vertex_count());
-    unit[v] = 1;
-    place->second = derive(unit);
-  }
+  if (is_new) place->second = unit_response(v);
   return place->second;
 }
 
+double ConePotential::response(Index v, Index at) {
+  if (kind_ == ConeEnergy::Scale) return response(v)[at];
+  if (row_[v] < 0 || row_[at] < 0) return 0;
+  if (!entries_[v].contains(at)) find_entries(v, at);
+  return entries_[v].at(at);
+}
+
+// Of v at that vertex and all that are watched.
+void ConePotential::find_entries(Index v, Index at) {
+  std::vector<Index> vertices{v, at}, rows;
+  vertices.insert(vertices.end(), watched_.begin(), watched_.end());
+  std::erase_if(vertices, [&](Index w) { return row_[w] < 0; });
+  for (const Index w : vertices) rows.push_back(row_[w]);
+  const Vec found = system_->solution_entries({{row_[v], 1.0}}, rows);
+  for (std::size_t k = 0; k < vertices.size(); ++k)
+    entries_[v][vertices[k]] = found[static_cast<Index>(k)];
+}
+
 double ConePotential::change(Index from, Index to) {
-  const Vec &r = response(from), &s = response(to);
   return kQuarter * (derivative_[from] - derivative_[to]) +
-         0.5 * kQuarter * kQuarter * (r[from] - r[to] - s[from] + s[to]);
+         0.5 * kQuarter * kQuarter *
+             (response(from, from) - response(from, to) - response(to, from) + response(to, to));
 }
 
 double ConePotential::estimated_change(Index v, Index w, int step) {
-  const Vec& r = response(v);
-  return step * kQuarter * (derivative_[v] - derivative_[w]) + kQuarter * kQuarter * (r[v] - r[w]);
+  return step * kQuarter * (derivative_[v] - derivative_[w]) +
+         kQuarter * kQuarter * (response(v, v) - response(v, w));
 }
 
 void ConePotential::move(Index from, Index to) {
-  derivative_ += kQuarter * (response(from) - response(to));
+  if (kind_ == ConeEnergy::Scale)
+    derivative_ += kQuarter * (response(from) - response(to));
+  else
+    derivative_ += kQuarter * (unit_response(from) - unit_response(to));
   if (!geometry_.is_boundary[from]) charge_[from] += kQuarter;
   if (!geometry_.is_boundary[to]) charge_[to] -= kQuarter;
 }
