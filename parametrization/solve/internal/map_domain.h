@@ -131,6 +131,7 @@ class ScaffoldedDomain final : public MapDomain {
   int depth(int of_map) const { return std::max(of_map, rules_.depth); }  // of certificates
   bool needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const;
   bool rests(const StepResult& step) const;
+  bool waits(const StepResult& step);
 
   double seconds_ = 0;
   Index map_faces_;
@@ -141,6 +142,7 @@ class ScaffoldedDomain final : public MapDomain {
   FlipCounts flips_;
   double share_;  // lambda E_conf / E while the image moves
   Stage stage_ = Stage::Moving;
+  int waited_ = 0;  // steps since it was last looked after
   std::optional<Problem> built_;  // the last one
   std::optional<TermId> around_;  // E_conf in it
   std::optional<double> lambda_;  // none: not set since the problem was built
