@@ -51,15 +51,13 @@ Vec ConePotential::derive(const Vec& charge) const {
   return 2 * solve(mass_.cwiseProduct(potential));
 }
 
-Vec ConePotential::unit_response(Index v) const {
-  Vec unit = Vec::Zero(mesh_.vertex_count());
-  unit[v] = 1;
-  return derive(unit);
-}
-
 const Vec& ConePotential::response(Index v) {
   const auto [place, is_new] = responses_.try_emplace(v);
-  if (is_new) place->second = unit_response(v);
+  if (is_new) {
+    Vec unit = Vec::Zero(mesh_.vertex_count());
+    unit[v] = 1;
+    place->second = derive(unit);
+  }
   return place->second;
 }
 
@@ -93,10 +91,14 @@ double ConePotential::estimated_change(Index v, Index w, int step) {
 }
 
 void ConePotential::move(Index from, Index to) {
-  if (kind_ == ConeEnergy::Scale)
+  if (kind_ == ConeEnergy::Scale) {
     derivative_ += kQuarter * (response(from) - response(to));
-  else
-    derivative_ += kQuarter * (unit_response(from) - unit_response(to));
+  } else {
+    Vec moved = Vec::Zero(mesh_.vertex_count());
+    moved[from] = kQuarter;
+    moved[to] = -kQuarter;
+    derivative_ += derive(moved);
+  }
   if (!geometry_.is_boundary[from]) charge_[from] += kQuarter;
   if (!geometry_.is_boundary[to]) charge_[to] -= kQuarter;
 }

@@ -40,7 +40,7 @@ class ConePotential {
   // Nearly the same for `step` quarter turns (1 or -1) from v to its neighbour w, without a solve
   // for w: w is taken to respond to itself as v does.
   double estimated_change(Index v, Index w, int step);
-  // Two solves, of Scale none.
+  // A solve, of Scale none.
   void move(Index from, Index to);
   // Frees what change() keeps for v.
   void forget(Index v) {
@@ -52,9 +52,8 @@ class ConePotential {
  private:
   Vec solve(const Vec& charge) const;   // L^-1, #V to #V
   Vec derive(const Vec& charge) const;  // G, #V to #V
-  Vec unit_response(Index v) const;     // G of the unit vector of v
-  const Vec& response(Index v);         // the same, kept
-  double response(Index v, Index at);   // the entry of it
+  const Vec& response(Index v);         // G of the unit vector of v
+  double response(Index v, Index at);   // its entry
   void find_entries(Index v, Index at);
 
   const SurfaceMesh& mesh_;

@@ -18,10 +18,10 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       }()),
       mode_(flips),
       rules_(rules.scaffold),
-      relaxing_(newton_options(Curvature::Projected, rules, stop, ScaffoldedDomain::ordering())),
+      relaxing_(newton_options(Curvature::Projected, rules, stop, Ordering::Amd)),
       share_(rules_.share) {
   // All relaxations share a solver: patterns differ little, and it knows the last one's ordering.
-  const std::shared_ptr<LinearSolver> solver = make_direct_solver(ScaffoldedDomain::ordering());
+  const std::shared_ptr<LinearSolver> solver = make_direct_solver(Ordering::Amd);
   relaxing_.linear_solver = [solver] { return solver; };
 }
 

@@ -113,8 +113,11 @@ class ScaffoldedDomain final : public MapDomain {
   double foreign_energy(const Problem& problem, VecIn x) const override;
   bool strengthen(double weight) override;
   bool hold() override;
-  // Flips change the pattern nearly every step: METIS would cost more than it saves.
-  Ordering ordering() const override { return Ordering::Amd; }
+  // Flips change the pattern nearly every step, and METIS would cost more than it saves, but where
+  // the scaffold waits.
+  Ordering ordering() const override {
+    return map_faces_ >= rules_.patient_faces ? Ordering::Metis : Ordering::Amd;
+  }
   StoppingRules final_rules(StoppingRules usual) const override;
   void elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) override;
   std::optional<Scaffold> surroundings() const override { return scaffold_; }
