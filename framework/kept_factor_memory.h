@@ -1,5 +1,5 @@
-// Memory of direct solvers that follow each other: as long as a block lasts, what one of them leaves
-// is there for the next one.
+// Memory of direct solvers that follow each other: as long as a block lasts, what one of them
+// leaves is there for the next one.
 //
 //   const KeptFactorMemory kept;   // until the end of this block, on this thread
 //   for (int k = 0; k < 2; ++k) {

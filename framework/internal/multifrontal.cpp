@@ -296,9 +296,9 @@ void MultifrontalFactor::extend_add(Index child, const Scratch& scratch) {
   }
 }
 
-// Eliminates the front's columns from `values`, by position; leaves in x what they take from the rows
-// below. False, and nothing done, where all are 0: right-hand sides with few entries have zeros in
-// all fronts but those above them.
+// Eliminates the front's columns from `values`, by position; leaves in x what they take from the
+// rows below. False, and nothing done, where all are 0: right-hand sides with few entries have
+// zeros in all fronts but those above them.
 bool MultifrontalFactor::forward_columns(Index f, double* values, double* x) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
   const ColumnSlabs shape = front.part();
@@ -422,7 +422,8 @@ void MultifrontalFactor::solve_entries(const SparseColumn& r, std::span<const In
 
 void MultifrontalFactor::solve(const Vec& r, Vec& p) {
   forward_all(r);
-  for (std::size_t k = above_.size(); k-- > 0;) backward(above_[k], permuted_.data(), front_values(0));
+  for (std::size_t k = above_.size(); k-- > 0;)
+    backward(above_[k], permuted_.data(), front_values(0));
   const auto backward_task = [&](Index t, int thread) {
     for (Index f = tasks_[t].last; f-- > tasks_[t].first;)
       backward(f, permuted_.data(), front_values(thread));

@@ -662,7 +662,7 @@ std::vector<int> checked_quarter_turns(const SurfaceMesh& mesh, const FieldGeome
 // A field whose cones are cleaned up and whose branches are not relaxed to them yet.
 struct ConedField {
   FieldConnection field;
-  Vec hold;  // #F: how strongly each keeps its direction, as Relaxation has it
+  Vec hold;      // #F: how strongly each keeps its direction, as Relaxation has it
   bool is_free;  // follows neither curvature nor edges
 };
 

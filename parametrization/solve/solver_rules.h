@@ -82,6 +82,9 @@ struct ScaffoldRules {
   // It does after a step that decreased the energy by less than this part and was not held back.
   // LaggedFactorRules::below.
   double patient_below = 1e-4;
+  // And by more than this part: a run ends after steps that decrease it by less, and must not for
+  // want of room. part_of_tolerance of the default tolerance.
+  double patient_above = 2.5e-7;
   // For so many steps, those that a factor serves. LaggedFactorRules::steps.
   int patience = 5;
   // The part of the tolerance asked for at which the first small step ends a run. Newton steps

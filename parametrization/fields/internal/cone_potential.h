@@ -64,7 +64,7 @@ class ConePotential {
   Vec mass_;                 // #V: M, adds up to 1
   Vec charge_, derivative_;  // #V: derivative_ = G charge_, of the energy
   std::vector<Index> watched_;
-  std::unordered_map<Index, Vec> responses_;                               // Scale
+  std::unordered_map<Index, Vec> responses_;                              // Scale
   std::unordered_map<Index, std::unordered_map<Index, double>> entries_;  // Rotation
 };
 

@@ -72,7 +72,7 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, int of
   scaffold_.take(x);
   if (refine(step.blocking)) lambda_.reset();
   if (rests(step)) stage_ = Stage::AtRest;
-  if (waits(step)) return DomainChange::None;
+  if (waits(step)) return DomainChange::Deferred;
   const bool grown = scaffold_.grow();
   FlipCounts counts = flip();
   const bool relaxed = grown || needs_relaxing(step.record, counts);
@@ -89,12 +89,14 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, int of
   return relaxed ? DomainChange::Values : DomainChange::None;
 }
 
-// Whether the scaffold is left as it is, so that the factor of the last step may serve the next one.
+// Whether the scaffold is left as it is, so that the factor of the last step may serve the next
+// one.
 bool ScaffoldedDomain::waits(const StepResult& step) {
   const bool may_wait = map_faces_ >= rules_.patient_faces && step.blocking.empty() &&
                         step.outcome == StepResult::Outcome::Moved &&
                         step.record.step_bound >= rules_.short_bound &&
-                        step.record.relative_decrease < rules_.patient_below;
+                        step.record.relative_decrease < rules_.patient_below &&
+                        step.record.relative_decrease > rules_.patient_above;
   if (may_wait && waited_ < rules_.patience) {
     ++waited_;
     return true;

@@ -28,6 +28,7 @@ namespace majorant {
 // The change of the unknowns between two steps.
 enum class DomainChange {
   None,
+  Deferred,   // none yet: what the surroundings hold back is not known
   Values,     // they are elsewhere: energies are others
   Structure,  // there are others: the problem must be built anew
 };
@@ -145,7 +146,7 @@ class ScaffoldedDomain final : public MapDomain {
   FlipCounts flips_;
   double share_;  // lambda E_conf / E while the image moves
   Stage stage_ = Stage::Moving;
-  int waited_ = 0;  // steps since it was last looked after
+  int waited_ = 0;                // steps since it was last looked after
   std::optional<Problem> built_;  // the last one
   std::optional<TermId> around_;  // E_conf in it
   std::optional<double> lambda_;  // none: not set since the problem was built
