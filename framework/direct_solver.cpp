@@ -11,6 +11,7 @@
 #include "majorant/framework/internal/multifrontal.h"
 #include "majorant/framework/internal/symbolic_analysis.h"
 #include "majorant/framework/internal/symbolic_update.h"
+#include "majorant/framework/kept_factor_memory.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/pattern_analysis.h"
 
@@ -130,13 +131,16 @@ bool same(const SparsePattern& a, const SparsePattern& b) {
 class DirectSolver final : public LinearSolver {
  public:
   explicit DirectSolver(Ordering ordering) : ordering_(ordering) {}
+  ~DirectSolver() override {
+    if (factor_) KeptFactorMemory::give(factor_->release());
+  }
 
   void analyze(const SparsePattern& pattern) override {
     // Who chose this solver for the pattern has analysed it already, to know bytes().
     if (analysed_ && same(*analysed_, pattern)) return;
     require_valid(pattern);
     analysed_.reset();
-    FactorMemory memory = factor_ ? factor_->release() : FactorMemory();
+    FactorMemory memory = factor_ ? factor_->release() : KeptFactorMemory::take();
     factor_.reset();
     tree_.reset();
     size_ = pattern.size;
@@ -184,6 +188,13 @@ class DirectSolver final : public LinearSolver {
       }
     }
     return products;
+  }
+  Vec solution_entries(Index size, const SparseColumn& r,
+                       const std::vector<Index>& unknowns) override {
+    require_size("LinearSolver::solution_entries: size", size, size_);
+    Vec entries;
+    if (factor_) factor_->solve_entries(r, unknowns, entries);
+    return entries;
   }
   std::size_t bytes() const override { return factor_ ? factor_->bytes() : 0; }
   std::string description() const override { return description_; }

@@ -41,6 +41,13 @@ Eigen::MatrixXd LinearSolver::inverse_products(Index size, const std::vector<Spa
   return products;
 }
 
+Vec LinearSolver::solution_entries(Index size, const SparseColumn& r,
+                                   const std::vector<Index>& unknowns) {
+  Vec p;
+  solve(dense(size, r), p);
+  return p(unknowns);
+}
+
 double mean_diagonal(const SparsePattern& pattern, const Vec& values) {
   double sum = 0;
   for (Index c = 0; c < pattern.size; ++c) sum += std::abs(values[pattern.column_starts[c]]);

@@ -98,6 +98,11 @@ class LinearSolver {
   // where the column has few entries. Throws Stopped.
   virtual Eigen::MatrixXd inverse_products(Index size, const std::vector<SparseColumn>& columns,
                                            const StopCheck& stop = {});
+  // The entries of solve(r, p) at these unknowns, for an r that is 0 but at a few unknowns, of
+  // `size` of them: of the direct solver the same numbers to the last bit, for what two paths
+  // through its factor cost.
+  virtual Vec solution_entries(Index size, const SparseColumn& r,
+                               const std::vector<Index>& unknowns);
   // Memory that factorize() is going to allocate for the factor and its making, known after the
   // analysis, before any of it is taken; 0: not known.
   virtual std::size_t bytes() const { return 0; }

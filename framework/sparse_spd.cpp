@@ -17,21 +17,22 @@ SparsePattern pattern_of(Index size, Index block, const std::vector<SparseSpd::E
 }  // namespace
 
 SparseSpd::SparseSpd(Index size, Index block, const std::vector<Entry>& entries,
-                     const std::string& otherwise)
+                     const std::string& otherwise, Ordering ordering)
     : pattern_(std::make_unique<const SparsePattern>(pattern_of(size, block, entries))) {
   Vec values = Vec::Zero(pattern_->nonzeros());
   for (const Entry& e : entries) values[pattern_->slot(e.row, e.column)] += e.value;
-  factorize(values, otherwise, {});
+  factorize(values, otherwise, ordering, {});
 }
 
 SparseSpd::SparseSpd(SparsePattern pattern, const Vec& values, const std::string& otherwise,
                      const StopCheck& stop)
     : pattern_(std::make_unique<const SparsePattern>(std::move(pattern))) {
-  factorize(values, otherwise, stop);
+  factorize(values, otherwise, Ordering::Amd, stop);
 }
 
-void SparseSpd::factorize(const Vec& values, const std::string& otherwise, const StopCheck& stop) {
-  solver_ = make_direct_solver(Ordering::Amd);
+void SparseSpd::factorize(const Vec& values, const std::string& otherwise, Ordering ordering,
+                          const StopCheck& stop) {
+  solver_ = make_direct_solver(ordering);
   solver_->analyze(*pattern_);
   stop.poll();
   if (solver_->factorize(values, 0.0) != FactorStatus::Ok)
@@ -42,6 +43,11 @@ Vec SparseSpd::solve(const Vec& rhs) const {
   Vec x;
   solver_->solve(rhs, x);
   return x;
+}
+
+Vec SparseSpd::solution_entries(const LinearSolver::SparseColumn& rhs,
+                                const std::vector<Index>& unknowns) const {
+  return solver_->solution_entries(size(), rhs, unknowns);
 }
 
 }  // namespace majorant

@@ -25,19 +25,25 @@ class SparseSpd {
     Index row, column;
     double value;
   };
-  // block: neighbouring unknowns that are ordered together, 1 or 2 of them. Throws
-  // Error(Infeasible, otherwise) when the matrix is not positive definite.
+  // block: neighbouring unknowns that are ordered together, 1 or 2 of them. ordering: Metis where
+  // many solves of a large system come. Throws Error(Infeasible, otherwise) when the matrix is not
+  // positive definite.
   SparseSpd(Index size, Index block, const std::vector<Entry>& entries,
-            const std::string& otherwise);
+            const std::string& otherwise, Ordering ordering = Ordering::Amd);
   // values: parallel to pattern.rows. Stopped.
   SparseSpd(SparsePattern pattern, const Vec& values, const std::string& otherwise,
             const StopCheck& stop = {});
 
   Vec solve(const Vec& rhs) const;
+  // The entries at these unknowns of the solution for a right-hand side of few entries, to the last
+  // bit: much cheaper than all of it.
+  Vec solution_entries(const LinearSolver::SparseColumn& rhs,
+                       const std::vector<Index>& unknowns) const;
   Index size() const { return pattern_->size; }
 
  private:
-  void factorize(const Vec& values, const std::string& otherwise, const StopCheck& stop);
+  void factorize(const Vec& values, const std::string& otherwise, Ordering ordering,
+                 const StopCheck& stop);
 
   std::unique_ptr<const SparsePattern> pattern_;  // where the solver knows it, also when moved
   std::unique_ptr<LinearSolver> solver_;

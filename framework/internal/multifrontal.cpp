@@ -25,6 +25,11 @@ constexpr double kTaskPart = 1.0 / 2;
 // Unknowns that a task permutes: fewer are not worth waking a thread for.
 constexpr Index kPermuted = 16384;
 
+// The part of what is asked for that is taken besides where what there was is too small: patterns
+// that change from step to step, as those around an image do, grow by a few in a hundred. What is
+// not touched costs nothing.
+constexpr std::size_t kSpare = 8;
+
 // The size of a large page on x86-64 and, with pages of 4 KiB, on ARM.
 constexpr std::size_t kLargePage = std::size_t(1) << 21;
 
@@ -75,9 +80,10 @@ struct MultifrontalFactor::Work {
 void FactorMemory::Part::fit(std::size_t numbers) {
   if (values && numbers <= size) return;
   values.reset();  // both at once may be more than there is
+  const std::size_t room = size > 0 ? numbers + numbers / kSpare : numbers;
   size = 0;
-  values = large_array(numbers);
-  size = numbers;
+  values = large_array(room);
+  size = room;
 }
 
 MultifrontalFactor::MultifrontalFactor(const AssemblyTree& tree, const FrontKernels& kernels,
@@ -311,26 +317,33 @@ void MultifrontalFactor::extend_add(Index child, const Scratch& scratch) {
   }
 }
 
-void MultifrontalFactor::forward(Index f, double* x) {
+// Eliminates the front's columns from `values`, by position; leaves in x what they take from the
+// rows below. False, and nothing done, where all are 0: right-hand sides with few entries have
+// zeros in all fronts but those above them.
+bool MultifrontalFactor::forward_columns(Index f, double* values, double* x) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
   const ColumnSlabs shape = front.part();
-  const std::span<const Index> below = tree_.rows_below(f);
-  const std::size_t inside = to_size(inside_[f]);
-  // Those above all tasks have none.
-  double* const outside = inside < below.size() ? outside_.data() + outside_places_[f] : nullptr;
-  double* const own = permuted_.data() + front.first;
-  // Right-hand sides with few entries have zeros in all fronts but those above them.
-  if (std::all_of(own, own + front.columns, [](double value) { return value == 0; })) {
-    std::fill_n(outside, below.size() - inside, 0.0);
-    return;
-  }
+  double* const own = values + front.first;
+  if (std::all_of(own, own + front.columns, [](double value) { return value == 0; })) return false;
   std::copy_n(own, front.columns, x);
   std::fill(x + front.columns, x + shape.rows, 0.0);
   for (Index s = 0; s < shape.slabs(); ++s)
     kernels_.forward(part(f) + shape.begin(s), shape.stride(s), shape.columns_of(s),
                      x + s * ColumnSlabs::kColumns);
   std::copy_n(x, front.columns, own);
-  x += front.columns;
+  return true;
+}
+
+void MultifrontalFactor::forward(Index f, double* x) {
+  const std::span<const Index> below = tree_.rows_below(f);
+  const std::size_t inside = to_size(inside_[f]);
+  // Those above all tasks have none.
+  double* const outside = inside < below.size() ? outside_.data() + outside_places_[f] : nullptr;
+  if (!forward_columns(f, permuted_.data(), x)) {
+    std::fill_n(outside, below.size() - inside, 0.0);
+    return;
+  }
+  x += tree_.fronts()[f].columns;
   for (std::size_t k = 0; k < inside; ++k) permuted_[below[k]] += x[k];
   std::copy(x + inside, x + below.size(), outside);
 }
@@ -343,18 +356,17 @@ void MultifrontalFactor::add_outside(const Task& task) {
   }
 }
 
-void MultifrontalFactor::backward(Index f, double* x) {
+void MultifrontalFactor::backward(Index f, double* values, double* x) {
   const AssemblyTree::Front& front = tree_.fronts()[f];
   const ColumnSlabs shape = front.part();
   const std::span<const Index> below = tree_.rows_below(f);
-  std::copy_n(permuted_.data() + front.first, front.columns, x);
-  for (std::size_t k = 0; k < below.size(); ++k)
-    x[to_size(front.columns) + k] = permuted_[below[k]];
+  std::copy_n(values + front.first, front.columns, x);
+  for (std::size_t k = 0; k < below.size(); ++k) x[to_size(front.columns) + k] = values[below[k]];
   std::fill(x + front.rows, x + shape.rows, 0.0);
   for (Index s = shape.slabs(); s-- > 0;)
     kernels_.backward(part(f) + shape.begin(s), shape.stride(s), shape.columns_of(s),
                       x + s * ColumnSlabs::kColumns);
-  std::copy_n(x, front.columns, permuted_.data() + front.first);
+  std::copy_n(x, front.columns, values + front.first);
 }
 
 // f(k) of every unknown, in pieces.
@@ -388,11 +400,54 @@ void MultifrontalFactor::half_solve(const Vec& r, Vec& y) {
   y = permuted_;
 }
 
+// Ascending: those of the unknowns and all up to the roots.
+std::vector<Index> MultifrontalFactor::fronts_above(std::span<const Index> unknowns) {
+  std::vector<Index> fronts;
+  for (const Index u : unknowns)
+    for (Index f = tree_.front_of(position_[u]); f >= 0; f = tree_.fronts()[f].parent)
+      fronts.push_back(f);
+  std::ranges::sort(fronts);
+  const auto repeated = std::ranges::unique(fronts);
+  fronts.erase(repeated.begin(), repeated.end());
+  return fronts;
+}
+
+void MultifrontalFactor::solve_entries(const SparseColumn& r, std::span<const Index> unknowns,
+                                       Vec& entries) {
+  if (position_.empty()) {
+    position_.resize(to_size(tree_.size()));
+    for (Index k = 0; k < tree_.size(); ++k) position_[tree_.order()[k]] = k;
+    sparse_ = Vec::Zero(tree_.size());
+  }
+  front_values_.resize(static_cast<Eigen::Index>(to_size(threads_) * most_rows_));
+  std::vector<Index> given;
+  for (const auto& [unknown, value] : r) {
+    given.push_back(unknown);
+    sparse_[position_[unknown]] += value;
+  }
+  const std::vector<Index> down = fronts_above(given), up = fronts_above(unknowns);
+  double* const x = front_values(0);
+  for (const Index f : down) {
+    if (!forward_columns(f, sparse_.data(), x)) continue;
+    const double* taken = x + tree_.fronts()[f].columns;
+    for (const Index row : tree_.rows_below(f)) sparse_[row] += *taken++;
+  }
+  for (std::size_t k = up.size(); k-- > 0;) backward(up[k], sparse_.data(), x);
+  entries.resize(static_cast<Eigen::Index>(unknowns.size()));
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+    entries[static_cast<Eigen::Index>(k)] = sparse_[position_[unknowns[k]]];
+  for (const std::vector<Index>* const fronts : {&down, &up})
+    for (const Index f : *fronts)
+      sparse_.segment(tree_.fronts()[f].first, tree_.fronts()[f].columns).setZero();
+}
+
 void MultifrontalFactor::solve(const Vec& r, Vec& p) {
   forward_all(r);
-  for (std::size_t k = above_.size(); k-- > 0;) backward(above_[k], front_values(0));
+  for (std::size_t k = above_.size(); k-- > 0;)
+    backward(above_[k], permuted_.data(), front_values(0));
   const auto backward_task = [&](Index t, int thread) {
-    for (Index f = tasks_[t].last; f-- > tasks_[t].first;) backward(f, front_values(thread));
+    for (Index f = tasks_[t].last; f-- > tasks_[t].first;)
+      backward(f, permuted_.data(), front_values(thread));
   };
   parallel_tasks(static_cast<Index>(tasks_.size()), backward_task, threads_);
   p.resize(tree_.size());

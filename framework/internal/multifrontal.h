@@ -66,6 +66,10 @@ class MultifrontalFactor {
   void solve(const Vec& r, Vec& p);
   // The first half of solve(): y with (P^T L) y = r, as many zeros as the fronts of r leave.
   void half_solve(const Vec& r, Vec& y);
+  // The entries of solve() at these unknowns, to the last bit, for an r that is not 0 at a few
+  // unknowns alone: fronts are visited between these and the roots. On one thread.
+  using SparseColumn = std::vector<std::pair<Index, double>>;
+  void solve_entries(const SparseColumn& r, std::span<const Index> unknowns, Vec& entries);
 
  private:
   // A subtree, for one thread: fronts first to last - 1.
@@ -105,8 +109,10 @@ class MultifrontalFactor {
   void for_each_unknown(const F& work) const;
   double* front_values(int thread) { return front_values_.data() + to_size(thread) * most_rows_; }
   void forward(Index f, double* x);
+  bool forward_columns(Index f, double* values, double* x);
   void add_outside(const Task& task);
-  void backward(Index f, double* x);
+  void backward(Index f, double* values, double* x);
+  std::vector<Index> fronts_above(std::span<const Index> unknowns);
   double* part(Index f) { return memory_.factor.values.get() + tree_.fronts()[f].begin; }
   double* update(Index f, const Scratch& scratch) {
     return (is_root_[f] ? memory_.updates.values.get() : scratch.stack) + update_places_[f];
@@ -132,6 +138,9 @@ class MultifrontalFactor {
   FactorMemory memory_;
   bool has_memory_ = false;  // enough for this tree
   Vec permuted_, front_values_, outside_;
+  // Of solve_entries(): the position of each unknown, values that are 0 between two calls.
+  std::vector<Index> position_;
+  Vec sparse_;
 };
 
 }  // namespace majorant

@@ -20,6 +20,7 @@
 #include "majorant/elements/singular_values.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/kept_factor_memory.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/model_unit.h"
@@ -170,6 +171,7 @@ class Unwrapping {
 
   Atlas solve() {
     const ThreadCount threads(options_.chart.solve.threads);
+    std::optional<KeptFactorMemory> kept(std::in_place);  // from cut to cut, from chart to chart
     const double started = record_.seconds();
     CutOptions cuts = options_.cuts;
     for (const auto* points : {&options_.chart.map.pins, &options_.chart.map.handles})
@@ -195,6 +197,7 @@ class Unwrapping {
       keep_limit();
       divide();
     }
+    kept.reset();
     scale_charts();
     atlas_.optimize_seconds = record_.seconds() - started - atlas_.initialize_seconds;
     if (options_.packing && atlas_.status() != Status::Failed) place_charts();

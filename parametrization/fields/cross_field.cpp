@@ -334,6 +334,9 @@ class Cleanup {
         givers.push_back(mesh_.boundary_loops()[0][0]);
         takers.push_back(givers.back());
       }
+      std::vector<Index> all = givers;
+      all.insert(all.end(), takers.begin(), takers.end());
+      potential.watch(std::move(all));
       double best = 0;
       Index from = -1, to = -1;
       for (const Index a : givers)
@@ -359,6 +362,9 @@ class Cleanup {
       if (boundary(v) || turns(v) == 4) continue;
       stop.poll();
       const int step = turns(v) > 4 ? 1 : -1;  // what the neighbour gets
+      std::vector<Index> ring;
+      for (const Index h : leaving_[v]) ring.push_back(mesh_.to_vertex(h));
+      potential.watch(std::move(ring));
       Index best = -1;
       double least = 0;
       for (const Index h : leaving_[v]) {
@@ -653,21 +659,28 @@ std::vector<int> checked_quarter_turns(const SurfaceMesh& mesh, const FieldGeome
   return turns;
 }
 
-}  // namespace
+// A field whose cones are cleaned up and whose branches are not relaxed to them yet.
+struct ConedField {
+  FieldConnection field;
+  Vec hold;      // #F: how strongly each keeps its direction, as Relaxation has it
+  bool is_free;  // follows neither curvature nor edges
+};
 
-CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOptions& options) {
-  require_valid(mesh, options);
-  const FieldGeometry geometry(mesh);
+ConedField coned_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,
+                       const CrossFieldOptions& options) {
   const Vec fixed = fixed_angles(mesh, geometry, options.aligned);
   // Masses are parts of the area and edge weights have no unit, so eigenvalues are in 1 / area.
   const double pull = options.curvature_weight * options.curvature_weight;
-  const PowerSystem system(mesh, geometry, fixed, std::max(pull, kShift));
+  std::optional<PowerSystem> system(std::in_place, mesh, geometry, fixed, std::max(pull, kShift));
   const std::vector<Complex> curvature = principal_directions(mesh, geometry);
+  const bool is_free = pull == 0 && !system->has_fixed();
   std::vector<Complex> z;
-  if (pull > 0 || system.has_fixed())
-    z = system.solve(times_mass(system.mass(), curvature, pull));
+  if (is_free)
+    z = smallest_eigenvector(*system, start_vector(curvature), options.stop);
   else
-    z = smallest_eigenvector(system, start_vector(curvature), options.stop);
+    z = system->solve(times_mass(system->mass(), curvature, pull));
+  const Vec mass = system->mass();
+  system.reset();  // its memory is wanted
   Vec angle(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f)
     angle[f] = z[f] == Complex(0) ? 0.0 : std::arg(z[f]) / kSymmetry;
@@ -679,7 +692,7 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
   for (Index f = 0; f < mesh.face_count(); ++f) {
     is_fixed[f] = fixed[f] != kNotAligned;
     hold[f] = is_fixed[f] ? std::numeric_limits<double>::infinity()
-                          : pull * system.mass()[f] * std::abs(curvature[f]);
+                          : pull * mass[f] * std::abs(curvature[f]);
   }
   options.stop.poll();
   optimize_cones(mesh, geometry, is_fixed,
@@ -688,13 +701,32 @@ CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOption
                      : SectorFinder(mesh, geometry, options.aligned, fixed).find(field.rotation),
                  options.least_quarter_turns, field);
   options.stop.poll();
-  if (pull == 0 && !system.has_fixed()) {
-    lower_cone_energy(mesh, geometry, options, field);
+  if (is_free) lower_cone_energy(mesh, geometry, options, field);
+  return {std::move(field), std::move(hold), is_free};
+}
+
+}  // namespace
+
+CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOptions& options) {
+  require_valid(mesh, options);
+  const FieldGeometry geometry(mesh);
+  auto [field, hold, is_free] = coned_field(mesh, geometry, options);
+  if (is_free)
     relax_and_round_turning(mesh, geometry, field);
-  } else {
+  else
     Relaxation(mesh, geometry, hold).apply(field.angle, field.rotation);
-  }
   return cross_field(mesh, geometry, field);
+}
+
+std::vector<Index> smoothest_field_cones(const SurfaceMesh& mesh,
+                                         const CrossFieldOptions& options) {
+  require_valid(mesh, options);
+  const FieldGeometry geometry(mesh);
+  const std::vector<int> turns = coned_field(mesh, geometry, options).field.quarter_turns;
+  std::vector<Index> cones;
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    if (!geometry.is_boundary[v] && turns[v] != 4) cones.push_back(v);
+  return cones;
 }
 
 std::vector<Index> cone_vertices(const CrossField& field) {

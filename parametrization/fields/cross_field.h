@@ -68,6 +68,10 @@ struct CrossFieldOptions {
 // valid.
 CrossField smoothest_cross_field(const SurfaceMesh& mesh, const CrossFieldOptions& options = {});
 
+// The cone_vertices() of that field, without its directions, which take about as long again.
+std::vector<Index> smoothest_field_cones(const SurfaceMesh& mesh,
+                                         const CrossFieldOptions& options = {});
+
 // The smoothest field with exactly these cones, all other interior vertices regular [CDS10]; how
 // it turns along loops that are not contractible is rounded to multiples of 90 degrees such that
 // the field stays smooth. Throws Error(Usage) for cones on the boundary, repeated or out of range,

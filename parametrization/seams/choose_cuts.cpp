@@ -445,7 +445,7 @@ class Cutter {
     CrossFieldOptions field;
     field.stop = stop_;
     try {
-      return cone_vertices(smoothest_cross_field(mesh_, field));
+      return smoothest_field_cones(mesh_, field);
     } catch (const Error&) {  // too coarse
       std::vector<Index> most(to_size(mesh_.vertex_count()));
       for (Index v = 0; v < mesh_.vertex_count(); ++v) most[v] = v;

@@ -307,7 +307,8 @@ Descent::Answer DegreeSolver::MapDescent::after_step(const StepResult& step) {
   Answer answer;
   if (solver_.variables() > 0) answer.directive = solver_.note(own, step.outcome, phase_, record_);
   DomainChange change = solver_.domain_.after_step(solver_.x_, step, solver_.depth_);
-  if (change == DomainChange::Structure || (!moved && change == DomainChange::Values))
+  if (change == DomainChange::Structure || change == DomainChange::Deferred ||
+      (!moved && change == DomainChange::Values))
     answer.since = StoppingTest::Since::ProblemChanged;
   if (change == DomainChange::Structure) {
     solver_.rebuild();
@@ -315,7 +316,7 @@ Descent::Answer DegreeSolver::MapDescent::after_step(const StepResult& step) {
     solver_.stepper_.reset(solver_.built_.problem);
     change = DomainChange::Values;
   }
-  if (change != DomainChange::None) follow_problem();
+  if (change == DomainChange::Values || change == DomainChange::Structure) follow_problem();
   return answer;
 }
 

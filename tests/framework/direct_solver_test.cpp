@@ -83,6 +83,27 @@ TEST_P(Factorization, ProductsInTheInverse) {
   }
 }
 
+TEST_P(Factorization, EntriesOfASolution) {
+  Random random(4);
+  const auto solver = make();
+  for (const auto& [nodes, block] : {std::pair(1, 1), {20, 2}, {1000, 1}}) {
+    const Matrix m = random_matrix(random, nodes, block, 60);
+    const auto size = m.pattern.size;
+    solver->analyze(m.pattern);
+    ASSERT_EQ(solver->factorize(m.values, 0.5), FactorStatus::Ok) << nodes << ' ' << block;
+    for (const Index k : {0, size / 3, size - 1}) {
+      Vec r = Vec::Zero(size), p;
+      r[k] = 2;
+      r[size - 1] -= 0.5;
+      LinearSolver::SparseColumn column{{k, 2.0}, {size - 1, -0.5}};
+      const std::vector<Index> unknowns{size / 2, 0, k, size - 1, size / 2};
+      const Vec found = solver->solution_entries(size, column, unknowns);
+      solver->solve(r, p);
+      EXPECT_EQ(found, Vec(p(unknowns))) << nodes << ' ' << block << ' ' << k;
+    }
+  }
+}
+
 // Known before anything is allocated; of a second analysis of the same pattern the same, as are
 // description and solution to the bit.
 TEST_P(DirectSolver, BytesAreKnownAfterTheAnalysis) {

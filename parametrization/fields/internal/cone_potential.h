@@ -15,6 +15,7 @@
 
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "majorant/parametrization/fields/cross_field.h"
@@ -29,21 +30,31 @@ class ConePotential {
                 const std::vector<int>& quarter_turns, ConeEnergy kind);
 
   double energy() const { return 0.5 * charge_.dot(derivative_); }
+  // Vertices that change() and estimated_change() are going to be asked about: what they need of a
+  // vertex met for the first time is found for all of these at once.
+  void watch(std::vector<Index> vertices) { watched_ = std::move(vertices); }
   // Change of energy() when one quarter turn passes from one vertex to another; the boundary gives
-  // and takes any number. One solve or two for every vertex met for the first time.
+  // and takes any number. Of Rotation, a few entries of a solve for every vertex met for the first
+  // time; of Scale, two solves.
   double change(Index from, Index to);
   // Nearly the same for `step` quarter turns (1 or -1) from v to its neighbour w, without a solve
   // for w: w is taken to respond to itself as v does.
   double estimated_change(Index v, Index w, int step);
+  // A solve, of Scale none.
   void move(Index from, Index to);
   // Frees what change() keeps for v.
-  void forget(Index v) { responses_.erase(v); }
+  void forget(Index v) {
+    responses_.erase(v);
+    entries_.erase(v);
+  }
   Vec rotations() const;  // 3 #F
 
  private:
   Vec solve(const Vec& charge) const;   // L^-1, #V to #V
   Vec derive(const Vec& charge) const;  // G, #V to #V
   const Vec& response(Index v);         // G of the unit vector of v
+  double response(Index v, Index at);   // its entry
+  void find_entries(Index v, Index at);
 
   const SurfaceMesh& mesh_;
   const FieldGeometry& geometry_;
@@ -52,7 +63,9 @@ class ConePotential {
   std::optional<SparseSpd> system_;
   Vec mass_;                 // #V: M, adds up to 1
   Vec charge_, derivative_;  // #V: derivative_ = G charge_, of the energy
-  std::unordered_map<Index, Vec> responses_;
+  std::vector<Index> watched_;
+  std::unordered_map<Index, Vec> responses_;                              // Scale
+  std::unordered_map<Index, std::unordered_map<Index, double>> entries_;  // Rotation
 };
 
 }  // namespace majorant

@@ -57,10 +57,12 @@ Vector3 edge_vector(const SurfaceMesh& mesh, Index half_edge) {
   return e.normalized();
 }
 
-SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries) {
+SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries,
+                       Ordering ordering) {
   return SparseSpd(size, block, entries,
                    "the matrix of a cross field cannot be factorized; check the mesh for nearly "
-                   "degenerate faces");
+                   "degenerate faces",
+                   ordering);
 }
 
 }  // namespace majorant

@@ -32,7 +32,8 @@ struct FieldGeometry {
 Vector3 edge_vector(const SurfaceMesh& mesh, Index half_edge);
 
 // A system of a field's smoothness. Throws Error(Infeasible) when the mesh spoils it.
-SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries);
+SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries,
+                       Ordering ordering = Ordering::Amd);
 
 }  // namespace majorant
 

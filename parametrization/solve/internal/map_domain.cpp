@@ -18,10 +18,10 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       }()),
       mode_(flips),
       rules_(rules.scaffold),
-      relaxing_(newton_options(Curvature::Projected, rules, stop, ScaffoldedDomain::ordering())),
+      relaxing_(newton_options(Curvature::Projected, rules, stop, Ordering::Amd)),
       share_(rules_.share) {
   // All relaxations share a solver: patterns differ little, and it knows the last one's ordering.
-  const std::shared_ptr<LinearSolver> solver = make_direct_solver(ScaffoldedDomain::ordering());
+  const std::shared_ptr<LinearSolver> solver = make_direct_solver(Ordering::Amd);
   relaxing_.linear_solver = [solver] { return solver; };
 }
 
@@ -72,6 +72,7 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, int of
   scaffold_.take(x);
   if (refine(step.blocking)) lambda_.reset();
   if (rests(step)) stage_ = Stage::AtRest;
+  if (waits(step)) return DomainChange::Deferred;
   const bool grown = scaffold_.grow();
   FlipCounts counts = flip();
   const bool relaxed = grown || needs_relaxing(step.record, counts);
@@ -86,6 +87,22 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, int of
   x = scaffold_.joined(x);
   if (grown || counts.performed > 0) return DomainChange::Structure;
   return relaxed ? DomainChange::Values : DomainChange::None;
+}
+
+// Whether the scaffold is left as it is, so that the factor of the last step may serve the next
+// one.
+bool ScaffoldedDomain::waits(const StepResult& step) {
+  const bool may_wait = map_faces_ >= rules_.patient_faces && step.blocking.empty() &&
+                        step.outcome == StepResult::Outcome::Moved &&
+                        step.record.step_bound >= rules_.short_bound &&
+                        step.record.relative_decrease < rules_.patient_below &&
+                        step.record.relative_decrease > rules_.patient_above;
+  if (may_wait && waited_ < rules_.patience) {
+    ++waited_;
+    return true;
+  }
+  waited_ = 0;
+  return false;
 }
 
 // A step moves all nodes, the scaffold's as well: that keeps it in shape, as long as it has room.

@@ -29,6 +29,7 @@ namespace majorant {
 // The change of the unknowns between two steps.
 enum class DomainChange {
   None,
+  Deferred,   // none yet: what the surroundings hold back is not known
   Values,     // they are elsewhere: energies are others
   Structure,  // there are others: the problem must be built anew
 };
@@ -124,8 +125,11 @@ class ScaffoldedDomain final : public MapDomain {
   double foreign_energy(const Problem& problem, VecIn x) const override;
   bool strengthen(double weight) override;
   bool hold() override;
-  // Flips change the pattern nearly every step: METIS would cost more than it saves.
-  Ordering ordering() const override { return Ordering::Amd; }
+  // Flips change the pattern nearly every step, and METIS would cost more than it saves, but where
+  // the scaffold waits.
+  Ordering ordering() const override {
+    return map_faces_ >= rules_.patient_faces ? Ordering::Metis : Ordering::Amd;
+  }
   StoppingRules final_rules(StoppingRules usual) const override;
   void elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) override;
   std::optional<Scaffold> surroundings() const override { return scaffold_; }
@@ -142,6 +146,7 @@ class ScaffoldedDomain final : public MapDomain {
   int depth(int of_map) const { return std::max(of_map, rules_.depth); }  // of certificates
   bool needs_relaxing(const IterationRecord& step, const FlipCounts& flips) const;
   bool rests(const StepResult& step) const;
+  bool waits(const StepResult& step);
 
   double seconds_ = 0;
   Index map_faces_;
@@ -152,6 +157,7 @@ class ScaffoldedDomain final : public MapDomain {
   FlipCounts flips_;
   double share_;  // lambda E_conf / E while the image moves
   Stage stage_ = Stage::Moving;
+  int waited_ = 0;                // steps since it was last looked after
   std::optional<Problem> built_;  // the last one
   std::optional<TermId> around_;  // E_conf in it
   std::optional<double> lambda_;  // none: not set since the problem was built

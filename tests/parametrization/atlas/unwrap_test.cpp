@@ -451,6 +451,26 @@ TEST(ChartSolver, NamesTheStart) {
   }
 }
 
+// From 50,000 faces on a chart that was cut from another one starts in many resolutions, not from
+// the map of that one, though it would do.
+TEST(ChartSolver, VeryLargeChartsStartAnew) {
+  for (const auto& [side, start] :
+       {std::pair(158, ChartStart::Parent), {159, ChartStart::Multiresolution}}) {
+    const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(grid(side)));
+    SCOPED_TRACE(mesh->face_count());
+    ChartHints hints;
+    hints.parent = uv_of(*mesh, [](const Vector3& p) -> Vector2 { return p.head<2>(); });
+    RunRecord record;
+    ParametrizationOptions options;
+    options.solve.linear_solver = [](const SparsePattern&, Ordering) {
+      return make_direct_solver(Ordering::Amd);  // for a step or two
+    };
+    const Chart chart = ChartSolver(mesh, options, hints).solve(record);
+    EXPECT_EQ(chart.start, start);
+    EXPECT_EQ(chart.status, Status::Converged) << chart.message;
+  }
+}
+
 TEST(UnitSquare, HoldsEverything) {
   const PolygonMesh mesh = together(cube_sphere(2), moved(grid(3, bumpy), {0, 0, 9}));
   Atlas atlas = unwrapped(mesh, of_degree(1));
