@@ -45,6 +45,12 @@ AssemblyTree::AssemblyTree(const SparsePattern& pattern, const BlockElimination&
   place_entries(pattern, front_of);
 }
 
+Index AssemblyTree::front_of(Index position) const {
+  const auto after = std::upper_bound(fronts_.begin(), fronts_.end() - 1, position,
+                                      [](Index p, const Front& f) { return p < f.first; });
+  return static_cast<Index>(after - fronts_.begin()) - 1;
+}
+
 std::span<const Index> AssemblyTree::children(Index f) const {
   return {children_.data() + child_starts_[f], children_.data() + child_starts_[f + 1]};
 }

@@ -51,8 +51,8 @@ class AssemblyTree {
   Index size() const { return static_cast<Index>(order_.size()); }
   const std::vector<Front>& fronts() const { return fronts_; }
   const std::vector<Index>& order() const { return order_; }  // position -> unknown
-  // Of the front whose column the unknown at this position is.
-  Index front_of(Index position) const { return front_of_[position]; }
+  // The front that has the unknown at this position among its columns.
+  Index front_of(Index position) const;
   // Fronts whose parent is f, ascending.
   std::span<const Index> children(Index f) const;
   std::span<const Index> rows_below(Index f) const;
