@@ -71,6 +71,23 @@ TEST(SolveOptions, LinearSolverIsMadeForEveryDegree) {
   }
 }
 
+// A scaffold that waits is looked after less often, and the run ends where it would have ended.
+TEST(SolverRules, ScaffoldsOfLargeMapsWait) {
+  ParametrizationOptions options = degree(1);
+  options.map.injectivity = MapInjectivity::Global;
+  const auto mesh = generated("creature");
+  const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
+  SolverRules waiting;
+  waiting.scaffold.patient_faces = mesh->face_count();
+  waiting.scaffold.patient_below = 1;
+  RunRecord usual_record, record;
+  const ParametrizationResult usual = parametrize_by({}, start, options, usual_record);
+  const ParametrizationResult result = parametrize_by(waiting, start, options, record);
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_LT(result.flips.intended, usual.flips.intended);
+  EXPECT_NEAR(result.measures.value, usual.measures.value, 5e-6 * usual.measures.value);
+}
+
 TEST(SolverRules, ExactHessiansWhereAllowed) {
   SolverRules rules;
   EXPECT_TRUE(solve_cap(rules).uses_exact_hessians());
