@@ -3,7 +3,7 @@
 //
 //   const SparsePattern& pattern = problem.pattern();      // outlives the analysis, where it is
 //   PatternAnalysis analysis(pattern, Ordering::Automatic);
-//   const OfferedAnalysis offer(analysis);                 // until the end of this block
+//   const OfferedAnalysis offer(&analysis);                // until the end of this block
 //   const auto solver = make_direct_solver();
 //   solver->analyze(pattern);                              // takes it
 //

@@ -1,5 +1,8 @@
 // Sweeps over the vertices of a mesh, each moved by itself, on several threads.
 //
+//   const CollapsingMesh left(mesh->faces(), mesh->opposites(), mesh->vertex_count());
+//   VertexDescent descent(left, mesh->positions(), options.map.energy, start);
+//   descent.measure_all();
 //   const SweepStages stages(left, [](Index v) { return v != 7; }, 4);   // all vertices but one
 //   std::vector<VertexDescent> descents(2, descent);                     // one a thread
 //   stages.visit(descents);
