@@ -220,10 +220,17 @@ class DirectSolver final : public LinearSolver {
   void adopt(Analysis&& found) {
     extended_ = false;
     chosen_ = found.chosen;
-    last_graph_ = std::move(found.graph);
-    elimination_ = std::move(found.elimination);
     tree_ = std::move(found.tree);
     fresh_operations_ = tree_->operations();
+    // What the next pattern would need takes memory, and of large ones only those around an image
+    // change; who solves with these chooses the ordering.
+    last_graph_.reset();
+    elimination_ = {};
+    if (ordering_ == Ordering::Automatic &&
+        tree_->factor_size() * sizeof(double) >= MultifrontalFactor::kLarge)
+      return;
+    last_graph_ = std::move(found.graph);
+    elimination_ = std::move(found.elimination);
   }
 
   // Extends the last ordering, if that is worth it.

@@ -86,12 +86,12 @@ SolveResult DegreeSchedule::optimize() {
   SolveResult solved = is_last() ? solver.finish(record_)
                                  : solver.approach(setup_.solve.elevation_tolerance, record_);
   solver_ = nullptr;
-  map_ = map_.with(map_.shared_space(), solver.x());
   add_counts(counts_.injectivity_tests, solver.proven());
   counts_.remedies = solver.remedies();
   counts_.variables = solver.variables();
   counts_.constraint_residual = solver.constraint_residual();
   if (was_limited(solved.status)) state_ = solver.state();
+  map_ = map_.with(map_.shared_space(), solver.x());  // the solver's start is gone
   return solved;
 }
 

@@ -658,7 +658,8 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
   with.solve.injectivity_depth =
       depth_;  // what only deep certificates prove is feasible there, too
   try {
-    DegreeSolver inner(with, domain_, space_, x(), bounds_);
+    const Vec from = x();
+    DegreeSolver inner(with, domain_, space_, from, bounds_);
     const SolveResult result = inner.approach(rules().barrier_tolerance, record, Phase::Barrier);
     x_ = inner.x_;
     add_counts(proven_inside_, inner.proven());

@@ -54,8 +54,8 @@ class DegreeSolver {
     RemedyUses remedies{};
   };
 
-  // x: start, 2 numbers per node of `space`, normalised, locally injective. setup and domain
-  // outlive the solver. Throws InvalidArgument when an energy does not support the curvature,
+  // x: start, 2 numbers per node of `space`, normalised, locally injective. It, setup and domain
+  // outlive the steps of the solver. Throws InvalidArgument when an energy does not support the curvature,
   // Error(Infeasible) when x, moved to where it satisfies added constraints, is not injective;
   // Stopped.
   DegreeSolver(const Setup& setup, MapDomain& domain,
@@ -158,7 +158,7 @@ class DegreeSolver {
   const Setup& setup_;
   MapDomain& domain_;
   std::shared_ptr<const BezierTriangleSpace> space_;
-  const Vec start_;
+  const Vec& start_;
   QuadratureLevels levels_;
   DensityTerms terms_;
   int depth_;
