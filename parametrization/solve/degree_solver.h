@@ -54,10 +54,10 @@ class DegreeSolver {
     RemedyUses remedies{};
   };
 
-  // x: start, 2 numbers per node of `space`, normalised, locally injective. It, setup and domain
-  // outlive the steps of the solver. Throws InvalidArgument when an energy does not support the curvature,
-  // Error(Infeasible) when x, moved to where it satisfies added constraints, is not injective;
-  // Stopped.
+  // x: start, 2 numbers per node of `space`, normalised, locally injective; x, setup and domain
+  // outlive the solver's steps. Throws InvalidArgument when an energy does not support the
+  // curvature, Error(Infeasible) when x, moved to where it satisfies added constraints, is not
+  // injective; Stopped.
   DegreeSolver(const Setup& setup, MapDomain& domain,
                std::shared_ptr<const BezierTriangleSpace> space, const Vec& x);
 
