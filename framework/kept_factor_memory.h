@@ -2,10 +2,11 @@
 // leaves is there for the next one.
 //
 //   const KeptFactorMemory kept;   // until the end of this block, on this thread
+//   const Vec values = Vec::Ones(problem.pattern().nonzeros());
 //   for (int k = 0; k < 2; ++k) {
 //     const auto solver = make_direct_solver();   // the second one in the memory of the first
-//     solver->analyze(pattern);
-//     solver->factorize(values, 0);
+//     solver->analyze(problem.pattern());
+//     solver->factorize(values, 2.0 * problem.size());
 //   }
 //
 // Touching fresh memory costs about as much as the factorization of a mesh's matrix in it. What is
