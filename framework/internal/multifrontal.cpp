@@ -407,8 +407,7 @@ std::vector<Index> MultifrontalFactor::fronts_above(std::span<const Index> unkno
     for (Index f = tree_.front_of(position_[u]); f >= 0; f = tree_.fronts()[f].parent)
       fronts.push_back(f);
   std::ranges::sort(fronts);
-  const auto repeated = std::ranges::unique(fronts);
-  fronts.erase(repeated.begin(), repeated.end());
+  fronts.erase(std::unique(fronts.begin(), fronts.end()), fronts.end());
   return fronts;
 }
 
