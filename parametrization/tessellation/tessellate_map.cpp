@@ -50,10 +50,6 @@ struct InputFaces {
   // Those of a polygon follow each other: of polygon p first[p] to first[p + 1] - 1.
   std::vector<Index> first;
   std::vector<std::array<std::size_t, 3>> corners;  // of its polygon, by cell
-
-  auto cells(std::size_t polygon) const {
-    return std::views::iota(first[polygon], first[polygon + 1]);
-  }
 };
 
 // The cells of a map that are taken as they are, each one piece: MapPieces where nothing is cut.
@@ -183,7 +179,7 @@ class PolygonTransfer {
   void add_face(std::size_t face) {
     std::vector<Index> texcoords = texcoords_of_corners(face);
     if (texcoords.empty()) {
-      for (const Index c : faces_.cells(face)) add_pieces(face, c);
+      for (Index c = faces_.first[face]; c < faces_.first[face + 1]; ++c) add_pieces(face, c);
       return;
     }
     const auto turn = [is_turned = is_turned(face)](auto&& list) {
@@ -224,7 +220,7 @@ class PolygonTransfer {
   std::vector<Index> texcoords_of_corners(std::size_t face) const {
     std::vector<Index> texcoords(input_.polygons[face].size(), -1);
     bool is_whole = true;
-    for (const Index c : faces_.cells(face)) {
+    for (Index c = faces_.first[face]; c < faces_.first[face + 1]; ++c) {
       is_whole &= pieces_.pieces(c).size() == 1;
       const auto& points = pieces_.points(c);
       for (std::size_t k = 0; k < 3; ++k) {
