@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/framework/partition.h"
+#include "majorant/parametrization/maps/map_part.h"
 
 namespace majorant {
 namespace {
