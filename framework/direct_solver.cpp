@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <pthread.h>
 
 #include <memory>
 #include <optional>
@@ -54,67 +53,6 @@ OfferedAnalysis::OfferedAnalysis(PatternAnalysis* analysis)
 OfferedAnalysis::~OfferedAnalysis() { offered = before_; }
 
 PatternAnalysis* OfferedAnalysis::current() { return offered; }
-
-namespace {
-
-thread_local SigtermGate* gate_of_this_thread = nullptr;
-
-}  // namespace
-
-SigtermGate::SigtermGate() : before_(std::exchange(gate_of_this_thread, this)) {}
-
-SigtermGate::~SigtermGate() {
-  gate_of_this_thread = before_;
-  close();
-}
-
-void SigtermGate::enter() {
-  Stage now = Stage::Closed;
-  if (stage_.compare_exchange_strong(now, Stage::Asked)) now = Stage::Asked;
-  for (; now == Stage::Asked; now = stage_) stage_.wait(Stage::Asked);
-  if (now == Stage::Refused) throw Stopped(Directive::Interrupt);
-}
-
-void SigtermGate::hold() {
-  if (mask_) return;
-  sigset_t term;
-  sigemptyset(&term);
-  sigaddset(&term, SIGTERM);
-  pthread_sigmask(SIG_BLOCK, &term, &mask_.emplace());
-}
-
-void SigtermGate::close() {
-  if (mask_) pthread_sigmask(SIG_SETMASK, &*mask_, nullptr);
-  mask_.reset();
-}
-
-// Unless somebody has entered.
-void SigtermGate::move_to(Stage stage) {
-  for (Stage from : {Stage::Closed, Stage::Asked})
-    if (stage_.compare_exchange_strong(from, stage)) break;
-  stage_.notify_all();
-}
-
-void SigtermGate::open() {
-  hold();
-  move_to(Stage::Open);
-}
-
-void SigtermGate::refuse() { move_to(Stage::Refused); }
-
-void SigtermGate::poll() {
-  const Stage now = stage_;
-  if (now == Stage::Asked) open();
-  if (now == Stage::Left) close();
-}
-
-StopCheck SigtermGate::polled(const StopCheck& stop) {
-  if (!gate_of_this_thread) return stop;
-  return StopCheck([stop] {
-    if (gate_of_this_thread) gate_of_this_thread->poll();
-    return stop();
-  });
-}
 
 namespace {
 
@@ -226,8 +164,7 @@ class DirectSolver final : public LinearSolver {
     // change; who solves with these chooses the ordering.
     last_graph_.reset();
     elimination_ = {};
-    if (ordering_ == Ordering::Automatic &&
-        tree_->factor_size() * sizeof(double) >= MultifrontalFactor::kLarge)
+    if (ordering_ == Ordering::Automatic && tree_->factor_size() * sizeof(double) >= kLargeFactor)
       return;
     last_graph_ = std::move(found.graph);
     elimination_ = std::move(found.elimination);

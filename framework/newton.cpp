@@ -36,9 +36,6 @@ constexpr double kRotationShift = 1.5;
 // The values that t of a blend rises to when it was too small: by about a factor of 5, so that two
 // failures lead from the exact Hessian to one that is mostly projected.
 constexpr double kRaised[] = {0.1, 0.5, 1};
-// Entries of a Hessian from which on memory that is free is worth the milliseconds that it takes to
-// give it back: of a map of half a million faces.
-constexpr Index kLargeHessian = 4'000'000;
 
 }  // namespace
 
@@ -126,7 +123,7 @@ void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
 void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   lagged_->drop();
-  if (evaluator_.problem().pattern().nonzeros() >= kLargeHessian) release_free_memory();
+  if (solver_->bytes() >= kLargeFactor) release_free_memory();
   step.outcome = Outcome::Breakdown;  // whatever a step on a kept factor was
   if (!find_direction(y, r)) return;
   hessian_ = Vec();  // memory for the steps on its factor

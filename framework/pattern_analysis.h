@@ -11,13 +11,9 @@
 // caller say, passes it on. Not for a second solver: the first one that fits takes it along.
 #pragma once
 
-#include <atomic>
-#include <csignal>
 #include <memory>
-#include <optional>
 
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/stop_check.h"
 
 namespace majorant {
 
@@ -51,46 +47,6 @@ class OfferedAnalysis {
 
  private:
   PatternAnalysis* before_;
-};
-
-// For an analysis on another thread than that of its owner, to whom signals come: METIS has a
-// handler of SIGTERM in place while it orders, which only the thread that runs it survives. So the
-// other one waits with that until SIGTERM waits on the owner's thread, who is asked whenever he
-// polls, and has it come again when the analysis is over.
-//
-//   SigtermGate gate;                            // the owner's
-//   const auto analyse = [&] { gate.enter(); };  // of the other thread, around the analysis;
-//   gate.leave();                                // likewise
-//   const StopCheck stop = SigtermGate::polled({});   // for what the owner does meanwhile
-class SigtermGate {
- public:
-  SigtermGate();
-  ~SigtermGate();
-  SigtermGate(const SigtermGate&) = delete;
-  SigtermGate& operator=(const SigtermGate&) = delete;
-
-  // Throws Stopped where it was refused.
-  void enter();
-  void leave() { stage_ = Stage::Left; }
-
-  // The owner polls no more. SIGTERM waits until close(), whether or not somebody has entered; or
-  // nobody enters from now on.
-  void open();
-  void refuse();
-  void close();
-
-  // A check that asks `stop`, and polls the gate of the thread that asks, if it has one.
-  static StopCheck polled(const StopCheck& stop);
-
- private:
-  enum class Stage { Closed, Asked, Open, Left, Refused };
-  void poll();
-  void hold();
-  void move_to(Stage stage);
-
-  SigtermGate* before_;  // of this thread
-  std::atomic<Stage> stage_{Stage::Closed};
-  std::optional<sigset_t> mask_;  // the owner's, while SIGTERM waits
 };
 
 }  // namespace majorant

@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/available_resources.h"
 #include "majorant/framework/internal/assembly_tree.h"
 #include "majorant/framework/internal/front_kernels.h"
 
@@ -46,15 +47,12 @@ struct FactorMemory {
 
 class MultifrontalFactor {
  public:
-  // The bytes of a factor from which on memory that it does not need yet, or any more, is given
-  // back: of a map of 300,000 faces. To map it again takes a hundredth of the factorization.
-  static constexpr std::size_t kLarge = std::size_t(256) << 20;
-
   // tree outlives this. Allocates nothing large before the first factorize(), and then what
-  // `memory` does not have. large: kLarge; another number in tests.
+  // `memory` does not have. large: bytes of a factor that gives back what it does not need yet, or
+  // any more; another number in tests.
   explicit MultifrontalFactor(const AssemblyTree& tree,
                               const FrontKernels& kernels = front_kernels(),
-                              FactorMemory memory = {}, std::size_t large = kLarge);
+                              FactorMemory memory = {}, std::size_t large = kLargeFactor);
   // What it has allocated; nothing but the destructor comes after.
   FactorMemory release() { return std::move(memory_); }
 

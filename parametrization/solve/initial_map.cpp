@@ -7,7 +7,7 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/pattern_analysis.h"
+#include "majorant/framework/sigterm_gate.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/initialization/multiresolution.h"
 #include "majorant/parametrization/initialization/start.h"

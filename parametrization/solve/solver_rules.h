@@ -79,14 +79,6 @@ struct ScaffoldRules {
   // (LaggedFactorRules): a flip means a factorization, which costs several times what all else in a
   // step does, and near the minimum most steps gain by it next to nothing.
   Index patient_faces = 50000;
-  // It does after a step that decreased the energy by less than this part and was not held back.
-  // LaggedFactorRules::below.
-  double patient_below = 1e-4;
-  // And by more than this part: a run ends after steps that decrease it by less, and must not for
-  // want of room. part_of_tolerance of the default tolerance.
-  double patient_above = 2.5e-7;
-  // For so many steps, those that a factor serves. LaggedFactorRules::steps.
-  int patience = 5;
   // The part of the tolerance asked for at which the first small step ends a run. Newton steps
   // never become exact (the image of a scaffolded map may not turn freely, so the exact Hessian is
   // indefinite), and the small steps at the end add up: at the tolerance itself runs end 2e-5 above

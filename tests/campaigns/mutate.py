@@ -193,15 +193,18 @@ def checker_flags(words):
     """What the checker must know of a run to judge its map files."""
     if words[0] == 'convert':                     # with the cuts of the map that was read
         return ['--cuts', 'free']
+    if words[0] == 'unwrap':
+        return ['--cuts', 'free', '--overlap', '--may-touch']
     flags = ['--seamless'] if words[0] == 'seamless' or '--seamless' in words else []
     return flags + (['--overlap', '--may-touch'] if '--bijective' in words else [])
 
 
 def judge(options, words, written):
-    """(verdict, what is bad) of the map files that a run wrote; of converted maps, which keep what
-    is wrong with their surfaces, only that they are positive and continuous."""
+    """(verdict, what is bad) of the map files that a run wrote; of those that keep what is wrong with
+    their surfaces, converted and unwrapped ones, only what was to be done."""
     verdict = None
-    words_that_count = {'positivity', 'continuity'} if words[0] == 'convert' else None
+    words_that_count = {'convert': {'positivity', 'continuity'},
+                        'unwrap': {'positivity', 'continuity', 'overlap'}}.get(words[0])
     for path in written:
         done = common.run([common.PYTHON, CHECKER, path, '--json'] + checker_flags(words), options.timeout)
         text, _, last = done.stdout.strip().rpartition('\n')

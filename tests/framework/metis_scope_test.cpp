@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "majorant/framework/linear_solver.h"
-#include "majorant/framework/pattern_analysis.h"
+#include "majorant/framework/sigterm_gate.h"
 
 namespace majorant {
 namespace {

@@ -262,7 +262,7 @@ TEST(Multifrontal, LargeFactorsGiveBackWhatOnlyWaits) {
     factor.solve(r, p);
     return p;
   };
-  const Vec p = solve(2, MultifrontalFactor::kLarge);
+  const Vec p = solve(2, kLargeFactor);
   const std::size_t kept = resident;
   for (const int threads : {1, 2, 8}) EXPECT_EQ(solve(threads, 0), p) << threads;
   solve(2, 0);

@@ -199,6 +199,24 @@ bool is_set(const std::atomic<bool>& flag) {
   return flag;
 }
 
+// Goes on until it is told to end.
+class WaitingTask {
+ public:
+  bool begins() const { return is_set(begun_); }
+  bool is_of_another_process() { return !task_.finish(); }
+  bool end() {
+    go_on_ = true;
+    return task_.finish();
+  }
+
+ private:
+  std::atomic<bool> begun_ = false, go_on_ = false;
+  SideTask task_{[this] {
+    begun_ = true;
+    is_set(go_on_);
+  }};
+};
+
 TEST(SideTask, GoesOnBesideItsOwner) {
   for (const int threads : {2, 3, 8}) {
     const ThreadCount some(threads);
@@ -232,16 +250,11 @@ TEST(SideTask, IsLeftToItsOwnerWhoHasOneThread) {
 
 TEST(SideTask, TakesAThreadFromTheLoopsOfItsOwner) {
   const ThreadCount two(2);
-  std::atomic<bool> begun = false, go_on = false;
-  SideTask side([&] {
-    begun = true;
-    is_set(go_on);
-  });
-  ASSERT_TRUE(is_set(begun));
+  WaitingTask side;
+  ASSERT_TRUE(side.begins());
   for (int round = 0; round < 20; ++round)
     parallel_tasks(100, [&](Index, int thread) { EXPECT_EQ(thread, 0); });
-  go_on = true;
-  EXPECT_TRUE(side.finish());
+  EXPECT_TRUE(side.end());
 }
 
 // Each of the second and third keeps a thread; where there are two, the last waits for the one that
@@ -297,21 +310,16 @@ TEST(SideTask, IsWaitedFor) {
 
 TEST(SideTask, AForkedChildHasNoneOfItsParents) {
   const ThreadCount two(2);
-  std::atomic<bool> begun = false, go_on = false;
-  SideTask side([&] {
-    begun = true;
-    is_set(go_on);
-  });
-  ASSERT_TRUE(is_set(begun));
+  WaitingTask side;
+  ASSERT_TRUE(side.begins());
   const auto in_child = [&] {
     int own = 0;
     SideTask other([&] { own = 1; });
     if (!other.finish()) own = 1;
-    return side.finish() || own != 1 ? 1 : 0;
+    return side.is_of_another_process() && own == 1 ? 0 : 1;
   };
   EXPECT_EQ(exit_code_of_child(in_child), 0);
-  go_on = true;
-  EXPECT_TRUE(side.finish());
+  EXPECT_TRUE(side.end());
 }
 
 TEST(Both, RunsBothAndThrowsWhatTheFirstThrows) {

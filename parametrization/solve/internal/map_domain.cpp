@@ -18,6 +18,7 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       }()),
       mode_(flips),
       rules_(rules.scaffold),
+      lagged_(rules.lagged),
       relaxing_(newton_options(Curvature::Projected, rules, stop, Ordering::Amd)),
       share_(rules_.share) {
   // All relaxations share a solver: patterns differ little, and it knows the last one's ordering.
@@ -92,12 +93,11 @@ DomainChange ScaffoldedDomain::after_step(Vec& x, const StepResult& step, int of
 // Whether the scaffold is left as it is, so that the factor of the last step may serve the next
 // one.
 bool ScaffoldedDomain::waits(const StepResult& step) {
-  const bool may_wait = map_faces_ >= rules_.patient_faces && step.blocking.empty() &&
-                        step.outcome == StepResult::Outcome::Moved &&
-                        step.record.step_bound >= rules_.short_bound &&
-                        step.record.relative_decrease < rules_.patient_below &&
-                        step.record.relative_decrease > rules_.patient_above;
-  if (may_wait && waited_ < rules_.patience) {
+  const bool may_wait =
+      map_faces_ >= rules_.patient_faces && step.blocking.empty() &&
+      step.outcome == StepResult::Outcome::Moved && step.record.step_bound >= rules_.short_bound &&
+      step.record.relative_decrease < lagged_.below && step.record.relative_decrease > ends_below_;
+  if (may_wait && waited_ < lagged_.steps) {
     ++waited_;
     return true;
   }
@@ -145,8 +145,9 @@ bool ScaffoldedDomain::hold() {
   return true;
 }
 
-StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) const {
+StoppingRules ScaffoldedDomain::final_rules(StoppingRules usual) {
   usual.relative_decrease *= rules_.part_of_tolerance;
+  ends_below_ = usual.relative_decrease;
   usual.tail_steps = rules_.tail_steps;
   // The decrement of the sum does not bound what is left of the map's energy, which lambda follows.
   usual.last_factor = std::numeric_limits<double>::infinity();

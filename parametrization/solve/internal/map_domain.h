@@ -72,7 +72,7 @@ class MapDomain {
   virtual Ordering ordering() const { return Ordering::Automatic; }
 
   // The rules by which a run ends at the tolerance asked for, as this domain needs them.
-  virtual StoppingRules final_rules(StoppingRules usual) const { return usual; }
+  virtual StoppingRules final_rules(StoppingRules usual) { return usual; }
 
   virtual void elevate(const std::shared_ptr<const BezierTriangleSpace>& /*higher*/) {}
 
@@ -130,7 +130,7 @@ class ScaffoldedDomain final : public MapDomain {
   Ordering ordering() const override {
     return map_faces_ >= rules_.patient_faces ? Ordering::Metis : Ordering::Amd;
   }
-  StoppingRules final_rules(StoppingRules usual) const override;
+  StoppingRules final_rules(StoppingRules usual) override;
   void elevate(const std::shared_ptr<const BezierTriangleSpace>& higher) override;
   std::optional<Scaffold> surroundings() const override { return scaffold_; }
   void restore(const std::optional<Scaffold>& scaffold) override;
@@ -153,6 +153,9 @@ class ScaffoldedDomain final : public MapDomain {
   Scaffold scaffold_;
   ScaffoldFlips mode_;
   ScaffoldRules rules_;
+  LaggedFactorRules lagged_;
+  // Steps of a smaller decrease end the run: they must not for want of room.
+  double ends_below_ = 0;
   NewtonOptions relaxing_;
   FlipCounts flips_;
   double share_;  // lambda E_conf / E while the image moves

@@ -16,6 +16,7 @@
 #include "majorant/framework/pattern_analysis.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/side_task.h"
+#include "majorant/framework/sigterm_gate.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/maps/map_options.h"
 #include "majorant/parametrization/maps/map_problem.h"

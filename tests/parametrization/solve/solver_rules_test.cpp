@@ -79,7 +79,6 @@ TEST(SolverRules, ScaffoldsOfLargeMapsWait) {
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   SolverRules waiting;
   waiting.scaffold.patient_faces = mesh->face_count();
-  waiting.scaffold.patient_below = 1;
   RunRecord usual_record, record;
   const ParametrizationResult usual = parametrize_by({}, start, options, usual_record);
   const ParametrizationResult result = parametrize_by(waiting, start, options, record);
