@@ -194,7 +194,7 @@ def checker_flags(words):
     if words[0] == 'convert':                     # with the cuts of the map that was read
         return ['--cuts', 'free']
     if words[0] == 'unwrap':
-        return ['--cuts', 'free', '--overlap', '--may-touch']
+        return ['--cuts', 'free'] + ([] if '--no-pack' in words else ['--overlap', '--may-touch'])
     flags = ['--seamless'] if words[0] == 'seamless' or '--seamless' in words else []
     return flags + (['--overlap', '--may-touch'] if '--bijective' in words else [])
 
