@@ -79,6 +79,8 @@ struct ScaffoldRules {
   // (LaggedFactorRules): a flip means a factorization, which costs several times what all else in a
   // step does, and near the minimum most steps gain by it next to nothing.
   Index patient_faces = 50000;
+  // For so many steps, those that a factor serves.
+  int patience = LaggedFactorRules{}.steps;
   // The part of the tolerance asked for at which the first small step ends a run. Newton steps
   // never become exact (the image of a scaffolded map may not turn freely, so the exact Hessian is
   // indefinite), and the small steps at the end add up: at the tolerance itself runs end 2e-5 above

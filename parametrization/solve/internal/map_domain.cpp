@@ -18,7 +18,7 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       }()),
       mode_(flips),
       rules_(rules.scaffold),
-      lagged_(rules.lagged),
+      served_below_(rules.lagged.below),
       relaxing_(newton_options(Curvature::Projected, rules, stop, Ordering::Amd)),
       share_(rules_.share) {
   // All relaxations share a solver: patterns differ little, and it knows the last one's ordering.
@@ -96,8 +96,8 @@ bool ScaffoldedDomain::waits(const StepResult& step) {
   const bool may_wait =
       map_faces_ >= rules_.patient_faces && step.blocking.empty() &&
       step.outcome == StepResult::Outcome::Moved && step.record.step_bound >= rules_.short_bound &&
-      step.record.relative_decrease < lagged_.below && step.record.relative_decrease > ends_below_;
-  if (may_wait && waited_ < lagged_.steps) {
+      step.record.relative_decrease < served_below_ && step.record.relative_decrease > ends_below_;
+  if (may_wait && waited_ < rules_.patience) {
     ++waited_;
     return true;
   }

@@ -153,9 +153,8 @@ class ScaffoldedDomain final : public MapDomain {
   Scaffold scaffold_;
   ScaffoldFlips mode_;
   ScaffoldRules rules_;
-  LaggedFactorRules lagged_;
-  // Steps of a smaller decrease end the run: they must not for want of room.
-  double ends_below_ = 0;
+  double served_below_;    // the decrease of steps after which a factor is kept
+  double ends_below_ = 0;  // of those that end the run: they must not for want of room
   NewtonOptions relaxing_;
   FlipCounts flips_;
   double share_;  // lambda E_conf / E while the image moves

@@ -78,9 +78,12 @@ TEST(SolverRules, ScaffoldsOfLargeMapsWait) {
   const auto mesh = generated("creature");
   const BezierMap start = BezierMap::linear(mesh, initial_map(*mesh, options.map));
   SolverRules waiting;
+  waiting.lagged.below = 1;  // so that steps of a small map are among those that a factor serves
   waiting.scaffold.patient_faces = mesh->face_count();
+  SolverRules rules = waiting;
+  rules.scaffold.patience = 0;
   RunRecord usual_record, record;
-  const ParametrizationResult usual = parametrize_by({}, start, options, usual_record);
+  const ParametrizationResult usual = parametrize_by(rules, start, options, usual_record);
   const ParametrizationResult result = parametrize_by(waiting, start, options, record);
   EXPECT_EQ(result.status, Status::Converged) << result.message;
   EXPECT_LT(result.flips.intended, usual.flips.intended);
