@@ -1,5 +1,5 @@
-// How far seams keep out of sight, and how symmetric they are: `unwrap`, with and without the
-// weights of hiding_weights(), one row for each mesh.
+// How far seams keep out of sight, and how symmetric they are: `unwrap` at degree 1, with and
+// without the weights of hiding_weights(), one row for each mesh.
 //
 //     seam      its length, in square roots of the area; without the weights, with them, ratio
 //     visible   mean visibility under the seams (visibility_of_cuts()), likewise
@@ -131,6 +131,7 @@ Seams seams_of(const std::shared_ptr<const SurfaceMesh>& mesh, const Vec& visibi
                const MirrorPlane& plane, std::vector<double> weight) {
   UnwrapOptions options;
   options.packing.reset();
+  options.chart.map.degree = 1;
   options.cuts.wanted.weight = std::move(weight);
   RunRecord record;
   const Atlas atlas = unwrap(mesh, options, record);

@@ -602,7 +602,8 @@ class Unwrapping {
       Division division;
       division.cut = cut_across(*task.mesh, task.wanted, PathsAcross::BetweenEnds, record_.stop());
       if (is_any(division.cut)) {
-        division.cost = cost_of_cuts(*task.mesh, task.wanted, division.cut);
+        // By lengths: what hides seams says where they run, not how many there are.
+        division.cost = cost_of_cuts(*task.mesh, {task.wanted.creases, {}}, division.cut);
         division.saved = area_of(box_of(chart, all_vertices(k)));
         double smallest = std::numeric_limits<double>::infinity();
         std::vector<Index> uncut_vertex;

@@ -200,6 +200,11 @@ constexpr int kMostCorrections = 8;
 // The number of defects at most, where there is no field: as many vertices of the largest angle
 // defects; as many as fields have.
 constexpr std::size_t kMostDefects = 40;
+// Hollows, where weights are less than this part of the mean one and least in their neighbourhood,
+// so many of them at most, the least ones: a sixth of the cost of a koala's cuts, a thirtieth of a
+// penguin's.
+constexpr double kHollow = 0.7;
+constexpr std::size_t kMostHollows = 40;
 // Where all cones leave more than the limit, cuts go to the places that are pressed most, too,
 // those where the stress function is at least this part of its largest value, so often.
 constexpr double kPressed = 0.5;
@@ -220,7 +225,9 @@ class Cutter {
   Cutter(const SurfaceMesh& mesh, const CutWishes& wishes, double limit, const StopCheck& stop)
       : mesh_(mesh),
         cost_(cut_costs(mesh, wishes.wanted, wishes.whole)),
+        plain_cost_(cut_costs(mesh, {wishes.wanted.creases, {}}, wishes.whole)),
         is_whole_(wishes.whole),
+        weight_(wishes.wanted.weight),
         limit_(limit),
         unit_(std::sqrt(mesh.area())),
         stop_(stop),
@@ -262,12 +269,47 @@ class Cutter {
   void improve(const std::vector<Index>& cones, AutomaticCut& best) const {
     best = peeled(best, cones);
     const Index routes = std::clamp(kRouteWork / mesh_.vertex_count(), 1, kMostRoutes);
+    if (routes > 1) best = through_hollows(cones, best);
     for (Index k = 0; k < routes; ++k) {
       AutomaticCut next = peeled_route(cones_on(best, cones), best);
       if (routes > 1) next = peeled_route(next.ends, next);
       if (!(cost(next) < cost(best))) break;
       best = std::move(next);
     }
+  }
+
+  // `best`, or what cuts through these and through all hollows lead to, if that is cheaper: what
+  // runs where seams are wanted may take the place of what is seen.
+  AutomaticCut through_hollows(std::vector<Index> terminals, const AutomaticCut& best) const {
+    const std::vector<Index> low = hollows();
+    if (low.empty()) return best;
+    terminals.insert(terminals.end(), low.begin(), low.end());
+    return peeled_route(terminals, best);
+  }
+
+  std::vector<Index> hollows() const {
+    if (weight_.empty()) return {};
+    const Index size = mesh_.vertex_count();
+    Vec sum = Vec::Zero(size), length = sum;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      sum[mesh_.from_vertex(h)] += weight_[h] * mesh_.edge_length(h);
+      length[mesh_.from_vertex(h)] += mesh_.edge_length(h);
+    }
+    const double most = kHollow * sum.sum() / length.sum();
+    const Vec weight = sum.cwiseQuotient(length);
+    std::vector<char> is_least = is_whole_;
+    for (char& flag : is_least) flag = !flag;
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
+      const Index v = mesh_.from_vertex(h), w = mesh_.to_vertex(h);
+      if (weight[v] >= weight[w]) is_least[v] = 0;
+    }
+    std::vector<Index> low;
+    for (Index v = 0; v < size; ++v)
+      if (is_least[v] && weight[v] < most) low.push_back(v);
+    std::stable_sort(low.begin(), low.end(),
+                     [&](Index a, Index b) { return weight[a] < weight[b]; });
+    low.resize(std::min(low.size(), kMostHollows));
+    return low;
   }
 
   // The cheapest cut found that is its own mirror image, where the surface is and that costs hardly
@@ -380,11 +422,13 @@ class Cutter {
            std::all_of(curved_.begin(), curved_.end(), [&](Index v) { return is_creased[v] != 0; });
   }
 
-  double cost(const AutomaticCut& cut) const {
+  double cost(const AutomaticCut& cut) const { return sum_along(cut, cost_) / unit_; }
+  double plain_cost(const AutomaticCut& cut) const { return sum_along(cut, plain_cost_) / unit_; }
+  double sum_along(const AutomaticCut& cut, const Vec& of_edges) const {
     double sum = 0;
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
-      if (cut.is_cut[h]) sum += 0.5 * cost_[h];
-    return sum / unit_;
+      if (cut.is_cut[h]) sum += 0.5 * of_edges[h];
+    return sum;
   }
   double length(const AutomaticCut& cut) const {
     double sum = 0;
@@ -524,8 +568,8 @@ class Cutter {
       if (d > distance[v]) continue;
       for (const Index h : leaving[v]) {
         const Index w = mesh_.to_vertex(h);
-        if (d + cost_[h] >= distance[w]) continue;
-        distance[w] = d + cost_[h];
+        if (d + plain_cost_[h] >= distance[w]) continue;
+        distance[w] = d + plain_cost_[h];
         nearest[w] = nearest[v];
         front.emplace(distance[w], w);
       }
@@ -534,7 +578,7 @@ class Cutter {
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
       const Index v = mesh_.from_vertex(h), w = mesh_.to_vertex(h);
       if (mesh_.opposite(h) < 0 || nearest[v] == nearest[w]) continue;
-      apart[nearest[v]] = std::min(apart[nearest[v]], distance[v] + cost_[h] + distance[w]);
+      apart[nearest[v]] = std::min(apart[nearest[v]], distance[v] + plain_cost_[h] + distance[w]);
     }
     double sum = 0;
     for (const Index v : vertices)
@@ -544,15 +588,17 @@ class Cutter {
 
   // The cut through all vertices that are not flat, if that is worth it, else `best`.
   AutomaticCut developed(const AutomaticCut& best) const {
-    const double most = cost(best) + (is_faceted_ ? kFacetedWorth : kDevelopableWorth);
+    const double most = plain_cost(best) + (is_faceted_ ? kFacetedWorth : kDevelopableWorth);
     if (cost_to_join(curved_) > most * unit_) return best;
     const AutomaticCut cut = routed(curved_);
-    return cost(cut) <= most && (is_faceted_ || cut.strain < best.strain) ? cut : best;
+    return plain_cost(cut) <= most && (is_faceted_ || cut.strain < best.strain) ? cut : best;
   }
 
   const SurfaceMesh& mesh_;
   const Vec cost_;
+  const Vec plain_cost_;  // without weights: they say where cuts run, not how much is cut
   const std::vector<char>& is_whole_;
+  const std::vector<double>& weight_;
   const double limit_, unit_;
   StopCheck stop_;
   const StopCheck& enough_;

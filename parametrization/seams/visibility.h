@@ -25,7 +25,8 @@ Vec ambient_visibility(const SurfaceMesh& mesh, const StopCheck& stop = {});
 // Stopped.
 Vec visibility_from(const SurfaceMesh& mesh, const Vector3& direction, const StopCheck& stop = {});
 
-// 3 #F: what a cut there costs for its length, from a quarter where nothing is visible to 1.
+// 3 #F: what a cut there costs for its length: the square of how visible it is, since what is seen
+// is lit and looked at, from a fiftieth where nothing is visible to 1 in full view.
 std::vector<double> hiding_weights(const SurfaceMesh& mesh, const Vec& visibility);
 
 // The mean visibility of the cuts (3 #F flags) by their length; of the whole surface, by its area,

@@ -227,6 +227,8 @@ def main():
                 print('| %s | %d | %s |' % (os.path.basename(path), len(faces), ' | '.join(
                     '%d | %.2f | %.4f | %.2f' % (r['charts'], r['seam'], r['l2'], r['fill']) for r in rows[-1])),
                     flush=True)
+    if not rows:
+        sys.exit('no meshes in %s' % args.meshes)
     median = statistics.median
     ratio = median(same['seam'] / x['seam'] for x, same, _ in rows if x['seam'] > 0)
     charts = median(game['charts'] / x['charts'] for x, _, game in rows)

@@ -1,10 +1,16 @@
 // Visibility of known shapes, and what cuts make of it.
 #include "majorant/parametrization/seams/visibility.h"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
+#include "mesh/obj_file.h"
 #include "parametrization/seams/cut_checks.h"
+#include "public_data.h"
 
 namespace majorant {
 namespace {
@@ -77,6 +83,42 @@ TEST(Visibility, FromADirection) {
   options.wanted.weight = hiding_weights(mesh, seen);
   const double hidden = visibility_of_cuts(mesh, seen, choose_cuts(mesh, options).is_cut);
   EXPECT_LT(hidden, 0.05);
+}
+
+// Seen but for a valley along half a circle, lowest in its middle.
+Vec seen_outside_of_a_valley(const SurfaceMesh& mesh, double width) {
+  Vec seen(mesh.vertex_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Vector3 p = mesh.positions().row(v).transpose().normalized();
+    const double across = std::asin(p.y()), along = std::acos(std::clamp(p.x(), -1.0, 1.0));
+    seen[v] = std::min(1.0, (std::abs(across) + 0.1 * along) / width + (p.z() < 0 ? 1 : 0));
+  }
+  return seen;
+}
+
+TEST(Visibility, CutsRunThroughHollows) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube_sphere(8));
+  const Vec seen = seen_outside_of_a_valley(mesh, 0.3);
+  CutOptions options;
+  options.wanted.weight = hiding_weights(mesh, seen);
+  // 0.84 where cuts only run through what they relieve most.
+  EXPECT_LT(visibility_of_cuts(mesh, seen, choose_cuts(mesh, options).is_cut), 0.8);
+}
+
+// At most 0.7 of what is visible without weights, by cuts that are at most 1.15 times as long.
+TEST(Visibility, SeamsOfAPenguinAreHidden) {
+  const std::filesystem::path folder = public_data("closed");
+  if (folder.empty()) GTEST_SKIP() << kNoPublicData;
+  const RepairedSurface surface = repair(obj_file(folder / "penguin_6720.obj"));
+  const SurfaceMesh& mesh = *surface.mesh;
+  const Vec seen = ambient_visibility(mesh);
+  CutOptions options;
+  const SurfaceCuts any = choose_cuts(mesh, options);
+  options.wanted.weight = hiding_weights(mesh, seen);
+  const SurfaceCuts hidden = choose_cuts(mesh, options);
+  EXPECT_LE(hidden.length, 1.15 * any.length);
+  EXPECT_LE(visibility_of_cuts(mesh, seen, hidden.is_cut),
+            0.7 * visibility_of_cuts(mesh, seen, any.is_cut));
 }
 
 TEST(Visibility, OfSizesThatAreFarFromOne) {
