@@ -187,8 +187,8 @@ constexpr double kMirrorCost = 1.15, kMirrorLength = 1.1;
 // is not in the plane, half.
 constexpr Index kLookedAt = 2000;
 constexpr double kUnlike = 0.2;
-// The part of the limit that the cuts of larger surfaces aim at: maps of public meshes have up to 4 %
-// more than the estimate, and a second cut of 100,000 faces costs as much as all before.
+// The part of the limit that the cuts of larger surfaces aim at: maps of public meshes have up to 4
+// % more than the estimate, and a second cut of 100,000 faces costs as much as all before.
 constexpr double kLargeAim = 0.95;
 // In mean edges: how far an end of a cut may be from the image of another that it is shortened
 // with; branches of cuts on both sides do not end at the same places.

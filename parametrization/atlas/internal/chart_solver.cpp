@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "majorant/certify/global_injectivity.h"
+#include "majorant/certify/moved_layout.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/mesh/exact_predicates.h"
@@ -29,21 +30,25 @@ bool has_proven_boundary(const BezierMap& map) {
   return check_boundary(map).result == ProofStatus::Proven;
 }
 
+BezierMap rounded(const BezierMap& map) {
+  const Vec& x = map.control_points();
+  const double unit = kRounding * power_of_two(x.cwiseAbs().maxCoeff());
+  return map.with(map.shared_space(), Vec(unit * (x / unit).array().round()));
+}
+
 // Returns whether its boundary is proven to be simple, and stays so where its points are rounded:
 // not where the two sides of a cut lie on each other but for rounding, as those of panels that fit
 // into the plane.
 bool has_boundary_margin(const BezierMap& map) {
-  const Vec& x = map.control_points();
-  const double unit = kRounding * power_of_two(x.cwiseAbs().maxCoeff());
-  return has_proven_boundary(map) &&
-         has_proven_boundary(map.with(map.shared_space(), Vec(unit * (x / unit).array().round())));
+  return has_proven_boundary(map) && has_proven_boundary(rounded(map));
 }
 
-// Returns whether its faces are larger than what moving it and writing it down rounds.
+// Returns whether its faces are larger than what moving it and writing it down rounds. Of curved
+// ones the triangles of the corners say nothing.
 bool has_area_margin(const BezierMap& map) {
-  const SurfaceMesh& mesh = map.mesh();
-  return faces_without_area_margin(mesh.faces(),
-                                   map.control_points().head(2 * mesh.vertex_count())) == 0;
+  if (map.degree() > 1)
+    return has_positive_determinants(map) && has_positive_determinants(rounded(map));
+  return faces_without_area_margin(map.mesh().faces(), map.control_points()) == 0;
 }
 
 // Faces from which on a chart starts anew once it is cut, in many resolutions: a slit in the map

@@ -14,6 +14,7 @@
 #include "majorant/energies/make_energy.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
+#include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/seams/congruent_surfaces.h"
 #include "mesh/list_edits.h"
 #include "mesh/surfaces_of_any_genus.h"
@@ -146,6 +147,34 @@ TEST(Unwrap, CurvedCharts) {
 }
 
 // A chart that overlaps itself when it is flattened isometrically: a strip that winds twice.
+// Every face in three, one of them so thin that curved sides bend by more than its height.
+PolygonMesh with_slivers(const PolygonMesh& mesh) {
+  PolygonMesh out;
+  out.positions = mesh.positions;
+  for (const auto& face : mesh.polygons)
+    for (std::size_t k = 2; k < face.size(); ++k) {
+      const Index a = face[0], b = face[k - 1], c = face[k],
+                  p = static_cast<Index>(out.positions.size());
+      out.positions.push_back(0.4995 * (mesh.positions[a] + mesh.positions[b]) +
+                              0.001 * mesh.positions[c]);
+      for (const std::vector<Index>& part : {std::vector<Index>{a, b, p}, {b, c, p}, {c, a, p}})
+        out.polygons.push_back(part);
+    }
+  return out;
+}
+
+// They lie the right way around though the triangles of their corners do not.
+TEST(Unwrap, CurvedFacesWhoseCornersAreTurnedOver) {
+  const PolygonMesh mesh = with_slivers(limbs_of(cube_sphere(3)));
+  UnwrapOptions options = of_degree(2);
+  options.cuts.max_stretch = 1.3;
+  const Atlas atlas = unwrapped(mesh, options);
+  expect_layout(atlas, *repair(mesh).mesh);
+  ASSERT_EQ(atlas.charts.size(), 1);
+  const BezierMap& map = *atlas.charts.front().map;
+  EXPECT_GT(faces_without_area_margin(map.mesh().faces(), map.control_points()), 0);
+}
+
 TEST(Unwrap, OverlapsAreUndoneByAScaffold) {
   PolygonMesh mesh;
   constexpr int kSteps = 48;
