@@ -5,25 +5,21 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/command.h"
-#include "apps/or_interrupted.h"
 #include "apps/outputs.h"
 #include "apps/process.h"
-#include "apps/progress.h"
+#include "apps/run.h"
 #include "apps/streams.h"
-#include "apps/within_memory.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/parallel.h"
 #include "majorant/pictures/image_file.h"
 #include "majorant/results/bake_job.h"
 #include "majorant/results/model_texture.h"
@@ -56,21 +52,15 @@ struct BakeRequest {
 
 std::string shown_extensions() { return fmt::format("{}", fmt::join(writable_images(), " ")); }
 
-// "N" or "W,H".
-void parse_size(const std::string& text, BakeOptions& options) {
-  const std::vector<std::string> parts = CLI::detail::split(text, ',');
-  std::vector<int> sides;
-  for (const std::string& part : parts) {
-    int side = 0;
-    if (CLI::detail::lexical_cast(part, side) && kSmallestImage <= side && side <= kLargestImage)
-      sides.push_back(side);
-  }
-  if (sides.size() != parts.size() || sides.empty() || sides.size() > 2)
+// Throws Error(Usage) for what is no size.
+void choose_size(const std::string& text, BakeOptions& options) {
+  const auto size = size_in(text, kSmallestImage, kLargestImage);
+  if (!size)
     throw Error(ErrorKind::Usage,
                 fmt::format("--size: '{}' is no size; give pixels, {} to {}: 2048, or 2048,1024",
                             text, kSmallestImage, kLargestImage));
-  options.width = sides.front();
-  options.height = sides.back();
+  options.width = (*size)[0];
+  options.height = (*size)[1];
 }
 
 const std::string& output_of(const BakeRequest& request) { return request.outputs.front(); }
@@ -104,11 +94,6 @@ void require_usable(BakeRequest& request) {
     throw Error(
         ErrorKind::Usage,
         fmt::format("--depth is of .png, and {} holds floats; leave it out", output_of(request)));
-  if (!(request.time_limit >= 0))
-    throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
-  require_writable(request.common, {{request.outputs, writable_images()}},
-                   {request.surface, request.from,
-                    request.names_file() ? request.input_of_values() : std::string()});
 }
 
 // How the image is kept; the image to bake has been read.
@@ -119,7 +104,7 @@ void choose_options(const BakeRequest& request, BakeJob& job) {
     options.width = std::max(options.width, image.width());
     options.height = std::max(options.height, image.height());
   }
-  if (!request.size.empty()) parse_size(request.size, options);
+  if (!request.size.empty()) choose_size(request.size, options);
   options.samples = request.samples;
   const std::string format = extension(output_of(request));
   options.padding = request.padding.value_or(format == ".npy" ? 0 : BakeOptions().padding);
@@ -137,31 +122,29 @@ void choose_options(const BakeRequest& request, BakeJob& job) {
   if (has_image && !request.linear) options.transfer = Transfer::Srgb;
 }
 
-void read_inputs(const BakeRequest& request, BakeJob& job, const StopCheck& stop) {
+void read_inputs(const BakeRequest& request, BakeJob& job, const Run& run) {
   const auto surface = [&](const std::string& path, Texcoords texcoords) {
-    return or_interrupted("reading " + path, [&] {
-      BakeSurface read = within_memory(path, [&] {
-        return read_bake_surface(path, texcoords, stop,
-                                 request.common.strictness(Strictness::Texcoords));
-      });
-      say_warnings(read.warnings);
-      return read;
+    BakeSurface read = run.read(path, [&] {
+      return read_bake_surface(path, texcoords, run.stop(),
+                               request.common.strictness(Strictness::Texcoords));
     });
+    say_warnings(read.warnings);
+    return read;
   };
   job.target = surface(request.surface, Texcoords::Needed);
   job.carrier = surface(request.from, Texcoords::Optional);
   if (request.is_of_model()) {
-    ModelTexture texture = or_interrupted("reading the textures of " + request.from, [&] {
-      return within_memory(request.from, [&] { return read_texture(job.carrier.polygons, stop); });
+    ModelTexture texture = run.make("reading the textures of " + request.from, [&] {
+      return within_memory(request.from,
+                           [&] { return read_texture(job.carrier.polygons, run.stop()); });
     });
     say_warnings(texture.warnings);
     job.images = std::move(texture.images);
     job.image_of_polygon = std::move(texture.image_of_polygon);
   }
   if (!request.image.empty())
-    job.images.push_back(or_interrupted("reading " + request.image, [&] {
-      return within_memory(request.image, [&] { return read_image(request.image, stop); });
-    }));
+    job.images.push_back(
+        run.read(request.image, [&] { return read_image(request.image, run.stop()); }));
 }
 
 Json options_of(const BakeRequest& request, const BakeJob& job) {
@@ -195,29 +178,19 @@ std::string refusal(const BakeRequest& request, const BakeJob& job) {
   return {};
 }
 
-void summarize(const BakeRequest& request, const BakeJob& job, const WrittenFiles& written,
-               double seconds) {
-  if (request.common.quiet) return;
+std::string summary_of(const BakeRequest& request, const BakeJob& job, double seconds) {
   const BakeCounts& counts = job.baked->counts;
-  written.say_sizes();
-  say("{}: {} x {}, {} of {} texels covered, each once, {} partly, {} miss{}, {} of {} "
-      "without texels, {:.4g} texels per unit, method {}, {:.2f} s\n",
+  return fmt::format(
+      "{}: {} x {}, {} of {} texels covered, each once, {} partly, {} miss{}, {} of {} "
+      "without texels, {:.4g} texels per unit, method {}, {:.2f} s",
       request.surface, job.options.width, job.options.height, counts.covered, counts.texels,
       counts.partly, counts.misses, counts.misses == 1 ? "" : "es", counts.charts_without_texels,
       count_text(static_cast<Index>(counts.charts), "chart"), job.density.mean,
       method_name(job.method), seconds);
 }
 
-int bake_files(BakeRequest request) {
-  const auto start = std::chrono::steady_clock::now();
-  require_usable(request);
-  BakeJob job;
-  if (!request.size.empty()) parse_size(request.size, job.options);
-  const ThreadCount threads(usable_threads(request.common.threads));
-  Progress progress(request.common, {Activity::Reading, Activity::Measuring, Activity::Writing});
-  const RunRecord record(request.time_limit, 0, interruption_flag(), &progress);
-  record.begin(Activity::Reading);
-  read_inputs(request, job, record.stop());
+Made baked(const BakeRequest& request, BakeJob& job, Run& run) {
+  read_inputs(request, job, run);
   if (!is_in_unit_square(*job.target.layout))
     throw Error(
         ErrorKind::Unsupported,
@@ -232,35 +205,38 @@ int bake_files(BakeRequest request) {
                : request.method == "nearest" ? BakeMethod::Nearest
                                              : BakeMethod::Automatic;
   job.distance = request.distance;
-  record.begin(Activity::Measuring);
-  or_interrupted("baking " + request.surface, [&] {
+  run.record().begin(Activity::Measuring);
+  run.make("baking " + request.surface, [&] {
     const FreeMemoryOnly limit;
-    job.run(record.stop());
+    job.run(run.stop());
   });
-  record.begin(Activity::Writing);
-  const std::string why = refusal(request, job);
-  WrittenFiles written;
-  if (why.empty()) written.write(output_of(request), [&] { write_baked(output_of(request), job); });
-  if (const std::string& path = request.common.report; !path.empty()) {
-    Json report{{"schema_version", 1},
-                {"version", MAJORANT_VERSION},
-                {"command", "bake"},
-                {"status", why.empty() ? "converged" : "failed"},
-                {"message", why},
-                {"input", {{"file", request.surface}}},
-                {"options", options_of(request, job)},
-                {"bake", bake_section(job)},
-                {"warnings", job.target.warnings},
-                {"outputs", written.to_json()},
-                {"seconds", {{"total", seconds_since(start)}}},
-                {"peak_memory_bytes", peak_memory_bytes()},
-                {"threads", ThreadCount::current()}};
-    written.write(path, [&] { write_json(path, report); });
+  Made made{.report = bake_report(job)};
+  made.report.options = options_of(request, job);
+  if (const std::string why = refusal(request, job); !why.empty()) {
+    made.report.status = "failed";
+    made.report.message = why;
+    made.faults.push_back(fmt::format("majorant: {}; no image is written", why));
+    return made;
   }
-  progress.finish();
-  if (!why.empty()) say("majorant: {}; no image is written\n", why);
-  if (why.empty()) summarize(request, job, written, seconds_since(start));
-  return written.conclude(why.empty() ? kSuccess : kInvalid);
+  made.files.push_back({output_of(request), [&] { write_baked(output_of(request), job); }});
+  made.summary = [&](const WrittenFiles&) {
+    return std::vector<std::string>{summary_of(request, job, run.seconds())};
+  };
+  return made;
+}
+
+int bake_files(BakeRequest request) {
+  require_usable(request);
+  BakeJob job;
+  if (!request.size.empty()) choose_size(request.size, job.options);
+  const RunPlan plan{.command = "bake",
+                     .common = request.common,
+                     .inputs = {request.surface, request.from,
+                                request.names_file() ? request.input_of_values() : std::string()},
+                     .outputs = {{request.outputs, writable_images()}},
+                     .stages = {Activity::Reading, Activity::Measuring, Activity::Writing},
+                     .time_limit = request.time_limit};
+  return run_verb(plan, [&](Run& run) { return baked(request, job, run); });
 }
 
 }  // namespace
@@ -269,57 +245,73 @@ void add_bake(CLI::App& app, Action* run) {
   auto request = std::make_shared<BakeRequest>();
   CLI::App& verb =
       *app.add_subcommand("bake", "what one surface carries, as an image in the layout of another");
-  begin_group(verb, OptionGroup::Files);
-  verb.add_option("new", request->surface,
-                  "surface with the layout to bake into: .obj .ply .vtu .msh, in [0, 1]^2")
-      ->required();
-  verb.add_option("output", request->positional_output, "output file, same as -o");
-  verb.add_option("-o,--output", request->outputs,
-                  fmt::format("output: {}; beside OUT.npy stands OUT.npy.json", shown_extensions()))
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  verb.add_option("--from", request->from, "the surface that carries what is baked; may be NEW")
-      ->type_name("OLD")
-      ->required();
-  verb.add_option("--image", request->image,
-                  fmt::format("bake this image, in OLD's texture coordinates: {}; without it and "
-                              "--attribute the textures of OLD, an .obj or .glb",
-                              fmt::join(readable_images(), " ")))
-      ->type_name("FILE");
-  verb.add_option(
-          "--attribute", request->attribute,
-          "bake position, normal (object space), face (number from 0) or distortion of OLD, "
-          "or the rows of FILE.npy, one a face or a vertex of OLD")
-      ->type_name("NAME");
-  begin_group(verb, OptionGroup::Pictures);
-  verb.add_option("--size", request->size,
-                  "pixels along both sides, or width and height (that of --image, else 1024)")
-      ->type_name("N|W,H");
-  verb.add_option("--method", request->method,
-                  "same: equal faces by their numbers; nearest: nearest points; auto: same where "
-                  "that is possible")
-      ->check(one_of({"auto", "same", "nearest"}));
-  verb.add_option("--distance", request->distance,
-                  "farthest nearest point, in model units (2 % of OLD's diagonal); beyond, texels "
-                  "are counted as misses and filled from their neighbours; --strict refuses them")
-      ->type_name("X")
-      ->check(non_negative_number());
-  verb.add_option("--padding", request->padding,
-                  fmt::format("pixels around charts filled with the nearest of their texels ({}; "
-                              "of .npy 0)",
-                              BakeOptions().padding))
-      ->check(whole_number(0, kLargestImage));
-  verb.add_option("--samples", request->samples, "samples along each side of a texel (1)")
-      ->check(whole_number(1, 64));
-  verb.add_option("--filter", request->filter, "between the pixels of --image (bilinear)")
-      ->check(one_of({"nearest", "bilinear"}));
-  verb.add_option("--depth", request->depth, "PNG: bits a channel (that of --image, else 16)")
-      ->check(CLI::IsMember({8, 16}));
-  verb.add_flag("--linear", request->linear,
-                "--image holds numbers, not sRGB colours: they are filtered as they are");
-  begin_group(verb, OptionGroup::Solver);
-  verb.add_option("--time-limit", request->time_limit, "seconds; no image is written beyond")
-      ->check(non_negative_number());
+  BakeRequest& r = *request;
+  add_options(
+      verb, OptionGroup::Files,
+      {{"new",
+        &r.surface,
+        "surface with the layout to bake into: .obj .ply .vtu .msh, in [0, 1]^2",
+        {.required = true}},
+       {"output", &r.positional_output, "output file, same as -o"},
+       {"-o,--output",
+        &r.outputs,
+        fmt::format("output: {}; beside OUT.npy stands OUT.npy.json", shown_extensions()),
+        {.type = "FILE"}},
+       {"--from",
+        &r.from,
+        "the surface that carries what is baked; may be NEW",
+        {.type = "OLD", .required = true}},
+       {"--image",
+        &r.image,
+        fmt::format("bake this image, in OLD's texture coordinates: {}; without it and "
+                    "--attribute the textures of OLD, an .obj or .glb",
+                    fmt::join(readable_images(), " ")),
+        {.type = "FILE"}},
+       {"--attribute",
+        &r.attribute,
+        "bake position, normal (object space), face (number from 0) or distortion of OLD, or the "
+        "rows of FILE.npy, one a face or a vertex of OLD",
+        {.type = "NAME"}}});
+  add_options(
+      verb, OptionGroup::Pictures,
+      {{"--size",
+        &r.size,
+        "pixels along both sides, or width and height (that of --image, else 1024)",
+        {.type = "N|W,H"}},
+       {"--method",
+        &r.method,
+        "same: equal faces by their numbers; nearest: nearest points; auto: same where that is "
+        "possible",
+        {.check = one_of({"auto", "same", "nearest"})}},
+       {"--distance",
+        &r.distance,
+        "farthest nearest point, in model units (2 % of OLD's diagonal); beyond, texels are "
+        "counted as misses and filled from their neighbours; --strict refuses them",
+        {.type = "X", .check = non_negative_number()}},
+       {"--padding",
+        &r.padding,
+        fmt::format("pixels around charts filled with the nearest of their texels ({}; of .npy 0)",
+                    BakeOptions().padding),
+        {.check = whole_number(0, kLargestImage)}},
+       {"--samples",
+        &r.samples,
+        "samples along each side of a texel (1)",
+        {.check = whole_number(1, 64)}},
+       {"--filter",
+        &r.filter,
+        "between the pixels of --image (bilinear)",
+        {.check = one_of({"nearest", "bilinear"})}},
+       {"--depth",
+        &r.depth,
+        "PNG: bits a channel (that of --image, else 16)",
+        {.check = CLI::IsMember({8, 16})}},
+       {"--linear", &r.linear,
+        "--image holds numbers, not sRGB colours: they are filtered as they are"}});
+  add_options(verb, OptionGroup::Solver,
+              {{"--time-limit",
+                &r.time_limit,
+                "seconds; no image is written beyond",
+                {.check = non_negative_number()}}});
   request->common.add_to(verb);
   verb.footer(
       "Example: majorant bake low.obj --from scan.obj --image scan.png -o low.png --size "

@@ -1,28 +1,16 @@
-// The common parts of the verbs: exit codes, options every verb has, the verbs themselves.
+// The common parts of the verbs: options that every verb has, the verbs themselves.
 #pragma once
 
 #include <CLI/App.hpp>
 #include <functional>
 #include <string>
 
-#include "majorant/framework/error.h"
+#include "apps/failure.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant::app {
 
-// Documented in docs/interface.md; fixed.
-enum ExitCode {
-  kSuccess = 0,
-  kUsage = 1,
-  kUnreadable = 2,
-  kUnsupported = 3,
-  kLimit = 4,
-  kInvalid = 5,
-  kInternal = 6,
-};
-ExitCode exit_code(ErrorKind kind);
-ExitCode exit_code(Status status);
 std::string version_line();
 
 inline constexpr const char* kStandardOutput = "-";  // as the name of a report

@@ -5,16 +5,13 @@
 #include <algorithm>
 #include <memory>
 
-#include "apps/arguments/help_text.h"
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
-#include "apps/process.h"
+#include "apps/run.h"
 #include "apps/streams.h"
-#include "apps/within_memory.h"
 #include "majorant/certify/cut_map.h"
 #include "majorant/certify/moved_layout.h"
-#include "majorant/framework/parallel.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/io.h"
 #include "majorant/io/layout_scale.h"
@@ -61,7 +58,7 @@ std::string what_holds(const MapFile& map, const Claims& claims) {
   return {};
 }
 
-// Turned until its longer side lies, which its claims say then. One that they say lies already
+// Turns a map until its longer side lies, which its claims say then. One that they say lies already
 // stays.
 void align(MapFile& map, const std::string& name) {
   const Claims claims = parse_claims(map.claims, name);
@@ -83,21 +80,8 @@ void align(MapFile& map, const std::string& name) {
 // The page of a map, with what `check` finds it to be.
 MapPage page_of(const MapFile& map, const std::string& name) {
   MapCheck check(map, {.name = name, .reported = true}, RunRecord());
-  check.report["command"] = "convert";
+  check.report.command = "convert";
   return checked_page(map, check, {name});
-}
-
-// Arrays of a file whose scale is assumed would claim what it does not.
-void measure(const ConvertRequest& request, MapFile& map, WrittenFiles& written) {
-  const MapDistortion measured = measure_distortion(map);
-  const bool is_assumed = has_assumed_scale(map);
-  map.face_distortion = is_assumed ? FaceDistortion() : finite_or_none(measured.faces);
-  const std::string& path = request.distortion;
-  if (path.empty()) return;
-  if (is_assumed && !request.common.quiet)
-    say("{}: claims no scale: measured with the layout as large as the surface, uv times {:.6g}\n",
-        request.input, layout_scale(map));
-  written.write(path, [&] { write_distortion(path, map, measured.faces); });
 }
 
 // The parts of the converted file that the output does not hold.
@@ -111,57 +95,86 @@ std::vector<std::string> left_out_of(const std::string& path, const MapFile& map
   return what;
 }
 
-// Where there are pictures to see it in.
-void say_turned_over(const ConvertRequest& request, const MapFile& map) {
+// What pictures show in magenta.
+std::vector<std::string> turned_over_in_words(const ConvertRequest& request, const MapFile& map) {
   const auto is_picture = [](const std::string& path) {
     return extension(path) == ".svg" || extension(path) == ".png";
   };
-  if (!std::any_of(request.outputs.begin(), request.outputs.end(), is_picture)) return;
-  if (const std::size_t count = turned_over_cells(map).size(); count > 0)
-    say("{}: {}, magenta in pictures\n", request.input, turned_over_words(count));
+  if (!std::any_of(request.outputs.begin(), request.outputs.end(), is_picture)) return {};
+  const std::size_t count = turned_over_cells(map).size();
+  if (count == 0) return {};
+  return {fmt::format("{}: {}, magenta in pictures", request.input, turned_over_words(count))};
 }
 
-void write_report(const ConvertRequest& request, const MapFile& map, WrittenFiles& written) {
-  const Json report{{"schema_version", 1},      {"version", MAJORANT_VERSION},
-                    {"command", "convert"},     {"input", {{"file", request.input}}},
-                    {"warnings", map.warnings}, {"outputs", written.to_json()}};
-  written.write(request.common.report, [&] { write_json(request.common.report, report); });
+// The map of the file as it is written.
+struct Conversion {
+  MapFile map;
+  MapDistortion distortion;
+  PolygonMesh surface;
+  ProofRequest promise;
+};
+
+Conversion read(const ConvertRequest& request, Run& run) {
+  Conversion c;
+  c.map = run.read(request.input, [&] {
+    return read_map(request.input, run.stop(), request.common.strictness());
+  });
+  say_warnings(c.map.warnings);
+  mark_seams(c.map, request.input);
+  if (request.formats.turns_map(request.outputs)) align(c.map, request.input);
+  c.surface = mesh_from_map(c.map, request.input);
+  c.promise = promise_of(c.map, c.surface, request.input);
+  c.distortion = measure_distortion(c.map);
+  // Arrays of a file whose scale is assumed would claim what it does not.
+  c.map.face_distortion =
+      has_assumed_scale(c.map) ? FaceDistortion() : finite_or_none(c.distortion.faces);
+  return c;
+}
+
+Made converted(ConvertRequest& request, Conversion& c, Run& run) {
+  c = read(request, run);
+  request.formats.read_image(run.stop());
+  FormatOptions& formats = request.formats;
+  formats.tessellation.overlap = allowed_overlap(c.promise);
+  formats.svg.points = formats.png.points =
+      claimed_points(parse_claims(c.map.claims, request.input), c.map);
+  if (has_page(request.outputs)) formats.page = page_of(c.map, request.input);
+  Made made{.report = {.status = "done",
+                       .input = {{"file", request.input}},
+                       .options = {{"refine", formats.tessellation.refine},
+                                   {"strict", request.common.strict}},
+                       .result = {{"degree", c.map.degree}, {"cells", c.map.cells.rows()}},
+                       .warnings = c.map.warnings}};
+  if (const std::string& path = request.distortion; !path.empty()) {
+    if (has_assumed_scale(c.map))
+      made.remarks.push_back(fmt::format(
+          "{}: claims no scale: measured with the layout as large as the surface, uv times {:.6g}",
+          request.input, layout_scale(c.map)));
+    made.files.push_back({path, [&, path] { write_distortion(path, c.map, c.distortion.faces); }});
+  }
+  for (const std::string& path : request.outputs)
+    made.files.push_back({path, [&, path] {
+                            write_map(path, c.map, nullptr, formats,
+                                      proof_of_file(path, c.promise, c.map, formats));
+                            if (!run.is_quiet())
+                              say_left_out(path, left_out_of(path, c.map, formats));
+                          }});
+  for (std::string& line : turned_over_in_words(request, c.map))
+    made.remarks.push_back(std::move(line));
+  return made;
 }
 
 int convert(ConvertRequest request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
   if (request.distortion.empty()) require_some_output(request.outputs, map_extensions());
-  request.formats.read_image();
-  require_writable(request.common,
-                   {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
-                   {request.input, request.formats.image});
   request.formats.require_effect(request.outputs);
-  const ThreadCount threads(usable_threads(request.common.threads));
-  MapFile map = within_memory(
-      request.input, [&] { return read_map(request.input, {}, request.common.strictness()); });
-  say_warnings(map.warnings);
-  mark_seams(map, request.input);
-  if (request.formats.turns_map(request.outputs)) align(map, request.input);
-  const PolygonMesh surface = mesh_from_map(map, request.input);
-  const ProofRequest promise = promise_of(map, surface, request.input);
-  request.formats.tessellation.overlap = allowed_overlap(promise);
-  request.formats.svg.points = request.formats.png.points =
-      claimed_points(parse_claims(map.claims, request.input), map);
-  if (has_page(request.outputs)) request.formats.page = page_of(map, request.input);
-  WrittenFiles written;
-  measure(request, map, written);
-  for (const std::string& path : request.outputs)
-    written.write(path, [&] {
-      write_map(path, map, nullptr, request.formats,
-                proof_of_file(path, promise, map, request.formats));
-      if (!request.common.quiet) say_left_out(path, left_out_of(path, map, request.formats));
-    });
-  if (!request.common.report.empty()) write_report(request, map, written);
-  if (!request.common.quiet) {
-    say_turned_over(request, map);
-    written.say_sizes();
-  }
-  return written.conclude(kSuccess);
+  const RunPlan plan{
+      .command = "convert",
+      .common = request.common,
+      .inputs = {request.input, request.formats.image},
+      .outputs = {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}}};
+  Conversion conversion;
+  return run_verb(plan, [&](Run& run) { return converted(request, conversion, run); });
 }
 
 }  // namespace
@@ -169,19 +182,16 @@ int convert(ConvertRequest request) {
 void add_convert(CLI::App& app, Action* run) {
   auto request = std::make_shared<ConvertRequest>();
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
-  begin_group(verb, OptionGroup::Files);
-  verb.add_option("result", request->input,
-                  "result: .vtu, .msh, or .obj, .ply, .glb or .gltf with texture coordinates")
-      ->required();
-  verb.add_option("output", request->positional_output, "output file, same as -o");
-  verb.add_option("-o,--output", request->outputs, output_help(map_extensions()))
-      ->type_name("FILE")
-      ->allow_extra_args(false);
+  add_options(
+      verb, OptionGroup::Files,
+      {{"result",
+        &request->input,
+        "result: .vtu, .msh, or .obj, .ply, .glb or .gltf with texture coordinates",
+        {.required = true}},
+       {"output", &request->positional_output, "output file, same as -o"},
+       {"-o,--output", &request->outputs, output_help(map_extensions()), {.type = "FILE"}}});
   request->formats.add_to(verb);
-  begin_group(verb, OptionGroup::Files);
-  verb.add_option("--distortion", request->distortion,
-                  "write a table of stretch, area and angle distortion per face to FILE.csv")
-      ->type_name("FILE");
+  add_options(verb, OptionGroup::Files, {distortion_option(&request->distortion)});
   request->common.add_to(verb);
   verb.footer("Example: majorant convert bunny.vtu -o bunny.obj --refine 8");
   verb.callback([request, run] { *run = [request] { return convert(*request); }; });

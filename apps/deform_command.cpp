@@ -14,9 +14,8 @@ int run_job(MapVerb request) {
     throw Error(ErrorKind::Usage,
                 "nothing to do: give --handles FILE (soft) or --pins FILE (hard)");
   request.map.init = "planar";
-  MapRun run(MapTask::Deform, request);
-  run.read([](MapJob& job) { job.start_in_plane(); });
-  return run.finish();
+  return run_map(MapTask::Deform, request,
+                 {.make_start = [](MapJob& job) { job.start_in_plane(); }});
 }
 
 }  // namespace

@@ -1,30 +1,12 @@
 // majorant info IN: what a mesh is, what is wrong with it, and which verb maps it.
 #include <CLI/App.hpp>
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <memory>
-#include <new>
-#include <optional>
 
-#include "apps/arguments/help_text.h"
+#include "apps/arguments/option_table.h"
 #include "apps/command.h"
-#include "apps/outputs.h"
-#include "apps/parts.h"
-#include "apps/refusal_message.h"
-#include "apps/seam_request.h"
-#include "apps/streams.h"
-#include "apps/within_memory.h"
-#include "majorant/io/claims.h"
+#include "apps/mesh_description.h"
+#include "apps/run.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/mesh/refusal.h"
-#include "majorant/mesh/repair.h"
-#include "majorant/mesh/texture_borders.h"
-#include "majorant/mesh/union_find.h"
-#include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/solve/normalized_start.h"
-#include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/results/report.h"
 
 namespace majorant::app {
 namespace {
@@ -35,280 +17,20 @@ struct InfoRequest {
   bool plan = false;
 };
 
-// The same in words and as JSON.
-struct Description {
-  std::string text;
-  Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "info"}};
-
-  template <class... Args>
-  void add(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
-  }
-};
-
-// "12 triangles, 4 quads, 1 polygon of 5": corners of a polygon -> polygons.
-std::string in_words(const std::map<std::size_t, Index>& polygons) {
-  std::string text;
-  for (const auto& [corners, count] : polygons) {
-    const char* const plural = count == 1 ? "" : "s";
-    text += text.empty() ? "" : ", ";
-    text += corners == 3   ? fmt::format("{} triangle{}", count, plural)
-            : corners == 4 ? fmt::format("{} quad{}", count, plural)
-                           : fmt::format("{} polygon{} of {}", count, plural, corners);
-  }
-  return text;
-}
-
-void describe_polygons(const PolygonMesh& mesh, Description& out) {
-  std::map<std::size_t, Index> polygons;
-  for (const auto polygon : mesh.polygons) ++polygons[polygon.size()];
-  out.add("polygons: {} ({})\n", mesh.polygons.size(), in_words(polygons));
-  for (const auto& [corners, count] : polygons)
-    out.report["polygons"][std::to_string(corners)] = count;
-}
-
-// The size of what faces use, in model units.
-void describe_size(const SurfaceMesh& mesh, Description& out) {
-  const Vector3 low = mesh.origin() + Vector3(mesh.positions().colwise().minCoeff());
-  const Vector3 high = mesh.origin() + Vector3(mesh.positions().colwise().maxCoeff());
-  std::vector<double> lengths;
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (h > mesh.opposite(h)) lengths.push_back(mesh.edge_length(h));
-  std::sort(lengths.begin(), lengths.end());
-  const double median = lengths[lengths.size() / 2];
-  out.add("bounding box: ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})\n", low.x(), low.y(),
-          low.z(), high.x(), high.y(), high.z());
-  out.add("edge lengths: {:.6g} to {:.6g}, median {:.6g}\n", lengths.front(), lengths.back(),
-          median);
-  out.report["bounding_box"] = {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
-  out.report["edge_length"] = {
-      {"min", lengths.front()}, {"median", median}, {"max", lengths.back()}};
-}
-
-// Faces with texture coordinates that are joined across edges whose sides have the same ones.
-Index count_islands(const SurfaceMesh& mesh) {
-  const std::vector<char> is_border = texture_borders(mesh);
-  UnionFind islands(mesh.face_count());
-  Index count = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f) count += is_textured(mesh, f) ? 1 : 0;
-  for (Index h = 0; h < mesh.half_edge_count(); ++h)
-    if (mesh.opposite(h) > h && !is_border[h] && is_textured(mesh, h / 3))
-      count -= islands.join(h / 3, mesh.opposite(h) / 3) ? 1 : 0;
-  return count;
-}
-
-void describe_texture_coordinates(const PolygonMesh& polygons, const SurfaceMesh& mesh,
-                                  Description& out) {
-  out.add("texture coordinates: {}", polygons.texcoords.size());
-  if (mesh.corner_texcoords().rows() > 0) {
-    Vector2 low = Vector2::Constant(INFINITY), high = -low;
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-      if (!is_textured(mesh, f)) continue;
-      for (Index k = 0; k < 3; ++k) {
-        const Vector2 uv = mesh.corner_texcoords().row(f).segment<2>(2 * k);
-        low = low.cwiseMin(uv);
-        high = high.cwiseMax(uv);
-      }
-    }
-    const Index islands = count_islands(mesh);
-    out.add(", from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}), {}", low.x(), low.y(), high.x(), high.y(),
-            count_text(islands, "island"));
-    out.report["texture_range"] = {{low.x(), low.y()}, {high.x(), high.y()}};
-    out.report["texture_islands"] = islands;
-  }
-  out.add("\n");
-}
-
-// Numbers are those of the surface that repairs leave.
-void describe_surface(const PolygonMesh& polygons, const SurfaceMesh& mesh, Description& out) {
-  const Topology& t = mesh.topology();
-  out.add("file: {}\nvertices: {}\n", one_line(polygons.file), polygons.positions.size());
-  describe_polygons(polygons, out);
-  describe_texture_coordinates(polygons, mesh, out);
-  out.add(
-      "triangles: {}\ncomponents: {}\nboundary loops: {}\nEuler characteristic: {}\n"
-      "area: {:.10g}\n",
-      t.faces, t.components, t.boundary_loops, t.euler_characteristic(), mesh.area());
-  describe_size(mesh, out);
-  out.report["input"] = input_section(polygons, mesh);
-  out.report["warnings"] = polygons.warnings;
-  for (const std::string& warning : polygons.warnings) out.add("warning: {}\n", one_line(warning));
-  for (const auto& note : out.report["input"]["repairs"])
-    out.add("note: {}\n", note.get<std::string>());
-}
-
-void describe_defects(const std::vector<Defect>& defects, Description& out) {
-  Json list = Json::array();
-  for (const Defect& d : defects) {
-    out.add("defect: {}\n", describe(d));
-    Json places = Json::array();
-    for (const auto& [first, second] : d.places)
-      places.push_back(second < 0 ? Json{first} : Json{first, second});
-    list.push_back({{"kind", name_of(d.kind)}, {"count", d.count}, {"places", places}});
-  }
-  out.report["defects"] = list;
-}
-
-// The map that a file holds, if any; none of files that hold a mesh.
-std::optional<MapFile> described_map(const std::string& path, Description& out) {
-  if (const std::string e = extension(path); e != ".vtu" && e != ".pvtu" && e != ".msh") return {};
-  std::optional<MapFile> map;
-  try {
-    map = read_map(path);
-  } catch (const Error&) {  // a mesh
-    return {};
-  }
-  if (map->degree == 1 && map->claims.empty()) return {};
-  const Claims claims = parse_claims(map->claims, path);
-  Json section{{"degree", map->degree}, {"claims", nullptr}};
-  out.add("map: of degree {}", map->degree);
-  if (!map->claims.empty()) {
-    const bool is_bijective = claims.bijective.value_or(false);
-    section["claims"] = {{"version", claims.version ? Json(*claims.version) : Json()},
-                         {"energy", claims.energy ? Json(*claims.energy) : Json()},
-                         {"value", claims.value ? Json(*claims.value) : Json()},
-                         {"bijective", is_bijective},
-                         {"seams", claims.seams.value_or(false)}};
-    out.add("; it claims {}{}{}, {}", claims.energy.value_or("no energy"),
-            claims.value ? fmt::format(" {:.6f}", *claims.value) : "",
-            claims.seams.value_or(false) ? ", seams" : "",
-            is_bijective ? "no overlaps" : "nothing of overlaps");
-  }
-  out.add("; `majorant check {}` proves it\n", path);
-  out.report["map"] = section;
-  return map;
-}
-
-// The map that the texture coordinates are if they fit along their cuts. curved: whose corners they
-// are, which say nothing of it where it is no seamless map by themselves.
-std::optional<BezierMap> describe_texture(const SurfaceMesh& mesh, const MapFile* curved,
-                                          Description& out) {
-  if (mesh.corner_texcoords().rows() == 0) return std::nullopt;
-  try {
-    BezierMap map = seamless_from_texture(mesh).map;
-    const Seams& seams = map.seams();
-    const Json cones = cones_section(map);
-    out.add("texture: seamless, {}, {} of {}\n",
-            count_text(static_cast<Index>(cones.size()), "cone"),
-            count_text(seams.chain_count(), "chain"),
-            count_text(static_cast<Index>(seams.edges().size()), "seam edge"));
-    out.report["texture"] = {{"seamless", true},
-                             {"cones", cones},
-                             {"chains", seams.chain_count()},
-                             {"seam_edges", seams.edges().size()}};
-    return map;
-  } catch (const Error& e) {
-    const std::string reason =
-        curved ? fmt::format("corners of the map of degree {}, whose faces are curved between them",
-                             curved->degree)
-               : command_message(e);
-    out.add("texture: {}{}\n", curved ? "" : "not seamless: ", one_line(reason));
-    out.report["texture"] = {{"seamless", curved ? Json() : Json(false)}, {"message", reason}};
-    return std::nullopt;
-  }
-}
-
-// Makes the start that parametrize would make. Throws Error as it would.
-void require_start(const std::shared_ptr<const SurfaceMesh>& mesh, MapInjectivity injectivity) {
-  MapOptions asked;
-  asked.injectivity = injectivity;
-  NormalizedStart(BezierMap::linear(mesh, initial_map(*mesh, asked)), asked);
-}
-
-// The verbs that would run, tried out. Throws Error where nothing does.
-std::string runnable(const std::shared_ptr<const SurfaceMesh>& mesh, const MapFile* curved,
-                     Description& out) {
-  const Topology& t = mesh->topology();
-  const bool is_planar = t.boundary_loops > 0 && t.euler_characteristic() == 2 - t.boundary_loops;
-  const bool is_disk = is_planar && t.boundary_loops == 1;
-  const std::optional<BezierMap> texture = describe_texture(*mesh, curved, out);
-  const bool has_seams = texture && !texture->seams().trivial();
-  if (has_seams && !is_disk) {
-    NormalizedStart(*texture, MapOptions());
-    return "parametrize --seamless can run";
-  }
-  try {
-    require_start(mesh, MapInjectivity::Local);
-  } catch (const Error&) {
-    if (is_disk || !is_planar) throw;
-    require_gpl_parts("parametrize --bijective");
-    require_start(mesh, MapInjectivity::Global);
-    return "parametrize --bijective can run";
-  }
-  return has_seams ? "parametrize can run, with --seamless too" : "parametrize can run";
-}
-
-// Why unwrap, with any options, would refuse; empty where it would not.
-std::string unwrap_refusal(const SurfaceMesh& surface) try {
-  require_gpl_parts("unwrap");
-  require_usable_sizes(surface);
-  return "";
-} catch (const Error& e) {
-  return command_message(e);
-}
-
-std::string verdict(const PolygonMesh& polygons, const SurfaceMesh& repaired, const MapFile* curved,
-                    Description& out) {
-  std::string refusal, problem, other_verb;
-  try {
-    const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(polygons));
-    other_verb = ", or `majorant seamless`, which tries a map with cones that may overlap";
-    return runnable(mesh, curved, out);
-  } catch (const Error& e) {
-    refusal = command_message(e);
-    problem = problem_of(e);
-  } catch (const std::bad_alloc&) {
-    return "parametrize would refuse: out of memory while making the start";
-  }
-  const std::string unwrapping = unwrap_refusal(repaired);
-  if (!unwrapping.empty())
-    return fmt::format("parametrize would refuse: {}; and unwrap: {}", refusal, unwrapping);
-  return fmt::format("use `majorant unwrap {} -o OUT.obj`{}; parametrize would refuse: {}",
-                     polygons.file, other_verb, problem);
-}
-
-// Describes what `majorant unwrap` would do, up to the solve. Throws Error as it would.
-void describe_plan(const RepairedSurface& surface, Description& out) {
-  const SurfaceCuts cuts = choose_cuts(*surface.mesh, {});
-  Index charts = 0;
-  double stretch = 1;
-  for (const ComponentCuts& component : cuts.components) {
-    charts += component.pieces;
-    stretch = std::max(stretch, component.estimated_stretch);
-  }
-  out.add("plan: unwrap makes {}, cut along {} of length {:.6g}, stretch about {:.3f}\n",
-          count_text(charts, "chart"), count_text(cuts.edges + surface.cut_edges, "edge"),
-          cuts.length + surface.cut_length, stretch);
-  out.report["plan"] = cuts_section(cuts, surface);
-  out.report["plan"]["charts"] = charts;
-  out.report["plan"]["estimated_stretch"] = stretch;
-}
-
-void describe_plan_or_refusal(const RepairedSurface& surface, Description& out) try {
-  describe_plan(surface, out);
-} catch (const Error& e) {
-  out.add("plan: unwrap would refuse: {}\n", one_line(command_message(e)));
-  out.report["plan"] = {{"message", command_message(e)}};
-}
-
 int info(const InfoRequest& request) {
-  require_writable(request.common, {}, {request.input});
-  const PolygonMesh polygons = within_memory(
-      request.input, [&] { return read_mesh(request.input, {}, request.common.strictness()); });
-  Description out;
-  const RepairedSurface repaired = repair(polygons);
-  describe_surface(polygons, *repaired.mesh, out);
-  describe_defects(find_defects(polygons).defects, out);
-  const std::optional<MapFile> map = described_map(request.input, out);
-  const MapFile* const curved = map && map->degree > 1 ? &*map : nullptr;
-  const std::string message = verdict(polygons, *repaired.mesh, curved, out);
-  out.add("verdict: {}\n", one_line(message));
-  out.report["message"] = message;
-  if (request.plan)
-    describe_plan_or_refusal(repair(polygons, {.welding = Welding::EqualPlaces}), out);
-  if (request.common.report != kStandardOutput) print_text(out.text);
-  if (!request.common.report.empty()) write_json(request.common.report, out.report);
-  return kSuccess;
+  const RunPlan plan{.command = "info", .common = request.common, .inputs = {request.input}};
+  return run_verb(plan, [&](Run& run) {
+    const PolygonMesh polygons = run.read(request.input, [&] {
+      return read_mesh(request.input, run.stop(), request.common.strictness());
+    });
+    MeshDescription found = run.make("describing " + request.input, [&] {
+      return describe_mesh(polygons, {.plan = request.plan}, run.stop());
+    });
+    found.report.options = {{"plan", request.plan}, {"strict", request.common.strict}};
+    Made made{.report = std::move(found.report), .is_verdict_news = true};
+    if (request.common.report != kStandardOutput) made.verdict = std::move(found.text);
+    return made;
+  });
 }
 
 }  // namespace
@@ -316,12 +38,13 @@ int info(const InfoRequest& request) {
 void add_info(CLI::App& app, Action* run) {
   auto request = std::make_shared<InfoRequest>();
   CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
-  begin_group(verb, OptionGroup::Files);
-  verb.add_option("input", request->input,
-                  "mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz")
-      ->required();
-  begin_group(verb, OptionGroup::Charts);
-  verb.add_flag("--plan", request->plan, "what unwrap would do: charts and cuts");
+  add_options(verb, OptionGroup::Files,
+              {{"input",
+                &request->input,
+                "mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz",
+                {.required = true}}});
+  add_options(verb, OptionGroup::Charts,
+              {{"--plan", &request->plan, "what unwrap would do: charts and cuts"}});
   request->common.add_to(verb);
   verb.footer("Example: majorant info bunny.obj --plan");
   verb.callback([request, run] { *run = [request] { return info(*request); }; });

@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_densities.h"
@@ -18,15 +18,9 @@
 namespace majorant::app {
 namespace {
 
-std::optional<double> number_of(const std::string& word) {
-  double number = 0;
-  if (!CLI::detail::lexical_cast(word, number)) return std::nullopt;
-  return number;
-}
-
 // The message about what is neither a density nor a file.
 std::string wrong_density(const std::string& word) {
-  const std::optional<double> number = number_of(word);
+  const std::optional<double> number = number_in(word);
   std::error_code ignored;
   if (number ? *number > 0 && std::isfinite(*number) : std::filesystem::exists(word, ignored))
     return {};
@@ -59,42 +53,41 @@ std::vector<double> densities(const std::string& path, const PolygonMesh& polygo
 }  // namespace
 
 void LayoutRequest::add_to(CLI::App& verb) {
-  begin_group(verb, OptionGroup::Charts);
-  verb.add_option("--upright", upright,
-                  "the axis of the mesh that points upwards in every chart, which is not turned "
-                  "further then (no)")
-      ->check(one_of({"x", "y", "z", "no"}))
-      ->excludes("--no-pack");
-  verb.add_option("--udim", udim,
-                  "up to N tiles, 1001 and on, all of one density; an OBJ has a material for each")
-      ->check(whole_number(1, kMostTiles))
-      ->excludes("--no-pack");
-  verb.add_option("--texel-density", texel_density,
-                  "pixels along a unit of the mesh: a number, or a JSON FILE "
-                  "{\"materials\": {\"NAME\": X}, \"other\": X}")
-      ->type_name("X|FILE")
-      ->check(CLI::Validator(wrong_density, ""))
-      ->excludes("--no-pack");
-  verb.add_option(
-          "--stack", stack,
-          "charts that share a place: no; equal, those whose surfaces are copies; mirrored, "
-          "those of mirror images, too (no)")
-      ->check(one_of({"no", "equal", "mirrored"}))
-      ->excludes("--no-pack");
-  verb.add_flag("--keep-shape", keep_shape,
-                "pack only: the islands of --seams uv are moved and turned, all at one scale")
-      ->excludes("--no-pack");
-  verb.add_option(
-          "--objects", objects,
-          "separate: every object of an OBJ (o), or mesh of a glTF, has a layout of its own "
-          "in the unit square, as if it were alone; together (default): there is one")
-      ->check(one_of({"together", "separate"}))
-      ->excludes("--no-pack");
-  verb.add_flag("--groups", groups, "OBJ: a group for every chart, chart_0 and on");
+  add_options(
+      verb, OptionGroup::Charts,
+      {{"--upright",
+        &upright,
+        "the axis of the mesh that points upwards in every chart, which is not turned further then "
+        "(no)",
+        {.check = one_of({"x", "y", "z", "no"}), .excludes = {"--no-pack"}}},
+       {"--udim",
+        &udim,
+        "up to N tiles, 1001 and on, all of one density; an OBJ has a material for each",
+        {.check = whole_number(1, kMostTiles), .excludes = {"--no-pack"}}},
+       {"--texel-density",
+        &texel_density,
+        "pixels along a unit of the mesh: a number, or a JSON FILE "
+        "{\"materials\": {\"NAME\": X}, \"other\": X}",
+        {.type = "X|FILE", .check = checked_by(wrong_density), .excludes = {"--no-pack"}}},
+       {"--stack",
+        &stack,
+        "charts that share a place: no; equal, those whose surfaces are copies; mirrored, "
+        "those of mirror images, too (no)",
+        {.check = one_of({"no", "equal", "mirrored"}), .excludes = {"--no-pack"}}},
+       {"--keep-shape",
+        &keep_shape,
+        "pack only: the islands of --seams uv are moved and turned, all at one scale",
+        {.excludes = {"--no-pack"}}},
+       {"--objects",
+        &objects,
+        "separate: every object of an OBJ (o), or mesh of a glTF, has a layout of its own "
+        "in the unit square, as if it were alone; together (default): there is one",
+        {.check = one_of({"together", "separate"}), .excludes = {"--no-pack"}}},
+       {"--groups", &groups, "OBJ: a group for every chart, chart_0 and on"}});
 }
 
 std::string LayoutRequest::density_file() const {
-  return number_of(texel_density) ? "" : texel_density;
+  return number_in(texel_density) ? "" : texel_density;
 }
 
 std::string LayoutRequest::needs_unit_square() const {
@@ -111,12 +104,12 @@ void LayoutRequest::apply(AtlasJob& job, const StopCheck& stop) const {
   if (texel_density.empty()) return;
   const std::string file = density_file();
   job.texel_density = file.empty() ? std::vector<double>(job.polygons->polygons.size(),
-                                                         number_of(texel_density).value_or(0))
+                                                         number_in(texel_density).value_or(0))
                                    : densities(file, *job.polygons, stop);
 }
 
 Json LayoutRequest::to_json() const {
-  const std::optional<double> density = number_of(texel_density);
+  const std::optional<double> density = number_in(texel_density);
   return {{"upright", upright},
           {"udim", udim == 0 ? Json() : Json(udim)},
           {"texel_density", density ? Json(*density) : Json(texel_density)},

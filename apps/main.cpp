@@ -7,16 +7,14 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
-#include <new>
 #include <sstream>
 
 #include "apps/arguments/command_line.h"
 #include "apps/arguments/help_text.h"
 #include "apps/command.h"
-#include "apps/or_interrupted.h"
+#include "apps/failure.h"
 #include "apps/parts.h"
 #include "apps/process.h"
-#include "apps/refusal_message.h"
 #include "apps/streams.h"
 
 namespace majorant::app {
@@ -85,18 +83,10 @@ int run(int argc, char** argv) {
 int run_safely(int argc, char** argv) {
   try {
     return run(argc, argv);
-  } catch (const Interrupted& e) {
-    say("majorant: {}; nothing is written\n", e.what());
-    return exit_code(e.kind());
-  } catch (const Error& e) {
-    say("majorant: {}\n", command_message(e));
-    return exit_code(e.kind());
-  } catch (const std::bad_alloc&) {
-    say_text("majorant: out of memory; use a lower degree or a smaller mesh, or allow more\n");
-    return kUnsupported;
-  } catch (const std::exception& e) {
-    say("majorant: internal error: {}; please report it with the input\n", e.what());
-    return kInternal;
+  } catch (...) {
+    const Failure failure = failure_of(std::current_exception());
+    say("majorant: {}\n", failure.line);
+    return failure.code;
   }
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
 #include "apps/or_interrupted.h"
@@ -24,10 +24,10 @@
 namespace majorant::app {
 namespace {
 
-Curvature find_curvature(const std::string& wanted) {
+Curvature find_curvature(const std::string& name) {
   for (const Curvature c : kCurvatures)
-    if (curvature_name(c) == wanted) return c;
-  throw Error(ErrorKind::Usage, "no curvature model is called '" + wanted + "'");
+    if (curvature_name(c) == name) return c;
+  throw Error(ErrorKind::Usage, "no curvature model is called '" + name + "'");
 }
 
 std::vector<Pin> read_points(const std::string& path, const PolygonMesh& polygons,
@@ -63,35 +63,47 @@ void require_scale(const MapRequest& request, const MapJob& job) {
 }  // namespace
 
 void MapRequest::add_to(CLI::App& verb, const char* default_degree) {
-  begin_group(verb, OptionGroup::Map);
-  verb.add_option("input", input, "mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz")
-      ->required();
-  verb.add_option("--degree", degree, fmt::format("polynomial degree ({})", default_degree))
-      ->check(whole_number(1, BezierTriangleSpace::kMaxDegree));
-  verb.add_option("--energy", energy, "distortion: a name below, or a weighted sum")
-      ->type_name("SUM");
-  begin_group(verb, OptionGroup::Constraints);
-  verb.add_option("--pins", pins, "hard point constraints, JSON")->type_name("FILE");
-  verb.add_option("--handles", handles, "soft point constraints, JSON")->type_name("FILE");
-  verb.add_option("--soft", soft, fmt::format("weight of soft handles ({})", soft))
-      ->check(positive_number(kLargestFactor))
-      ->needs("--handles");
-  verb.add_option("--weights", weights, "a positive factor of the energy for each face, text")
-      ->type_name("FILE");
-  verb.add_flag("--boundary-angles", boundary_angles,
-                "hold sector sums <= 360 degrees at boundary vertices");
-  begin_group(verb, OptionGroup::Solver);
-  verb.add_option("--quadrature", quadrature, "lattice points per triangle (default: own rule)")
-      ->check(whole_number(1, 10000));
+  add_options(
+      verb, OptionGroup::Map,
+      {{"input",
+        &input,
+        "mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz",
+        {.required = true}},
+       {"--degree",
+        &degree,
+        fmt::format("polynomial degree ({})", default_degree),
+        {.check = whole_number(1, BezierTriangleSpace::kMaxDegree)}},
+       {"--energy", &energy, "distortion: a name below, or a weighted sum", {.type = "SUM"}}});
+  add_options(verb, OptionGroup::Constraints,
+              {{"--pins", &pins, "hard point constraints, JSON", {.type = "FILE"}},
+               {"--handles", &handles, "soft point constraints, JSON", {.type = "FILE"}},
+               {"--soft",
+                &soft,
+                fmt::format("weight of soft handles ({})", soft),
+                {.check = positive_number(kLargestFactor), .needs = {"--handles"}}},
+               {"--weights",
+                &weights,
+                "a positive factor of the energy for each face, text",
+                {.type = "FILE"}},
+               {"--boundary-angles", &boundary_angles,
+                "hold sector sums <= 360 degrees at boundary vertices"}});
+  add_options(verb, OptionGroup::Solver,
+              {{"--quadrature",
+                &quadrature,
+                "lattice points per triangle (default: own rule)",
+                {.check = whole_number(1, 10000)}}});
 }
 
 void MapRequest::add_start_to(CLI::App& verb) {
-  begin_group(verb, OptionGroup::Map);
-  verb.add_option("--boundary", boundary, "free, or fixed where the initial map has it")
-      ->check(one_of({"free", "fixed"}));
-  verb.add_option("--init", init,
-                  "auto, tutte, multiresolution, or input: the file's texture coordinates")
-      ->check(one_of({"auto", "tutte", "multiresolution", "input"}));
+  add_options(verb, OptionGroup::Map,
+              {{"--boundary",
+                &boundary,
+                "free, or fixed where the initial map has it",
+                {.check = one_of({"free", "fixed"})}},
+               {"--init",
+                &init,
+                "auto, tutte, multiresolution, or input: the file's texture coordinates",
+                {.check = one_of({"auto", "tutte", "multiresolution", "input"})}}});
 }
 
 void MapRequest::choose_degree(const std::vector<std::string>& outputs) {

@@ -3,13 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
+#include <optional>
+#include <utility>
 
 #include "apps/energy_option.h"
-#include "apps/or_interrupted.h"
-#include "apps/process.h"
-#include "apps/progress.h"
+#include "apps/linear_solvers.h"
+#include "apps/page_content.h"
+#include "apps/run.h"
+#include "apps/seam_request.h"
 #include "apps/streams.h"
+#include "majorant/certify/map_proof.h"
+#include "majorant/io/io.h"
+#include "majorant/results/global_verdict.h"
 
 namespace majorant::app {
 
@@ -33,72 +38,166 @@ std::vector<Activity> stages_of(const MapVerb& request) {
   return stages;
 }
 
-}  // namespace
-
-MapRun::MapRun(MapTask task, MapVerb& request, const std::vector<std::string>& other_inputs)
-    : request_(request),
-      progress_(request.common, stages_of(request)),
-      record_(request.solve.make_record(progress_)),
-      job_(task, record_) {
+// Checks what can be checked before any work.
+RunPlan plan_of(MapTask task, MapVerb& request, const std::vector<std::string>& other_inputs) {
   request.outputs.require_usable(request.map);
   request.map.strictness = std::max(request.map.strictness, request.common.strictness());
   request.map.choose_degree(request.outputs.files);
   request.solve.require_usable(request.outputs, request.map);
-  std::vector<std::string> inputs = request.map.inputs();
-  inputs.insert(inputs.end(), other_inputs.begin(), other_inputs.end());
-  request.outputs.formats.read_image(record_.start_stop());
-  inputs.push_back(request.outputs.formats.image);
-  require_writable(request.common,
-                   {{request.outputs.files, request.outputs.extensions},
-                    {{request.solve.scaffold_file}, {".vtu", ".svg"}},
-                    {{request.outputs.distortion}, {".csv"}}},
-                   inputs);
-  solvers_.emplace(request.solve.linear_solver, request.common);
-  threads_.emplace(usable_threads(request.common.threads));
+  RunPlan plan{.command = std::string(task_name(task)),
+               .common = request.common,
+               .inputs = request.map.inputs(),
+               .outputs = request.outputs.names(),
+               .stages = stages_of(request),
+               .time_limit = request.solve.time_limit,
+               .max_iterations = request.solve.max_iterations,
+               .with_result = {Activity::Solving, Activity::Measuring, Activity::Proving,
+                               Activity::Writing}};
+  plan.inputs.insert(plan.inputs.end(), other_inputs.begin(), other_inputs.end());
+  plan.inputs.push_back(request.outputs.formats.image);
+  plan.outputs.push_back({{request.solve.scaffold_file}, {".vtu", ".svg"}});
+  return plan;
 }
 
-void MapRun::read(const StartMaker& make_start) {
-  record_.begin(Activity::Reading);
-  read_input(request_.map, job_, make_start);
-  request_.outputs.require_materials(*job_.polygons);
-  ParametrizationOptions& options = job_.options;
-  request_.solve.apply(options);
-  solvers_->apply(options.solve);
-  solvers_->foresee(job_.start ? job_.start->map.mesh() : *job_.mesh, options);
-  if (request_.solve.snapshots > 0) job_.take_snapshots(request_.solve.snapshots);
-  if (request_.outputs.has_report(request_.common))
-    options.solve.factor_cost = FactorCost::Measured;
-  job_.read_seconds = seconds_since(start_) - job_.start_seconds;
-}
-
-int MapRun::finish(const Json& extra) {
-  or_interrupted("making the start of " + request_.map.input, [&] { job_.solve(); });
-  solvers_->say_unused_options();
-  if (job_.has_result() && (request_.outputs.normalize || request_.outputs.turns_map())) place();
-  job_.asked = request_.map.to_json();
-  job_.asked.update(request_.solve.to_json());
-  job_.asked["strict"] = request_.common.strict;
-  job_.asked.update(extra);
-  job_.linear_solver = solvers_->section();
-  job_.memory = solvers_->memory();
-  job_.prove();
-  return write_result({request_.common, request_.outputs, request_.map, job_, start_,
-                       request_.solve.scaffold_file, progress_});
+void read(const MapVerb& request, const MapVerbParts& parts, LinearSolvers& solvers, Run& run,
+          MapJob& job) {
+  read_input(request.map, job, parts.make_start);
+  request.outputs.require_materials(*job.polygons);
+  request.solve.apply(job.options);
+  solvers.apply(job.options.solve);
+  solvers.foresee(job.start ? job.start->map.mesh() : *job.mesh, job.options);
+  if (request.solve.snapshots > 0) job.take_snapshots(request.solve.snapshots);
+  if (run.has_report()) job.options.solve.factor_cost = FactorCost::Measured;
+  job.read_seconds = run.seconds() - job.start_seconds;
 }
 
 // Moves the map and proves it anew; where that fails there is no result.
-void MapRun::place() {
-  const OutputRequest& outputs = request_.outputs;
-  const Turned turn = outputs.turns_map()                             ? Turned::Required
-                      : outputs.turns(*job_.result.map, request_.map) ? Turned::Free
-                                                                      : Turned::Held;
-  if (!job_.place(turn, outputs.normalize ? LayoutSize::UnitSquare : LayoutSize::Model))
-    job_.result.message +=
+void place(const MapVerb& request, MapJob& job) {
+  const OutputRequest& outputs = request.outputs;
+  const Turned turn = outputs.turns_map()                           ? Turned::Required
+                      : outputs.turns(*job.result.map, request.map) ? Turned::Free
+                                                                    : Turned::Held;
+  if (!job.place(turn, outputs.normalize ? LayoutSize::UnitSquare : LayoutSize::Model))
+    job.result.message +=
         fmt::format("; leave out {}", outputs.normalize ? "--normalize" : "--align");
-  if (job_.is_left_unturned && !request_.common.quiet)
+  if (job.is_left_unturned && !request.common.quiet)
     say("{}: --normalize leaves the layout unturned: turned along its longer side, its smallest "
         "triangles are too small for doubles\n",
-        request_.map.input);
+        request.map.input);
+}
+
+// The files of a job that has a result.
+class MapFiles {
+ public:
+  MapFiles(const MapVerb& request, const MapJob& job, const RunReport& report)
+      : request_(request), job_(job), file_(map_file(job)), formats_(request.outputs.formats) {
+    if (job.options.map.injectivity == MapInjectivity::Global)
+      formats_.tessellation.overlap = Overlap::Excluded;
+    if (job.result.scaffold)
+      scaffold_ = to_map_file(job.placement ? (*job.placement)(*job.result.scaffold)
+                                            : *job.result.scaffold);
+    formats_.svg.scaffold = formats_.png.scaffold = scaffold_;
+    formats_.svg.points = formats_.png.points = shown_points(job);
+    if (has_page(request.outputs.files)) formats_.page = page_of(job, request.map, report);
+    formats_.page.scaffold = scaffold_;
+  }
+
+  void write(const std::string& path) const {
+    if (extension(path) == ".csv") return write_trace(path, job_.record.trace());
+    const PolygonMesh* const input = job_.result.other_triangles ? nullptr : job_.polygons.get();
+    write_map(path, file_, input, formats_,
+              proof_of_file(path, promise(job_, path), file_, formats_));
+    if (!request_.common.quiet) say_left_out(path, left_out(path, file_, formats_, input));
+  }
+  void write_table(const std::string& path) const {
+    const MapMeasures& measures = job_.result.measures;
+    write_distortion(path, file_,
+                     measures.cut_short ? measure_distortion(*job_.result.map, scale_of(job_)).faces
+                                        : measures.distortion.faces);
+  }
+  void write_scaffold(const std::string& path) const {
+    write_map(path, scaffold_.value(), nullptr, {}, certification(path, {}));
+  }
+
+ private:
+  const MapVerb& request_;
+  const MapJob& job_;
+  MapFile file_;
+  FormatOptions formats_;
+  std::optional<MapFile> scaffold_;
+};
+
+std::vector<MadeFile> files_of(const MapVerb& request, const std::shared_ptr<MapFiles>& files) {
+  std::vector<MadeFile> list;
+  for (const std::string& path : request.outputs.files)
+    if (extension(path) != ".json") list.push_back({path, [=] { files->write(path); }});
+  if (const std::string& path = request.outputs.distortion; !path.empty())
+    list.push_back({path, [=] { files->write_table(path); }});
+  if (const std::string& path = request.solve.scaffold_file; !path.empty())
+    list.push_back({path, [=] { files->write_scaffold(path); }});
+  return list;
+}
+
+// "(0, 0) to (5.35, 3.95)": the box around the control points.
+std::string range_text(const BezierMap& map) {
+  const auto points = map.control_points().reshaped(2, map.control_points().size() / 2);
+  const Vector2 low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+  return fmt::format("({:.4g}, {:.4g}) to ({:.4g}, {:.4g})", low.x(), low.y(), high.x(), high.y());
+}
+
+std::string summary_of(const MapVerb& request, const MapJob& job, double seconds) {
+  const ParametrizationResult& r = job.result;
+  const std::string seams = seam_summary(measures_section(*r.map, r.measures, request.map.energy));
+  return fmt::format(
+      "{}: {} after {}, {} {:.6f} (start {:.6g}){}, degree {}{}, {}, layout {}, {:.2f} s",
+      request.map.input, status_name(r.status),
+      count_text(steps_taken(job.record.trace()), "iteration"), request.map.energy,
+      r.measures.value, r.initial_value,
+      request.map.weights.empty() ? "" : ", both without the face weights", request.map.degree,
+      seams, overlap_words(job.boundary, image_of(*r.map)), range_text(*r.map), seconds);
+}
+
+Made made_of(const MapVerb& request, const MapJob& job, Run& run) {
+  const ParametrizationResult& r = job.result;
+  Made made{.report = {.status = std::string(status_name(r.status)), .message = r.message}};
+  if (run.has_report() || has_page(request.outputs.files)) made.report = map_report(job);
+  if (!job.has_result()) {
+    made.faults.push_back(fmt::format("majorant: {}: no valid result: {}{}; no map is written",
+                                      request.map.input, status_name(r.status),
+                                      r.message.empty() ? "" : fmt::format(" ({})", r.message)));
+    return made;
+  }
+  made.files = files_of(request, std::make_shared<MapFiles>(request, job, made.report));
+  if (job.cuts) made.remarks = untextured_in_words(request.map.input, *job.cuts);
+  made.summary = [&](const WrittenFiles&) {
+    return std::vector<std::string>{summary_of(request, job, run.seconds())};
+  };
+  return made;
+}
+
+}  // namespace
+
+int run_map(MapTask task, MapVerb& request, const MapVerbParts& parts) {
+  const RunPlan plan = plan_of(task, request, parts.inputs);
+  Run run(plan);
+  MapJob job(task, run.record());
+  return run.conclude([&](Run&) {
+    request.outputs.formats.read_image(run.stop());
+    LinearSolvers solvers(request.solve.linear_solver, request.common);
+    read(request, parts, solvers, run, job);
+    run.make("making the start of " + request.map.input, [&] { job.solve(); });
+    solvers.say_unused_options();
+    if (job.has_result() && (request.outputs.normalize || request.outputs.turns_map()))
+      place(request, job);
+    job.options_json = request.map.to_json();
+    job.options_json.update(request.solve.to_json());
+    job.options_json["strict"] = request.common.strict;
+    job.options_json.update(parts.options);
+    job.linear_solver = solvers.section();
+    job.memory = solvers.memory();
+    job.prove();
+    return made_of(request, job, run);
+  });
 }
 
 }  // namespace majorant::app

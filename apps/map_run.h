@@ -1,26 +1,19 @@
-// A MapJob as the verbs parametrize, seamless and deform run it: what all of them can be told, the
-// checks before any work, limits, progress and linear solver, and the files in the end.
+// The run of the verbs that make one map of a surface, parametrize, seamless and deform: what all
+// of them can be told, a MapJob from the file to its result, and the files in the end.
 //
 //   MapVerb request;
 //   request.add_to(verb);
-//   MapRun run(MapTask::Parametrize, request);    // checks what can be checked, starts clocks
-//   run.read();
-//   return run.finish();  // the exit code
+//   return run_map(MapTask::Parametrize, request, {});   // the exit code
 #pragma once
 
 #include <CLI/App.hpp>
-#include <chrono>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/command.h"
-#include "apps/linear_solvers.h"
 #include "apps/map_request.h"
-#include "apps/progress.h"
-#include "apps/result_files.h"
+#include "apps/output_request.h"
 #include "apps/solve_request.h"
-#include "majorant/framework/parallel.h"
 
 namespace majorant::app {
 
@@ -34,30 +27,15 @@ struct MapVerb {
   void add_to(CLI::App& verb);
 };
 
-class MapRun {
- public:
-  // request: outlives the run. other_inputs: files that the verb alone reads. Throws Error(Usage)
-  // before any work.
-  MapRun(MapTask task, MapVerb& request, const std::vector<std::string>& other_inputs = {});
-
-  MapJob& job() { return job_; }
-  // As read_input().
-  void read(const StartMaker& make_start = {});
-  // Solves, and writes what came out; the exit code. extra: options of the verb alone, for reports
-  // and claims.
-  int finish(const Json& extra = Json::object());
-
- private:
-  void place();
-
-  MapVerb& request_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  Progress progress_;
-  RunRecord record_;
-  MapJob job_;
-  std::optional<ThreadCount> threads_;
-  std::optional<LinearSolvers> solvers_;
+// The parts of a run that one of the verbs has alone.
+struct MapVerbParts {
+  std::vector<std::string> inputs = {};  // files that it reads
+  StartMaker make_start = {};            // as read_input() takes it
+  Json options = Json::object();         // for reports and claims
 };
+
+// Throws Error(Usage) before any work; returns the exit code.
+int run_map(MapTask task, MapVerb& request, const MapVerbParts& parts);
 
 }  // namespace majorant::app
 

@@ -3,26 +3,21 @@
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
-#include <chrono>
 #include <cmath>
 #include <memory>
+#include <ranges>
 #include <sstream>
 
-#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
 #include "apps/mesh_verbs.h"
-#include "apps/or_interrupted.h"
 #include "apps/outputs.h"
-#include "apps/process.h"
-#include "apps/progress.h"
+#include "apps/run.h"
 #include "apps/streams.h"
-#include "apps/within_memory.h"
 #include "majorant/energies/solid_energies.h"
-#include "majorant/framework/parallel.h"
 #include "majorant/io/input_file.h"
-#include "majorant/io/waiting_output.h"
 #include "majorant/results/volume_report.h"
 #include "majorant/volumes/optimize_volume_mesh.h"
 #include "majorant/volumes/volume_files.h"
@@ -86,19 +81,20 @@ VolumeOptions options_of(const MeshOptimizeRequest& request, const VolumeMesh& m
   return options;
 }
 
+// The file that --target names; empty where it is one of the words.
+std::string size_file(const MeshOptimizeRequest& request) {
+  return request.target.starts_with(kSizeFrom) ? request.target.substr(kSizeFrom.size()) : "";
+}
+
 void require_usable(const MeshOptimizeRequest& request) {
   const std::string& target = request.target;
-  if (target != "ideal" && target != "initial" &&
-      (!target.starts_with(kSizeFrom) || target.size() == kSizeFrom.size()))
+  if (target != "ideal" && target != "initial" && size_file(request).empty())
     throw Error(ErrorKind::Usage,
                 fmt::format("--target {}: ideal, initial or size=FILE{}", in_quotes(target),
                             did_you_mean(target, {"ideal", "initial"})));
   if ((!request.msh_version.empty() || request.binary) && format_of(request.output) != ".msh")
     throw Error(ErrorKind::Usage,
                 fmt::format("{}: --msh-version and --binary are of .msh", request.output));
-  std::vector<std::string> inputs{request.input};
-  if (target.starts_with(kSizeFrom)) inputs.push_back(target.substr(kSizeFrom.size()));
-  require_writable(request.common, {{{request.output}, {".msh", ".mesh", ".vtu"}}}, inputs);
 }
 
 // "part.msh: converged: 384 tetrahedra of degree 2; 25 were not valid, none is left; energy ..."
@@ -113,7 +109,7 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
     const char* remedy = request.boundary == "free" || result.status != Status::Infeasible ? ""
                          : result.impossible.empty() ? "; --boundary free moves the boundary, too"
                                                      : "; --boundary free moves these nodes, too";
-    return one_line(text + fmt::format("; {}; no mesh is written{}\n", result.message, remedy));
+    return text + fmt::format("; {}; no mesh is written{}", result.message, remedy);
   }
   if (bad > 0)
     text += fmt::format("; {} {} not valid, none is left", bad, bad == 1 ? "was" : "were");
@@ -128,8 +124,8 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
       text += ", --energy amips-exponential weighs the worst elements most";
     if (request.target != "initial") text += ", --target initial keeps nearer to what elements are";
   }
-  text += fmt::format("; {} nodes moved\n", result.moved_nodes);
-  return one_line(text);
+  text += fmt::format("; {} nodes moved", result.moved_nodes);
+  return text;
 }
 
 std::string impossible_in_words(const VolumeMesh& mesh, const VolumeResult& result, int listed) {
@@ -142,21 +138,6 @@ std::string impossible_in_words(const VolumeMesh& mesh, const VolumeResult& resu
         name_of(mesh, name), plural_of(block.type.shape), block.regions[to_size(name.cell)]);
   }
   return text;
-}
-
-Json report_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh,
-               const VolumeResult& result, const RunRecord& record) {
-  Json report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "mesh optimize"}};
-  report.update(optimized_mesh_report(mesh, result, record, request.listed));
-  report["options"] = {{"energy", request.energy},
-                       {"target", request.target},
-                       {"boundary", request.boundary},
-                       {"tolerance", request.tolerance},
-                       {"max_iterations", request.max_iterations}};
-  report["result"]["energy"] = request.energy;
-  report["peak_memory_bytes"] = peak_memory_bytes();
-  report["threads"] = ThreadCount::current();
-  return report;
 }
 
 GmshChoice choice_of(const MeshOptimizeRequest& request) {
@@ -179,45 +160,53 @@ void write(const MeshOptimizeRequest& request, const VolumeMesh& mesh) {
   if (!request.common.quiet) say_left_out(request.output, left_out);
 }
 
+Made optimized(const MeshOptimizeRequest& request, VolumeMesh& mesh, Run& run) {
+  mesh = run.read(request.input, [&] { return read_volume_mesh(request.input, run.start_stop()); });
+  require_volume_format(request.output, mesh, choice_of(request));
+  const VolumeOptions options = run.make(
+      "reading " + size_file(request), [&] { return options_of(request, mesh, run.start_stop()); });
+  const VolumeResult result = run.make("optimizing " + request.input, [&] {
+    return within_memory(request.input,
+                         [&] { return optimize_volume_mesh(mesh, options, run.record()); });
+  });
+  mesh.points = result.points;  // those that are written, or that failed
+  Made made{.report = optimized_mesh_report(mesh, result, run.record(), request.listed)};
+  made.report.options = {{"energy", request.energy},
+                         {"target", request.target},
+                         {"boundary", request.boundary},
+                         {"tolerance", request.tolerance},
+                         {"max_iterations", request.max_iterations},
+                         {"strict", request.common.strict}};
+  made.report.result["energy"] = request.energy;
+  const std::string text = summary_of(request, mesh, result);
+  if (result.is_valid()) {
+    made.files.push_back({request.output, [&] { write(request, mesh); }});
+    made.summary = [text](const WrittenFiles&) { return std::vector<std::string>{text}; };
+    return made;
+  }
+  made.code = kInvalid;
+  made.faults = {text};
+  const std::string bad = result.impossible.empty()
+                              ? bad_elements_in_words(mesh, result.after, request.listed)
+                              : impossible_in_words(mesh, result, request.listed);
+  for (const auto line : std::views::split(bad, '\n'))
+    if (!line.empty()) made.faults.emplace_back(line.begin(), line.end());
+  return made;
+}
+
 int mesh_optimize(const MeshOptimizeRequest& request) {
   require_usable(request);
-  const ThreadCount threads(usable_threads(request.common.threads));
-  Progress progress(request.common, {Activity::Reading, Activity::Proving, Activity::Starting,
-                                     Activity::Solving, Activity::Proving, Activity::Writing});
-  RunRecord record(request.time_limit, request.max_iterations, interruption_flag(), &progress);
-  set_output_stop(record.stop());
-  record.begin(Activity::Reading);
-  const auto guarded = [&](const std::string& doing, const auto& work) {
-    return or_interrupted(doing + " " + request.input,
-                          [&] { return within_memory(request.input, work); });
-  };
-  VolumeMesh mesh =
-      guarded("reading", [&] { return read_volume_mesh(request.input, record.start_stop()); });
-  require_volume_format(request.output, mesh, choice_of(request));
-  const VolumeOptions options = or_interrupted(
-      "reading " + request.target.substr(std::min(kSizeFrom.size(), request.target.size())),
-      [&] { return options_of(request, mesh, record.start_stop()); });
-  const VolumeResult result =
-      guarded("optimizing", [&] { return optimize_volume_mesh(mesh, options, record); });
-  const bool is_valid = result.is_valid();
-  mesh.points = result.points;  // those that are written, or that failed
-  WrittenFiles written;
-  if (is_valid) {
-    record.begin(Activity::Writing);
-    written.write(request.output, [&] { write(request, mesh); });
-  }
-  progress.finish();
-  if (!is_valid || !request.common.quiet) {
-    std::string text = summary_of(request, mesh, result);
-    if (!is_valid)
-      text += result.impossible.empty() ? bad_elements_in_words(mesh, result.after, request.listed)
-                                        : impossible_in_words(mesh, result, request.listed);
-    say_text(text);
-  }
-  if (const std::string& path = request.common.report; !path.empty())
-    written.write(path, [&] { write_json(path, report_of(request, mesh, result, record)); });
-  const int code = !is_valid ? kInvalid : exit_code(result.status);
-  return written.conclude(code);
+  const RunPlan plan{.command = "mesh optimize",
+                     .common = request.common,
+                     .inputs = {request.input, size_file(request)},
+                     .outputs = {{{request.output}, {".msh", ".mesh", ".vtu"}}},
+                     .stages = {Activity::Reading, Activity::Proving, Activity::Starting,
+                                Activity::Solving, Activity::Proving, Activity::Writing},
+                     .time_limit = request.time_limit,
+                     .max_iterations = request.max_iterations,
+                     .with_result = {Activity::Solving, Activity::Proving, Activity::Writing}};
+  VolumeMesh mesh;
+  return run_verb(plan, [&](Run& run) { return optimized(request, mesh, run); });
 }
 
 }  // namespace
@@ -226,43 +215,52 @@ void add_mesh_optimize(CLI::App& mesh, Action* run) {
   auto request = std::make_shared<MeshOptimizeRequest>();
   CLI::App& verb =
       *mesh.add_subcommand("optimize", "untangle the elements of a mesh and improve their shapes");
-  begin_group(verb, OptionGroup::Files);
-  verb.add_option("input", request->input,
-                  "mesh of volumes or of the plane: .msh (2.2, 4.1), .mesh (MFEM, Medit), .vtu")
-      ->required();
-  verb.add_option(
-          "-o,--output", request->output,
-          "the mesh with moved nodes, in the format, order and numbers of the input; or .msh, "
-          ".vtu")
-      ->type_name("FILE")
-      ->required();
-  verb.add_option("--msh-version", request->msh_version, "of a .msh that is written (the input's)")
-      ->check(one_of({"2.2", "4.1"}));
-  verb.add_flag("--binary", request->binary, "a .msh is written as bytes (as the input)");
-  begin_group(verb, OptionGroup::Map);
-  verb.add_option("--energy", request->energy, "what elements lose by their shape, listed below")
-      ->type_name("NAME");
-  verb.add_option("--target", request->target,
-                  "what they should look like: ideal, regular of the size of what is around them; "
-                  "initial, as straight as they are; size=FILE, edge lengths, one or one for each")
-      ->type_name("ideal|initial|size=FILE");
-  verb.add_option("--list", request->listed, "elements that are listed, the worst first (10)")
-      ->check(whole_number(0, 1000000));
-  begin_group(verb, OptionGroup::Constraints);
-  verb.add_option("--boundary", request->boundary,
-                  "fixed; slide: planes move in themselves, their edges along themselves; free")
-      ->check(one_of({"fixed", "slide", "free"}));
-  begin_group(verb, OptionGroup::Solver);
-  verb.add_option(
-          "--tolerance", request->tolerance,
-          fmt::format("part of the energy that may be left, estimated ({})", request->tolerance))
-      ->check(positive_number());
-  verb.add_option("--max-iterations", request->max_iterations,
-                  fmt::format("after untangling ({})", request->max_iterations))
-      ->check(whole_number(0));
-  verb.add_option("--time-limit", request->time_limit,
-                  "seconds; the best valid mesh is written, if there is one")
-      ->check(non_negative_number());
+  MeshOptimizeRequest& r = *request;
+  add_options(
+      verb, OptionGroup::Files,
+      {{"input",
+        &r.input,
+        "mesh of volumes or of the plane: .msh (2.2, 4.1), .mesh (MFEM, Medit), .vtu",
+        {.required = true}},
+       {"-o,--output",
+        &r.output,
+        "the mesh with moved nodes, in the format, order and numbers of the input; or .msh, .vtu",
+        {.type = "FILE", .required = true}},
+       {"--msh-version",
+        &r.msh_version,
+        "of a .msh that is written (the input's)",
+        {.check = one_of({"2.2", "4.1"})}},
+       {"--binary", &r.binary, "a .msh is written as bytes (as the input)"}});
+  add_options(
+      verb, OptionGroup::Map,
+      {{"--energy", &r.energy, "what elements lose by their shape, listed below", {.type = "NAME"}},
+       {"--target",
+        &r.target,
+        "what they should look like: ideal, regular of the size of what is around them; initial, "
+        "as straight as they are; size=FILE, edge lengths, one or one for each",
+        {.type = "ideal|initial|size=FILE"}},
+       {"--list",
+        &r.listed,
+        "elements that are listed, the worst first (10)",
+        {.check = whole_number(0, 1000000)}}});
+  add_options(verb, OptionGroup::Constraints,
+              {{"--boundary",
+                &r.boundary,
+                "fixed; slide: planes move in themselves, their edges along themselves; free",
+                {.check = one_of({"fixed", "slide", "free"})}}});
+  add_options(verb, OptionGroup::Solver,
+              {{"--tolerance",
+                &r.tolerance,
+                fmt::format("part of the energy that may be left, estimated ({})", r.tolerance),
+                {.check = positive_number()}},
+               {"--max-iterations",
+                &r.max_iterations,
+                fmt::format("after untangling ({})", r.max_iterations),
+                {.check = whole_number(0)}},
+               {"--time-limit",
+                &r.time_limit,
+                "seconds; the best valid mesh is written, if there is one",
+                {.check = non_negative_number()}}});
   request->common.add_to(verb);
   verb.footer(energy_help(solid_energies()) +
               "Example: majorant mesh optimize part.msh -o better.msh --boundary slide");

@@ -18,7 +18,12 @@ namespace majorant::app {
 // which these are.
 class Interrupted : public Error {
  public:
-  explicit Interrupted(const std::string& message) : Error(ErrorKind::Invalid, message) {}
+  Interrupted(Directive why, const std::string& message)
+      : Error(ErrorKind::Invalid, message), why_(why) {}
+  Directive why() const { return why_; }
+
+ private:
+  Directive why_;
 };
 
 // work(); Interrupted("interrupted while DOING") when it throws Stopped.
@@ -27,7 +32,7 @@ auto or_interrupted(const std::string& doing, const Work& work) {
   try {
     return work();
   } catch (const Stopped& stopped) {
-    throw Interrupted(fmt::format("{} while {}", stopped.what(), doing));
+    throw Interrupted(stopped.why(), fmt::format("{} while {}", stopped.what(), doing));
   }
 }
 

@@ -13,7 +13,6 @@
 #include <system_error>
 #include <utility>
 
-#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/or_interrupted.h"
@@ -34,29 +33,17 @@ constexpr int kMostSquares = PngOptions::kLargest;  // of a checkerboard: narrow
 // A positive number, 0 for kAutomatic.
 double parse_spacing(const std::string& text) {
   if (text == kAutomatic) return 0;
-  double spacing = 0;
-  if (!CLI::detail::lexical_cast(text, spacing) || !(spacing > 0) || !std::isfinite(spacing))
+  const std::optional<double> spacing = number_in(text);
+  if (!spacing || !(*spacing > 0) || !std::isfinite(*spacing))
     throw CLI::ValidationError(
         "--grid",
         fmt::format("'{}' is no positive number; write --grid auto before a file name", text));
-  return spacing;
-}
-
-// As many finite numbers as there are commas and one more; none where a part is no number.
-std::vector<double> parse_numbers(const std::string& text) {
-  if (text.ends_with(',')) return {};  // what split() leaves out
-  std::vector<double> numbers;
-  for (const std::string& part : CLI::detail::split(text, ',')) {
-    double number = 0;
-    if (!CLI::detail::lexical_cast(part, number) || !std::isfinite(number)) return {};
-    numbers.push_back(number);
-  }
-  return numbers;
+  return *spacing;
 }
 
 // "A,B".
 ColorRange parse_range(const std::string& text) {
-  const std::vector<double> ends = parse_numbers(text);
+  const std::vector<double> ends = numbers_in(text);
   if (ends.size() != 2 || !(ends[0] < ends[1]))
     throw CLI::ValidationError(
         "--color-range",
@@ -64,31 +51,24 @@ ColorRange parse_range(const std::string& text) {
   return {ends[0], ends[1]};
 }
 
-// "X,Y,Z".
 Vector3 parse_view(const std::string& text) {
-  const std::vector<double> view = parse_numbers(text);
-  if (view.size() != 3 || (view[0] == 0 && view[1] == 0 && view[2] == 0))
+  const auto view = direction_in(text);
+  if (!view)
     throw CLI::ValidationError(
         "--view",
         fmt::format("'{}' is no direction; give that to the eye, not 0,0,0: 1,0.5,2, or write "
                     "--view auto before a file name",
                     text));
-  return {view[0], view[1], view[2]};
+  return {(*view)[0], (*view)[1], (*view)[2]};
 }
 
-// "N", both sides, or "W,H".
 SheetSize parse_size(const std::string& text) {
-  const std::vector<double> sides = parse_numbers(text);
-  const auto usable = [](double side) {
-    return PngOptions::kSmallest <= side && side <= PngOptions::kLargest &&
-           side == std::floor(side);
-  };
-  const bool is_size = sides.size() == 1 || sides.size() == 2;
-  if (!is_size || !std::all_of(sides.begin(), sides.end(), usable))
+  const auto size = size_in(text, PngOptions::kSmallest, PngOptions::kLargest);
+  if (!size)
     throw CLI::ValidationError(
         "--size", fmt::format("'{}' is no size; give pixels, {} to {}: 1000, a square, or 1000,800",
                               text, PngOptions::kSmallest, PngOptions::kLargest));
-  return {static_cast<int>(sides.front()), static_cast<int>(sides.back())};
+  return {(*size)[0], (*size)[1]};
 }
 
 Quantity parse_quantity(const std::string& name) {
@@ -156,6 +136,13 @@ std::vector<std::string> map_extensions(std::vector<std::string> also) {
 
 std::string output_help(const std::vector<std::string>& extensions) {
   return fmt::format("output: {}, repeatable", fmt::join(extensions, " "));
+}
+
+OptionRow distortion_option(std::string* path) {
+  return {"--distortion",
+          path,
+          "write a table of stretch, area and angle distortion per face to FILE.csv",
+          {.type = "FILE"}};
 }
 
 void require_some_output(const std::vector<std::string>& outputs,
@@ -249,35 +236,32 @@ bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
 }
 
 void FormatOptions::add_to(CLI::App& verb) {
-  begin_group(verb, OptionGroup::Files);
-  verb.add_option(
-          "--refine", tessellation.refine,
-          "pieces per edge in OBJ, PLY and glTF output, at least (default 1: cells stay one "
-          "triangle where that is valid)")
-      ->check(whole_number(1, 20));
-  verb.add_option_function<std::string>(
-          "--vtu",
-          [this](const std::string& cells) {
-            vtu = cells == kLagrange ? VtuCells::Lagrange : VtuCells::Bezier;
-          },
-          "curved cells of VTU output: bezier, lossless, or lagrange, which more programs know")
-      ->check(one_of({"bezier", kLagrange}));
-  verb.add_option_function<std::string>(
-          "--msh",
-          [this](const std::string& content) {
-            msh = content == kSurface ? MshContent::Surface : MshContent::Image;
-          },
-          "gmsh output: image, the mesh in the plane, or surface, with u and v as views of it")
-      ->check(one_of({"image", kSurface}));
-  begin_group(verb, OptionGroup::Pictures);
-  verb.add_option_function<std::string>(
-          "--grid",
-          [this](const std::string& spacing) { svg.grid = png.grid = parse_spacing(spacing); },
-          "SVG and PNG: draw lines of constant u and v this far apart in uv, with --view on the "
-          "surface (alone: a round number, 16 to 40 along the layout)")
-      ->type_name("SPACING")
-      ->default_str(kAutomatic)  // what it is without a value
-      ->expected(0, 1);
+  add_options(
+      verb, OptionGroup::Files,
+      {{"--refine",
+        &tessellation.refine,
+        "pieces per edge in OBJ, PLY and glTF output, at least (default 1: cells stay one triangle "
+        "where that is valid)",
+        {.check = whole_number(1, 20)}},
+       {"--vtu",
+        [this](const std::string& cells) {
+          vtu = cells == kLagrange ? VtuCells::Lagrange : VtuCells::Bezier;
+        },
+        "curved cells of VTU output: bezier, lossless, or lagrange, which more programs know",
+        {.check = one_of({"bezier", kLagrange})}},
+       {"--msh",
+        [this](const std::string& content) {
+          msh = content == kSurface ? MshContent::Surface : MshContent::Image;
+        },
+        "gmsh output: image, the mesh in the plane, or surface, with u and v as views of it",
+        {.check = one_of({"image", kSurface})}}});
+  add_options(
+      verb, OptionGroup::Pictures,
+      {{"--grid",
+        [this](const std::string& spacing) { svg.grid = png.grid = parse_spacing(spacing); },
+        "SVG and PNG: draw lines of constant u and v this far apart in uv, with --view on the "
+        "surface (alone: a round number, 16 to 40 along the layout)",
+        {.type = "SPACING", .default_word = kAutomatic}}});
   add_pictures_to(verb);
   for (const auto& [name, extensions] :
        std::vector<std::pair<const char*, std::vector<std::string>>>{
@@ -319,50 +303,47 @@ std::string FormatOptions::other_meaning(const std::string& option) const {
 
 void FormatOptions::add_drawing_to(CLI::App& verb) {
   verb_ = &verb;
-  begin_group(verb, OptionGroup::Pictures);
-  verb.add_option_function<std::string>(
-          "--color-range",
-          [this](const std::string& range) {
-            svg.color_range = png.color_range = parse_range(range);
-          },
-          "pictures: the values that colours go from and to (default the same for every map, from "
-          "isometry up)")
-      ->type_name("A,B");
-  verb.add_option_function<std::string>(
-          "--color-by",
-          [this](const std::string& name) { svg.quantity = png.quantity = parse_quantity(name); },
-          "pictures: colours of density, area, angle, sigma-max or sigma-min, at every pixel of a "
-          "PNG")
-      ->check(one_of(quantity_names()));
-  verb.add_option_function<std::string>(
-          "--size",
-          [this](const std::string& text) {
-            const SheetSize size = parse_size(text);
-            png.width = size.width;
-            png.height = size.height;
-            svg.size = size;
-          },
-          "PNG: pixels along both sides, or width and height (1000,800); SVG: in px, letters stay "
-          "as large (700,525 for a column of a paper; default 1000, as high as it takes)")
-      ->type_name("N|W,H");
-  verb.add_option_function<std::string>(
-          "--edges",
-          [this](const std::string& answer) {
-            svg.edges = png.edges = answer == "yes" ? CellEdges::Drawn : CellEdges::Left;
-          },
-          "SVG and PNG of layouts: the edges of triangles (yes), or the outline alone (no)")
-      ->check(one_of({"yes", "no"}));
-  verb.add_option_function<std::string>(
-          "--legend",
-          [this](const std::string& answer) {
-            svg.legends = png.legends = answer == "yes" ? Legends::Drawn : Legends::Left;
-          },
-          "SVG and PNG: what colours and marks mean, below the drawing (yes), or the drawing alone "
-          "(no)")
-      ->check(one_of({"yes", "no"}));
-  verb.add_flag_function(
-      "--transparent", [this](std::int64_t) { svg.paper = png.paper = Paper::None; },
-      "SVG and PNG: without the white paper behind the drawing");
+  add_options(
+      verb, OptionGroup::Pictures,
+      {{"--color-range",
+        [this](const std::string& range) {
+          svg.color_range = png.color_range = parse_range(range);
+        },
+        "pictures: the values that colours go from and to (default the same for every map, from "
+        "isometry up)",
+        {.type = "A,B"}},
+       {"--color-by",
+        [this](const std::string& name) { svg.quantity = png.quantity = parse_quantity(name); },
+        "pictures: colours of density, area, angle, sigma-max or sigma-min, at every pixel of a "
+        "PNG",
+        {.check = one_of(quantity_names())}},
+       {"--size",
+        [this](const std::string& text) {
+          const SheetSize size = parse_size(text);
+          png.width = size.width;
+          png.height = size.height;
+          svg.size = size;
+        },
+        "PNG: pixels along both sides, or width and height (1000,800); SVG: in px, letters stay "
+        "as large (700,525 for a column of a paper; default 1000, as high as it takes)",
+        {.type = "N|W,H"}},
+       {"--edges",
+        [this](const std::string& answer) {
+          svg.edges = png.edges = answer == "yes" ? CellEdges::Drawn : CellEdges::Left;
+        },
+        "SVG and PNG of layouts: the edges of triangles (yes), or the outline alone (no)",
+        {.check = one_of({"yes", "no"})}},
+       {"--legend",
+        [this](const std::string& answer) {
+          svg.legends = png.legends = answer == "yes" ? Legends::Drawn : Legends::Left;
+        },
+        "SVG and PNG: what colours and marks mean, below the drawing (yes), or the drawing alone "
+        "(no)",
+        {.check = one_of({"yes", "no"})}},
+       {"--transparent",
+        [this](const std::string&) { svg.paper = png.paper = Paper::None; },
+        "SVG and PNG: without the white paper behind the drawing",
+        {.is_flag = true}}});
   for (const char* name : {"--color-range", "--color-by"})
     options_.push_back({verb.get_option(name), {".svg", ".png", ".html"}});
   for (const char* name : {"--size", "--edges", "--legend", "--transparent"})
@@ -371,42 +352,35 @@ void FormatOptions::add_drawing_to(CLI::App& verb) {
 
 void FormatOptions::add_pictures_to(CLI::App& verb) {
   add_drawing_to(verb);
-  verb.add_option_function<std::string>(
-          "--align",
-          [this](const std::string& answer) {
-            svg.alignment = png.alignment = answer == "yes" ? Alignment::Always : Alignment::Never;
-          },
-          "turn the layout until the longer side of the smallest rectangle around it lies, in "
-          "data, "
-          "too (default: in pictures and pages alone, where nothing holds it)")
-      ->type_name("yes|no")
-      ->default_str("yes")  // what it is without a value
-      ->expected(0, 1)
-      ->check(one_of({"yes", "no"}));
-  verb.add_option_function<std::string>(
-          "--view",
-          [this](const std::string& view) {
-            view_is_chosen = view == kAutomatic;
-            if (!view_is_chosen) png.view = parse_view(view);
-          },
-          "PNG: the surface seen from this direction, with a checkerboard (alone: from where a "
-          "page "
-          "shows it first; default: the layout)")
-      ->type_name("X,Y,Z")
-      ->default_str(kAutomatic)  // what it is without a value
-      ->expected(0, 1);
-  verb.add_option("--image", image, "PNG: lay this .png on the surface or the layout")
-      ->type_name("FILE")
-      ->check(CLI::ExistingFile);
-  verb.add_option("--squares", png.squares,
-                  "PNG with --view: squares of the checkerboard along the side of what a texture "
-                  "fills (default: round widths, some 16 to 40 along the layout)")
-      ->type_name("N")
-      ->check(whole_number(1, kMostSquares))
-      ->needs("--view")
-      ->excludes("--image")
-      ->excludes("--color-by")
-      ->excludes("--grid");
+  add_options(
+      verb, OptionGroup::Pictures,
+      {{"--align",
+        [this](const std::string& answer) {
+          svg.alignment = png.alignment = answer == "yes" ? Alignment::Always : Alignment::Never;
+        },
+        "turn the layout until the longer side of the smallest rectangle around it lies, in data, "
+        "too (default: in pictures and pages alone, where nothing holds it)",
+        {.type = "yes|no", .check = one_of({"yes", "no"}), .default_word = "yes"}},
+       {"--view",
+        [this](const std::string& view) {
+          view_is_chosen = view == kAutomatic;
+          if (!view_is_chosen) png.view = parse_view(view);
+        },
+        "PNG: the surface seen from this direction, with a checkerboard (alone: from where a page "
+        "shows it first; default: the layout)",
+        {.type = "X,Y,Z", .default_word = kAutomatic}},
+       {"--image",
+        &image,
+        "PNG: lay this .png on the surface or the layout",
+        {.type = "FILE", .check = CLI::ExistingFile}},
+       {"--squares",
+        &png.squares,
+        "PNG with --view: squares of the checkerboard along the side of what a texture fills "
+        "(default: round widths, some 16 to 40 along the layout)",
+        {.type = "N",
+         .check = whole_number(1, kMostSquares),
+         .needs = {"--view"},
+         .excludes = {"--image", "--color-by", "--grid"}}}});
 }
 
 void say_left_out(const std::string& path, const std::vector<std::string>& what) {

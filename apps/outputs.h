@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/arguments/option_table.h"
 #include "apps/command.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/results/report.h"
@@ -26,6 +27,8 @@ namespace majorant::app {
 std::vector<std::string> map_extensions(std::vector<std::string> also = {});
 // "output: .vtu .obj, repeatable": help of -o.
 std::string output_help(const std::vector<std::string>& extensions);
+// --distortion FILE.csv
+OptionRow distortion_option(std::string* path);
 // Throws Error(Usage) where no output is named.
 void require_some_output(const std::vector<std::string>& outputs,
                          const std::vector<std::string>& extensions);

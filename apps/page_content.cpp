@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "apps/outputs.h"
+#include "majorant/io/input_file.h"
 
 namespace majorant::app {
 namespace {
@@ -21,13 +22,13 @@ std::vector<PagePoint> held_points(const BezierMap& map, const std::vector<Pin>&
 }
 
 // In the units of the result's file.
-std::vector<PageSnapshot> frames_of(const FinishedRun& run) {
-  const int last = last_iteration(run.job.record.trace());
+std::vector<PageSnapshot> frames_of(const MapJob& job) {
+  const int last = last_iteration(job.record.trace());
   std::vector<PageSnapshot> frames =
-      run.job.film->frames({*run.job.result.map, last, run.job.result.value_quadrature});
-  if (!run.job.placement) return frames;
+      job.film->frames({*job.result.map, last, job.result.value_quadrature});
+  if (!job.placement) return frames;
   for (std::size_t k = 0; k + 1 < frames.size(); ++k)  // the result has been moved
-    frames[k].uv = (*run.job.placement)(frames[k].uv);
+    frames[k].uv = (*job.placement)(frames[k].uv);
   return frames;
 }
 
@@ -53,9 +54,10 @@ std::string page_title(const std::string& input) {
   return std::filesystem::path(input).filename().string();
 }
 
-std::string page_facts(Json report, const std::vector<std::string>& paths) {
-  for (const char* left_out : {"outputs", "iterations"}) report.erase(left_out);
-  return json_text(without_folders(std::move(report), paths));
+std::string page_facts(const RunReport& report, const std::vector<std::string>& paths) {
+  Json facts = to_json(report);
+  for (const char* left_out : {"outputs", "iterations"}) facts.erase(left_out);
+  return json_text(without_folders(std::move(facts), paths));
 }
 
 bool is_page(const std::string& path) { return extension(path) == ".html"; }
@@ -64,12 +66,12 @@ bool has_page(const std::vector<std::string>& paths) {
   return std::any_of(paths.begin(), paths.end(), is_page);
 }
 
-MapPage page_of(const FinishedRun& run, Json report) {
+MapPage page_of(const MapJob& job, const MapRequest& request, const RunReport& report) {
   MapPage page;
-  page.title = page_title(run.map.input);
-  page.facts = page_facts(std::move(report), run.map.inputs());
-  page.points = shown_points(run.job);
-  if (run.job.film) page.snapshots = frames_of(run);
+  page.title = page_title(request.input);
+  page.facts = page_facts(report, request.inputs());
+  page.points = shown_points(job);
+  if (job.film) page.snapshots = frames_of(job);
   return page;
 }
 

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "apps/result_files.h"
+#include "apps/map_request.h"
 #include "majorant/io/claims.h"
 #include "majorant/pictures/pictures.h"
 #include "majorant/results/check_map.h"
+#include "majorant/results/map_job.h"
 #include "majorant/results/report.h"
 
 namespace majorant::app {
@@ -17,12 +18,12 @@ namespace majorant::app {
 std::string page_title(const std::string& input);
 // A report without what pages do not show: outputs, iterations step by step, and the folders of
 // files: of options, and of these `paths`.
-std::string page_facts(Json report, const std::vector<std::string>& paths);
+std::string page_facts(const RunReport& report, const std::vector<std::string>& paths);
 bool is_page(const std::string& path);
 bool has_page(const std::vector<std::string>& paths);
 
-// The page of a run, but for its map and its scaffold.
-MapPage page_of(const FinishedRun& run, Json report);
+// The page of a job that has a result, but for its map and its scaffold.
+MapPage page_of(const MapJob& job, const MapRequest& request, const RunReport& report);
 // The page of a file as `check` finds it: the verdict, its reasons, the cells that fail. inputs:
 // the file itself, then what else was read.
 MapPage checked_page(const MapFile& file, const MapCheck& check,

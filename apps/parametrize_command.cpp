@@ -4,7 +4,7 @@
 #include <CLI/App.hpp>
 #include <memory>
 
-#include "apps/arguments/help_text.h"
+#include "apps/arguments/option_table.h"
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
 #include "apps/seam_request.h"
@@ -19,12 +19,12 @@ struct ParametrizeRequest : MapVerb {
 
 // Cuts keep off vertices with pins and handles.
 void cut_open(const ParametrizeRequest& request, MapJob& job) {
-  CutOptions asked = request.seams.options(*job.polygons, job.record.start_stop());
+  CutOptions options = request.seams.options(*job.polygons, job.record.start_stop());
   const MapOptions map =
       read_options(request.map, *job.polygons, *job.mesh, job.record.start_stop()).map;
   for (const auto* points : {&map.pins, &map.handles})
-    for (const Pin& p : *points) asked.whole.push_back(p.vertex);
-  job.start_cut(asked, [&](Index pieces) {
+    for (const Pin& p : *points) options.whole.push_back(p.vertex);
+  job.start_cut(options, [&](Index pieces) {
     return fmt::format(
         "{}: --seams {} leaves {} pieces, parametrize maps one; `majorant "
         "unwrap {} --seams {} -o OUT` maps them all",
@@ -38,13 +38,11 @@ int run_job(ParametrizeRequest request) {
                 fmt::format("--seamless starts from the texture coordinates; leave out --init {}",
                             request.map.init));
   request.map.strictness = request.seams.needed_of_file();
-  MapRun run(MapTask::Parametrize, request, {request.seams.file()});
-  if (request.seams.seams.empty()) {
-    run.read();
-    return run.finish();
-  }
-  run.read([&](MapJob& job) { cut_open(request, job); });
-  return run.finish(request.seams.to_json());
+  if (request.seams.seams.empty()) return run_map(MapTask::Parametrize, request, {});
+  return run_map(MapTask::Parametrize, request,
+                 {.inputs = {request.seams.file()},
+                  .make_start = [&](MapJob& job) { cut_open(request, job); },
+                  .options = request.seams.to_json()});
 }
 
 }  // namespace
@@ -55,9 +53,10 @@ void add_parametrize(CLI::App& app, Action* run) {
       "parametrize", "map a surface mesh onto the plane, injectively and with low distortion");
   request->add_to(verb);
   request->map.add_start_to(verb);
-  begin_group(verb, OptionGroup::Charts);
-  verb.add_flag("--seamless", request->map.seamless,
-                "hold the seams of the input's texture coordinates, up to rotations by 90 degrees");
+  add_options(verb, OptionGroup::Charts,
+              {{"--seamless", &request->map.seamless,
+                "hold the seams of the input's texture coordinates, up to rotations by 90 "
+                "degrees"}});
   request->seams.add_to(verb);
   verb.get_option("--seams")->excludes("--seamless")->excludes("--init");
   verb.get_option("--max-stretch")->needs("--seams");

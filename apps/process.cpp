@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 #include <malloc.h>
+#include <poll.h>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -30,7 +31,7 @@ constexpr int kEndingSignals[] = {SIGINT, SIGTERM, SIGHUP};
 // group, a lost terminal the group and then, by the shell, each job.
 constexpr std::int64_t kOneWish = 500'000'000;  // nanoseconds
 
-std::atomic<bool> interrupted{false}, stops_runs{false};
+std::atomic<bool> interrupted{false}, stops_runs{false}, answers{false};
 std::atomic<std::int64_t> first_signal{0};
 pthread_t main_thread;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
@@ -60,6 +61,17 @@ void end_by(int number) {
   raise(number);
 }
 
+// Writes a line on stderr where that does not wait for a reader. Safe in signal handlers.
+void answer_signal() {
+  constexpr char kLine[] = "\r\x1b[Kmajorant: stopping; a second signal ends at once\n";
+  constexpr std::size_t kClearing = 4;  // bytes that take the live line of a terminal away
+  pollfd stream{STDERR_FILENO, POLLOUT, 0};
+  if (::poll(&stream, 1, 0) != 1 || (stream.revents & POLLOUT) == 0) return;
+  const std::size_t from = ::isatty(STDERR_FILENO) == 1 ? 0 : kClearing;
+  [[maybe_unused]] const ssize_t written =
+      ::write(STDERR_FILENO, kLine + from, sizeof kLine - 1 - from);
+}
+
 // On the main thread, which makes all temporary files: none can appear while they are removed.
 extern "C" void handle_ending_signal(int number) {
   const int saved = errno;
@@ -70,6 +82,7 @@ extern "C" void handle_ending_signal(int number) {
   } else if (!interrupted.load()) {
     first_signal.store(now());
     interrupted.store(true);
+    if (answers.load()) answer_signal();
   } else if (now() - first_signal.load() > kOneWish) {
     end_by(number);
   }
@@ -164,6 +177,8 @@ const std::atomic<bool>* interruption_flag() {
   return &interrupted;
 }
 
+void acknowledge_signals(bool answered) { answers.store(answered); }
+
 // RLIMIT_DATA counts what is mapped for writing, touched or not.
 FreeMemoryOnly::FreeMemoryOnly() {
   ::getrlimit(RLIMIT_DATA, &before_);
@@ -182,13 +197,13 @@ FreeMemoryOnly::FreeMemoryOnly() {
 
 FreeMemoryOnly::~FreeMemoryOnly() { ::setrlimit(RLIMIT_DATA, &before_); }
 
-int usable_threads(int asked) {
+int usable_threads(int requested) {
   // glibc gives a thread that allocates an arena of 64 MiB, aligned to as much.
   constexpr std::size_t kArena = std::size_t{128} << 20;
   // Left to the run, to begin with.
   constexpr std::size_t kRun = std::size_t{256} << 20;
   const std::size_t per_thread = stack_bytes() + kArena;
-  int count = asked > 0 ? asked : ThreadCount::current();
+  int count = requested > 0 ? requested : ThreadCount::current();
   while (count > 1 && !can_map(kRun + static_cast<std::size_t>(count - 1) * per_thread)) --count;
   return count;
 }

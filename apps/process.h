@@ -24,6 +24,8 @@ void prepare_process();
 
 // Set by the first of the signals above. Outlives everything.
 const std::atomic<bool>* interruption_flag();
+// Whether the first of them is answered with a line on stderr, at once.
+void acknowledge_signals(bool answered);
 
 // While one lives the process gets no more memory than is free when it begins (reading_limit.h):
 // std::bad_alloc instead of being killed. For what takes as much as it asks for.
@@ -40,7 +42,7 @@ class FreeMemoryOnly {
 
 // The number of threads for a number asked for; 0: as many as ThreadCount has; fewer where an
 // address space limit (ulimit -v) leaves no space for their stacks: results do not depend on it.
-int usable_threads(int asked);
+int usable_threads(int requested);
 
 }  // namespace majorant::app
 

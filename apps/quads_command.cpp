@@ -4,26 +4,20 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <optional>
 
-#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/option_table.h"
 #include "apps/command.h"
-#include "apps/or_interrupted.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
-#include "apps/process.h"
-#include "apps/progress.h"
+#include "apps/run.h"
 #include "apps/streams.h"
-#include "apps/within_memory.h"
-#include "majorant/framework/parallel.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/io/waiting_output.h"
 #include "majorant/pictures/quad_picture.h"
 #include "majorant/results/quad_job.h"
 #include "majorant/results/quad_report.h"
@@ -46,31 +40,23 @@ std::vector<std::string> written_extensions() {
   return all;
 }
 
-void require_usable(QuadsRequest& request) {
-  if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
-  require_some_output(request.outputs, written_extensions());
-  require_writable(request.common, {{request.outputs, written_extensions()}},
-                   {request.input, request.cones, feature_file(request.features)});
-}
-
-void open(const QuadsRequest& request, QuadJob& job) {
-  or_interrupted("reading " + request.input, [&] {
-    PolygonMesh polygons = within_memory(request.input, [&] {
-      return read_mesh(request.input, job.record.start_stop(), request.common.strictness());
-    });
-    say_warnings(polygons.warnings);
+void open(const QuadsRequest& request, QuadJob& job, const Run& run) {
+  PolygonMesh polygons = run.read(request.input, [&] {
+    return read_mesh(request.input, run.start_stop(), request.common.strictness());
+  });
+  say_warnings(polygons.warnings);
+  run.make("reading " + request.input, [&] {
     job.open(std::move(polygons));
     if (request.common.strict && !job.surface.repairs.empty())
       throw Error(ErrorKind::Unsupported,
                   fmt::format("{}: {}; leave out --strict to have it repaired so", request.input,
                               describe(job.surface.repairs.front())));
     if (!request.cones.empty())
-      job.options.map.cones =
-          read_cones(request.cones, static_cast<Index>(job.polygons.positions.size()),
-                     job.record.start_stop());
+      job.options.map.cones = read_cones(
+          request.cones, static_cast<Index>(job.polygons.positions.size()), run.start_stop());
     if (!request.features.empty())
       job.options.features =
-          features_of(request.features, job.polygons, job.surface, job.record.start_stop());
+          features_of(request.features, job.polygons, job.surface, run.start_stop());
   });
 }
 
@@ -91,14 +77,12 @@ void write_output(const QuadsRequest& request, const QuadJob& job, const std::st
   write_page(path, page);
 }
 
-void summarize(const QuadsRequest& request, const QuadJob& job, const WrittenFiles& written,
-               double seconds) {
-  if (request.common.quiet) return;
-  for (const Repair& repair : job.surface.repairs) say("{}: {}\n", request.input, describe(repair));
-  written.say_sizes();
-  say("{}: {}, {}; {} asked{}, {:.2f} s\n", request.input, status_name(job.status),
-      describe(job.check, QuadsComparedWith::Surface), job.asked_count,
-      job.least_count ? fmt::format(", {} at least", *job.least_count) : "", seconds);
+std::vector<std::string> summary_of(const QuadsRequest& request, const QuadJob& job,
+                                    const WrittenFiles& written, double seconds) {
+  std::vector<std::string> lines{
+      fmt::format("{}: {}, {}; {} asked{}, {:.2f} s", request.input, status_name(job.status),
+                  describe(job.check, QuadsComparedWith::Surface), job.requested_count,
+                  job.least_count ? fmt::format(", {} at least", *job.least_count) : "", seconds)};
   // Relaxed features are not covered; what else is proven is.
   const std::string features =
       job.feature_lines > 0 && job.relaxed.empty()
@@ -107,47 +91,48 @@ void summarize(const QuadsRequest& request, const QuadJob& job, const WrittenFil
           : "";
   for (const std::string& path : request.outputs)
     if (written.has(path) && !is_picture(path))
-      say("proof: majorant check {} --surface {}{}{}\n", path, request.input,
-          format_of(path) == ".vtu" ? " --quads" : "", features);
+      lines.push_back(fmt::format("proof: majorant check {} --surface {}{}{}", path, request.input,
+                                  format_of(path) == ".vtu" ? " --quads" : "", features));
+  return lines;
+}
+
+Made quads_of(const QuadsRequest& request, QuadJob& job, Run& run) {
+  open(request, job, run);
+  job.read_seconds = run.seconds();
+  job.options.count = request.count;
+  job.options.edge_length = request.edge_length;
+  job.options_json = {{"count", request.count ? Json(*request.count) : Json()},
+                      {"edge_length", request.edge_length ? Json(*request.edge_length) : Json()},
+                      {"cones", request.cones},
+                      {"features", request.features.empty() ? Json() : Json(request.features)},
+                      {"strict", request.common.strict}};
+  run.make("making quads of " + request.input, [&] { job.solve(request.cones); });
+  say_warnings(job.warnings);
+  Made made{.report = quad_report(job)};
+  for (const std::string& path : request.outputs)
+    made.files.push_back({path, [&, path] { write_output(request, job, path); }});
+  for (const Repair& repair : job.surface.repairs)
+    made.remarks.push_back(fmt::format("{}: {}", request.input, describe(repair)));
+  made.summary = [&](const WrittenFiles& written) {
+    return summary_of(request, job, written, run.seconds());
+  };
+  return made;
 }
 
 int make_quads(QuadsRequest request) {
-  const auto start = std::chrono::steady_clock::now();
-  require_usable(request);
-  const ThreadCount threads(usable_threads(request.common.threads));
-  Progress progress(request.common, {Activity::Reading, Activity::Starting, Activity::Solving,
-                                     Activity::Proving, Activity::Writing});
-  RunRecord record(request.time_limit, StoppingRules().max_iterations, interruption_flag(),
-                   &progress);
-  set_output_stop(record.stop());
-  QuadJob job(record);
-  record.begin(Activity::Reading);
-  open(request, job);
-  job.read_seconds = record.seconds();
-  job.options.count = request.count;
-  job.options.edge_length = request.edge_length;
-  job.asked = {{"count", request.count ? Json(*request.count) : Json()},
-               {"edge_length", request.edge_length ? Json(*request.edge_length) : Json()},
-               {"cones", request.cones},
-               {"features", request.features.empty() ? Json() : Json(request.features)},
-               {"strict", request.common.strict}};
-  or_interrupted("making quads of " + request.input, [&] { job.solve(request.cones); });
-  say_warnings(job.warnings);
-  record.begin(Activity::Writing);
-  const double before = seconds_since(start);
-  WrittenFiles written;
-  for (const std::string& path : request.outputs)
-    written.write(path, [&] { write_output(request, job, path); });
-  if (const std::string& path = request.common.report; !path.empty()) {
-    Json report = quad_report(job);
-    report["outputs"] = written.to_json();
-    report["seconds"]["write"] = seconds_since(start) - before;
-    report["seconds"]["total"] = seconds_since(start);
-    written.write(path, [&] { write_json(path, report); });
-  }
-  progress.finish();
-  summarize(request, job, written, seconds_since(start));
-  return written.conclude(exit_code(job.status));
+  if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
+  require_some_output(request.outputs, written_extensions());
+  const RunPlan plan{.command = "quads",
+                     .common = request.common,
+                     .inputs = {request.input, request.cones, feature_file(request.features)},
+                     .outputs = {{request.outputs, written_extensions()}},
+                     .stages = {Activity::Reading, Activity::Starting, Activity::Solving,
+                                Activity::Proving, Activity::Writing},
+                     .time_limit = request.time_limit,
+                     .max_iterations = StoppingRules().max_iterations};
+  Run run(plan);
+  QuadJob job(run.record());
+  return run.conclude([&](Run&) { return quads_of(request, job, run); });
 }
 
 }  // namespace
@@ -156,32 +141,34 @@ void add_quads(CLI::App& app, Action* run) {
   auto request = std::make_shared<QuadsRequest>();
   QuadsRequest& r = *request;
   CLI::App& verb = *app.add_subcommand("quads", "make a pure quad mesh of a surface");
-  begin_group(verb, OptionGroup::Files);
-  verb.add_option("input", r.input, "mesh of a surface")->required();
-  verb.add_option("output", r.positional_output, "one more output");
-  verb.add_option("-o,--output", r.outputs, output_help(written_extensions()))
-      ->type_name("FILE")
-      ->allow_extra_args(false);
-  begin_group(verb, OptionGroup::Map);
-  CLI::Option* const count =
-      verb.add_option("--count", r.count, "number of quads (half the number of faces)")
-          ->check(whole_number(1, kMostQuads));
-  verb.add_option("--edge-length", r.edge_length, "length of the edges of quads, model units")
-      ->check(positive_number(std::numeric_limits<double>::max()))
-      ->excludes(count);
-  verb.add_option("--cones", r.cones,
-                  "the irregular vertices, JSON (default: the cones of a smooth cross field)")
-      ->type_name("FILE");
-  verb.add_option(
-          "--features", r.features,
-          "edges that edges of quads cover: those inside with so many degrees between the "
-          "normals of their faces (35; none where --cones is given), those of a file, JSON, "
-          "or none")
-      ->type_name("DEG|FILE|none");
-  verb.add_option("--time-limit", r.time_limit,
-                  "seconds; the map is left as it is then, and nothing is written where there is "
-                  "none")
-      ->check(non_negative_number(std::numeric_limits<double>::infinity()));
+  constexpr double kAnySeconds = std::numeric_limits<double>::infinity();
+  add_options(verb, OptionGroup::Files,
+              {{"input", &r.input, "mesh of a surface", {.required = true}},
+               {"output", &r.positional_output, "one more output"},
+               {"-o,--output", &r.outputs, output_help(written_extensions()), {.type = "FILE"}}});
+  add_options(
+      verb, OptionGroup::Map,
+      {{"--count",
+        &r.count,
+        "number of quads (half the number of faces)",
+        {.check = whole_number(1, kMostQuads)}},
+       {"--edge-length",
+        &r.edge_length,
+        "length of the edges of quads, model units",
+        {.check = positive_number(std::numeric_limits<double>::max()), .excludes = {"--count"}}},
+       {"--cones",
+        &r.cones,
+        "the irregular vertices, JSON (default: the cones of a smooth cross field)",
+        {.type = "FILE"}},
+       {"--features",
+        &r.features,
+        "edges that edges of quads cover: those inside with so many degrees between the normals of "
+        "their faces (35; none where --cones is given), those of a file, JSON, or none",
+        {.type = "DEG|FILE|none"}},
+       {"--time-limit",
+        &r.time_limit,
+        "seconds; the map is left as it is then, and nothing is written where there is none",
+        {.check = non_negative_number(kAnySeconds)}}});
   r.common.add_to(verb);
   verb.footer("Example: majorant quads spot.obj -o quads.obj --count 4000");
   verb.callback([request, run] { *run = [request] { return make_quads(*request); }; });

@@ -7,11 +7,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/or_interrupted.h"
-#include "apps/streams.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_vertex_lists.h"
 
@@ -48,18 +47,19 @@ std::string wrong_word(const std::string& seams) {
 }  // namespace
 
 void SeamRequest::add_to(CLI::App& verb) {
-  begin_group(verb, OptionGroup::Charts);
-  verb.add_option("--seams", seams,
-                  "where to cut: auto; uv, the islands of the file's texture coordinates; "
-                  "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
-                  "FILE {\"edges\": [[0, 1], ...]}")
-      ->type_name("SEAMS")
-      ->check(CLI::Validator(wrong_word, ""));
-  verb.add_option("--max-stretch", max_stretch,
-                  fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "
-                              "({:g})",
-                              CutOptions().max_stretch))
-      ->check(positive_number());
+  add_options(verb, OptionGroup::Charts,
+              {{"--seams",
+                &seams,
+                "where to cut: auto; uv, the islands of the file's texture coordinates; "
+                "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
+                "FILE {\"edges\": [[0, 1], ...]}",
+                {.type = "SEAMS", .check = checked_by(wrong_word)}},
+               {"--max-stretch",
+                &max_stretch,
+                fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "
+                            "({:g})",
+                            CutOptions().max_stretch),
+                {.check = positive_number()}}});
 }
 
 std::string SeamRequest::file() const {
@@ -101,10 +101,10 @@ Json SeamRequest::to_json() const {
   return {{"seams", seams}, {"max_stretch", max_stretch.value_or(CutOptions().max_stretch)}};
 }
 
-void say_untextured(const std::string& file, const SurfaceCuts& cuts) {
-  if (cuts.untextured_faces == 0) return;
-  say("{}: {} face{} without texture coordinates, cut as by --seams auto\n", file,
-      cuts.untextured_faces, cuts.untextured_faces == 1 ? "" : "s");
+std::vector<std::string> untextured_in_words(const std::string& file, const SurfaceCuts& cuts) {
+  if (cuts.untextured_faces == 0) return {};
+  return {fmt::format("{}: {} face{} without texture coordinates, cut as by --seams auto", file,
+                      cuts.untextured_faces, cuts.untextured_faces == 1 ? "" : "s")};
 }
 
 }  // namespace majorant::app

@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
@@ -31,8 +32,8 @@ struct SeamRequest {
   Json to_json() const;  // for reports and claims
 };
 
-// On stderr, where faces had no texture coordinates to be cut along.
-void say_untextured(const std::string& file, const SurfaceCuts& cuts);
+// A line where faces had no texture coordinates to be cut along, or none.
+std::vector<std::string> untextured_in_words(const std::string& file, const SurfaceCuts& cuts);
 
 }  // namespace majorant::app
 

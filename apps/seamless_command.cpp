@@ -3,8 +3,8 @@
 #include <memory>
 #include <utility>
 
-#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
@@ -19,8 +19,7 @@ struct SeamlessRequest : MapVerb {
 };
 
 int run_job(SeamlessRequest request) {
-  MapRun run(MapTask::Seamless, request, {request.cones});
-  run.read([&](MapJob& job) {
+  const StartMaker make_start = [&](MapJob& job) {
     SeamlessOptions options;
     options.method = method_called(request.start);
     options.field.curvature_weight = request.curvature_alignment;
@@ -29,10 +28,13 @@ int run_job(SeamlessRequest request) {
                                  job.record.start_stop());
     job.start_seamless(std::move(options), request.cones);
     request.map.init = job.init;
-  });
-  return run.finish({{"cones", request.cones},
-                     {"start", request.start},
-                     {"curvature_alignment", request.curvature_alignment}});
+  };
+  return run_map(MapTask::Seamless, request,
+                 {.inputs = {request.cones},
+                  .make_start = make_start,
+                  .options = {{"cones", request.cones},
+                              {"start", request.start},
+                              {"curvature_alignment", request.curvature_alignment}}});
 }
 
 }  // namespace
@@ -45,15 +47,19 @@ void add_seamless(CLI::App& app, Action* run) {
   SeamlessRequest& r = *request;
   r.map.seamless = true;
   r.add_to(verb);
-  begin_group(verb, OptionGroup::Charts);
-  verb.add_option("--cones", r.cones, "the cones, JSON (default: those of a smooth cross field)")
-      ->type_name("FILE");
-  verb.add_option("--start", r.start, "what the map is made from (automatic)")
-      ->check(one_of({"automatic", "field", "scaled-field", "conformal"}));
-  verb.add_option("--curvature-alignment", r.curvature_alignment,
-                  "pull of principal directions on the cross field, 5 to 50 are useful (0)")
-      ->check(non_negative_number(kLargestFactor))
-      ->excludes("--cones");
+  add_options(verb, OptionGroup::Charts,
+              {{"--cones",
+                &r.cones,
+                "the cones, JSON (default: those of a smooth cross field)",
+                {.type = "FILE"}},
+               {"--start",
+                &r.start,
+                "what the map is made from (automatic)",
+                {.check = one_of({"automatic", "field", "scaled-field", "conformal"})}},
+               {"--curvature-alignment",
+                &r.curvature_alignment,
+                "pull of principal directions on the cross field, 5 to 50 are useful (0)",
+                {.check = non_negative_number(kLargestFactor), .excludes = {"--cones"}}}});
   verb.footer(energy_help() +
               "Example: majorant seamless bunny.obj -o bunny.vtu -o bunny.svg --degree 3");
   verb.callback([request, run] { *run = [request] { return run_job(*request); }; });

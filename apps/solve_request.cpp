@@ -4,52 +4,57 @@
 
 #include <vector>
 
-#include "apps/arguments/help_text.h"
 #include "apps/arguments/number_check.h"
+#include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/page_content.h"
 #include "apps/parts.h"
-#include "apps/process.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/waiting_output.h"
 
 namespace majorant::app {
 
 void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
-  begin_group(verb, OptionGroup::Map);
-  verb.add_flag("--bijective", bijective, "keep the image free of overlaps");
-  verb.add_flag("--no-flips", no_flips, "with --bijective: leave the scaffold's edges, to compare");
-  verb.add_option("--write-scaffold", scaffold_file,
-                  "with --bijective: the triangulated space around the image, .vtu or .svg")
-      ->type_name("FILE");
-  verb.add_flag("--improve-mesh", improve_mesh,
-                "flip edges inside flat parts of the surface where that lowers the energy");
-  begin_group(verb, OptionGroup::Pictures);
-  verb.add_option("--snapshots", snapshots,
-                  "the map after every so many iterations goes into the page, .html")
-      ->type_name("K")
-      ->check(whole_number(1));
+  add_options(
+      verb, OptionGroup::Map,
+      {{"--bijective", &bijective, "keep the image free of overlaps"},
+       {"--no-flips", &no_flips, "with --bijective: leave the scaffold's edges, to compare"},
+       {"--write-scaffold",
+        &scaffold_file,
+        "with --bijective: the triangulated space around the image, .vtu or .svg",
+        {.type = "FILE"}},
+       {"--improve-mesh", &improve_mesh,
+        "flip edges inside flat parts of the surface where that lowers the energy"}});
+  add_options(verb, OptionGroup::Pictures,
+              {{"--snapshots",
+                &snapshots,
+                "the map after every so many iterations goes into the page, .html",
+                {.type = "K", .check = whole_number(1)}}});
   add_limits_to(verb, curvature);
 }
 
 void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
-  begin_group(verb, OptionGroup::Solver);
   std::vector<std::string> curvatures;
   for (const Curvature c : kCurvatures) curvatures.emplace_back(curvature_name(c));
-  verb.add_option("--curvature", curvature, "second-order model (projected)")
-      ->check(one_of(curvatures));
-  verb.add_option("--elevation", elevation, "how the degree is reached (incremental)")
-      ->check(one_of({"incremental", "direct"}));
-  verb.add_option("--tolerance", tolerance,
-                  fmt::format("part of the energy that may be left, estimated ({})", tolerance))
-      ->check(positive_number());
-  verb.add_option("--max-iterations", max_iterations,
-                  fmt::format("of all degrees together ({})", max_iterations))
-      ->check(whole_number(0));
-  verb.add_option("--time-limit", time_limit,
-                  "seconds; the best valid map is written, if there is one")
-      ->check(non_negative_number());
+  add_options(
+      verb, OptionGroup::Solver,
+      {{"--curvature", &curvature, "second-order model (projected)", {.check = one_of(curvatures)}},
+       {"--elevation",
+        &elevation,
+        "how the degree is reached (incremental)",
+        {.check = one_of({"incremental", "direct"})}},
+       {"--tolerance",
+        &tolerance,
+        fmt::format("part of the energy that may be left, estimated ({})", tolerance),
+        {.check = positive_number()}},
+       {"--max-iterations",
+        &max_iterations,
+        fmt::format("of all degrees together ({})", max_iterations),
+        {.check = whole_number(0)}},
+       {"--time-limit",
+        &time_limit,
+        "seconds; the best valid map is written, if there is one",
+        {.check = non_negative_number()}}});
 }
 
 void SolveRequest::apply(ParametrizationOptions& options) const {
@@ -80,13 +85,6 @@ void SolveRequest::require_usable(const OutputRequest& outputs, const MapRequest
   if (scaffold_file.empty()) return;
   if (!bijective) refuse("--write-scaffold needs --bijective");
   if (outputs.normalize) refuse("--normalize moves the map away from its scaffold; leave it out");
-}
-
-RunRecord SolveRequest::make_record(Progress& progress) const {
-  if (!(time_limit >= 0)) throw Error(ErrorKind::Usage, "--time-limit is not a number of seconds");
-  RunRecord record(time_limit, max_iterations, interruption_flag(), &progress);
-  set_output_stop(record.stop());
-  return record;
 }
 
 }  // namespace majorant::app

@@ -1,4 +1,4 @@
-// The solve of all verbs that optimize a map: options, limits, and the record of a run.
+// The solve of all verbs that optimize a map: its options and limits.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -6,8 +6,7 @@
 #include <string>
 
 #include "apps/command.h"
-#include "apps/progress.h"
-#include "apps/result_files.h"
+#include "apps/output_request.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "majorant/results/report.h"
@@ -30,9 +29,6 @@ struct SolveRequest {
   void require_usable(const OutputRequest& outputs, const MapRequest& map) const;
   void apply(ParametrizationOptions& options) const;
   Json to_json() const;
-  // Limits, Ctrl-C and progress lines. Throws Error(Usage) for a time limit that is no number.
-  // progress: outlives the record.
-  RunRecord make_record(Progress& progress) const;
 };
 
 }  // namespace majorant::app

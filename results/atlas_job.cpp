@@ -95,7 +95,7 @@ std::string claims(const AtlasJob& job, const MapFile& file) {
               {"pins", pins_section(job)},
               {"other_triangles", false},
               {"cuts", unshared_edges(as_input(file, *job.polygons), job.polygons->file)},
-              {"options", job.asked}};
+              {"options", job.options_json}};
   if (job.options.stacking != Stacking::None) claims["stacks"] = stacks_section(job.atlas);
   if (!is_measured_anew(job)) claims.erase("value");
   if (job.energy.empty()) {  // nobody else could tell
@@ -313,28 +313,21 @@ ProofRequest promise(const AtlasJob& job, const std::string& path) {
   return promise;
 }
 
-Json atlas_report(const AtlasJob& job) {
+RunReport atlas_report(const AtlasJob& job) {
   const Atlas& atlas = job.atlas;
-  Json report{{"schema_version", 1},
-              {"version", MAJORANT_VERSION},
-              {"command", "unwrap"},
-              {"status", status_name(atlas.status())},
-              {"message", atlas.message()},
-              {"warnings", job.polygons->warnings},
-              {"input", input_section(*job.polygons, *job.surface.mesh)},
-              {"repairs", repairs_section(job.surface)},
-              {"options", job.asked},
-              {"result", result_section(job)},
-              {"charts", charts_section(atlas)},
-              {"outputs", nullptr},
-              {"seconds",
-               {{"read", job.read_seconds},
-                {"initialize", atlas.initialize_seconds},
-                {"optimize", atlas.optimize_seconds},
-                {"pack", atlas.packing_seconds},
-                {"write", nullptr},
-                {"total", nullptr}}}};
-  add_resources(report, job.linear_solver, job.memory);
+  RunReport report{.command = "unwrap",
+                   .status = std::string(status_name(atlas.status())),
+                   .message = atlas.message(),
+                   .input = input_section(*job.polygons, *job.surface.mesh),
+                   .options = job.options_json,
+                   .result = result_section(job),
+                   .warnings = job.polygons->warnings,
+                   .seconds = {{"read", job.read_seconds},
+                               {"initialize", atlas.initialize_seconds},
+                               {"optimize", atlas.optimize_seconds},
+                               {"pack", atlas.packing_seconds}}};
+  report.more = {{"repairs", repairs_section(job.surface)}, {"charts", charts_section(atlas)}};
+  add_solver(report, job.linear_solver, job.memory);
   return report;
 }
 

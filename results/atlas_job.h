@@ -46,7 +46,7 @@ struct AtlasJob {
 
   RunRecord& record;
   std::string energy = {};      // as said; empty: one without a name
-  Json asked = Json::object();  // likewise, all of it, for reports and claims
+  Json options_json = Json::object();  // the options as given, for reports and claims
 
   std::shared_ptr<PolygonMesh> polygons;  // as with_welded_vertices() has them
   RepairedSurface surface;
@@ -86,8 +86,8 @@ double seam_length(const AtlasJob& job);
 MapFile atlas_file(const AtlasJob& job, FaceDistortion* table = nullptr);
 // The properties that a data file must have when it is read back.
 ProofRequest promise(const AtlasJob& job, const std::string& path);
-// Whole but for what writing adds to it: "outputs", their seconds and the total.
-Json atlas_report(const AtlasJob& job);
+// Whole but for what writing adds to it: the seconds "write" and "total".
+RunReport atlas_report(const AtlasJob& job);
 
 }  // namespace majorant
 

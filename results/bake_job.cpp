@@ -236,6 +236,8 @@ bool BakeJob::is_proven() const {
   return baked && baked->counts.doubly_covered == 0 && baked->counts.undecided == 0;
 }
 
+namespace {
+
 Json bake_section(const BakeJob& job) {
   const BakeCounts& counts = job.baked->counts;
   return {
@@ -250,6 +252,16 @@ Json bake_section(const BakeJob& job) {
       {"density", {{"min", job.density.min}, {"mean", job.density.mean}, {"max", job.density.max}}},
       {"method", method_name(job.method)},
       {"distance", job.method == BakeMethod::Nearest ? Json(job.farthest) : Json()}};
+}
+
+}  // namespace
+
+RunReport bake_report(const BakeJob& job) {
+  return {.command = "bake",
+          .status = "converged",
+          .input = {{"file", job.target.file}},
+          .result = {{"bake", bake_section(job)}},
+          .warnings = job.target.warnings};
 }
 
 void write_baked(const std::string& path, const BakeJob& job) {

@@ -7,7 +7,7 @@
 //   job.attribute = "position";
 //   job.run();
 //   if (job.is_proven()) write_baked("low.npy", job);
-//   const Json section = bake_section(job);
+//   const Json report = to_json(bake_report(job));
 #pragma once
 
 #include <array>
@@ -83,8 +83,8 @@ struct BakeJob {
   TexelDensity density;
 };
 
-// {texels, covered, doubly_covered, misses, ...}
-Json bake_section(const BakeJob& job);
+// The report of a job that has run, but for its options.
+RunReport bake_report(const BakeJob& job);
 // The image, atomically, and beside a .npy NAME.npy.json: which points of the layout it holds.
 // Throws as encode_image() and write_file_atomically().
 void write_baked(const std::string& path, const BakeJob& job);

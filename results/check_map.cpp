@@ -194,14 +194,14 @@ void add_proofs(MapCheck& check) {
     if (finding->answer == ProofStatus::Undecided)
       check.findings.add_open(
           fmt::format("{}: could not be decided: {}", question, finding->detail));
-    check.report["proofs"][question] = {{"answer", name_of(finding->answer)},
+    check.report.result["proofs"][question] = {{"answer", name_of(finding->answer)},
                                         {"detail", finding->detail}};
   }
   const StackedCharts& stacks = check.proof.stacks;
-  check.report["stacks"] = {
+  check.report.result["stacks"] = {
       {"stacks", stacks.stacks}, {"charts", stacks.stacked}, {"mirrored", stacks.mirrored}};
   const CutCount& cuts = check.proof.cuts;
-  check.report["cuts"] = {{"seam_edges", cuts.seams},
+  check.report.result["cuts"] = {{"seam_edges", cuts.seams},
                           {"other_edges", cuts.others},
                           {"length", cuts.length},
                           {"charts", cuts.charts},
@@ -265,7 +265,7 @@ void measure_overlap(MapCheck& check, const CheckRequest& request, const StopChe
     return;  // what is measured decides nothing
   }
   if (check.overlap)
-    check.report["result"]["overlap"] = {{"faces", check.overlap->faces},
+    check.report.result["overlap"] = {{"faces", check.overlap->faces},
                                          {"share", check.overlap->share}};
 }
 
@@ -281,7 +281,7 @@ void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& requ
   if (check.proof.global) add_global_injectivity(result, map, *check.measures, *check.proof.global);
   if (!check.measures->cut_short && request.reported)
     result["distortion"] = measured_distortion(file);
-  check.report["result"] = result;
+  check.report.result.update(result);
   if (check.proof.surface.answer == ProofStatus::Violated) return;  // claims are about another mesh
   check_claims({file, map, *check.measures, check.claims, request.surface, check.proof.cuts},
                check.findings);
@@ -291,7 +291,7 @@ void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& requ
 
 MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRecord& record)
     : claims(parse_claims(file.claims, request.name)),
-      report{{"schema_version", 1}, {"version", MAJORANT_VERSION}, {"command", "check"}},
+      report{.command = "check", .status = "undecided", .input = {{"file", request.name}}},
       proof(proven(file, request, claims, record)) {
   require_surface(*this, file, request);
   has_untold_cuts =
@@ -306,14 +306,14 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
   measure_overlap(*this, request, record.stop());
   if (claims.stacks && proof.map()) check_stacks(file, proof.stacks, claims, findings);
   const std::vector<std::string>& list = findings.list();
-  report["status"] = status();
-  report["message"] = list.empty() ? "" : list.front();
-  report["findings"] = list;
+  report.status = status();
+  report.message = list.empty() ? "" : list.front();
+  report.result["findings"] = list;
   std::vector<std::string> warnings = file.warnings;
   if (request.surface)
     warnings.insert(warnings.end(), request.surface->warnings.begin(),
                     request.surface->warnings.end());
-  report["warnings"] = warnings;
+  report.warnings = warnings;
 }
 
 std::string MapCheck::overlap_in_words() const {

@@ -69,7 +69,7 @@ struct MapCheck {
 
   Claims claims;
   Findings findings;  // empty: valid
-  Json report;        // schema_version 1
+  RunReport report;   // but for its options
   std::optional<MapMeasures> measures;
   CheckedEnergy energy;  // where there are measures
   MapProof proof;

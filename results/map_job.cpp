@@ -70,7 +70,7 @@ std::string claims(const MapJob& job, const MapFile& file) {
               {"pins", pins},
               {"other_triangles", job.result.other_triangles},
               {"cuts", unshared_edges(file, job.polygons->file)},
-              {"options", job.asked}};
+              {"options", job.options_json}};
   if (job.result.measures.cut_short) claims.erase("value");  // not good enough to be claimed
   if (job.energy.empty()) {                                  // nobody else could tell
     claims.erase("energy");
@@ -243,36 +243,30 @@ MapFile map_file(const MapJob& job) {
   return file;
 }
 
-Json map_report(const MapJob& job) {
+RunReport map_report(const MapJob& job) {
   const ParametrizationResult& r = job.result;
-  Json report{{"schema_version", 1},
-              {"version", MAJORANT_VERSION},
-              {"command", task_name(job.task)},
-              {"status", status_name(r.status)},
-              {"message", r.message},
-              {"warnings", job.polygons->warnings},
-              {"input", input_section(*job.polygons, *job.mesh)},
-              {"options", job.asked},
-              {"result", result_section(job)},
-              {"outputs", nullptr},
-              {"iterations", iterations_section(job.record.trace())},
-              {"injectivity_tests", {{"depth", r.injectivity_tests}}},
-              {"remedies", remedies_section(r.remedies)},
-              {"flips", {{"intended", r.flips.intended}, {"performed", r.flips.performed}}},
-              {"seconds",
-               {{"read", job.read_seconds},
-                {"initialize", r.initialize_seconds},
-                {"optimize", r.optimize_seconds},
-                {"scaffold", r.scaffold_seconds},
-                {"measure", r.measure_seconds},
-                {"write", nullptr},
-                {"total", nullptr}}}};
-  add_resources(report, job.linear_solver, job.memory);
+  RunReport report{.command = std::string(task_name(job.task)),
+                   .status = std::string(status_name(r.status)),
+                   .message = r.message,
+                   .input = input_section(*job.polygons, *job.mesh),
+                   .options = job.options_json,
+                   .result = result_section(job),
+                   .warnings = job.polygons->warnings,
+                   .seconds = {{"read", job.read_seconds},
+                               {"initialize", r.initialize_seconds},
+                               {"optimize", r.optimize_seconds},
+                               {"scaffold", r.scaffold_seconds},
+                               {"measure", r.measure_seconds}}};
+  report.more = {{"iterations", iterations_section(job.record.trace())},
+                 {"injectivity_tests", {{"depth", r.injectivity_tests}}},
+                 {"remedies", remedies_section(r.remedies)},
+                 {"flips", {{"intended", r.flips.intended}, {"performed", r.flips.performed}}}};
+  add_solver(report, job.linear_solver, job.memory);
   if (job.start && !job.start->map.seams().trivial())
-    report["seam_start"] = seam_start_section(*job.start);
+    report.more["seam_start"] = seam_start_section(*job.start);
   if (job.film)
-    report["snapshots"] = {{"every", job.film->every()},
-                           {"frames", job.film->count(last_iteration(job.record.trace()))}};
+    report.more["snapshots"] = {{"every", job.film->every()},
+                                {"frames", job.film->count(last_iteration(job.record.trace()))}};
   return report;
 }
 

@@ -10,7 +10,7 @@
 //   const MapFile file = map_file(job);
 //   const ProofRequest proof = promise(job, path);
 //   write_map(path, file, job.polygons.get(), {}, proof_of_file(path, proof, file, {}));
-//   const Json report = map_report(job);
+//   const Json report = to_json(map_report(job));
 #pragma once
 
 #include <functional>
@@ -87,7 +87,7 @@ struct MapJob {
   RunRecord& record;
   std::string energy = {};      // as said; empty: one without a name
   std::string init = "auto";    // likewise, or what the start was made from
-  Json asked = Json::object();  // likewise, all of it, for reports and claims
+  Json options_json = Json::object();  // the options as given, for reports and claims
 
   std::shared_ptr<const PolygonMesh> polygons;
   std::shared_ptr<const SurfaceMesh> mesh;  // of these, not cut
@@ -111,8 +111,8 @@ double scale_of(const MapJob& job);
 MapFile map_file(const MapJob& job);
 // The properties that a data file of that name must have when it is read back.
 ProofRequest promise(const MapJob& job, const std::string& path);
-// Whole but for what writing adds to it: "outputs" and their seconds.
-Json map_report(const MapJob& job);
+// Whole but for what writing adds to it: the seconds "write" and "total".
+RunReport map_report(const MapJob& job);
 
 }  // namespace majorant
 

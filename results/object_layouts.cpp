@@ -9,7 +9,7 @@ namespace majorant {
 namespace {
 
 Json object_section(const std::string& name, const AtlasJob& job) {
-  const Json report = atlas_report(job);
+  const Json report = to_json(atlas_report(job));
   Json section{{"name", name}};
   for (const char* const key : {"status", "input", "repairs", "result", "charts"})
     section[key] = report[key];
@@ -36,10 +36,21 @@ UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
       all.message = job.atlas.message();
     }
     all.sections.push_back(object_section(name, job));
-    all.asked = job.asked;
+    all.options_json = job.options_json;
     if (status != Status::Failed) all.layouts.push_back({name, atlas_file(job), std::move(object)});
   }
   return all;
+}
+
+RunReport objects_report(const UnwrappedObjects& objects, const PolygonMesh& polygons) {
+  RunReport report{.command = "unwrap",
+                   .status = std::string(status_name(objects.status)),
+                   .message = objects.message,
+                   .input = {{"file", polygons.file}},
+                   .options = objects.options_json,
+                   .warnings = polygons.warnings};
+  report.more["objects"] = objects.sections;
+  return report;
 }
 
 MapFile map_of_objects(std::vector<ObjectLayout> layouts) {

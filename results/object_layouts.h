@@ -32,7 +32,7 @@ struct ObjectLayout {
 struct UnwrappedObjects {
   std::vector<ObjectLayout> layouts;  // of all but those that failed
   Json sections = Json::array();  // {"name", "status", "input", "repairs", "result", "charts"} each
-  Json asked;
+  Json options_json;              // of the jobs, for reports
   Status status = Status::Converged;  // the worst of the objects
   std::string message;                // of the first that ended so
 };
@@ -40,6 +40,9 @@ struct UnwrappedObjects {
 // name says which object of the file it is.
 UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
                                 const std::function<void(PolygonMesh, AtlasJob&)>& unwrap);
+
+// The report of all objects: "objects" in place of "input", "repairs", "result" and "charts".
+RunReport objects_report(const UnwrappedObjects& objects, const PolygonMesh& polygons);
 
 // Charts are numbered on from object to object, as the claim `objects` says. No measures: scales
 // differ. layouts: at least one, of one degree.

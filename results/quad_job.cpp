@@ -195,7 +195,7 @@ void QuadJob::solve(const std::string& source) {
     append_mesh(made.quads, quads);
     for (const Index patch : made.patch_of) patch_of.push_back(patches + patch);
     add_features(made, piece, *this);
-    asked_count += made.asked;
+    requested_count += made.asked;
     patches += made.patches;
     degree = std::max(degree, made.degree);
     least += made.least_count.value_or(made.check.count);
@@ -207,22 +207,22 @@ void QuadJob::solve(const std::string& source) {
     throw Error(ErrorKind::Infeasible,
                 fmt::format("{}: its components do not make valid quads together: {}",
                             polygons.file, check.defects.front()));
-  const auto wanted = static_cast<double>(asked_count);
+  const auto wanted = static_cast<double>(requested_count);
   if (static_cast<double>(check.count) > (1 + kCountClose) * wanted) least_count = least;
   if (!options.edge_length && std::abs(check.count - wanted) > kCountClose * wanted)
     warnings.push_back(
         fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found",
-                    polygons.file, check.count, asked_count, 100 * kCountClose));
+                    polygons.file, check.count, requested_count, 100 * kCountClose));
   if (!relaxed.empty()) warnings.push_back(relaxed_features(*this));
   solve_seconds = record.seconds() - before;
 }
 
-Json quad_report(const QuadJob& job) {
-  Json section = quads_section(job.check, QuadsComparedWith::Surface, QuadsFeatures::Asked);
-  section["asked"] = job.asked_count;
+RunReport quad_report(const QuadJob& job) {
+  Json section = quads_section(job.check, QuadsComparedWith::Surface, QuadsFeatures::Requested);
+  section["requested"] = job.requested_count;
   section["least_count"] = job.least_count ? Json(*job.least_count) : Json();
   section["patches"] = job.patches;
-  section["features"] = {{"asked", job.feature_lines},
+  section["features"] = {{"requested", job.feature_lines},
                          {"covered", job.feature_lines - job.relaxed.size()},
                          {"relaxed", job.relaxed.size()}};
   section["degree"] = job.degree;
@@ -230,20 +230,14 @@ Json quad_report(const QuadJob& job) {
   for (const Repair& repair : job.surface.repairs) input["repairs"].push_back(describe(repair));
   std::vector<std::string> warnings = job.polygons.warnings;
   warnings.insert(warnings.end(), job.warnings.begin(), job.warnings.end());
-  Json report{
-      {"schema_version", 1},
-      {"version", MAJORANT_VERSION},
-      {"command", "quads"},
-      {"status", status_name(job.status)},
-      {"message", describe(job.check, QuadsComparedWith::Surface)},
-      {"warnings", warnings},
-      {"input", input},
-      {"options", job.asked},
-      {"quads", section},
-      {"seconds", {{"read", job.read_seconds}, {"solve", job.solve_seconds}, {"write", 0.0}}}};
-  report["peak_memory_bytes"] = peak_memory_bytes();
-  report["threads"] = ThreadCount::current();
-  return report;
+  return {.command = "quads",
+          .status = std::string(status_name(job.status)),
+          .message = describe(job.check, QuadsComparedWith::Surface),
+          .input = input,
+          .options = job.options_json,
+          .result = {{"quads", section}},
+          .warnings = warnings,
+          .seconds = {{"read", job.read_seconds}, {"solve", job.solve_seconds}}};
 }
 
 std::vector<std::string> quad_extensions() { return {".obj", ".ply", ".vtu"}; }

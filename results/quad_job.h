@@ -35,7 +35,7 @@ struct QuadJob {
 
   RunRecord& record;
   QuadMeshOptions options;
-  Json asked = Json::object();  // as said, for reports
+  Json options_json = Json::object();  // the options as given, for reports
 
   PolygonMesh polygons;
   RepairedSurface surface;
@@ -48,7 +48,7 @@ struct QuadJob {
   double shortest_feature = 0;
   std::vector<std::string> conflicts;  // of components, as QuadMesh has it
   QuadCheck check;
-  long asked_count = 0;
+  long requested_count = 0;
   std::optional<long> least_count;  // as QuadMesh has it, of all components together
   Index patches = 0;
   int degree = 1;                                   // the highest of the components' (QuadMesh)
@@ -59,8 +59,8 @@ struct QuadJob {
   double read_seconds = 0, solve_seconds = 0;
 };
 
-// Whole but for what writing adds to it: "outputs", their seconds and the total.
-Json quad_report(const QuadJob& job);
+// Whole but for what writing adds to it: the seconds "write" and "total".
+RunReport quad_report(const QuadJob& job);
 
 // The extensions that write_quads() knows, and those of pictures.
 std::vector<std::string> quad_extensions();

@@ -10,7 +10,7 @@ Json quads_section(const QuadCheck& check, QuadsComparedWith surface, QuadsFeatu
   const auto if_surface = [&](auto value) { return check.is_surface ? Json(value) : Json(); };
   const auto if_compared = [&](auto value) { return compared ? Json(value) : Json(); };
   const auto if_features = [&](auto value) {
-    return compared && features == QuadsFeatures::Asked ? Json(value) : Json();
+    return compared && features == QuadsFeatures::Requested ? Json(value) : Json();
   };
   return {{"count", check.count},
           {"irregular", if_surface(check.irregular)},
@@ -24,7 +24,7 @@ Json quads_section(const QuadCheck& check, QuadsComparedWith surface, QuadsFeatu
           {"folded", if_surface(check.folded.size())},
           {"turned", if_compared(check.turned.size())},
           {"features",
-           {{"asked", if_features(check.feature_lines)},
+           {{"requested", if_features(check.feature_lines)},
             {"covered", if_features(check.feature_lines - check.uncovered.size())},
             {"relaxed", Json()}}},
           {"hausdorff",

@@ -2,7 +2,7 @@
 //
 //   const QuadCheck check = check_quads(polygons, mesh.get());
 //   const Json section =
-//       quads_section(check, QuadsComparedWith::Surface, QuadsFeatures::NotAsked);
+//       quads_section(check, QuadsComparedWith::Surface, QuadsFeatures::NotRequested);
 //   std::cout << describe(check, QuadsComparedWith::Surface) << "\n";
 #pragma once
 
@@ -17,8 +17,8 @@ namespace majorant {
 // the faces make no surface.
 enum class QuadsComparedWith { Nothing, Surface };
 
-// NotAsked: whether features are covered is unknown, null in reports.
-enum class QuadsFeatures { NotAsked, Asked };
+// NotRequested: whether features are covered is unknown, null in reports.
+enum class QuadsFeatures { NotRequested, Requested };
 
 Json quads_section(const QuadCheck& check, QuadsComparedWith surface, QuadsFeatures features);
 

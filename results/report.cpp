@@ -18,6 +18,24 @@
 
 namespace majorant {
 
+Json to_json(const RunReport& report, const Json& outputs) {
+  Json json{{"schema_version", 2},
+            {"version", MAJORANT_VERSION},
+            {"command", report.command},
+            {"status", report.status},
+            {"message", report.message},
+            {"input", report.input},
+            {"options", report.options},
+            {"outputs", outputs},
+            {"seconds", report.seconds},
+            {"warnings", report.warnings},
+            {"threads", ThreadCount::current()},
+            {"peak_memory_bytes", peak_memory_bytes()},
+            {"result", report.result}};
+  json.update(report.more);
+  return json;
+}
+
 Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh) {
   const Topology& t = mesh.topology();
   Json repairs = Json::array();
@@ -194,12 +212,10 @@ long peak_memory_bytes() {
   return usage.ru_maxrss * 1024L;
 }
 
-void add_resources(Json& report, const Json& linear_solver, const Json& memory) {
-  report["linear_solver"] = linear_solver;
-  report["memory"] = memory;
-  report["peak_memory_bytes"] = peak_memory_bytes();
-  report["threads"] = ThreadCount::current();
-  report["vector_instructions"] = vector_instructions();
+void add_solver(RunReport& report, const Json& linear_solver, const Json& memory) {
+  report.more["linear_solver"] = linear_solver;
+  report.more["memory"] = memory;
+  report.more["vector_instructions"] = vector_instructions();
 }
 
 namespace {

@@ -1,4 +1,9 @@
-// The JSON report, schema_version 1, section by section, and the CSV trace.
+// The JSON report of a run, schema_version 2 (report.schema.json), its sections, and the CSV trace.
+//
+//   RunReport report{.command = "info", .status = "done"};
+//   report.input = {{"file", "bunny.obj"}};
+//   report.result["polygons"] = 12;
+//   const std::string text = json_text(to_json(report, Json::array()), 1);
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,6 +20,18 @@
 namespace majorant {
 
 using Json = nlohmann::ordered_json;
+
+// The report of a run, whatever ran. Keys that only some runs have are in `more`.
+struct RunReport {
+  std::string command = {}, status = {}, message = {};
+  Json input = nullptr, options = Json::object(), result = nullptr;
+  std::vector<std::string> warnings = {};
+  Json seconds = Json::object();  // by stage, "total" and "write" among them once they are known
+  Json more = Json::object();     // "iterations", "charts", ...
+};
+// outputs: [{"file", "written", "message"}], in the order of writing. Threads and memory are those of
+// the process at the time of the call.
+Json to_json(const RunReport& report, const Json& outputs = Json::array());
 
 Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh);
 // [{"vertex": of the input, "quarter_turns": q, "index": (4 - q) / 4}].
@@ -42,9 +59,8 @@ std::string seam_summary(const Json& measures_section);
 Json remedies_section(const RemedyUses& uses);
 Json iterations_section(const std::vector<TraceEntry>& trace);
 long peak_memory_bytes();
-// Adds what the run took and took place on: "linear_solver", "memory" (sections, or null),
-// "peak_memory_bytes", "threads", "vector_instructions".
-void add_resources(Json& report, const Json& linear_solver, const Json& memory);
+// Adds what solved: "linear_solver" and "memory" (sections, or null), "vector_instructions".
+void add_solver(RunReport& report, const Json& linear_solver, const Json& memory);
 
 // The same with file names in place of paths, for what is handed on: in every text of it those of
 // `paths`, and of `options` all that have a folder.

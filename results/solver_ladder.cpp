@@ -12,12 +12,12 @@
 
 namespace majorant {
 
-Json linear_solver_section(const std::string& asked, OwnSolver own, const LadderRecord& record) {
+Json linear_solver_section(const std::string& name, OwnSolver own, const LadderRecord& record) {
   std::vector<std::string_view> used;
   if (own == OwnSolver::Used) used.emplace_back("direct");
   for (std::size_t k = 0; k < kRungNames.size(); ++k)
     if (record.rungs[k].solves > 0) used.push_back(kRungNames[k]);
-  Json section{{"asked", asked}, {"used", nullptr}};
+  Json section{{"requested", name}, {"used", nullptr}};
   if (!used.empty()) section["used"] = fmt::format("{}", fmt::join(used, " + "));
   const auto is_set_up = [](const LadderRecord::Use& use) { return use.set_ups > 0; };
   if (std::none_of(record.rungs.begin(), record.rungs.end(), is_set_up)) return section;

@@ -140,8 +140,17 @@ Json mesh_section(const VolumeMesh& mesh, const VolumeCheck& check, int listed) 
           {"disagreements", disagreements}};
 }
 
-Json optimized_mesh_report(const VolumeMesh& mesh, const VolumeResult& result,
-                           const RunRecord& record, int listed) {
+RunReport volume_check_report(const VolumeMesh& mesh, const VolumeCheck& check, int listed) {
+  const std::string faults = faults_in_words(mesh, check);
+  return {.command = "mesh check",
+          .status = status_of(check),
+          .message = faults.empty() ? "det J > 0 all over" : faults,
+          .input = {{"file", mesh.file}, {"points", mesh.points.rows()}},
+          .result = {{"mesh", mesh_section(mesh, check, listed)}}};
+}
+
+RunReport optimized_mesh_report(const VolumeMesh& mesh, const VolumeResult& result,
+                                const RunRecord& record, int listed) {
   Json section = mesh_section(mesh, result.after, listed);
   section["moved_nodes"] = result.moved_nodes;
   section["held_sides"] = result.held_sides;
@@ -149,23 +158,23 @@ Json optimized_mesh_report(const VolumeMesh& mesh, const VolumeResult& result,
   section["impossible"] = Json::array();
   for (const CellName& name : result.impossible)
     section["impossible"].push_back(mesh.blocks[to_size(name.block)].numbers[to_size(name.cell)]);
-  return {{"status", status_name(result.status)},
-          {"message", result.message},
-          {"input",
-           {{"file", mesh.file},
-            {"points", mesh.points.rows()},
-            {"invalid", result.before.invalid()},
-            {"undecided", result.before.undecided()},
-            {"min_scaled_jacobian", result.before.least_scaled_jacobian()},
-            {"mean_scaled_jacobian", result.before.mean_scaled_jacobian()}}},
-          {"result",
-           {{"variables", result.unknowns},
-            {"value", result.value},
-            {"initial_value", result.initial_value},
-            {"untangling_iterations", result.untangling_iterations}}},
-          {"mesh", section},
-          {"iterations", iterations_section(record.trace())},
-          {"seconds", {{"total", record.seconds()}}}};
+  RunReport report{.command = "mesh optimize",
+                   .status = std::string(status_name(result.status)),
+                   .message = result.message,
+                   .input = {{"file", mesh.file},
+                             {"points", mesh.points.rows()},
+                             {"invalid", result.before.invalid()},
+                             {"undecided", result.before.undecided()},
+                             {"min_scaled_jacobian", result.before.least_scaled_jacobian()},
+                             {"mean_scaled_jacobian", result.before.mean_scaled_jacobian()}},
+                   .result = {{"variables", result.unknowns},
+                              {"value", result.value},
+                              {"initial_value", result.initial_value},
+                              {"untangling_iterations", result.untangling_iterations},
+                              {"mesh", section}},
+                   .seconds = {{"total", record.seconds()}}};
+  report.more["iterations"] = iterations_section(record.trace());
+  return report;
 }
 
 }  // namespace majorant

@@ -32,10 +32,11 @@ std::string element_in_words(const VolumeMesh& mesh, const CheckedCell& cell);
 // Lines of the elements that are not proven to be valid, the worst first.
 std::string bad_elements_in_words(const VolumeMesh& mesh, const VolumeCheck& check, int listed);
 
-// {"status", "message", "input", "result", "mesh", "iterations", "seconds"}: of a mesh that was
-// optimized.
-Json optimized_mesh_report(const VolumeMesh& mesh, const VolumeResult& result,
-                           const RunRecord& record, int listed);
+// The report of a check. Input of it: the file as the mesh names it.
+RunReport volume_check_report(const VolumeMesh& mesh, const VolumeCheck& check, int listed);
+// The report of a mesh that was optimized, but for its options.
+RunReport optimized_mesh_report(const VolumeMesh& mesh, const VolumeResult& result,
+                                const RunRecord& record, int listed);
 
 }  // namespace majorant
 

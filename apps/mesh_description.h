@@ -1,0 +1,41 @@
+// What `majorant info` says of a mesh: its size and topology, its defects, the verb that maps it.
+//
+//   const MeshDescription found = describe_mesh(read_mesh("bunny.obj"), {.plan = true});
+//   std::cout << found.text;
+#pragma once
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "majorant/framework/stop_check.h"
+#include "majorant/io/read_mesh.h"
+#include "majorant/results/report.h"
+
+namespace majorant::app {
+
+// The same in words, a line each, and as a report.
+struct MeshDescription {
+  std::string text;
+  RunReport report{.status = "done", .result = Json::object()};
+
+  template <class... Args>
+  void add(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
+  }
+};
+
+struct DescriptionOptions {
+  bool plan = false;  // also the charts and cuts that unwrap would make
+};
+
+// Throws Error for what repair() refuses, Stopped.
+MeshDescription describe_mesh(const PolygonMesh& polygons, const DescriptionOptions& options,
+                              const StopCheck& stop = {});
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

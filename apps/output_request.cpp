@@ -1,0 +1,58 @@
+#include "apps/output_request.h"
+
+#include <algorithm>
+
+#include "apps/arguments/option_table.h"
+#include "majorant/io/files_below.h"
+#include "majorant/io/input_file.h"
+
+namespace majorant::app {
+
+void OutputRequest::add_to(CLI::App& verb) {
+  add_options(verb, OptionGroup::Files,
+              {{"output", &positional, "output file, same as -o"},
+               {"-o,--output", &files, output_help(extensions), {.type = "FILE"}}});
+  formats.add_to(verb);
+  add_options(
+      verb, OptionGroup::Files,
+      {distortion_option(&distortion),
+       {"--normalize", &normalize,
+        "move, turn and scale the result into the unit square; --align no, seams and a fixed "
+        "boundary keep it from being turned"}});
+}
+
+std::vector<OutputNames> OutputRequest::names() const {
+  return {{files, extensions}, {{distortion}, {".csv"}}};
+}
+
+void OutputRequest::require_usable(const MapRequest& map) {
+  if (!positional.empty()) files.push_back(positional);
+  require_some_output(files, extensions);
+  formats.require_effect(files);
+  if (normalize && !(map.pins.empty() && map.handles.empty()))
+    throw Error(ErrorKind::Usage, "--normalize moves pins and handles; leave one of the two out");
+  if (!turns_map()) return;
+  if (!(map.pins.empty() && map.handles.empty()))
+    throw Error(ErrorKind::Usage,
+                "--align turns pins and handles in data files and pages; leave one of the two out");
+  if (map.boundary == "fixed")
+    throw Error(ErrorKind::Usage,
+                "--align turns the boundary that --boundary fixed holds, in data files and pages; "
+                "leave one of the two out");
+}
+
+bool OutputRequest::turns(const BezierMap& result, const MapRequest& map) const {
+  const bool is_free = map.boundary != "fixed" && result.seams().trivial();
+  return turns_map() || (normalize && formats.svg.alignment == Alignment::Automatic && is_free);
+}
+
+void OutputRequest::require_materials(const PolygonMesh& input) const {
+  if (std::any_of(files.begin(), files.end(),
+                  [](const std::string& path) { return extension(path) == ".obj"; }))
+    require_materials_below(input);
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

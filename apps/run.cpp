@@ -1,0 +1,206 @@
+#include "apps/run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "apps/process.h"
+#include "apps/streams.h"
+#include "majorant/io/input_file.h"
+#include "majorant/io/temporary_file.h"
+#include "majorant/io/waiting_output.h"
+
+namespace majorant::app {
+
+// Passes what a run tells on to its progress, and looks from a thread of its own at its stop:
+// kPatience after that the process ends if nothing could be written.
+class Run::Watch final : public RunObserver {
+ public:
+  Watch(const RunPlan& plan, Progress& progress) : plan_(plan), progress_(progress) {}
+  ~Watch() override { end(); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  // fail: writes the report of a failure and returns the exit code.
+  void start(StopCheck stop, std::function<int(const Failure&)> fail) {
+    stop_ = std::move(stop);
+    fail_ = std::move(fail);
+    try {
+      thread_ = std::jthread([this](const std::stop_token& ended) { look(ended); });
+    } catch (const std::system_error&) {  // no room for a thread: the work itself polls
+    }
+  }
+  // From here on the run ends by itself. Does not return where the process is being ended.
+  void end() {
+    State expected = State::Running;
+    if (!state_.compare_exchange_strong(expected, State::Over) && expected == State::Ending)
+      for (;;) ::pause();
+    thread_.request_stop();
+    if (thread_.joinable() && thread_.get_id() != std::this_thread::get_id()) thread_.join();
+  }
+
+  void begin(Activity activity) override {
+    const auto& kept = plan_.with_result;
+    has_result_.store(std::find(kept.begin(), kept.end(), activity) != kept.end());
+    activity_.store(activity);
+    progress_.begin(activity);
+  }
+  void announce(std::string_view part) override { progress_.announce(part); }
+  Directive after_step(const TraceEntry& row, const Vec& y) override {
+    return progress_.after_step(row, y);
+  }
+
+ private:
+  // Over: the run ends by itself. Ending: this ends the process.
+  enum class State { Running, Over, Ending };
+  static constexpr std::chrono::milliseconds kPeriod{50};
+
+  void look(const std::stop_token& ended) {
+    using Clock = std::chrono::steady_clock;
+    std::unique_lock lock(mutex_);
+    std::optional<Clock::time_point> since;
+    while (!changed_.wait_for(lock, ended, kPeriod, [&] { return ended.stop_requested(); })) {
+      const Directive why = stop_();
+      if (why == Directive::Continue) continue;
+      if (!since) since = Clock::now();
+      const double waited = std::chrono::duration<double>(Clock::now() - *since).count();
+      if (has_result_.load() || waited < kPatience) continue;
+      State expected = State::Running;
+      if (state_.compare_exchange_strong(expected, State::Ending)) end_process(why);
+      return;
+    }
+  }
+  void end_process(Directive why) {
+    const std::string message = fmt::format("{} while {} {}", Stopped(why).what(),
+                                            activity_name(activity_.load()), plan_.inputs.front());
+    const int code = fail_({kInvalid, std::string(status_name(stopped_status(why))), message,
+                            message + "; nothing is written"});
+    remove_temporary_files();
+    ::_exit(code);
+  }
+
+  const RunPlan& plan_;
+  Progress& progress_;
+  StopCheck stop_;
+  std::function<int(const Failure&)> fail_;
+  std::atomic<State> state_{State::Running};
+  std::atomic<bool> has_result_{false};
+  std::atomic<Activity> activity_{Activity::Reading};
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::jthread thread_;
+};
+
+Run::Run(const RunPlan& plan)
+    : plan_(plan),
+      progress_(std::make_unique<Progress>(plan.common, plan.stages)),
+      watch_(std::make_unique<Watch>(plan, *progress_)),
+      record_(plan.time_limit, plan.max_iterations, interruption_flag(), watch_.get()),
+      threads_(usable_threads(plan.common.threads)) {
+  require_writable(plan.common, plan.outputs, plan.inputs);
+  set_output_stop(record_.stop());
+  acknowledge_signals(!plan.common.quiet);
+  record_.begin(Activity::Reading);
+  watch_->start(record_.stop(), [this](const Failure& failure) { return fail(failure); });
+}
+
+Run::~Run() = default;
+
+std::vector<std::string> Run::report_paths() const {
+  std::vector<std::string> paths;
+  if (!plan_.common.report.empty()) paths.push_back(plan_.common.report);
+  for (const OutputNames& names : plan_.outputs)
+    for (const std::string& path : names.paths)
+      if (extension(path) == ".json") paths.push_back(path);
+  return paths;
+}
+
+int Run::conclude(const std::function<Made(Run&)>& make) {
+  Made made;
+  try {
+    made = make(*this);
+  } catch (...) {
+    watch_->end();
+    progress_.reset();
+    return fail(failure_of(std::current_exception()));
+  }
+  watch_->end();
+  return write(std::move(made));
+}
+
+int Run::write(Made made) {
+  const double before = seconds();
+  WrittenFiles written;
+  const auto& stages = plan_.stages;
+  if (!made.files.empty() &&
+      std::find(stages.begin(), stages.end(), Activity::Writing) != stages.end())
+    record_.begin(Activity::Writing);
+  if (const Directive why = record_.directive();
+      why != Directive::Continue && !made.files.empty() && !is_quiet()) {
+    std::vector<std::string> paths;
+    for (const MadeFile& file : made.files) paths.push_back(file.path);
+    const Json& faces = made.report.input.contains("faces") ? made.report.input["faces"] : Json();
+    say("majorant: {}; writing {}{}\n", Stopped(why).what(), fmt::join(paths, ", "),
+        faces.is_number() ? fmt::format(" ({} faces)", faces.get<Index>()) : "");
+  }
+  for (const MadeFile& file : made.files) {
+    written.write(file.path, file.write);
+    if (written.has(file.path))
+      for (const std::string& path : file.beside) written.add(path);
+  }
+  made.report.seconds["write"] = seconds() - before;
+  const ExitCode code = made.code.value_or(exit_code(made.report.status));
+  write_reports(made.report, written);
+  progress_->finish();
+  say_all(made, written);
+  return written.conclude(code);
+}
+
+int Run::fail(const Failure& failure) const {
+  say("majorant: {}\n", failure.line);
+  WrittenFiles written;
+  write_reports({.status = failure.status,
+                 .message = failure.message,
+                 .input = {{"file", plan_.inputs.front()}}},
+                written);
+  written.conclude(failure.code);
+  return failure.code;
+}
+
+void Run::write_reports(RunReport report, WrittenFiles& written) const {
+  const std::vector<std::string> paths = report_paths();
+  if (paths.empty()) return;
+  report.command = plan_.command;
+  report.seconds["total"] = seconds();
+  const Json json = to_json(report, written.to_json());
+  for (const std::string& path : paths) written.write(path, [&] { write_json(path, json); });
+}
+
+void Run::say_all(const Made& made, const WrittenFiles& written) const {
+  if (!made.verdict.empty() && (!is_quiet() || made.is_verdict_news))
+    plan_.common.report == kStandardOutput ? say_text(made.verdict) : print_text(made.verdict);
+  for (const std::string& line : made.faults) say("{}\n", line);
+  if (is_quiet()) return;
+  for (const std::string& line : made.remarks) say("{}\n", line);
+  written.say_sizes();
+  if (!made.summary) return;
+  for (const std::string& line : made.summary(written)) say("{}\n", line);
+}
+
+int run_verb(const RunPlan& plan, const std::function<Made(Run&)>& make) {
+  Run run(plan);
+  return run.conclude(make);
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

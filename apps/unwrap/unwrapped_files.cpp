@@ -1,0 +1,278 @@
+#include "apps/unwrap/unwrapped_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "apps/or_interrupted.h"
+#include "apps/page_content.h"
+#include "apps/seam_request.h"
+#include "majorant/certify/map_proof.h"
+#include "majorant/io/input_file.h"
+#include "majorant/io/io.h"
+#include "majorant/results/global_verdict.h"
+#include "majorant/results/obj_layout.h"
+
+namespace majorant::app {
+namespace {
+
+// The mesh that an OBJ of this name is written with.
+PolygonMesh marked_polygons(const UnwrapRun& run, const std::string& path, const MapFile& file) {
+  PolygonMesh mesh = *run.job.polygons;
+  if (run.baked != nullptr && path == *run.baked) mesh = with_material_file(std::move(mesh), path);
+  std::vector<int> chart = chart_of_polygons(file, mesh);
+  if (run.request.unwrap.layout.udim > 0) {
+    std::vector<int> tile = chart;
+    for (int& number : tile)
+      if (number >= 0) number = run.job.atlas.packing->tiles[to_size(number)];
+    mesh = with_tile_materials(std::move(mesh), tile);
+  }
+  return run.request.unwrap.layout.groups ? with_chart_groups(std::move(mesh), chart) : mesh;
+}
+
+// What an OBJ does not hold of the input since tiles have materials of their own.
+std::vector<std::string> replaced(const UnwrapRun& run) {
+  const std::vector<std::string> materials = material_of_polygons(*run.job.polygons);
+  const bool has_some = std::any_of(materials.begin(), materials.end(),
+                                    [](const std::string& name) { return !name.empty(); });
+  if (run.request.unwrap.layout.udim == 0 || !has_some) return {};
+  return {"materials, since every tile has one"};
+}
+
+// Points with targets keep their charts where they put them.
+MapPage page_of(const UnwrapRun& run) {
+  MapPage page;
+  page.title = page_title(run.request.map.input);
+  page.facts = page_facts(atlas_report(run.job), run.request.map.inputs());
+  page.points = pulled_points(run.job.options.chart.map.handles, *run.job.surface.mesh);
+  for (const Chart& chart : run.job.atlas.charts)
+    for (const Pin& pin : chart.pins)
+      page.points.push_back({chart.map->mesh().input_vertex(pin.vertex),
+                             chart.map->control_points().segment<2>(2 * pin.vertex),
+                             PagePoint::Hold::Pin});
+  return page;
+}
+
+// The layout as files have it.
+class LayoutFiles {
+ public:
+  explicit LayoutFiles(const UnwrapRun& run)
+      : run_(run), file_(atlas_file(run.job, &table_)), formats_(run.request.outputs.formats) {
+    if (has_page(run.request.outputs.files)) formats_.page = page_of(run);
+    if (run.job.atlas.packing) formats_.tessellation.overlap = Overlap::Excluded;
+  }
+
+  void write_table(const std::string& path) const { write_distortion(path, file_, table_); }
+  void write(const std::string& path) const {
+    const LayoutRequest& layout = run_.request.unwrap.layout;
+    const bool is_obj = extension(path) == ".obj";
+    const bool is_baked = run_.baked != nullptr && path == *run_.baked;
+    const bool is_marked = is_obj && (is_baked || layout.udim > 0 || layout.groups);
+    PolygonMesh marked;
+    if (is_marked) marked = marked_polygons(run_, path, file_);
+    const FileVerification verify = proof_of_file(path, promise(run_.job, path), file_, formats_);
+    const PolygonMesh& polygons = is_marked ? marked : *run_.job.polygons;
+    if (is_baked)
+      or_interrupted("baking the texture of " + path, [&] {
+        write_textured(path, {file_, polygons, formats_, verify}, *run_.job.polygons, *run_.texture,
+                       run_.job.record.stop());
+      });
+    else
+      write_map(path, file_, &polygons, formats_, verify);
+    if (run_.request.common.quiet) return;
+    std::vector<std::string> left = left_out(path, file_, formats_, run_.job.polygons.get());
+    if (is_obj)
+      for (std::string& what : replaced(run_)) left.push_back(std::move(what));
+    say_left_out(path, left);
+  }
+
+ private:
+  const UnwrapRun& run_;
+  FaceDistortion table_;
+  MapFile file_;
+  FormatOptions formats_;
+};
+
+std::string chart_name(const AtlasJob& job, std::size_t k) {
+  const Chart& chart = job.atlas.charts[k];
+  return fmt::format("{}: chart {} (face {} and {} more)", job.polygons->file, k + 1,
+                     job.surface.mesh->input_face(chart.faces.front()) + 1, chart.faces.size() - 1);
+}
+
+// Charts that did not converge, by their first faces, and those that stretch more than they may.
+std::vector<std::string> lines_of_charts(const AtlasJob& job) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < job.atlas.charts.size(); ++k) {
+    const Chart& chart = job.atlas.charts[k];
+    if (chart.status != Status::Converged)
+      lines.push_back(fmt::format("majorant: {}: {}{}", chart_name(job, k),
+                                  status_name(chart.status),
+                                  chart.message.empty() ? "" : ": " + chart.message));
+    if (const std::string why = why_stretched(job.options, chart); !why.empty())
+      lines.push_back(fmt::format("majorant: {}: stretch {:.4f}, more than --max-stretch {:g}: {}",
+                                  chart_name(job, k), chart.stretch.l2,
+                                  job.options.cuts.max_stretch, why));
+  }
+  return lines;
+}
+
+// Why charts were not divided further; `nothing` where that would have helped nothing.
+std::string_view why_undivided(Status division, std::string_view nothing) {
+  switch (division) {
+    case Status::TimeLimit:
+      return "the time limit was reached";
+    case Status::Interrupted:
+      return "interrupted";
+    case Status::MaxIterations:
+      return "no more layouts are tried";
+    default:
+      return nothing;
+  }
+}
+
+// What was repaired, and what was asked of the layout and could not be had.
+std::vector<std::string> remarks(const AtlasJob& job) {
+  std::vector<std::string> lines;
+  const std::string& input = job.polygons->file;
+  for (const Repair& r : job.surface.repairs)
+    lines.push_back(fmt::format("{}: {}", input, describe(r)));
+  const Atlas& atlas = job.atlas;
+  const UnwrapOptions& options = job.options;
+  const auto count = static_cast<Index>(atlas.charts.size());
+  if (options.least_charts > 0 && count != options.least_charts)
+    lines.push_back(
+        fmt::format("{}: {} charts, not --charts {}: {}", input, count, options.least_charts,
+                    count > options.least_charts
+                        ? "fewer would stretch more than --max-stretch, or join pieces"
+                        : why_undivided(atlas.division, "none can be divided further")));
+  if (options.least_fill > 0 && atlas.packing && atlas.packing->fill < options.least_fill)
+    lines.push_back(fmt::format("{}: fill {:.3f}, not --fill {:g}: {}", input, atlas.packing->fill,
+                                options.least_fill,
+                                why_undivided(atlas.division, "dividing charts gains no more")));
+  return lines;
+}
+
+std::vector<std::string> summary_of(const UnwrapRun& run, const WrittenFiles& written,
+                                    double seconds) {
+  const Atlas& atlas = run.job.atlas;
+  const MapRequest& map = run.request.map;
+  const std::string fill = atlas.packing ? fmt::format(", fill {:.2f}", atlas.packing->fill) : "";
+  const auto stacked = std::count_if(atlas.charts.begin(), atlas.charts.end(),
+                                     [](const Chart& chart) { return chart.place.has_value(); });
+  const std::string on_others = stacked > 0 ? fmt::format(" ({} on others)", stacked) : "";
+  std::vector<std::string> list{fmt::format(
+      "{}: {}, {} chart{}{}, {} {:.6f}, seams {:.4g} ({:.3g} sqrt(area)), stretch {:.4f}{}, "
+      "degree {}, {}, {:.2f} s",
+      map.input, status_name(atlas.status()), atlas.charts.size(),
+      atlas.charts.size() == 1 ? "" : "s", on_others, map.energy, atlas.value(),
+      seam_length(run.job), seam_length(run.job) / std::sqrt(run.job.surface.mesh->area()),
+      atlas.stretch().l2, fill, map.degree, overlap_words(run.job.boundary, ImageOf::Charts),
+      seconds)};
+  const bool is_stacked = run.job.options.stacking != Stacking::None;
+  for (const std::string& path : run.request.outputs.files)
+    if (is_map_data(path) && written.has(path))
+      list.push_back(fmt::format("proof: majorant check {}{}{}", path,
+                                 atlas.packing ? " --certify" : "",
+                                 is_stacked && format_of(path) != ".vtu" ? " --stacked" : ""));
+  return list;
+}
+
+// The objects of a file, side by side, as files have them.
+class ObjectFiles {
+ public:
+  ObjectFiles(const ObjectsRun& run, std::vector<ObjectLayout> layouts)
+      : run_(run), file_(map_of_objects(std::move(layouts))) {
+    has_lines_ = run.request.unwrap.layout.groups || run.polygons.gltf;
+    if (has_lines_) lines_ = with_lines();
+  }
+
+  void write(const std::string& path) const {
+    const bool is_marked = has_lines_ && extension(path) == ".obj";
+    const FormatOptions& formats = run_.request.outputs.formats;
+    write_map(path, file_, is_marked ? &lines_ : &run_.polygons, formats,
+              proof_of_objects(path, run_.polygons));
+    if (!run_.request.common.quiet)
+      say_left_out(path, left_out(path, file_, formats, &run_.polygons));
+  }
+
+ private:
+  // The mesh as an .obj has it.
+  PolygonMesh with_lines() const {
+    PolygonMesh mesh = run_.polygons;
+    if (mesh.gltf) mesh = with_object_names(std::move(mesh), objects_of(run_.polygons));
+    if (run_.request.unwrap.layout.groups)
+      mesh = with_chart_groups(std::move(mesh), chart_of_polygons(file_, run_.polygons));
+    return mesh;
+  }
+
+  const ObjectsRun& run_;
+  MapFile file_;
+  bool has_lines_ = false;
+  PolygonMesh lines_;
+};
+
+}  // namespace
+
+Made made_of(const UnwrapRun& run, const Run& clock, bool is_reported) {
+  const Atlas& atlas = run.job.atlas;
+  Made made{
+      .report = {.status = std::string(status_name(atlas.status())), .message = atlas.message()}};
+  made.faults = lines_of_charts(run.job);
+  if (is_reported) made.report = atlas_report(run.job);
+  if (atlas.status() == Status::Failed) return made;
+  const auto files = std::make_shared<LayoutFiles>(run);
+  if (const std::string& path = run.request.outputs.distortion; !path.empty())
+    made.files.push_back({path, [=] { files->write_table(path); }});
+  for (const std::string& path : run.request.outputs.files) {
+    if (extension(path) == ".json") continue;
+    made.files.push_back({path, [=] { files->write(path); }});
+    if (run.baked != nullptr && path == *run.baked) made.files.back().beside = files_beside(path);
+  }
+  made.remarks = remarks(run.job);
+  for (std::string& line : untextured_in_words(run.request.map.input, atlas.cuts))
+    made.remarks.push_back(std::move(line));
+  made.summary = [&](const WrittenFiles& written) {
+    return summary_of(run, written, clock.seconds());
+  };
+  return made;
+}
+
+void ObjectsRun::add_lines(const AtlasJob& job, const std::string& file) {
+  const auto append = [](std::vector<std::string>& list, const std::vector<std::string>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+  };
+  append(faults, lines_of_charts(job));
+  const Status status = job.atlas.status();
+  if (status == Status::Failed) return;  // there is no layout to sum up
+  append(lines, remarks(job));
+  lines.push_back(fmt::format(
+      "{}: {}, {}, {} {:.6f}, stretch {:.4f}, fill {:.2f}, {}", file, status_name(status),
+      count_text(static_cast<Index>(job.atlas.charts.size()), "chart"), request.map.energy,
+      job.atlas.value(), job.atlas.stretch().l2, job.atlas.packing->fill,
+      overlap_words(job.boundary, ImageOf::Charts)));
+}
+
+Made made_of(const ObjectsRun& run, UnwrappedObjects objects) {
+  Made made{.report = objects_report(objects, run.polygons)};
+  made.faults = run.faults;
+  if (objects.status == Status::Failed) return made;
+  const auto files = std::make_shared<ObjectFiles>(run, std::move(objects.layouts));
+  for (const std::string& path : run.request.outputs.files)
+    if (extension(path) != ".json") made.files.push_back({path, [=] { files->write(path); }});
+  made.summary = [&](const WrittenFiles& written) {
+    std::vector<std::string> list = run.lines;
+    for (const std::string& path : run.request.outputs.files)
+      if (is_map_data(path) && written.has(path))
+        list.push_back(fmt::format("proof: majorant check {} --certify --objects separate", path));
+    return list;
+  };
+  return made;
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
