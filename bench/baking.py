@@ -224,7 +224,7 @@ class Bench:
                 seams = Seams(new, old, shown)
             steps, rounded = (seams.steps(image, self.image('old.png'))[seams.has_room]
                               for image in (codes, self.image('new.png')))
-            there = report['bake']
+            there = report['result']['bake']
             yield (os.path.basename(mesh), name, there['charts'], there['charts_without_texels'],
                    there['doubly_covered'], there['misses'], '%.1f' % psnr(error), len(seams.has_room),
                    int((~seams.has_room).sum()), *('%.2f' % max(0, np.percentile(steps, p)) for p in (50, 99, 100)),
@@ -309,7 +309,7 @@ class Bench:
             points = np.concatenate([uv, np.zeros((len(uv), 1))], 1)
             write_obj(self.path('charts.obj'), points, uv, faces)
             report = self.bake('charts.obj', 'charts.obj', 'charts.npy', '--attribute', 'position')
-            there = report['bake']
+            there = report['result']['bake']
             yield (name, there['charts'], there['charts_without_texels'], there['covered'], there['partly_covered'],
                    there['doubly_covered'], '%.2f' % report['seconds']['total'])
 

@@ -94,8 +94,8 @@ def table(mesh, args, folder):
     """A line a solver."""
     report, _ = report_of([SERIAL, 'compare', mesh, '--degree', str(args.degree), '--max-iterations', '0',
                            '--linear-solvers', ','.join(args.solvers)], folder)
-    unknowns = re.search(r'(\d+) unknowns', report['title'])[1]
-    for row in report['linear_solvers']:
+    unknowns = re.search(r'(\d+) unknowns', report['result']['title'])[1]
+    for row in report['result']['linear_solvers']:
         yield '%8s unknowns  %-9s' % (unknowns, row['name']) + (
             row['message'] or 'analyze %8.4f factorize %8.4f solve %8.4f s  memory %6.0f MB  residual %.0e  %s' % (
                 row['analyze_seconds'], row['factorize_seconds'], row['solve_seconds'], row['memory_bytes'] / 1e6,

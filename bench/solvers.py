@@ -50,12 +50,12 @@ def main():
             runs = {mesh: measure(options, mesh, degree, folder) for mesh in options.meshes}
             first = next(iter(runs.values()))
             print('\nDegree %d, to 1 %% / 0.01 %% of the best energy; %s, at most %g s each:\n' % (
-                degree, first['machine'], options.time_limit))
+                degree, first['result']['machine'], options.time_limit))
             print('| method | ' + ' | '.join(runs) + ' |')
             print('|---' * (len(runs) + 1) + '|')
-            for k, method in enumerate(first['methods']):
-                cells = ['%s / %s' % (cell(r['methods'][k]['within']['0.01']),
-                                      cell(r['methods'][k]['within']['0.0001'])) for r in runs.values()]
+            for k, method in enumerate(first['result']['methods']):
+                cells = ['%s / %s' % (cell(r['result']['methods'][k]['within']['0.01']),
+                                      cell(r['result']['methods'][k]['within']['0.0001'])) for r in runs.values()]
                 print('| %s | %s |' % (method['method'], ' | '.join(cells)), flush=True)
     return 0
 

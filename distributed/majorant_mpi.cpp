@@ -50,6 +50,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/io/waiting_output.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/map_job.h"
 
@@ -205,6 +206,8 @@ struct PartsRun {
   std::string start, file;
   double divide_seconds = 0, initialize_seconds = 0, write_seconds = 0;
   Json checkpoint, resumed;  // null: there were none
+  std::string output;
+  bool has_map = false;  // that was written
 };
 
 Json boundary_section(const GlobalInjectivity& proof) {
@@ -255,34 +258,31 @@ Json parts_report(const PartsRun& run) {
                      {"message_bytes", static_cast<long>(r[5])},
                      {"reductions", static_cast<long>(r[6])}});
   const ParametrizationResult& r = run.result;
-  return {{"schema_version", 1},
-          {"version", MAJORANT_VERSION},
-          {"command", task_name(run.job.task)},
-          {"status", status_name(r.status)},
-          {"message", r.message},
-          {"input",
-           {{"file", run.file},
-            {"vertices", part.whole.vertices},
-            {"edges", part.whole.edges},
-            {"faces", part.whole.faces}}},
-          {"options", run.job.asked},
-          {"result", result_section(run, nodes->global_size() / 2, least_det)},
-          {"iterations", iterations_section(run.job.record.trace())},
-          {"injectivity_tests", {{"depth", r.injectivity_tests}}},
-          {"remedies", remedies_section(r.remedies)},
-          {"linear_solver", run.job.linear_solver},
-          {"ranks", ranks},
-          {"checkpoint", run.checkpoint},
-          {"resumed", run.resumed},
-          {"seconds",
-           {{"read", run.job.read_seconds},
-            {"divide", run.divide_seconds},
-            {"initialize", run.initialize_seconds},
-            {"optimize", r.optimize_seconds},
-            {"measure", r.measure_seconds},
-            {"write", run.write_seconds},
-            {"total", run.job.record.seconds()}}},
-          {"vector_instructions", vector_instructions()}};
+  RunReport report{.command = std::string(task_name(run.job.task)),
+                   .status = std::string(status_name(r.status)),
+                   .message = r.message,
+                   .input = {{"file", run.file},
+                             {"vertices", part.whole.vertices},
+                             {"edges", part.whole.edges},
+                             {"faces", part.whole.faces}},
+                   .options = run.job.options_json,
+                   .result = result_section(run, nodes->global_size() / 2, least_det),
+                   .seconds = {{"read", run.job.read_seconds},
+                               {"divide", run.divide_seconds},
+                               {"initialize", run.initialize_seconds},
+                               {"optimize", r.optimize_seconds},
+                               {"measure", r.measure_seconds},
+                               {"write", run.write_seconds},
+                               {"total", run.job.record.seconds()}}};
+  report.more = {{"iterations", iterations_section(run.job.record.trace())},
+                 {"injectivity_tests", {{"depth", r.injectivity_tests}}},
+                 {"remedies", remedies_section(r.remedies)},
+                 {"linear_solver", run.job.linear_solver},
+                 {"ranks", ranks},
+                 {"checkpoint", run.checkpoint},
+                 {"resumed", run.resumed},
+                 {"vector_instructions", vector_instructions()}};
+  return to_json(report, {{{"file", run.output}, {"written", run.has_map}, {"message", ""}}});
 }
 
 // What the files promise.
@@ -291,12 +291,12 @@ std::string parts_claims(const PartsRun& run) {
                                     {"degree", run.result.map->degree()},
                                     {"energy", run.job.energy},
                                     {"value", run.result.measures.value},
-                                    {"boundary", run.job.asked["boundary"]},
+                                    {"boundary", run.job.options_json["boundary"]},
                                     {"init", run.start},
                                     {"seams", false},
                                     {"bijective", false},
                                     {"cuts", Json::array()},
-                                    {"options", run.job.asked}}));
+                                    {"options", run.job.options_json}}));
 }
 
 // The number of unknowns below which `auto` factorizes: a step by MUMPS takes a third of one by
@@ -371,10 +371,11 @@ class SharedJob {
         progress_(quiet_elsewhere(request.common, is_first_),
                   {Activity::Reading, Activity::Starting, Activity::Solving, Activity::Measuring,
                    Activity::Proving, Activity::Writing}),
-        record_(request.solve.make_record(progress_)),
+        record_(request.solve.time_limit, request.solve.max_iterations, interruption_flag(),
+                &progress_),
         job_(MapTask::Parametrize, record_),
         ladder_(std::make_shared<LadderRecord>()) {
-    interruption_flag();
+    set_output_stop(record_.stop());
     signal(SIGUSR1, stop_on_user_signal);
   }
 
@@ -508,9 +509,9 @@ class SharedJob {
 
   int conclude(const ParametrizationResult& result, const GlobalInjectivity& proof) {
     job_.energy = request_.map.energy;
-    job_.asked = request_.map.to_json();
-    job_.asked.update(request_.solve.to_json());
-    job_.asked.update(request_.checkpoint.to_json());
+    job_.options_json = request_.map.to_json();
+    job_.options_json.update(request_.solve.to_json());
+    job_.options_json.update(request_.checkpoint.to_json());
     job_.linear_solver = linear_solver_section(request_.linear_solver, own_solver(), *ladder_);
     PartsRun run{job_,
                  *part_,
@@ -522,8 +523,10 @@ class SharedJob {
                  initialize_seconds_,
                  0,
                  writer_ ? checkpoint_section(request_.checkpoint, *writer_) : Json(),
-                 resumed_};
+                 resumed_,
+                 request_.outputs.front()};
     const bool has_map = result.status != Status::Failed && result.status != Status::Infeasible;
+    run.has_map = has_map;
     const double started = record_.seconds();
     if (has_map) {
       record_.begin(Activity::Writing);
@@ -532,7 +535,7 @@ class SharedJob {
     run.write_seconds = record_.seconds() - started;
     const Json report = parts_report(run);
     progress_.finish();
-    if (!is_first_) return exit_code(result.status);
+    if (!is_first_) return exit_code(status_name(result.status));
     if (!request_.common.report.empty()) write_json(request_.common.report, report);
     if (!request_.common.quiet)
       say("majorant-mpi: {}: {} ({}), degree {}, {} {:.10g}, {}, {} faces on {} ranks, {:.3g} s\n",
@@ -540,7 +543,7 @@ class SharedJob {
           result.map->degree(), request_.map.energy, result.measures.value,
           overlap_words(proof, ImageOf::Surface), part_->whole.faces, ranks_->count(),
           record_.seconds());
-    return exit_code(result.status);
+    return exit_code(status_name(result.status));
   }
 
   const Request& request_;

@@ -24,7 +24,7 @@ std::string check_map(const std::string& name, const MapFile& file, const Shared
   request.stacked = stacked;
   request.reported = true;
   Run run(time_limit, 0, py::none());
-  return run([&] { return json_text(MapCheck(file, request, run.record()).report); });
+  return run([&] { return json_text(to_json(MapCheck(file, request, run.record()).report)); });
 }
 
 }  // namespace

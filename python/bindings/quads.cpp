@@ -45,7 +45,7 @@ SharedQuads make_quads(const SharedPolygons& given, const py::dict& keywords,
   const auto words = keyword<std::string>(keywords, "feature_words");
   const auto edges = keyword<std::optional<Edges>>(keywords, "feature_edges");
   QuadJob job(run.record());
-  job.asked = Json::parse(keyword<std::string>(keywords, "as_json"));
+  job.options_json = Json::parse(keyword<std::string>(keywords, "as_json"));
   job.options.count = keyword<std::optional<long>>(keywords, "count");
   job.options.edge_length = keyword<std::optional<double>>(keywords, "edge_length");
   if (const auto cones =
@@ -62,7 +62,7 @@ SharedQuads make_quads(const SharedPolygons& given, const py::dict& keywords,
     job.read_seconds = job.record.seconds();
     job.solve("cones");
     auto made = std::make_shared<Quads>();
-    made->report = json_text(quad_report(job));
+    made->report = json_text(to_json(quad_report(job)));
     made->mesh = std::move(job.quads);
     made->surface = job.surface.mesh;
     made->features = std::move(job.features);

@@ -27,7 +27,7 @@ struct PythonJob {
         job(task, run.record()) {
     job.energy = keyword<std::string>(keywords, "energy_text");
     job.init = keyword<std::string>(keywords, "init");
-    job.asked = Json::parse(keyword<std::string>(keywords, "as_json"));
+    job.options_json = Json::parse(keyword<std::string>(keywords, "as_json"));
     job.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
   }
 
@@ -71,7 +71,7 @@ py::tuple solved(PythonJob& asked, const MakeStart& make_start) {
   };
   const Files files = asked.run([&] {
     job.prove();
-    return Files{std::make_shared<MapFile>(map_file(job)), json_text(map_report(job))};
+    return Files{std::make_shared<MapFile>(map_file(job)), json_text(to_json(map_report(job)))};
   });
   const ParametrizationResult& result = job.result;
   return py::make_tuple(files.file, asked.polygons, promise_from(promise(job, "map.vtu")),

@@ -67,7 +67,7 @@ void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& key
     throw Error(ErrorKind::Unsupported, describe(*first) + "; strict=False repairs it so");
   job.read_seconds = job.record.seconds();
   job.energy = keyword<std::string>(keywords, "energy_text");
-  job.asked = Json::parse(keyword<std::string>(keywords, "as_json"));
+  job.options_json = Json::parse(keyword<std::string>(keywords, "as_json"));
   job.linear_solver = linear_solver_section("direct", OwnSolver::Used, {});
   job.options.cuts = cut_options(keywords);
   job.options.packing.reset();
@@ -111,13 +111,10 @@ py::tuple unwrap_objects(const PolygonMesh& given, const py::dict& keywords, Run
         open_job(job, run, std::move(object), keywords);
         solve_job(job, run, LayoutSize::UnitSquare);
       });
-  const Json report{{"schema_version", 1},        {"version", MAJORANT_VERSION},
-                    {"command", "unwrap"},        {"status", status_name(objects.status)},
-                    {"message", objects.message}, {"options", objects.asked},
-                    {"objects", objects.sections}};
+  const std::string report = json_text(to_json(objects_report(objects, *polygons)));
   return py::make_tuple(std::make_shared<MapFile>(map_of_objects(std::move(objects.layouts))),
                         polygons, promise_of_objects(), true, status_name(objects.status),
-                        objects.message, json_text(report));
+                        objects.message, report);
 }
 
 py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
@@ -132,7 +129,7 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   const auto file = run([&] { return std::make_shared<MapFile>(atlas_file(job)); });
   return py::make_tuple(file, job.polygons, promise_from(promise(job, "map.vtu")), true,
                         status_name(job.atlas.status()), job.atlas.message(),
-                        json_text(atlas_report(job)));
+                        json_text(to_json(atlas_report(job))));
 }
 
 }  // namespace

@@ -101,7 +101,8 @@ py::tuple optimize_volume(const SharedVolume& mesh, const py::dict& keywords,
     return optimize_volume_mesh(*mesh, options, run.record());
   });
   const bool is_valid = result.is_valid();
-  const std::string report = json_text(optimized_mesh_report(*mesh, result, run.record(), kListed));
+  const std::string report =
+      json_text(to_json(optimized_mesh_report(*mesh, result, run.record(), kListed)));
   return py::make_tuple(moved(std::move(result.points)), is_valid, report);
 }
 

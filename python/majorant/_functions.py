@@ -257,8 +257,8 @@ class Verdict:
     def __init__(self, report: dict[str, Any]):
         self.report = report
         self.status: str = report['status']
-        self.findings: list[str] = report['findings']
-        self.proofs: dict[str, dict[str, str]] = report.get('proofs', {})
+        self.findings: list[str] = report['result']['findings']
+        self.proofs: dict[str, dict[str, str]] = report['result'].get('proofs', {})
 
     def __bool__(self) -> bool:
         return self.status == 'valid'

@@ -31,7 +31,7 @@ class QuadMesh:
         _core.save_quads(self._made, _arrays.path(path))
 
     def __repr__(self) -> str:
-        return f'<majorant.QuadMesh: {len(self.Q)} quads, {self.report["quads"]["irregular"]} irregular vertices>'
+        return f'<majorant.QuadMesh: {len(self.Q)} quads, {self.report["result"]["quads"]["irregular"]} irregular vertices>'
 
 
 def quad_mesh(V: ArrayLike, F: Faces, *, count: int | None = None, edge_length: float | None = None,
@@ -43,7 +43,7 @@ def quad_mesh(V: ArrayLike, F: Faces, *, count: int | None = None, edge_length: 
 
         quads = majorant.quad_mesh(V, F, count=4000)
         quads.V, quads.Q                     # (#V, 3), (#Q, 4)
-        quads.report['quads']['irregular']
+        quads.report['result']['quads']['irregular']
 
     count, or edge_length in the units of V; neither: half as many quads as triangles. Edges of quads cover borders
     and features: edges inside with so many degrees between the normals of their faces (features=35, the default but

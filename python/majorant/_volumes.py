@@ -113,7 +113,7 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
     """The mesh with moved nodes, all of its elements valid, proven, and of good shape; and the report of the run.
 
         better, report = majorant.optimize(mesh, 'mips', boundary='slide')
-        report['mesh']['min_scaled_jacobian']
+        report['result']['mesh']['min_scaled_jacobian']
 
     energy: a name or a sum, as `--energy` of `majorant mesh optimize`. target: 'ideal', 'initial', or 'size' with
     sizes, edge lengths, one or one for each element. boundary: 'fixed', 'slide', 'free'. Limits and callback as for
@@ -144,7 +144,7 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
     points, is_valid, text = _core.optimize_volume(mesh._volume, keywords, _options.callback(callback))
     report = json.loads(text)
     if not is_valid:
-        failed = report['mesh']['impossible'] or [element['element'] for element in report['mesh']['worst']
+        failed = report['result']['mesh']['impossible'] or [element['element'] for element in report['result']['mesh']['worst']
                                                   if element['verdict'] != 'valid']
         raise InvalidError(f'{report["message"]}: elements {", ".join(map(str, failed[:10]))}')
     return mesh.with_points(points), report

@@ -49,7 +49,7 @@ class BakeTest(CommandTest):
 
     def report(self, *args, code=OK):
         self.run_ok('bake', *args, '--report', self.path('report.json'), '--force', code=code)
-        return json.loads(self.read('report.json'))['bake']
+        return json.loads(self.read('report.json'))['result']['bake']
 
 
 class Values(BakeTest):

@@ -112,9 +112,9 @@ class Cuts(CommandTest):
 
     def test_free_counts_and_lists(self):
         data = self.report('--surface', self.surface, '--cuts', 'free')
-        self.assertEqual(data['cuts']['other_edges'], 1)
-        self.assertEqual(data['cuts']['charts'], 1)
-        self.assertAlmostEqual(data['cuts']['length'], math.hypot(1, 0.1))
+        self.assertEqual(data['result']['cuts']['other_edges'], 1)
+        self.assertEqual(data['result']['cuts']['charts'], 1)
+        self.assertAlmostEqual(data['result']['cuts']['length'], math.hypot(1, 0.1))
         line = self.run_ok('check', self.torn, '--surface', self.surface, '--cuts', 'free').out
         self.assertIn(', 1 chart (1 cut edge, length 1.005)', line)
 
@@ -124,7 +124,7 @@ class Cuts(CommandTest):
 
     def test_what_was_proven_is_in_the_report(self):
         data = self.report('--surface', self.surface, '--cuts', 'free', '--certify')
-        self.assertEqual({q: p['answer'] for q, p in data['proofs'].items()},
+        self.assertEqual({q: p['answer'] for q, p in data['result']['proofs'].items()},
                          {'surface': 'proven', 'flat': 'proven', 'positive': 'proven', 'continuous': 'proven',
                           'angles': 'proven', 'injective': 'proven'})
 

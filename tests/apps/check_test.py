@@ -43,7 +43,7 @@ class Check(CommandTest):
                 data = json.load(f)
             self.assertEqual((data['schema_version'], data['command'], data['status']),
                              (1, 'check', 'valid'))
-            self.assertEqual(data['findings'], [])
+            self.assertEqual(data['result']['findings'], [])
             self.assertTrue(data['result']['locally_injective'])
             self.assertAlmostEqual(data['result']['value'], Vtu(path).claims['value'], delta=1e-9)
 
@@ -219,7 +219,7 @@ class Check(CommandTest):
         report = self.report_of(path, '--certify', code=INVALID)
         self.assertIs(report['result']['globally_injective'], None)
         self.assertEqual(report['result']['overlaps'], 'not decided: the map is not locally injective')
-        self.assertTrue(any('could not be decided' in finding for finding in report['findings']))
+        self.assertTrue(any('could not be decided' in finding for finding in report['result']['findings']))
 
     @where(os.path.join(SHARED, 'data', 'public', 'disks'))
     def test_public_meshes(self):
@@ -289,7 +289,7 @@ class Check(CommandTest):
         with open(report) as f:
             data = json.load(f)
         self.assertEqual(data['status'], 'invalid')
-        self.assertEqual(len(data['findings']), 1)
+        self.assertEqual(len(data['result']['findings']), 1)
         self.assertIn('energy', data['message'])
 
     def test_quiet(self):

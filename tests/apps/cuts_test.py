@@ -151,7 +151,7 @@ class OneTear(CommandTest):
         for setting, told in (('auto', False), ('free', True)):
             self.run_ok('check', path, '--cuts', setting, '--report', report)
             with open(report) as f:
-                self.assertEqual(json.load(f)['cuts']['told_from_tears'], told)
+                self.assertEqual(json.load(f)['result']['cuts']['told_from_tears'], told)
 
 
 class Claimed(CommandTest):

@@ -128,10 +128,10 @@ class Mesh(CommandTest):
         text += 'f 1/1 2/2 3/3 4/4\nf 2/5 5/6 6/7\nf 2/5 6/7 3/8\n'
         path = self.write('two.obj', text)
         report = self.report_of(path)
-        self.assertEqual(report['polygons'], {'3': 2, '4': 1})
-        self.assertEqual(report['bounding_box'], [[0, 0, 0], [3, 1, 5]])
-        self.assertEqual((report['edge_length']['min'], report['texture_islands']), (1, 2))
-        self.assertEqual(report['texture_range'], [[0, 0], [5, 7]])
+        self.assertEqual(report['result']['polygons'], {'3': 2, '4': 1})
+        self.assertEqual(report['result']['bounding_box'], [[0, 0, 0], [3, 1, 5]])
+        self.assertEqual((report['result']['edge_length']['min'], report['result']['texture_islands']), (1, 2))
+        self.assertEqual(report['result']['texture_range'], [[0, 0], [5, 7]])
         out = self.run_ok('info', path).out
         for line in ('polygons: 3 (2 triangles, 1 quad)\n', 'bounding box: (0, 0, 0) to (3, 1, 5)\n',
                      'texture coordinates: 8, from (0, 0) to (5, 7), 2 islands\n', 'edge lengths: 1 to 5.1'):

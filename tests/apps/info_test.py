@@ -79,8 +79,8 @@ class Info(CommandTest):
                 turned_over += (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) <= 0
             self.assertIn('map: of degree %d; it claims symmetric-dirichlet %.6f, nothing of overlaps; '
                           '`majorant check %s` proves it\n' % (degree, vtu.claims['value'], result), outcome.out)
-            self.assertEqual(report['map']['degree'], degree)
-            self.assertEqual(report['map']['claims']['value'], vtu.claims['value'])
+            self.assertEqual(report['result']['map']['degree'], degree)
+            self.assertEqual(report['result']['map']['claims']['value'], vtu.claims['value'])
             for word in ('repair', 'not injective'):
                 self.assertNotIn(word, outcome.out)
             self.assertIn('verdict: parametrize can run', outcome.out)
@@ -116,18 +116,18 @@ class Info(CommandTest):
         points = points + other + [(9.5, 0.5, 5.0)]
         faces += [(first + 5, first + 6, 2 * first), faces[-1]]
         path, text, report = self.info(points, faces)
-        defects = {d['kind']: d for d in report['defects']}
+        defects = {d['kind']: d for d in report['result']['defects']}
         self.assertEqual(defects['inconsistent_face']['places'], [[2], [9]])
         self.assertEqual(defects['duplicate_face']['count'], 1)
         self.assertEqual(defects['non_manifold_edge']['places'], [[first + 5, first + 6]])
-        self.assertEqual(text.count('\ndefect: '), len(report['defects']))
+        self.assertEqual(text.count('\ndefect: '), len(report['result']['defects']))
         self.assertRegex(text, r'\ndefect: 2 faces [^\n]*\(faces? 3, 10\)')
         self.assertEqual(report['input']['components'], 4)
 
     def test_polygons_that_cross_themselves(self):
         points, faces = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], [(0, 1, 2, 3)]
         _, text, report = self.info(points, faces)
-        self.assertIn({'kind': 'crossing_polygon', 'count': 1, 'places': [[0]]}, report['defects'])
+        self.assertIn({'kind': 'crossing_polygon', 'count': 1, 'places': [[0]]}, report['result']['defects'])
         self.assertIn('\ndefect: 1 polygon crosses itself (face 1)\n', text)
 
     def test_what_unwrap_refuses_is_not_promised(self):
@@ -145,11 +145,11 @@ class Info(CommandTest):
                 plan = self.run_ok('info', path, '--plan').out
                 self.assertIn('plan: unwrap would refuse: %s\n' % reason, plan)
                 report = json.loads(self.run_ok('info', path, '--plan', '--report', '-').out)
-                self.assertEqual(report['plan'], {'message': reason})
+                self.assertEqual(report['result']['plan'], {'message': reason})
 
     def test_no_defects(self):
         _, text, report = self.info(*grid(3))
-        self.assertEqual(report['defects'], [])
+        self.assertEqual(report['result']['defects'], [])
         self.assertNotIn('defect', text)
 
     def test_warnings(self):

@@ -85,7 +85,7 @@ class OfGmsh(CommandTest):
                             self.run_ok('mesh', 'check', self.path('a.msh'), '--report', self.path('r.json'))
                             with open(self.path('r.json')) as f:
                                 report = json.load(f)
-                            mesh = report['mesh']
+                            mesh = report['result']['mesh']
                             self.assertEqual((report['status'], mesh['orders']), ('valid', [degree]))
                             self.assertGreater(mesh['elements'][kind], 3)
                             self.assertGreater(mesh['min_scaled_jacobian'], 0.05)
@@ -112,7 +112,7 @@ class OfGmsh(CommandTest):
         done = majorant('mesh', 'check', self.path('a.msh'), '--report', self.path('r.json'), '--list', 10000)
         self.assertEqual(done.code, INVALID)
         with open(self.path('r.json')) as f:
-            worst = {e['element']: e for e in json.load(f)['mesh']['worst']}
+            worst = {e['element']: e for e in json.load(f)['result']['mesh']['worst']}
         self.assertEqual(len(worst), len(gmsh.model.mesh.getElements(3)[1][0]))
         elements = list(worst)
         least = gmsh.model.mesh.getElementQualities(elements, 'minSJ') if hasattr(

@@ -67,9 +67,9 @@ class Optimized(CommandTest):
         self.assertEqual(sum(a != b for a, b in zip(before, after)), 8)  # the inner vertices
         with open(self.path('r.json')) as f:
             report = json.load(f)
-        self.assertEqual((report['command'], report['status'], report['mesh']['invalid']),
+        self.assertEqual((report['command'], report['status'], report['result']['mesh']['invalid']),
                          ('mesh optimize', 'converged', 0))
-        self.assertEqual((report['mesh']['moved_nodes'], report['mesh']['impossible']), (8, []))
+        self.assertEqual((report['result']['mesh']['moved_nodes'], report['result']['mesh']['impossible']), (8, []))
         self.assertLessEqual(report['result']['value'], report['result']['initial_value'])
 
     def test_the_same_on_any_number_of_threads(self):
@@ -96,7 +96,7 @@ class Optimized(CommandTest):
         ideal = self.run_ok(*words, '--report', self.path('r.json'))
         with open(self.path('r.json')) as f:
             report = json.load(f)
-        self.assertLess(report['mesh']['min_scaled_jacobian'], report['input']['min_scaled_jacobian'])
+        self.assertLess(report['result']['mesh']['min_scaled_jacobian'], report['input']['min_scaled_jacobian'])
         self.assertIn('; the least one fell, --energy amips-exponential weighs the worst elements most, --target initial',
                       ideal.err)
         initial = self.run_ok(*words, '--target', 'initial')
@@ -108,7 +108,7 @@ class Optimized(CommandTest):
         self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--report', self.path('r.json'))
         with open(self.path('r.json')) as f:
             report = json.load(f)
-        self.assertGreater(report['mesh']['min_scaled_jacobian'], 0.145)
+        self.assertGreater(report['result']['mesh']['min_scaled_jacobian'], 0.145)
 
     def test_impossible_elements(self):
         """A corner of the boundary that is pulled through its cell: no file, the elements by name."""
@@ -123,14 +123,14 @@ class Optimized(CommandTest):
         with open(self.path('r.json')) as f:
             report = json.load(f)
         self.assertEqual(report['status'], 'infeasible')
-        self.assertTrue(report['mesh']['impossible'])
+        self.assertTrue(report['result']['mesh']['impossible'])
         # Where the boundary may move, it is no longer so; untangled, it has moved no more than that takes.
         self.run_ok('mesh', 'optimize', path, '-o', self.path('c.mesh'), '--boundary', 'free', '--max-iterations', 0,
                     code=LIMIT)
         self.run_ok('mesh', 'check', self.path('c.mesh'))
         lines = [self.read(name).decode().splitlines() for name in ('a.mesh', 'c.mesh')]
         first, cells = lines[0].index('Vertices 27'), lines[0].index('Tetrahedra 48')
-        let_go = {14} | {int(v) for number in report['mesh']['impossible'] for v in lines[0][cells + number].split()[:4]}
+        let_go = {14} | {int(v) for number in report['result']['mesh']['impossible'] for v in lines[0][cells + number].split()[:4]}
         moved = {k - first for k, (a, b) in enumerate(zip(*lines)) if a != b}
         self.assertTrue(moved and moved <= let_go, (moved, let_go))
         self.assertLess(len(let_go), 27)
@@ -304,7 +304,7 @@ class OfGmsh(CommandTest):
                             self.path('r.json'))
                 with open(self.path('r.json')) as f:
                     report = json.load(f)
-                self.assertEqual((report['status'], report['mesh']['invalid']), ('converged', 0))
+                self.assertEqual((report['status'], report['result']['mesh']['invalid']), ('converged', 0))
                 self.assertLessEqual(report['result']['value'], report['result']['initial_value'])
                 gmsh.clear()
                 gmsh.open(self.path('b.msh'))

@@ -139,7 +139,7 @@ class Pages(CommandTest):
         self.run_ok('check', self.path('bad.vtu'), '-o', self.path('bad.html'), code=INVALID)
         bad = self.data('bad.html')
         self.assertEqual(bad['facts']['status'], 'invalid')
-        self.assertIn('positive', bad['facts']['findings'][0])
+        self.assertIn('positive', bad['facts']['result']['findings'][0])
         self.assertTrue(bad['faults'])
         self.assertTrue(any(fault['text'].startswith('turned over: det J is -')
                             for fault in bad['faults']), bad['faults'])

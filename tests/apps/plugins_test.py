@@ -79,7 +79,7 @@ class Cholmod(CommandTest):
 
     def same(self, *words):
         own, report = self.report(*words), self.report(*words, '--linear-solver', 'cholmod')
-        self.assertEqual(report['linear_solver'], {'asked': 'cholmod', 'used': 'cholmod'})
+        self.assertEqual(report['linear_solver'], {'requested': 'cholmod', 'used': 'cholmod'})
         self.assertEqual(report['status'], own['status'])
         self.assertLess(abs(report['result']['value'] / own['result']['value'] - 1), 1e-9)
 

@@ -44,10 +44,10 @@ class Quads(CommandTest):
 
     def test_generated_surface(self):
         report = self.made(helpers.generated('buckle'), '--count', 1000)
-        quads = report['quads']
+        quads = report['result']['quads']
         self.assertEqual(report['status'], 'converged')
         self.assertEqual((quads['folded'], quads['turned']), (0, 0))
-        self.assertEqual(quads['asked'], 1000)
+        self.assertEqual(quads['requested'], 1000)
         self.assertLessEqual(abs(quads['count'] - 1000), 50)
         self.assertEqual(quads['euler_characteristic'], report['input']['euler_characteristic'])
         text = self.read('quads.obj').decode().split('\n')
@@ -58,10 +58,10 @@ class Quads(CommandTest):
         buckle = helpers.generated('buckle')
         area = self.made(buckle)['input']['area']
         report = json.loads(self.read('r.json'))
-        self.assertEqual(report['quads']['asked'], report['input']['faces'] // 2)
+        self.assertEqual(report['result']['quads']['requested'], report['input']['faces'] // 2)
         length = (area / 1500) ** 0.5
-        quads = self.made(buckle, '--edge-length', repr(length))['quads']
-        self.assertAlmostEqual(quads['asked'], 1500, delta=1)
+        quads = self.made(buckle, '--edge-length', repr(length))['result']['quads']
+        self.assertAlmostEqual(quads['requested'], 1500, delta=1)
         self.assertLess(abs(quads['count'] - 1500), 150)
 
     def test_same_bytes_on_any_number_of_threads(self):
@@ -82,25 +82,25 @@ class Quads(CommandTest):
         both = points + [(x + 20, y, z) for x, y, z in points]
         faces = faces + [tuple(v + len(points) for v in face[::-1]) for face in faces]
         report = self.made(self.write('two.obj', helpers.obj_text(both, faces)), '--count', 800)
-        self.assertEqual(report['quads']['components'], 2)
+        self.assertEqual(report['result']['quads']['components'], 2)
         one = self.made(self.write('one.obj', helpers.obj_text(points, faces[:len(faces) // 2])), '--count', 400)
-        self.assertEqual(report['quads']['irregular'], 2 * one['quads']['irregular'])
+        self.assertEqual(report['result']['quads']['irregular'], 2 * one['quads']['irregular'])
 
     def test_few_quads(self):
         """A thin torus, which needs no edges anywhere, by itself and beside a cube, which does."""
         points, faces = torus(40, 8, 10)
         path = self.write('thin.obj', helpers.obj_text(points, faces))
         for count in (1, 2):
-            quads = self.made(path, '--count', count)['quads']
+            quads = self.made(path, '--count', count)['result']['quads']
             self.assertLessEqual(quads['least_count'], quads['count'])
         both = self.write('both.obj', helpers.obj_text(
             points + [(x + 20, y, z) for x, y, z in Check.CUBE],
             faces + [tuple(v + len(points) for v in half)
                      for a, b, c, d in Check.SIDES for half in ((a, b, c), (a, c, d))]))
         for count in (30, 100):
-            quads = self.made(both, '--count', count)['quads']
-            self.assertAlmostEqual(quads['asked'], count, delta=1)  # each has its share, rounded
-            self.assertEqual(quads['least_count'] is not None, quads['count'] > 1.05 * quads['asked'])
+            quads = self.made(both, '--count', count)['result']['quads']
+            self.assertAlmostEqual(quads['requested'], count, delta=1)  # each has its share, rounded
+            self.assertEqual(quads['least_count'] is not None, quads['count'] > 1.05 * quads['requested'])
             if quads['least_count'] is not None:
                 self.assertTrue(6 < quads['least_count'] <= quads['count'], quads)
 
@@ -111,7 +111,7 @@ class Quads(CommandTest):
         off = 0
         for count in (17, 100, 300):
             report = self.made(path, '--count', count, '--features', 'none')
-            made = report['quads']['count']
+            made = report['result']['quads']['count']
             is_off = abs(made - count) > 0.05 * count
             off += is_off
             self.assertEqual([re.search('within 5 % of that was found', line) is not None
@@ -123,7 +123,7 @@ class Quads(CommandTest):
                                                                     for half in ((a, b, c), (a, c, d))]))
         for length in ('1e-6', '1e-9', '1e-200'):
             self.refused(UNSUPPORTED, 'quads', cube, '-o', self.path('o.obj'), '--edge-length', length, says='too many')
-        self.assertEqual(self.made(cube, '--edge-length', '1e200')['quads']['asked'], 0)
+        self.assertEqual(self.made(cube, '--edge-length', '1e200')['result']['quads']['requested'], 0)
 
     def test_refusals(self):
         buckle, out = helpers.generated('buckle'), self.path('o.obj')
@@ -153,14 +153,14 @@ class Quads(CommandTest):
                     corners.append(number[at])
                 faces += [(corners[0], corners[1], corners[2]), (corners[0], corners[2], corners[3])]
         plate = self.write('plate.obj', helpers.obj_text(points, faces))
-        quads = self.made(plate, '--count', 1000)['quads']
+        quads = self.made(plate, '--count', 1000)['result']['quads']
         self.assertEqual(quads['boundary_loops'], 5)
         self.assertLessEqual(abs(quads['count'] - 1000), 50)
         points, faces = torus(24, 16)
         tube = self.write('tube.obj', helpers.obj_text(points, faces[:24 * 16]))
-        quads = self.made(tube, '--count', 500)['quads']
+        quads = self.made(tube, '--count', 500)['result']['quads']
         self.assertEqual((quads['boundary_loops'], quads['euler_characteristic']), (2, 0))
-        quads = self.made(helpers.generated('wavy_disk'), '--count', 500)['quads']
+        quads = self.made(helpers.generated('wavy_disk'), '--count', 500)['result']['quads']
         self.assertEqual((quads['boundary_loops'], quads['euler_characteristic']), (1, 1))
 
     def block(self, n, name='block.obj'):
@@ -183,20 +183,20 @@ class Quads(CommandTest):
         """The edges of a cube, those of a file, none; what check says of them."""
         cube, number = self.block(4)
         report = self.made(cube, '--count', 600)
-        self.assertEqual(report['quads']['features'], {'asked': 12, 'covered': 12, 'relaxed': 0})
+        self.assertEqual(report['result']['quads']['features'], {'requested': 12, 'covered': 12, 'relaxed': 0})
         self.assertEqual(report['options']['features'], None)
         quads = self.path('quads.obj')
         self.assertEqual(judge(read_obj(quads), read_obj(cube), 35), set())
         said = self.run_ok('check', quads, '--surface', cube, '--features', 35, '--report', self.path('c.json')).out
         self.assertIn('12 feature lines covered', said)
-        self.assertEqual(json.loads(self.read('c.json'))['quads']['features'], {'asked': 12, 'covered': 12, 'relaxed': None})
+        self.assertEqual(json.loads(self.read('c.json'))['result']['quads']['features'], {'requested': 12, 'covered': 12, 'relaxed': None})
         edge = [number[i, 0, 0] for i in range(5)]
         path = self.write('edges.json', json.dumps({'edges': list(zip(edge, edge[1:]))}))
-        one = self.made(cube, '--count', 100, '--features', path)['quads']
-        self.assertEqual(one['features'], {'asked': 1, 'covered': 1, 'relaxed': 0})
+        one = self.made(cube, '--count', 100, '--features', path)['result']['quads']
+        self.assertEqual(one['features'], {'requested': 1, 'covered': 1, 'relaxed': 0})
         self.run_ok('check', quads, '--surface', cube, '--features', path)
-        plain = self.made(cube, '--count', 100, '--features', 'none')['quads']
-        self.assertEqual(plain['features'], {'asked': 0, 'covered': 0, 'relaxed': 0})
+        plain = self.made(cube, '--count', 100, '--features', 'none')['result']['quads']
+        self.assertEqual(plain['features'], {'requested': 0, 'covered': 0, 'relaxed': 0})
         bent = self.read('quads.obj').decode().split('\n')
         self.write('bent.obj', '\n'.join(re.sub(r'^v \S+ ', 'v 0.001 ', line) if line.startswith('v 0 ') else line
                                          for line in bent))
@@ -220,8 +220,8 @@ class Quads(CommandTest):
         """A cube of few quads: its edges are shorter than two of theirs, which is said."""
         cube, _ = self.block(4)
         report = self.made(cube, '--count', 6)
-        features = report['quads']['features']
-        self.assertEqual(features, {'asked': 12, 'covered': 0, 'relaxed': 12})
+        features = report['result']['quads']['features']
+        self.assertEqual(features, {'requested': 12, 'covered': 0, 'relaxed': 12})
         self.assertIn('12 of 12 feature lines relaxed', ' '.join(report['warnings']))
         self.assertIn('two edges of so many quads', ' '.join(report['warnings']))
 
@@ -229,9 +229,9 @@ class Quads(CommandTest):
     def test_features_in_conflict(self):
         """Features with which there are no valid quads of so many are relaxed, which is said with the reason."""
         report = self.made(os.path.join(CLOSED, 'plane_27_holes_16747.obj'), '--count', 300, '--features', 35)
-        features = report['quads']['features']
+        features = report['result']['quads']['features']
         self.assertGreater(features['relaxed'], 0)
-        self.assertEqual(features['covered'] + features['relaxed'], features['asked'])
+        self.assertEqual(features['covered'] + features['relaxed'], features['requested'])
         self.assertIn('; with more of them: no valid quads were made: ', ' '.join(report['warnings']))
 
     def test_a_cylinder(self):
@@ -248,8 +248,8 @@ class Quads(CommandTest):
                 a, b, c, d = 1 + k * n + i, 1 + k * n + j, 1 + k * n + n + j, 1 + k * n + n + i
                 faces += [(a, b, c), (a, c, d)]
         path = self.write('cylinder.obj', helpers.obj_text(points, faces))
-        quads = self.made(path, '--count', 800)['quads']
-        self.assertEqual(quads['features'], {'asked': 2, 'covered': 2, 'relaxed': 0})
+        quads = self.made(path, '--count', 800)['result']['quads']
+        self.assertEqual(quads['features'], {'requested': 2, 'covered': 2, 'relaxed': 0})
         self.assertEqual(judge(read_obj(self.path('quads.obj')), read_obj(path), 35), set())
 
     def test_vtu(self):
@@ -259,7 +259,7 @@ class Quads(CommandTest):
         self.run_ok('quads', cube, '-o', path, '-o', self.path('q.obj'), '--count', 600)
         one = self.run_ok('check', path, '--quads', '--surface', cube).out.split(': ', 1)[1]
         self.assertEqual(self.run_ok('check', self.path('q.obj'), '--surface', cube).out.split(': ', 1)[1], one)
-        found = json.loads(self.run_ok('mesh', 'check', path, '--report', '-').out)['mesh']
+        found = json.loads(self.run_ok('mesh', 'check', path, '--report', '-').out)['result']['mesh']
         self.assertEqual(found['elements']['points'], 8)
 
     def test_pictures(self):
@@ -267,7 +267,7 @@ class Quads(CommandTest):
         cube, _ = self.block(4)
         names = [self.path('q.' + e) for e in ('svg', 'png', 'html', 'obj')]
         report = self.made(cube, '--count', 600, *[word for name in names for word in ('-o', name)])
-        quads = report['quads']
+        quads = report['result']['quads']
         self.assertEqual([output['written'] for output in report['outputs']], [True] * 5)
         svg = self.read('q.svg').decode()
         self.assertIn('8 vertices of fewer than 4 quads', svg)
@@ -305,7 +305,7 @@ class Quads(CommandTest):
                     corners.append(number[key])
                 faces += [(corners[0], corners[1], corners[2]), (corners[0], corners[2], corners[3])]
         path = self.write('touching.obj', helpers.obj_text(points, faces))
-        self.assertEqual(self.made(path, '--count', 300)['quads']['boundary_loops'], 2)
+        self.assertEqual(self.made(path, '--count', 300)['result']['quads']['boundary_loops'], 2)
 
     def test_time_limit(self):
         """The limit ends the optimization of the map; quads of it take far less than the 10 s they have."""
@@ -317,7 +317,7 @@ class Quads(CommandTest):
     def test_public_closed_meshes(self):
         for name in ('spot_1654', 'torus_g1_4608'):
             with self.subTest(name):
-                quads = self.made(os.path.join(CLOSED, name + '.obj'), '--count', 1000)['quads']
+                quads = self.made(os.path.join(CLOSED, name + '.obj'), '--count', 1000)['result']['quads']
                 self.assertLessEqual(abs(quads['count'] - 1000), 50)
 
 
@@ -331,8 +331,8 @@ class Check(CommandTest):
         self.assertIn('valid: 6 quads, Euler characteristic 2', said)
         self.assertIn('not compared with a surface', said)
         report = json.loads(self.read('r.json'))
-        self.assertEqual(report['quads']['irregular'], 8)
-        self.assertIsNone(report['quads']['turned'])
+        self.assertEqual(report['result']['quads']['irregular'], 8)
+        self.assertIsNone(report['result']['quads']['turned'])
 
     def test_what_is_wrong_is_named(self):
         bent = self.CUBE[:7] + [(0.1, 0.1, 1)]
@@ -351,7 +351,7 @@ class Check(CommandTest):
         self.refused(UNSUPPORTED, 'check', path)
         said = self.run_ok('check', path, '--quads', '--report', self.path('r.json'), code=INVALID)
         self.assertIn('no quads', said.out)
-        quads = json.loads(self.read('r.json'))['quads']
+        quads = json.loads(self.read('r.json'))['result']['quads']
         self.assertEqual(quads.pop('count'), len(faces))
 
         def values(section):

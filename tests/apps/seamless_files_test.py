@@ -81,7 +81,7 @@ class SeamlessFiles(SeamlessTest):
         self.assertIn('texture: seamless, 8 cones, 12 chains of 48 seam edges', out)
         self.assertIn('parametrize --seamless can run', out)
         with open(report) as f:
-            texture = json.load(f)['texture']
+            texture = json.load(f)['result']['texture']
         self.assertTrue(texture['seamless'])
         self.assertEqual(len(texture['cones']), 8)
         points, faces, coordinates, charts = triangles(cube(4))

@@ -138,7 +138,7 @@ class Stacks(UnwrapTest):
         self.run_stacked(mesh, 'mirrored')
         said = self.run_ok('check', self.path('a.vtu'), '--report', self.path('c.json'))
         self.assertIn('1 stack of 3 charts, 1 mirrored', said.out)
-        self.assertEqual(json.loads(self.read('c.json'))['stacks'], {'stacks': 1, 'charts': 3, 'mirrored': 1})
+        self.assertEqual(json.loads(self.read('c.json'))['result']['stacks'], {'stacks': 1, 'charts': 3, 'mirrored': 1})
         self.found(self.path('a.obj'), '--certify', says='positive')
         energy = json.loads(self.read('r.json'))['result']['value']
         self.assertAlmostEqual(json.loads(self.read('c.json'))['result']['value'], energy, delta=1e-6)

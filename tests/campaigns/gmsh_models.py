@@ -274,7 +274,7 @@ class Campaign:
         if run.returncode not in (0, 5):
             sys.exit(run.stderr)
         with open(report) as file:
-            mesh = json.load(file)['mesh']
+            mesh = json.load(file)['result']['mesh']
         return {'valid': run.returncode == 0, 'least': mesh['min_scaled_jacobian'],
                 'mean': mesh['mean_scaled_jacobian'], 'seconds': seconds, 'elements': mesh['checked'],
                 'invalid': mesh['checked'] - mesh['valid']}

@@ -262,7 +262,7 @@ def main():
                     print(line + run.stderr.strip().split('\n')[-1][:200], flush=True)
                     continue
                 with open(report) as file:
-                    q = json.load(file)['quads']
+                    q = json.load(file)['result']['quads']
                 features = q['features']
                 is_whole = features['relaxed'] == 0
                 check = subprocess.run([asked.binary, 'check', quads, '--surface', path] +
@@ -278,7 +278,7 @@ def main():
                 wrong += check.returncode != 0 or bool(found)
                 print(line + '%d quads, least %s, %d irregular, %d borders, J %.2f %.3f, %.1f degrees, %d/%d features%s%s' % (
                     q['count'], q['least_count'], q['irregular'], q['boundary_loops'], q['scaled_jacobian']['min'],
-                    q['scaled_jacobian']['mean'], q['angle_deviation'], features['covered'], features['asked'],
+                    q['scaled_jacobian']['mean'], q['angle_deviation'], features['covered'], features['requested'],
                     '' if check.returncode == 0 else ' CHECK ' + check.stdout.strip(), ' JUDGE %s' % found if found else ''),
                     flush=True)
     print('%d of %d made, %d with a count within 5 %%, %d with all features, %d wrong' % (made, tried, close, whole, wrong))

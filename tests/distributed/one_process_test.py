@@ -22,13 +22,13 @@ class OneProcess(CommandTest):
     def same(self, verb, *args, tolerance=1e-8):
         """By both solvers the minimum of the direct one; what they did is in the report."""
         whole = self.report(verb, *args)
-        self.assertEqual(whole['linear_solver'], {'asked': 'auto', 'used': 'direct'})
+        self.assertEqual(whole['linear_solver'], {'requested': 'auto', 'used': 'direct'})
         for solver in SOLVERS:
             with self.subTest(solver=solver, args=args):
                 report = self.report(verb, *args, '--linear-solver', solver)
                 self.assertEqual(report['status'], whole['status'])
                 self.assertLess(abs(report['result']['value'] / whole['result']['value'] - 1), tolerance)
-                self.assertEqual(report['linear_solver']['asked'], solver)
+                self.assertEqual(report['linear_solver']['requested'], solver)
                 self.assertIn(solver, report['linear_solver']['used'].split(' + '))
                 self.assertNotIn('direct', report['linear_solver']['used'])
                 used = report['linear_solver'][solver]
@@ -93,7 +93,7 @@ class Memory(CommandTest):
     def test_a_factor_that_does_not_fit(self):
         whole, said = self.run_with(1 << 40, '--degree', '2')
         self.assertEqual(said, [])
-        self.assertEqual(whole['linear_solver'], {'asked': 'auto', 'used': 'direct'})
+        self.assertEqual(whole['linear_solver'], {'requested': 'auto', 'used': 'direct'})
         needed = whole['memory']['factor_bytes']
         self.assertEqual(whole['memory']['available_bytes'], 1 << 40)
         report = self.run_with(needed, '--degree', '2')[0]

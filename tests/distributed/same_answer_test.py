@@ -35,7 +35,7 @@ class SameAnswer(MpiTest):
                         words = [r['overlaps'].split(' near ')[0] for r in (report['result'], whole)]
                         self.assertEqual(*words)
                         self.assertIn(words[0], ('no overlaps', 'locally injective, overlaps itself'))
-                        self.assertEqual(report['linear_solver']['asked'], 'auto')
+                        self.assertEqual(report['linear_solver']['requested'], 'auto')
                         self.assertEqual(sum(r['faces'] for r in report['ranks']), report['input']['faces'])
                 shared = [uv for uv in self.uv_of_vertices('all').values() if len(uv) > 1]
                 self.assertGreater(len(shared), 10)

@@ -249,7 +249,7 @@ def test_maps_say_whether_they_overlap(tmp_path):
     free = majorant.parametrize(*helpers.grid(4), degree=1)
     assert free.globally_injective is True
     assert free.report['result']['overlaps'] == 'no overlaps'
-    assert free.report['linear_solver'] == {'asked': 'direct', 'used': 'direct'}
+    assert free.report['linear_solver'] == {'requested': 'direct', 'used': 'direct'}
     free.save(tmp_path / 'free.vtu')
     assert majorant.read(tmp_path / 'free.vtu').globally_injective is None
     seamless = majorant.seamless(*helpers.mesh('buckle'), degree=1)
@@ -392,7 +392,7 @@ def test_check_agrees_with_the_command(cap, tmp_path):
         theirs = json.loads((tmp_path / 'r.json').read_text())
         ours = majorant.check(tmp_path / 'cap.vtu', V, F, certify=certify)
         assert ours and ours.report == theirs
-        assert majorant.check(cap, V, F, certify=certify).proofs == theirs['proofs']
+        assert majorant.check(cap, V, F, certify=certify).proofs == theirs['result']['proofs']
     other = majorant.check(cap, *helpers.grid(3))
     assert other.status == 'invalid' and other.proofs['surface']['answer'] == 'violated'
     assert majorant.check(cap, time_limit=0).status == 'undecided'
@@ -413,7 +413,7 @@ def test_stacks_of_files(tmp_path):
     r.save(tmp_path / 'again.vtu')
     r.save(tmp_path / 'again.obj')
     verdict = majorant.check(tmp_path / 'again.vtu', positions, faces, certify=True)
-    assert verdict and verdict.report['stacks'] == {'stacks': 1, 'charts': 3, 'mirrored': 1}
+    assert verdict and verdict.report['result']['stacks'] == {'stacks': 1, 'charts': 3, 'mirrored': 1}
     assert not majorant.check(tmp_path / 'again.obj', certify=True)
     assert majorant.check(tmp_path / 'again.obj', positions, faces, certify=True, stacked=True)
 

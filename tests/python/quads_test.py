@@ -42,8 +42,8 @@ def test_a_cube_keeps_its_edges(tmp_path):
     assert quads.V.shape[1:] == (3,) and quads.Q.shape[1:] == (4,)
     assert repr(quads) == f'<majorant.QuadMesh: {len(quads.Q)} quads, 8 irregular vertices>'
     assert abs(len(quads.Q) - 600) <= 30 and quads.Q.max() == len(quads.V) - 1
-    assert quads.status == 'converged' and quads.report['quads']['count'] == len(quads.Q)
-    assert quads.report['quads']['features'] == {'asked': 12, 'covered': 12, 'relaxed': 0}
+    assert quads.status == 'converged' and quads.report['result']['quads']['count'] == len(quads.Q)
+    assert quads.report['result']['quads']['features'] == {'requested': 12, 'covered': 12, 'relaxed': 0}
     assert judge((quads.V.tolist(), quads.Q.tolist()), (V.tolist(), F.tolist()), 35) == set()
     for name in ('q.obj', 'q.ply'):
         quads.save(tmp_path / name)
@@ -56,12 +56,12 @@ def test_a_cube_keeps_its_edges(tmp_path):
 def test_features():
     V, F = block(4)
     plain = majorant.quad_mesh(V, F, count=200, features='none').report
-    assert plain['quads']['features'] == {'asked': 0, 'covered': 0, 'relaxed': 0}
+    assert plain['result']['quads']['features'] == {'requested': 0, 'covered': 0, 'relaxed': 0}
     corners = [v for v, p in enumerate(V) if set(p) <= {0, 4}]
     edge = [v for v in np.argsort(V[:, 0]) if V[v, 1] == 0 and V[v, 2] == 0]
     pairs = list(zip(edge, edge[1:]))
     one = majorant.quad_mesh(V, F, count=200, features=pairs)
-    assert one.report['quads']['features'] == {'asked': 1, 'covered': 1, 'relaxed': 0}
+    assert one.report['result']['quads']['features'] == {'requested': 1, 'covered': 1, 'relaxed': 0}
     with pytest.raises(majorant.UsageError, match='no edge'):
         majorant.quad_mesh(V, F, features=[(corners[0], corners[1])])
     for wrong in ('all', 0, 181, True, [(0, 1, 2)]):
@@ -83,7 +83,7 @@ def test_the_command_makes_the_same(tmp_path):
     assert (tmp_path / 'p.obj').read_bytes() == (tmp_path / 'c.obj').read_bytes()
     report = json.loads((tmp_path / 'c.json').read_text())
     assert set(quads.report) == set(report) - {'outputs'}
-    assert quads.report['quads'] == report['quads']
+    assert quads.report['result']['quads'] == report['result']['quads']
 
 
 if __name__ == '__main__':

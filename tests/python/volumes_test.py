@@ -56,7 +56,7 @@ def test_optimized(tmp_path):
     better, report = majorant.optimize(mesh, callback=lambda step: steps.append(step.energy) and None)
     assert better.check()['status'] == 'valid'
     assert (better.points[~inside] == X[~inside]).all()
-    assert report['status'] == 'converged' and report['mesh']['moved_nodes'] == inside.sum()
+    assert report['status'] == 'converged' and report['result']['mesh']['moved_nodes'] == inside.sum()
     assert len(steps) == len(report['iterations'])
     better.save(tmp_path / 'a.msh', binary=True)
     again = majorant.VolumeMesh.read(tmp_path / 'a.msh')

@@ -32,13 +32,13 @@ class Compare(CommandTest):
                                '--report', self.path('c.json'), '--max-iterations', 5000)
         self.assertEqual(outcome.code, 0, outcome.err)
         report = json.loads(open(self.path('c.json')).read())
-        best = report['best_energy']
-        names = [m['method'] for m in report['methods']]
+        best = report['result']['best_energy']
+        names = [m['method'] for m in report['result']['methods']]
         self.assertEqual(len(names), len(set(names)))
         for expected in ('newton', 'newton-reweighted', 'newton-eigen', 'lbfgs', 'gradient-flow',
                          'ceres-lbfgs', 'ceres-nlcg', 'ceres-lm'):
             self.assertIn(expected, names)
-        for method in report['methods']:
+        for method in report['result']['methods']:
             self.assertLess(method['energy'], best * (1 + 1e-4), method)
             self.assertGreater(method['min_det'], 0)
             self.assertIn(method['method'], outcome.out)
@@ -65,7 +65,7 @@ class Compare(CommandTest):
         outcome = self.compare('--degree', 1, '--energy', 'mips', '--report', self.path('m.json'),
                                '--time-limit', 5)
         self.assertEqual(outcome.code, 0, outcome.err)
-        names = [m['method'] for m in json.loads(open(self.path('m.json')).read())['methods']]
+        names = [m['method'] for m in json.loads(open(self.path('m.json')).read())['result']['methods']]
         self.assertIn('newton-majorizer', names)
         for absent in ('newton-reweighted', 'newton-paper-majorizer', 'ceres-lm'):
             self.assertNotIn(absent, names)
@@ -84,8 +84,8 @@ class Compare(CommandTest):
                                '--max-iterations', 3)
         self.assertEqual(outcome.code, 0, outcome.err)
         report = json.loads(open(self.path('l.json')).read())
-        self.assertEqual([m['method'] for m in report['methods']], ['newton'])
-        rows = {row['name']: row for row in report['linear_solvers']}
+        self.assertEqual([m['method'] for m in report['result']['methods']], ['newton'])
+        rows = {row['name']: row for row in report['result']['linear_solvers']}
         self.assertEqual(list(rows), ['direct', 'cholmod', 'eigen', 'mumps', 'cg-hypre'])
         for name, row in rows.items():
             self.assertIn(name, outcome.out)
@@ -100,8 +100,8 @@ class Compare(CommandTest):
         two = self.compare('--degree', 1, '--linear-solvers', 'eigen, direct', '--methods', 'lbfgs', '--report', '-',
                            '--max-iterations', 3)
         report = json.loads(two.out)
-        self.assertEqual([row['name'] for row in report['linear_solvers']], ['eigen', 'direct'])
-        self.assertEqual([m['method'] for m in report['methods']], ['lbfgs'])
+        self.assertEqual([row['name'] for row in report['result']['linear_solvers']], ['eigen', 'direct'])
+        self.assertEqual([m['method'] for m in report['result']['methods']], ['lbfgs'])
 
     def test_limits(self):
         outcome = self.compare('--degree', 1, '--methods', 'gradient-flow', '--max-iterations', 3,

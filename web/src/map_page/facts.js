@@ -72,7 +72,7 @@ function numbersOfFrame({map, energy, scales}, frame) {
 
 function proofsOf(facts) {
   const parts = [];
-  const asked = Object.entries(facts.proofs ?? {}).filter(([, p]) => p.answer !== 'not asked');
+  const asked = Object.entries(facts.result?.proofs ?? {}).filter(([, p]) => p.answer !== 'not asked');
   if (asked.length > 0) {
     const list = element('dl', {className: 'proofs'});
     for (const [question, {answer, detail}] of asked)
@@ -81,7 +81,7 @@ function proofsOf(facts) {
     parts.push(element('h2', {}, 'Proofs'), list);
   }
   const said = asked.map(([question, {detail}]) => `${question}: ${detail}`);
-  for (const finding of (facts.findings ?? []).filter((line) => !said.includes(line)))
+  for (const finding of (facts.result?.findings ?? []).filter((line) => !said.includes(line)))
     parts.push(element('p', {className: 'finding'}, String(finding)));
   return parts;
 }
