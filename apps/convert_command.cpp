@@ -114,8 +114,8 @@ struct Conversion {
   ProofRequest promise;
 };
 
-Conversion read(const ConvertRequest& request, Run& run) {
-  Conversion c;
+// The promise refers to the surface of `c`.
+void read(const ConvertRequest& request, Run& run, Conversion& c) {
   c.map = run.read(request.input, [&] {
     return read_map(request.input, run.stop(), request.common.strictness());
   });
@@ -128,11 +128,10 @@ Conversion read(const ConvertRequest& request, Run& run) {
   // Arrays of a file whose scale is assumed would claim what it does not.
   c.map.face_distortion =
       has_assumed_scale(c.map) ? FaceDistortion() : finite_or_none(c.distortion.faces);
-  return c;
 }
 
 Made converted(ConvertRequest& request, Conversion& c, Run& run) {
-  c = read(request, run);
+  read(request, run, c);
   request.formats.read_image(run.stop());
   FormatOptions& formats = request.formats;
   formats.tessellation.overlap = allowed_overlap(c.promise);
@@ -172,7 +171,8 @@ int convert(ConvertRequest request) {
       .command = "convert",
       .common = request.common,
       .inputs = {request.input, request.formats.image},
-      .outputs = {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}}};
+      .outputs = {{request.outputs, map_extensions()}, {{request.distortion}, {".csv"}}},
+      .stages = {}};
   Conversion conversion;
   return run_verb(plan, [&](Run& run) { return converted(request, conversion, run); });
 }

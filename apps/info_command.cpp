@@ -18,7 +18,8 @@ struct InfoRequest {
 };
 
 int info(const InfoRequest& request) {
-  const RunPlan plan{.command = "info", .common = request.common, .inputs = {request.input}};
+  const RunPlan plan{
+      .command = "info", .common = request.common, .inputs = {request.input}, .stages = {}};
   return run_verb(plan, [&](Run& run) {
     const PolygonMesh polygons = run.read(request.input, [&] {
       return read_mesh(request.input, run.stop(), request.common.strictness());

@@ -19,6 +19,16 @@
 #include "majorant/io/waiting_output.h"
 
 namespace majorant::app {
+namespace {
+
+// Runs without stages show no progress.
+CommonOptions progress_options(const RunPlan& plan) {
+  CommonOptions options = plan.common;
+  options.quiet = options.quiet || plan.stages.empty();
+  return options;
+}
+
+}  // namespace
 
 // Passes what a run tells on to its progress, and looks from a thread of its own at its stop:
 // kPatience after that the process ends if nothing could be written.
@@ -101,7 +111,7 @@ class Run::Watch final : public RunObserver {
 
 Run::Run(const RunPlan& plan)
     : plan_(plan),
-      progress_(std::make_unique<Progress>(plan.common, plan.stages)),
+      progress_(std::make_unique<Progress>(progress_options(plan), plan.stages)),
       watch_(std::make_unique<Watch>(plan, *progress_)),
       record_(plan.time_limit, plan.max_iterations, interruption_flag(), watch_.get()),
       threads_(usable_threads(plan.common.threads)) {
@@ -190,7 +200,7 @@ void Run::say_all(const Made& made, const WrittenFiles& written) const {
   for (const std::string& line : made.faults) say("{}\n", line);
   if (is_quiet()) return;
   for (const std::string& line : made.remarks) say("{}\n", line);
-  written.say_sizes();
+  if (!made.files.empty()) written.say_sizes();
   if (!made.summary) return;
   for (const std::string& line : made.summary(written)) say("{}\n", line);
 }

@@ -25,7 +25,7 @@ Strictness strictness_of(const UnwrapVerb& request) {
 PolygonMesh read(const UnwrapVerb& request, const Run& run) {
   const std::string& path = request.map.input;
   PolygonMesh mesh =
-      run.read(path, [&] { return read_mesh(path, run.stop(), strictness_of(request)); });
+      run.read(path, [&] { return read_mesh(path, run.start_stop(), strictness_of(request)); });
   say_warnings(mesh.warnings);
   request.outputs.require_materials(mesh);
   return mesh;
@@ -33,7 +33,7 @@ PolygonMesh read(const UnwrapVerb& request, const Run& run) {
 
 ModelTexture read_texture_of(const UnwrapVerb& request, const PolygonMesh& mesh, const Run& run) {
   ModelTexture texture =
-      run.read(request.map.input, [&] { return read_texture(mesh, run.stop()); });
+      run.read(request.map.input, [&] { return read_texture(mesh, run.start_stop()); });
   say_warnings(texture.warnings);
   return texture;
 }

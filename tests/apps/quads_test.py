@@ -84,7 +84,7 @@ class Quads(CommandTest):
         report = self.made(self.write('two.obj', helpers.obj_text(both, faces)), '--count', 800)
         self.assertEqual(report['result']['quads']['components'], 2)
         one = self.made(self.write('one.obj', helpers.obj_text(points, faces[:len(faces) // 2])), '--count', 400)
-        self.assertEqual(report['result']['quads']['irregular'], 2 * one['quads']['irregular'])
+        self.assertEqual(report['result']['quads']['irregular'], 2 * one['result']['quads']['irregular'])
 
     def test_few_quads(self):
         """A thin torus, which needs no edges anywhere, by itself and beside a cube, which does."""

@@ -45,7 +45,7 @@ class Report(CommandTest):
             'deepen', 'refine', 'exclude', 'follow-barrier')})
         self.assertEqual(r['seconds']['scaffold'], 0)
         self.assertEqual((r['schema_version'], r['command'], r['status'], r['threads']),
-                         (1, 'parametrize', 'converged', 2))
+                         (2, 'parametrize', 'converged', 2))
         self.assertEqual(r['version'], self.run_ok('--version').out.split()[1])
         v, _, faces, _ = read_obj(generated('cap'))
         self.assertEqual((r['input']['vertices'], r['input']['faces']), (len(v), len(faces)))
