@@ -56,6 +56,7 @@ const std::vector<Rule>& all_rules() {
       {"bounds.weights.fall", [](Settings& s) { return &s.rules.bounds.weights.fall; }},
       {"bounds.first_share", [](Settings& s) { return &s.rules.bounds.first_share; }},
       {"bounds.entry.harder", [](Settings& s) { return &s.rules.bounds.entry.harder; }},
+      {"bounds.centred", [](Settings& s) { return &s.rules.bounds.centred; }},
       {"bounds.least_barrier", [](Settings& s) { return &s.rules.bounds.least_barrier; }},
       {"bounds.least_energy", [](Settings& s) { return &s.rules.bounds.least_energy; }},
       {"bounds.entry.least_progress",

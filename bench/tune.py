@@ -35,6 +35,7 @@ VALUES = {
     'bounds.weights.fall': '0.03,0.3',
     'bounds.first_share': '0.01,1',
     'bounds.entry.harder': '3,100',
+    'bounds.centred': '1e-3,0.1',
     'bounds.least_barrier': '1e-9,1e-3',
     'bounds.least_energy': '1e-6,1',
     'bounds.entry.least_progress': '0,0.1',

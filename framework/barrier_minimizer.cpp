@@ -28,12 +28,6 @@ double element_weights(const Problem& problem, TermId id) {
   return state.weight * (each.size() ? each.sum() : static_cast<double>(count));
 }
 
-HeldBounds held(const std::vector<HeldBound>& bounds) {
-  HeldBounds::Bounds all;
-  for (const HeldBound& b : bounds) all.push_back(b.bound);
-  return HeldBounds(std::move(all));
-}
-
 // The violation of bounds (violation.h) is minimized, and with it whatever else the problem has, of
 // a weight that falls with the margin asked for: the penalty method of [NW06] Sec. 17.1.
 
@@ -66,37 +60,161 @@ std::string place_of(const EnergyTerm& term, Index element) {
                      dofs.block * dofs.nodes(element, 0));
 }
 
-// One run: the phases so far and the point they have reached.
-class Phases {
+using Bounds = BarrierProblem::Bounds;
+
+// The bounds themselves, with one weight for all barriers.
+BarrierStage of_bounds_themselves(const Bounds& bounds, double mu) {
+  BarrierStage stage;
+  stage.other_barriers = mu;
+  for (const auto& bound : bounds) stage.bounds.push_back({bound, bound->barrier(), mu});
+  return stage;
+}
+
+const ViolationMeasure* measure_of(const BarrierChecker& bound) {
+  return dynamic_cast<const ViolationMeasure*>(&bound);
+}
+
+// A problem that stays as it is, but for what stands in place of its bounds.
+class FixedProblem final : public BarrierProblem {
  public:
-  Phases(const Problem& problem, const std::vector<TermId>& barriers,
-         const std::vector<HeldBound>& bounds, const BarrierOptions& options, Vec y0,
-         RunObserver* observer)
+  FixedProblem(const Problem& problem, const std::vector<TermId>& barriers, Bounds bounds,
+               const NewtonOptions& options, Vec y0, RunObserver* observer)
       : problem_(problem),
         barriers_(barriers),
-        bounds_(held(bounds)),
-        options_(options),
+        bounds_(std::move(bounds)),
+        most_iterations_(options.stopping.max_iterations),
         observer_(observer),
-        stepper_(problem, options.newton) {
+        stepper_(problem, options),
+        y_(std::move(y0)) {
     if (!partition_of(problem).is_whole())
       throw InvalidArgument(
           "BarrierMinimizer: the problem is that of several processes, it knows one");
-    result_.y = std::move(y0);
+    require_size("the start y", y_.size(), problem_.size());
+    require_finite("the start y", y_);
     for (const TermId id : barriers_) m_ += element_weights(problem_, id);
+  }
+
+  const Bounds& bounds() const override { return bounds_; }
+  Evaluator& evaluator() override { return stepper_.evaluator(); }
+  std::vector<TermId> barriers() const override { return barriers_; }
+  Vec y() const override { return y_; }
+  Vec point() const override { return problem_.expand(y_); }
+  double barrier_size(const BarrierStage&, std::span<const BarrierPhase>) const override {
+    return m_;
+  }
+
+  BarrierEnergies energies() const override {
+    const Vec x = problem_.expand(y_);
+    BarrierEnergies sum;
+    for (const TermId id : problem_.terms())
+      (is_barrier(id) ? sum.barrier : sum.energy) += term_energy(problem_, id, x);
+    return sum;
+  }
+
+  void enter(const BarrierStage& stage) override {
+    std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>> terms;
+    auto checkers = problem_.checkers();
+    for (std::size_t k = 0; k < bounds_.size(); ++k) {
+      const BarrierStage::Bound& instead = stage.bounds[k];
+      if (instead.checker == bounds_[k]) continue;
+      terms.emplace_back(barriers_[k], instead.term);
+      if (instead.checker)
+        std::replace(checkers.begin(), checkers.end(),
+                     std::shared_ptr<const FeasibilityChecker>(bounds_[k]),
+                     std::shared_ptr<const FeasibilityChecker>(instead.checker));
+      else
+        std::erase(checkers, bounds_[k]);
+    }
+    TermChanges changes;
+    for (const TermId id : problem_.terms()) {
+      changes.emplace_back(id, problem_.state(id));
+      changes.back().second.weight *= weight_of(id, stage);
+    }
+    const Problem problem =
+        terms.empty() ? problem_ : problem_.exchanged(terms, std::move(checkers));
+    stepper_.reset(problem.with(std::move(changes)));
+  }
+
+  SolveResult descend(StoppingRules rules) override {
+    rules.max_iterations = std::min(rules.max_iterations, most_iterations_ - taken_);
+    Directive directive = Directive::Continue;  // the last answer
+    StepObserver numbered([&](const TraceEntry& row, const Vec& y) {
+      IterationRecord record = row.record;
+      record.iteration += taken_;  // they count through all phases
+      return directive = observed(observer_, record, y);
+    });
+    const double start = stepper_.evaluator().value(y_);
+    SolveResult part = stepper_.descend_from(std::move(y_), start, rules, &numbered);
+    if (directive != Directive::Continue) {  // also where the phase had ended anyway
+      part.status = stopped_status(directive);
+      part.message = Stopped(directive).what();
+    }
+    taken_ += static_cast<int>(part.iterations.size());
+    y_ = part.y;
+    return part;
+  }
+
+ private:
+  bool is_barrier(TermId id) const {
+    return std::find(barriers_.begin(), barriers_.end(), id) != barriers_.end();
+  }
+
+  double weight_of(TermId id, const BarrierStage& stage) const {
+    const auto place = static_cast<std::size_t>(std::find(barriers_.begin(), barriers_.end(), id) -
+                                                barriers_.begin());
+    if (place == barriers_.size()) return stage.energy;
+    return place < bounds_.size() ? stage.bounds[place].weight : stage.other_barriers;
+  }
+
+  const Problem& problem_;
+  const std::vector<TermId>& barriers_;
+  const Bounds bounds_;
+  const int most_iterations_;
+  RunObserver* observer_;
+  NewtonStepper stepper_;
+  Vec y_;
+  double m_ = 0;
+  int taken_ = 0;
+};
+
+// One run: the phases so far and the point they have reached.
+class Phases {
+ public:
+  Phases(BarrierProblem& problem, const BarrierOptions& options)
+      : problem_(problem), bounds_(problem.bounds()), options_(options) {
+    result_.y = problem_.y();
   }
 
   BarrierResult run() {
     if (!enter() || !has_start()) return std::move(result_);
-    result_.energy = measure().energy;
-    const double first = m_ > 0 ? options_.first_gap * scale() / m_ : 0;
-    follow_barrier({first, options_.fall}, [this](double mu) { return minimize(mu); });
+    result_.energy = problem_.energies().energy;
+    // What was too weak on the way inside holds a point at the bounds on the path, too.
+    const double first = std::max(first_weight(themselves(1)), entry_weight_);
+    result_.end = follow_barrier({first, options_.fall, options_.most_phases},
+                                 [this](double mu) { return minimize(mu); });
+    if (result_.end == PathEnd::None) {
+      result_.status = Status::Stalled;
+      result_.message = fmt::format(
+          "inside the bounds, but after {} weights of their barriers the energy still falls by "
+          "{:.1e}",
+          result_.phases.size(), left());
+    }
     return std::move(result_);
   }
 
  private:
+  BarrierStage themselves(double mu) const { return of_bounds_themselves(bounds_.bounds(), mu); }
+
+  // Whether a stage can begin here.
+  bool starts(const BarrierStage& stage) {
+    problem_.enter(stage);
+    result_.y = problem_.y();
+    return check_start(problem_.evaluator(), result_);
+  }
+
   bool has_start() {
-    if (check_start(stepper_.evaluator(), result_)) return true;
-    if (bounds_.bounds().size() < barriers_.size())
+    if (starts(themselves(1))) return true;
+    if (bounds_.bounds().size() < problem_.barriers().size())
       result_.message +=
           ": Bounds::interior() moves a start inside, BarrierMinimizer::of_bounds() leads it";
     return false;
@@ -104,41 +222,22 @@ class Phases {
 
   double scale() const { return std::max(1.0, std::abs(result_.energy)); }
 
-  int iterations_left() const {
-    return options_.newton.stopping.max_iterations - static_cast<int>(result_.iterations.size());
-  }
-
-  bool is_barrier(TermId id) const {
-    return std::find(barriers_.begin(), barriers_.end(), id) != barriers_.end();
-  }
-
-  // E and B here.
-  BarrierPhase measure() const {
-    const Vec x = problem_.expand(result_.y);
-    BarrierPhase phase;
-    for (const TermId id : problem_.terms())
-      (is_barrier(id) ? phase.barrier : phase.energy) += term_energy(problem_, id, x);
-    return phase;
+  // The weight of the first gap; 0: no barrier.
+  double first_weight(const BarrierStage& stage) {
+    m_ = problem_.barrier_size(stage, {});
+    return m_ > 0 ? options_.first_gap * scale() / m_ : 0;
   }
 
   // Leads the start to where the bounds are met.
   bool enter() {
-    require_size("the start y", result_.y.size(), problem_.size());
-    require_finite("the start y", result_.y);
-    const Vec start = problem_.expand(result_.y);
+    const Vec start = problem_.point();
     if (!bounds_.violated(start)) return true;
-    result_.energy = measure().energy;
-    const bool inside = measures_all(start) ? minimize_violation() : tighten();
-    stepper_.reset(problem_);
-    return inside;
+    result_.energy = problem_.energies().energy;
+    return measures_all(start) ? minimize_violation() : tighten();
   }
 
   bool went_on() const {
     return result_.status == Status::Converged || result_.status == Status::Stalled;
-  }
-
-  static const ViolationMeasure* measure_of(const BarrierChecker& bound) {
-    return dynamic_cast<const ViolationMeasure*>(&bound);
   }
 
   bool measures_all(VecIn x) const {
@@ -150,7 +249,8 @@ class Phases {
   // Leads inside by minima of the violation of all bounds that have a measure, met ones too: a
   // barrier of little weight lets a point creep along its bound. Others hold on the way.
   bool minimize_violation() {
-    const double scale = this->scale(), mu = options_.first_gap * scale / m_;
+    const double scale = this->scale();
+    const double mu = first_weight(with_violations(kFirstMargin, {1, 1}));
     double before = std::numeric_limits<double>::infinity();
     bool no_room = false;
     LargestViolation left;
@@ -159,9 +259,10 @@ class Phases {
       // The energy moves the minimum out by about half its weight times the multiplier of the
       // bound, which is less than the margin from some round on.
       const double weight = margin * margin / kFirstMargin / scale;
-      stepper_.reset(with_violations(margin, {weight, mu}));
-      if (k == 0 && !check_start(stepper_.evaluator(), result_)) return false;
-      descend({}, stepper_.evaluator().value(result_.y));
+      const BarrierStage stage = with_violations(margin, {weight, mu});
+      if (k == 0 && !starts(stage)) return false;
+      if (k > 0) problem_.enter(stage);
+      descend({});
       left = largest_violation();
       if (left.bound && went_on()) {
         no_room = result_.status == Status::Converged && margin <= kUnchanged * left.amount &&
@@ -169,7 +270,7 @@ class Phases {
         before = left.amount;
         continue;
       }
-      result_.energy = measure().energy;
+      result_.energy = problem_.energies().energy;
       if (left.bound) result_.message += "; the point violates " + words_of(left);
       return !left.bound && went_on();
     }
@@ -191,20 +292,19 @@ class Phases {
 
   // Leads inside by relaxed bounds that are tightened, which needs no measure.
   bool tighten() {
-    const auto point = [this] { return problem_.expand(result_.y); };
-    const double mu = options_.first_gap * scale() / m_;
-    const BoundEntryRules rules;
-    bool checked = false;
+    const auto point = [this] { return problem_.point(); };
+    double mu = 0;
     const auto descend = [&](double factor) {
-      const Problem relaxed = with_held_bounds();
-      stepper_.reset(relaxed);
-      if (!checked && !check_start(stepper_.evaluator(), result_)) return false;
-      checked = true;
-      stepper_.reset(weighted(relaxed, factor * mu));
-      this->descend(brief_rules(0, rules.tolerance), stepper_.evaluator().value(result_.y));
+      const bool is_first = mu == 0;
+      if (is_first) mu = first_weight(relaxed(1));
+      entry_weight_ = factor * mu;
+      const BarrierStage stage = relaxed(entry_weight_);
+      if (is_first && !starts(stage)) return false;
+      if (!is_first) problem_.enter(stage);
+      this->descend(brief_rules(0, options_.entry.tolerance));
       return went_on();
     };
-    const Entry entry = enter_bounds(bounds_, rules, point, descend);
+    const Entry entry = enter_bounds(bounds_, options_.entry, point, descend);
     if (entry == Entry::Inside) return true;
     if (entry == Entry::Outside) {
       const BarrierChecker& violated = *bounds_.violated(point());
@@ -212,7 +312,7 @@ class Phases {
              fmt::format("no point was found that meets the bound '{}'{}{}", violated.name(),
                          held_back_by(violated), kNoProof));
     }
-    result_.energy = measure().energy;
+    result_.energy = problem_.energies().energy;
     const BarrierChecker* const violated = bounds_.violated(point());
     if (violated && entry != Entry::Outside)
       result_.message += fmt::format("; the point violates '{}'", violated->name());
@@ -223,27 +323,36 @@ class Phases {
   void refuse(const BarrierChecker& violated, Status status, std::string why) {
     result_.status = status;
     result_.message = std::move(why);
-    result_.blocking = violated.check(problem_.expand(result_.y)).blocking;
-    result_.energy = measure().energy;
+    result_.blocking = violated.check(problem_.point()).blocking;
+    result_.energy = problem_.energies().energy;
   }
 
   // What else limits the point: other bounds that it violates, else the checker that it is nearest
   // to.
-  std::string held_back_by(const BarrierChecker& violated) const {
-    const Vec x = problem_.expand(result_.y);
+  std::string held_back_by(const BarrierChecker& violated) {
     const FeasibilityChecker* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& checker : problem_.checkers()) {
-      const double margin = checker.get() == &violated ? least : checker->check(x).margin;
-      if (!(margin < least)) continue;
+    const auto look_at = [&](const FeasibilityChecker& checker, VecIn x) {
+      const double margin = checker.check(x).margin;
+      if (!(margin < least)) return;
       least = margin;
-      nearest = checker.get();
-    }
+      nearest = &checker;
+    };
+    const Vec point = problem_.point();
+    const auto& bounds = bounds_.bounds();
+    for (const auto& bound : bounds)
+      if (bound.get() != &violated) look_at(*bound, point);
+    const Problem& problem = problem_.evaluator().problem();
+    const Vec x = problem.expand(problem_.y());
+    for (const auto& checker : problem.checkers())
+      if (std::none_of(bounds.begin(), bounds.end(),
+                       [&](const auto& bound) { return bound->name() == checker->name(); }))
+        look_at(*checker, x);
     return nearest ? fmt::format(", held back by '{}'", nearest->name()) : "";
   }
 
   LargestViolation largest_violation() const {
-    const Vec x = problem_.expand(result_.y);
+    const Vec x = problem_.point();
     LargestViolation largest;
     for (const auto& bound : bounds_.bounds()) {
       if (bound->check(x).feasible) continue;
@@ -257,105 +366,84 @@ class Phases {
     return largest;
   }
 
-  // True where the stepper's problem, without the energy, has a Hessian whose parts are all
+  // True where the present problem, without the energy, has a Hessian whose parts are all
   // semidefinite.
-  bool is_convex_here() const {
+  bool is_convex_here() {
+    const std::vector<TermId> barriers = problem_.barriers();
+    const Problem& present = problem_.evaluator().problem();
     TermChanges changes;
-    for (const TermId id : problem_.terms()) {
-      if (is_barrier(id)) continue;
-      changes.emplace_back(id, problem_.state(id));
+    for (const TermId id : present.terms()) {
+      if (std::find(barriers.begin(), barriers.end(), id) != barriers.end()) continue;
+      changes.emplace_back(id, present.state(id));
       changes.back().second.weight = 0;
     }
-    const Problem problem = stepper_.evaluator().problem().with(std::move(changes));
+    const Problem problem = present.with(std::move(changes));
     if (!problem.supports(Curvature::Exact) || !problem.supports(Curvature::Projected))
       return false;
     Evaluator evaluator(problem);
     Vec gradient, exact, projected;
-    evaluator.linearize(result_.y, Curvature::Exact, gradient, exact);
-    evaluator.linearize(result_.y, Curvature::Projected, gradient, projected);
+    const Vec y = problem_.y();
+    evaluator.linearize(y, Curvature::Exact, gradient, exact);
+    evaluator.linearize(y, Curvature::Projected, gradient, projected);
     return (exact - projected).norm() <= kHessianRounding * projected.norm();
   }
 
   struct RestWeights {
     double energy, barrier;  // that of a barrier is the product of both
   };
-  // The problem with the violation in place of the bounds that have one, and these weights for the
-  // rest.
-  Problem with_violations(double margin, const RestWeights& rest) const {
-    std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>> terms;
-    auto checkers = problem_.checkers();
-    std::vector<TermId> measured;
-    for (std::size_t k = 0; k < bounds_.bounds().size(); ++k) {
-      const auto& bound = bounds_.bounds()[k];
-      if (!measure_of(*bound)) continue;
-      measured.push_back(barriers_[k]);
-      terms.emplace_back(barriers_[k], measure_of(*bound)->violation(margin));
-      std::erase(checkers, bound);
-    }
-    TermChanges changes;
-    for (const TermId id : problem_.terms()) {
-      if (std::find(measured.begin(), measured.end(), id) != measured.end()) continue;
-      changes.emplace_back(id, problem_.state(id));
-      changes.back().second.weight *= rest.energy * (is_barrier(id) ? rest.barrier : 1);
-    }
-    return problem_.exchanged(terms, std::move(checkers)).with(std::move(changes));
+  // The violation in place of the bounds that have one, and these weights for the rest.
+  BarrierStage with_violations(double margin, const RestWeights& rest) const {
+    BarrierStage stage = themselves(rest.energy * rest.barrier);
+    stage.energy = rest.energy;
+    for (std::size_t k = 0; k < stage.bounds.size(); ++k)
+      if (const ViolationMeasure* const measure = measure_of(*bounds_.bounds()[k]))
+        stage.bounds[k] = {nullptr, measure->violation(margin), 1};
+    return stage;
   }
 
-  // The problem with what is held in place of the bounds.
-  Problem with_held_bounds() const {
-    std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>> terms;
-    auto checkers = problem_.checkers();
-    for (std::size_t k = 0; k < bounds_.bounds().size(); ++k) {
-      terms.emplace_back(barriers_[k], bounds_.barriers()[k]);
-      for (auto& checker : checkers)
-        if (checker == bounds_.bounds()[k]) checker = bounds_.held()[k];
-    }
-    return problem_.exchanged(terms, std::move(checkers));
+  // What is held in place of the bounds.
+  BarrierStage relaxed(double mu) const {
+    BarrierStage stage = themselves(mu);
+    for (std::size_t k = 0; k < stage.bounds.size(); ++k)
+      stage.bounds[k] = {bounds_.held()[k], bounds_.barriers()[k], mu};
+    return stage;
   }
 
-  Problem weighted(const Problem& problem, double mu) const {
-    TermChanges changes;
-    for (const TermId id : barriers_) {
-      changes.emplace_back(id, problem.state(id));
-      changes.back().second.weight *= mu;
-    }
-    return problem.with(std::move(changes));
+  // What is left of E above its minimum by the last decrease; 0 before there is one.
+  double left() const {
+    if (result_.phases.size() < 2) return 0;
+    const auto last = result_.phases.rbegin();
+    return (last[1].energy - last[0].energy) * options_.fall / (1 - options_.fall);
   }
 
   PathEnd minimize(double mu) {
+    if (!result_.phases.empty()) m_ = problem_.barrier_size(themselves(mu), result_.phases);
     const bool last = m_ * mu <= options_.tolerance * scale();
-    stepper_.reset(weighted(problem_, mu));
-    const double start = stepper_.evaluator().value(result_.y);
+    problem_.enter(themselves(mu));
     StoppingRules rules = options_.newton.stopping;
-    if (!last) rules = brief_rules(0, relative_to(start, options_.centred * m_ * mu));
-    const int steps = descend(rules, start);
-    BarrierPhase phase = measure();
-    result_.energy = phase.energy;
+    if (!last) {
+      const double start = problem_.evaluator().value(problem_.y());
+      rules = brief_rules(0, relative_to(start, options_.centred * m_ * mu));
+    }
+    BarrierPhase phase;
+    phase.iterations = descend(rules);
+    const BarrierEnergies here = problem_.energies();
+    result_.energy = phase.energy = here.energy;
+    phase.barrier = here.barrier;
     phase.mu = mu;
     phase.gap = m_ * mu;
-    phase.iterations = steps;
     phase.status = result_.status;
     result_.phases.push_back(phase);
-    if (last) return PathEnd::Arrived;
-    return went_on() ? PathEnd::None : PathEnd::Ended;
+    if (!went_on()) return PathEnd::Ended;
+    // A rise says that the phase before had not come near its minimum, and nothing of what is left.
+    const bool arrived = last && !(std::abs(left()) > options_.tolerance * scale());
+    return arrived ? PathEnd::Arrived : PathEnd::None;
   }
 
   // Descends from where the run is and returns the number of iterations.
-  int descend(StoppingRules rules, double start) {
-    rules.max_iterations = iterations_left();
-    Directive directive = Directive::Continue;  // the last answer
-    StepObserver numbered([&, before = static_cast<int>(result_.iterations.size())](
-                              const TraceEntry& row, const Vec& y) {
-      IterationRecord record = row.record;
-      record.iteration += before;  // they count through all phases
-      return directive = observed(observer_, record, y);
-    });
-    SolveResult part = stepper_.descend_from(std::move(result_.y), start, rules, &numbered);
-    if (directive != Directive::Continue) {  // also where the phase had ended anyway
-      part.status = stopped_status(directive);
-      part.message = Stopped(directive).what();
-    }
-    return append(std::move(part));
+  int descend(StoppingRules rules) {
+    rules.max_iterations = std::numeric_limits<int>::max();
+    return append(problem_.descend(rules));
   }
 
   int append(SolveResult part) {
@@ -369,24 +457,26 @@ class Phases {
     return steps;
   }
 
-  const Problem& problem_;
-  const std::vector<TermId>& barriers_;
+  BarrierProblem& problem_;
   HeldBounds bounds_;
   const BarrierOptions& options_;
-  RunObserver* observer_;
-  NewtonStepper stepper_;
   BarrierResult result_;
   double m_ = 0;
+  double entry_weight_ = 0;  // the last one of relaxed bounds
 };
+
+void require_valid(const BarrierOptions& options) {
+  const auto in_unit_interval = [](double value) { return value > 0 && value < 1; };
+  if (!in_unit_interval(options.fall) || !(options.tolerance > 0) || !(options.first_gap > 0))
+    throw InvalidArgument(
+        "BarrierOptions: fall must be in (0, 1), tolerance and first_gap positive");
+}
 
 }  // namespace
 
 BarrierMinimizer::BarrierMinimizer(std::vector<TermId> barriers, BarrierOptions options)
     : barriers_(std::move(barriers)), options_(std::move(options)) {
-  const auto in_unit_interval = [](double value) { return value > 0 && value < 1; };
-  if (!in_unit_interval(options_.fall) || !(options_.tolerance > 0) || !(options_.first_gap > 0))
-    throw InvalidArgument(
-        "BarrierOptions: fall must be in (0, 1), tolerance and first_gap positive");
+  require_valid(options_);
 }
 
 BarrierMinimizer BarrierMinimizer::of_bounds(std::vector<HeldBound> bounds,
@@ -413,7 +503,16 @@ BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0, RunObserver*
       throw InvalidArgument(fmt::format(
           "BarrierMinimizer: the bound '{}' is none of the problem's checkers", b.bound->name()));
   }
-  return Phases(problem, barriers_, bounds_, options_, std::move(y0), observer).run();
+  BarrierProblem::Bounds bounds;
+  for (const HeldBound& b : bounds_) bounds.push_back(b.bound);
+  FixedProblem fixed(problem, barriers_, std::move(bounds), options_.newton, std::move(y0),
+                     observer);
+  return Phases(fixed, options_).run();
+}
+
+BarrierResult BarrierMinimizer::run(BarrierProblem& problem, const BarrierOptions& options) {
+  require_valid(options);
+  return Phases(problem, options).run();
 }
 
 }  // namespace majorant

@@ -16,17 +16,22 @@
 // last one has
 //     m mu <= tolerance max(1, |E|)
 // with m the sum of the weights of all elements of the barriers, which for convex problems and -log
-// g bounds what E is above its constrained minimum. A constraint with multiplier l ends at the
-// distance mu / l from its boundary. Not for equality constraints: eliminate them (constraint.h);
-// nor for starts on the boundary: they must be inside, but for a BarrierChecker's bounds
-// (of_bounds(); feasibility.h has the code). A start that does not meet such bounds is first led
-// inside: by minima of their violation, which is what Bounds and Inequality measure
+// g bounds what E is above its constrained minimum, and as much is left of E by its last decrease:
+// along the path E exceeds its minimum by a multiple of mu. A constraint with multiplier l ends at
+// the distance mu / l from its boundary. Not for equality constraints: eliminate them
+// (constraint.h); nor for starts on the boundary: they must be inside, but for a BarrierChecker's
+// bounds (of_bounds(); feasibility.h has the code). A start that does not meet such bounds is first
+// led inside: by minima of their violation, which is what Bounds and Inequality measure
 // (feasibility.h), else by barriers of bounds relaxed as far as the point needs it, tightened as it
-// comes nearer.
+// comes nearer. Who builds the problem anew between steps brings it as a BarrierProblem.
 #pragma once
 
+#include <limits>
+#include <memory>
+#include <span>
 #include <vector>
 
+#include "majorant/framework/barrier_path.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/newton.h"
 
@@ -43,6 +48,10 @@ struct BarrierOptions {
   // A phase but the last ends with a decrease of at most so many m mu: what the next fall of mu
   // changes is larger.
   double centred = 0.1;
+  // Phases at most; a run whose last one still lowers E by more than the tolerance is stalled.
+  int most_phases = std::numeric_limits<int>::max();
+  // How relaxed bounds are tightened.
+  BoundEntryRules entry = {};
   // The options of every phase; the stopping rules hold in the last one, max_iterations counts the
   // steps of all.
   NewtonOptions newton = {};
@@ -64,10 +73,55 @@ struct HeldBound {
   std::shared_ptr<const BarrierChecker> bound;
 };
 
+// What a run puts in place of a problem's bounds for a while: relaxed ones, their violation, or
+// they themselves; and the weights of what is minimized there.
+struct BarrierStage {
+  struct Bound {
+    std::shared_ptr<const BarrierChecker> checker;  // null: none is held
+    std::shared_ptr<const EnergyTerm> term;         // its barrier, or the violation
+    double weight = 1;                              // a factor of that of the bound's barrier
+  };
+  std::vector<Bound> bounds;  // one for each bound of the problem
+  // Factors of the weights of barriers that belong to no bound, and of all other terms.
+  double other_barriers = 1, energy = 1;
+};
+
+struct BarrierEnergies {
+  double energy = 0, barrier = 0;  // E, B
+};
+
+// A problem with barriers and where a run on it is, as BarrierMinimizer leads it: for loops of
+// one's own that build the problem anew between steps.
+class BarrierProblem {
+ public:
+  using Bounds = std::vector<std::shared_ptr<const BarrierChecker>>;
+  virtual ~BarrierProblem() = default;
+
+  virtual const Bounds& bounds() const = 0;
+  // The problem of the present stage; the barriers' ids there, those of bounds first.
+  virtual Evaluator& evaluator() = 0;
+  virtual std::vector<TermId> barriers() const = 0;
+  // Where the run is: in the unknowns of the problem, and in those that bounds and their terms see.
+  virtual Vec y() const = 0;
+  virtual Vec point() const = 0;
+  // E and B here, each with the weight that the problem has it with, whatever the stage.
+  virtual BarrierEnergies energies() const = 0;
+  // m, from the phases so far: how much the barriers of `stage`, which this point meets, grow in
+  // all where their weight falls by the factor e; 0 after a phase: not known, the next one ends
+  // like a last one.
+  virtual double barrier_size(const BarrierStage& stage,
+                              std::span<const BarrierPhase> phases) const = 0;
+
+  virtual void enter(const BarrierStage& stage) = 0;
+  // Newton steps from here until the rules say so, of which max_iterations is the caller's.
+  virtual SolveResult descend(StoppingRules rules) = 0;
+};
+
 // energy: E; energies of `iterations`: E + mu B. Iterations that led a start inside come before
 // those of the phases.
 struct BarrierResult : SolveResult {
   std::vector<BarrierPhase> phases;
+  PathEnd end = PathEnd::Ended;  // None: after most_phases
 };
 
 class BarrierMinimizer final : public Minimizer {
@@ -83,6 +137,8 @@ class BarrierMinimizer final : public Minimizer {
   // proves nothing. Throws InvalidArgument for ids that the problem does not
   // have, and for bounds that are none of its checkers.
   BarrierResult run(const Problem& problem, Vec y0, RunObserver* observer = nullptr) const;
+  // The same from where a problem of the caller's is; options.newton: its stopping rules alone.
+  static BarrierResult run(BarrierProblem& problem, const BarrierOptions& options);
   SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override {
     return run(problem, std::move(y0), observer);
   }

@@ -29,13 +29,13 @@ SolverFactory solver_of(const SolveOptions& options, const Problem& problem, Ord
       [&options, &problem, ordering] { return options.linear_solver(problem.pattern(), ordering); };
 }
 
-HeldBounds bounds_of(const std::shared_ptr<const MapExtension>& added) {
-  HeldBounds::Bounds bounds;
+BarrierProblem::Bounds bounds_of(const std::shared_ptr<const MapExtension>& added) {
+  BarrierProblem::Bounds bounds;
   if (added)
     for (const auto& checker : added->checkers())
       if (auto bound = std::dynamic_pointer_cast<const BarrierChecker>(checker))
         bounds.push_back(std::move(bound));
-  return HeldBounds(std::move(bounds));
+  return bounds;
 }
 
 // What was prepared for a solve from x; null: nothing, or for another one.
@@ -45,21 +45,31 @@ std::shared_ptr<PreparedParts> prepared_for(MapDomain& domain, const BezierTrian
   return prepared && prepared->fits(space, x) ? prepared : nullptr;
 }
 
-void require_curvature(const MapExtension& added, const HeldBounds& bounds, Curvature asked) {
+// The map's energy keeps its weight, so that its scaffold, its rules and its trace know it.
+double weight_beside_map(const BarrierStage::Bound& bound, const BarrierStage& stage) {
+  return bound.weight / stage.energy;
+}
+
+void require_curvature(const MapExtension& added, const BarrierProblem::Bounds& bounds,
+                       Curvature asked) {
   const auto require = [asked](const EnergyTerm& term) {
     if (!term.supports(asked))
       throw InvalidArgument(
           fmt::format("term '{}' has no curvature model '{}'", term.name(), curvature_name(asked)));
   };
   for (const auto& one : added.terms()) require(*one.term);
-  for (const auto& bound : bounds.bounds()) require(*bound->barrier());
+  for (const auto& bound : bounds) {
+    require(*bound->barrier());
+    if (const auto* measure = dynamic_cast<const ViolationMeasure*>(bound.get()))
+      require(*measure->violation(0));
+  }
 }
 
 }  // namespace
 
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
                            std::shared_ptr<const BezierTriangleSpace> space, const Vec& x)
-    : DegreeSolver(setup, domain, space, x, {bounds_of(setup.map.added)},
+    : DegreeSolver(setup, domain, space, x, {bounds_of(setup.map.added), {}},
                    prepared_for(domain, *space, x)) {}
 
 DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
@@ -83,7 +93,7 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
       built_([&] {
         require_curvature(terms_, setup.solve.curvature);
         if (setup.map.added)
-          require_curvature(*setup.map.added, bounds_.held, setup.solve.curvature);
+          require_curvature(*setup.map.added, bounds_.all, setup.solve.curvature);
         setup.stop.poll();
         MapProblem built = prepared_ ? prepared_->built : build();
         setup.stop.poll();  // what follows is the analysis of its pattern
@@ -98,18 +108,21 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
   if (setup.map.added && !setup.map.added->constraints().empty()) meet_added_constraints();
 }
 
-// Bounds are what is held in their place, and their barriers terms.
+// What stands in place of the bounds is held, and has its terms.
 MapProblem DegreeSolver::build() {
   const auto in = [this](const MapSpecification& map) {
     return domain_.build(map, space_, start_, terms_, injectivity_, x_);
   };
-  if (!is_bounded()) return in(setup_.map);
+  if (bounds_.all.empty()) return in(setup_.map);
+  const BarrierStage& stage = bounds_.stage;
   std::vector<std::shared_ptr<const FeasibilityChecker>> checkers;
   for (const auto& checker : setup_.map.added->checkers())
     if (!std::dynamic_pointer_cast<const BarrierChecker>(checker)) checkers.push_back(checker);
-  for (const auto& bound : bounds_.held.held()) checkers.push_back(bound);
+  for (const auto& instead : stage.bounds)
+    if (instead.checker) checkers.push_back(instead.checker);
   MapExtension added = setup_.map.added->with(std::move(checkers));
-  for (const auto& barrier : bounds_.held.barriers()) added.add(barrier, bounds_.barrier_weight);
+  for (const auto& instead : stage.bounds)
+    added.add(instead.term, weight_beside_map(instead, stage));
   MapSpecification map = setup_.map;
   map.added = std::make_shared<const MapExtension>(std::move(added));
   return in(map);
@@ -117,7 +130,7 @@ MapProblem DegreeSolver::build() {
 
 // The last terms that were added.
 std::span<const TermId> DegreeSolver::barriers() const {
-  return std::span(built_.added).last(bounds_.held.barriers().size());
+  return std::span(built_.added).last(bounds_.stage.bounds.size());
 }
 
 namespace {
@@ -487,7 +500,8 @@ void add_use(RemedyUses& uses, Remedy remedy, double gained) {
 
 SolveResult DegreeSolver::finish(RunRecord& record) {
   const auto solve = [&] {
-    return is_bounded() ? solve_within_bounds(record) : exhaust(kRemedies, remedy_counts_, record);
+    return bounds_.all.empty() ? exhaust(kRemedies, remedy_counts_, record)
+                               : solve_within_bounds(record);
   };
   SolveResult result = solve();
   if (result.status == Status::Stalled && domain_.hold()) result = solve();
@@ -542,7 +556,7 @@ DegreeSolver::RemedyOutcome DegreeSolver::apply(Remedy remedy, SolveResult& resu
     case Remedy::Exclude:
       return exclude(result, record);
     case Remedy::FollowBarrier:
-      return follow_barrier(result, record);
+      return follow_strong_barrier(result, record);
   }
   return RemedyOutcome::None;
 }
@@ -609,7 +623,8 @@ SolveResult DegreeSolver::back_to(const Checkpoint& best, SolveResult stalled, S
 // Interior points: the energy plus mu times one whose barrier is strong, for falling mu, leads
 // around corners that a weak barrier, or none, ran into. The map's is symmetric Dirichlet, unless
 // that is in its energy; the surroundings bring their own.
-DegreeSolver::RemedyOutcome DegreeSolver::follow_barrier(SolveResult& result, RunRecord& record) {
+DegreeSolver::RemedyOutcome DegreeSolver::follow_strong_barrier(SolveResult& result,
+                                                                RunRecord& record) {
   if (std::exchange(barrier_followed_, true)) return RemedyOutcome::None;
   RemedyOutcome outcome = RemedyOutcome::None;
   for (int round = 0; round < rules().barrier_rounds && result.status == Status::Stalled; ++round) {
@@ -636,7 +651,7 @@ DegreeSolver::RemedyOutcome DegreeSolver::follow_barrier(SolveResult& result, Ru
 bool DegreeSolver::step_aside(double unit, RunRecord& record) {
   const bool strong = barrier_of(setup_.map.energy) == Barrier::Strong;
   bool followed = false;
-  majorant::follow_barrier(rules().barrier_weights, [&](double mu) {
+  follow_barrier(rules().barrier_weights, [&](double mu) {
     if (!domain_.strengthen(mu) && strong) return PathEnd::Ended;
     if (!std::exchange(followed, true)) record.mark(Remedy::FollowBarrier);
     return approach_with(strong ? 0 : mu * unit, record) ? PathEnd::None : PathEnd::Ended;
@@ -669,100 +684,120 @@ bool DegreeSolver::approach_with(double weight, RunRecord& record) {
   }
 }
 
-// ---- Bounds with a barrier: first as if there were none, then inside, then along the barrier to
-// the constrained minimum. Where the free minimum meets them, it is the constrained one. ----
+// ---- Bounds with a barrier: first as if there were none; where the free minimum meets them, it is
+// the constrained one. Else BarrierMinimizer leads inside and along the barrier. ----
+
+// This degree as BarrierMinimizer leads it.
+class DegreeSolver::WithinBounds final : public BarrierProblem {
+ public:
+  WithinBounds(DegreeSolver& solver, SolveResult free, RunRecord& record)
+      : result(std::move(free)), solver_(solver), record_(record) {}
+
+  const Bounds& bounds() const override { return solver_.bounds_.all; }
+  Evaluator& evaluator() override { return solver_.stepper_.evaluator(); }
+  std::vector<TermId> barriers() const override {
+    return {solver_.barriers().begin(), solver_.barriers().end()};
+  }
+  Vec y() const override { return solver_.built_.problem.reduce(solver_.x_); }
+  Vec point() const override { return solver_.x(); }
+  BarrierEnergies energies() const override {
+    BarrierEnergies here{solver_.own_energy(solver_.x_), 0};
+    for (const auto& bound : bounds()) here.barrier += values(*bound->barrier()).sum();
+    return here;
+  }
+  // A barrier is a mean or a sum, of -log or not. What it gains while its weight falls tells what
+  // it weighs; its values do for the first weight.
+  double barrier_size(const BarrierStage& stage,
+                      std::span<const BarrierPhase> phases) const override {
+    if (phases.size() == 1) return 0;
+    if (phases.size() > 1) {
+      const BarrierPhase &last = phases.back(), &before = phases[phases.size() - 2];
+      return std::max(last.barrier - before.barrier, 0.0) / std::log(before.mu / last.mu);
+    }
+    double size = 0;
+    for (const auto& instead : stage.bounds)
+      if (instead.checker) size += values(*instead.term).cwiseAbs().sum();
+    return std::max(size, solver_.setup_.rules.bounds.least_barrier);
+  }
+  void enter(const BarrierStage& stage) override {
+    solver_.setup_.stop.poll();
+    solver_.enter(stage);
+  }
+  // A map may stall at the limit of its certificates, which ends a phase, too.
+  SolveResult descend(StoppingRules rules) override {
+    result = solver_.descend(solver_.unlimited(rules.relative_decrease), Phase::Barrier, record_);
+    return result;
+  }
+
+  SolveResult result;  // of the last descent
+
+ private:
+  Vec values(const EnergyTerm& term) const {
+    return element_values(term, {}, ColoredBatches(term.element_dofs(), {}), point());
+  }
+
+  DegreeSolver& solver_;
+  RunRecord& record_;
+};
+
+// Puts the stage in place of the bounds.
+void DegreeSolver::enter(const BarrierStage& stage) {
+  const auto same = [](const BarrierStage::Bound& a, const BarrierStage::Bound& b) {
+    return a.checker == b.checker && a.checker;
+  };
+  const BarrierStage last = std::exchange(bounds_.stage, stage);
+  if (!std::equal(last.bounds.begin(), last.bounds.end(), stage.bounds.begin(), stage.bounds.end(),
+                  same))
+    return rebuild();
+  TermChanges changes;
+  for (std::size_t k = 0; k < stage.bounds.size(); ++k) {
+    changes.emplace_back(barriers()[k], built_.problem.state(barriers()[k]));
+    changes.back().second.weight = weight_beside_map(stage.bounds[k], stage);
+  }
+  built_.problem = built_.problem.with(std::move(changes));
+  stepper_.reset(built_.problem);
+}
 
 SolveResult DegreeSolver::solve_within_bounds(RunRecord& record) {
   SolveResult result = approach(setup_.solve.elevation_tolerance, record);
   if (was_stopped(result.status)) return result;
-  const auto met = [this] { return !bounds_.held.violated(x()); };
-  if (met()) {
+  const auto violated = [this] { return HeldBounds(bounds_.all).violated(x()); };
+  if (!violated()) {
     result = exhaust(kRemedies, remedy_counts_, record);
-    if (was_stopped(result.status) || met()) return result;
+    if (was_stopped(result.status) || !violated()) return result;
   }
+  WithinBounds run(*this, std::move(result), record);
   try {
-    if (!enter_bounds(result, record)) return result;
-    if (!follow_barriers(result, record)) return result;
+    const BarrierResult led = BarrierMinimizer::run(run, barrier_options(run.result.energy));
+    result = led;
+    if (was_stopped(led.status) || led.end == PathEnd::None) return result;
   } catch (const Stopped& stop) {
-    return stopped(std::move(result), stop.why());
+    return stopped(std::move(run.result), stop.why());
+  }
+  if (const BarrierChecker* const bound = violated()) {
+    if (result.status != Status::Infeasible)
+      result.message = fmt::format("no map was found that meets the bound '{}'", bound->name());
+    result.status = Status::Infeasible;
+    return result;
   }
   remedy_counts_ = {};
   return exhaust(kRemedies, remedy_counts_, record);
 }
 
-double DegreeSolver::barrier_size() const {
-  const Vec map = x();
-  double sum = 0;
-  for (const auto& barrier : bounds_.held.barriers())
-    sum += element_values(*barrier, {}, ColoredBatches(barrier->element_dofs(), {}), map)
-               .cwiseAbs()
-               .sum();
-  return sum;
-}
-
-// Leads x_ inside the bounds; returns whether it is there.
-bool DegreeSolver::enter_bounds(SolveResult& result, RunRecord& record) {
+// The rules of the barriers for an energy like this one.
+BarrierOptions DegreeSolver::barrier_options(double energy) const {
   const BoundRules& rules = setup_.rules.bounds;
-  double weight = 0;
-  const auto point = [this] { return x(); };
-  const auto go_on = [&](double factor) {
-    setup_.stop.poll();
-    if (weight == 0)
-      weight = rules.first_share * std::max(std::abs(result.energy), rules.least_energy) /
-               std::max(barrier_size(), rules.least_barrier);
-    bounds_.barrier_weight = factor * weight;
-    rebuild();
-    result = descend(unlimited(rules.entry.tolerance), Phase::Barrier, record);
-    return !was_stopped(result.status);
-  };
-  const Entry entry = majorant::enter_bounds(bounds_.held, rules.entry, point, go_on);
-  if (entry == Entry::Stopped) return false;
-  if (entry == Entry::Inside) {
-    rebuild();
-    return true;
-  }
-  result.status = Status::Infeasible;
-  result.message =
-      fmt::format("no map was found that meets the bound '{}'", bounds_.held.violated(x())->name());
-  return false;
-}
-
-// Interior points: the weight falls until what it may still cost is within the tolerance. Along the
-// path the energy exceeds the constrained minimum by a multiple of the weight, so the last decrease
-// tells what is left.
-bool DegreeSolver::follow_barriers(SolveResult& result, RunRecord& record) {
-  BarrierWeights weights = setup_.rules.bounds.weights;
-  weights.first = bounds_.barrier_weight;
-  double before = 0, left = 0;
-  int phases = 0;
-  const PathEnd end = majorant::follow_barrier(weights, [&](double weight) {
-    setup_.stop.poll();
-    result = descend_with(weight, record);
-    if (was_stopped(result.status)) return PathEnd::Ended;
-    left = (before - result.energy) * weights.fall / (1 - weights.fall);
-    before = result.energy;
-    const bool near = left <= setup_.solve.tolerance * std::abs(result.energy);
-    return ++phases > 2 && near ? PathEnd::Arrived : PathEnd::None;
-  });
-  if (end != PathEnd::None) return end == PathEnd::Arrived;
-  result.status = Status::Stalled;
-  result.message = fmt::format(
-      "inside the bounds, but after {} weights of their barriers the energy "
-      "still falls by {:.1e}",
-      weights.most_phases, left);
-  return false;
-}
-
-SolveResult DegreeSolver::descend_with(double barrier_weight, RunRecord& record) {
-  bounds_.barrier_weight = barrier_weight;
-  TermChanges changes;
-  for (const TermId id : barriers()) {
-    changes.emplace_back(id, built_.problem.state(id));
-    changes.back().second.weight = barrier_weight;
-  }
-  built_.problem = built_.problem.with(std::move(changes));
-  stepper_.reset(built_.problem);
-  return descend(unlimited(setup_.solve.tolerance), Phase::Barrier, record);
+  BarrierOptions options;
+  const double scale =
+      std::max(std::abs(energy), rules.least_energy) / std::max(1.0, std::abs(energy));
+  options.first_gap = rules.first_share * scale;
+  options.tolerance = setup_.solve.tolerance * scale;
+  options.fall = rules.weights.fall;
+  options.most_phases = rules.weights.most_phases;
+  options.entry = rules.entry;
+  options.centred = rules.centred;
+  options.newton.stopping = unlimited(setup_.solve.tolerance);
+  return options;
 }
 
 }  // namespace majorant

@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "majorant/framework/barrier_path.h"
+#include "majorant/framework/barrier_minimizer.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/pattern_analysis.h"
@@ -87,11 +87,10 @@ class DegreeSolver {
   std::vector<long> proven() const;
 
  private:
-  // Bounds with a barrier, those of MapSpecification::added: left out, relaxed or held, as the
-  // solver goes along.
+  // Bounds with a barrier, those of MapSpecification::added; they see the map's unknowns alone.
   struct Bounds {
-    HeldBounds held;  // in place of them; they see the map's unknowns alone
-    double barrier_weight = 1;
+    BarrierProblem::Bounds all;
+    BarrierStage stage;  // in place of them; empty: they are left out
   };
   DegreeSolver(const Setup& setup, MapDomain& domain,
                std::shared_ptr<const BezierTriangleSpace> space, const Vec& x, Bounds bounds,
@@ -104,6 +103,7 @@ class DegreeSolver {
   };
   class MapDescent;
   class SoftStart;
+  class WithinBounds;
   // The outcome of a remedy: it could not help, the run goes on from a new point, or it has ended.
   enum class RemedyOutcome { None, GoOn, Ended };
 
@@ -129,13 +129,9 @@ class DegreeSolver {
   StoppingRules unlimited(double relative_decrease) const;
   StoppingRules final_rules() const;
 
-  bool is_bounded() const { return !bounds_.held.bounds().empty(); }
   SolveResult solve_within_bounds(RunRecord& record);
-  bool enter_bounds(SolveResult& result, RunRecord& record);
-  bool follow_barriers(SolveResult& result, RunRecord& record);
-  SolveResult descend_with(double barrier_weight, RunRecord& record);
-  // Sum of the absolute values of the elements of the held bounds' barriers.
-  double barrier_size() const;
+  BarrierOptions barrier_options(double energy) const;
+  void enter(const BarrierStage& stage);
 
   // Remedies.
   const RemedyRules& rules() const { return setup_.rules.remedies; }
@@ -150,7 +146,7 @@ class DegreeSolver {
   RemedyOutcome deepen(RunRecord& record);
   RemedyOutcome refine(const std::vector<Index>& blocking, RunRecord& record);
   RemedyOutcome exclude(SolveResult& result, RunRecord& record);
-  RemedyOutcome follow_barrier(SolveResult& result, RunRecord& record);
+  RemedyOutcome follow_strong_barrier(SolveResult& result, RunRecord& record);
   bool step_aside(double unit, RunRecord& record);
   bool approach_with(double weight, RunRecord& record);
   SolveResult back_to(const Checkpoint& best, SolveResult stalled, Status way_out);

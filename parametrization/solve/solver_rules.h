@@ -91,7 +91,7 @@ struct ScaffoldRules {
   int tail_steps = 1;
 };
 
-// Bounds with a barrier (degree_solver.cpp).
+// Bounds with a barrier, as BarrierOptions (barrier_minimizer.h) has them.
 struct BoundRules {
   // The first weight times the absolute values of the barrier's elements, relative to the energy:
   // strong enough to lead away from the bound, weak enough to leave the energy its say.
@@ -100,6 +100,9 @@ struct BoundRules {
   double least_energy = ScaffoldRules{}.least_energy;
   // The same of a barrier's values, which are 0 where rooms are 1. No weight is infinite.
   double least_barrier = 1e-6;
+  // BarrierOptions::centred. A tenth leaves coarse maps of twice the stretch 1e-4 above their
+  // minimum.
+  double centred = 0.01;
   BoundEntryRules entry;
   // The first is first_share's. Bounds the cost of what leads nowhere; chosen, not tuned.
   BarrierWeights weights{.most_phases = 40};

@@ -147,6 +147,31 @@ TEST(BarrierMinimizer, LimitsAndStarts) {
       << outside.message;
 }
 
+// A barrier that weighs more than its elements say: E, 1 at the bound, exceeds that by 1000 mu.
+TEST(BarrierMinimizer, FollowsHeavyBarriersAsFar) {
+  ProblemBuilder builder(1);
+  builder.add(linear_term("along", Vec::Ones(1)), 1);
+  const TermId barrier = builder.add(make_term<1>("heavy", Cells{{0}},
+                                                  [](Index, const auto& z) {
+                                                    using std::log;
+                                                    return -1000.0 * log(z[0] - 1.0);
+                                                  }),
+                                     1);
+  const Problem problem = builder.build();
+  const BarrierResult result = BarrierMinimizer({barrier}).run(problem, Vec{{2}});
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_EQ(result.end, PathEnd::Arrived);
+  EXPECT_NEAR(result.energy, 1, 2e-8);
+  BarrierOptions options;
+  options.most_phases = 9;
+  const BarrierResult limited = BarrierMinimizer({barrier}, options).run(problem, Vec{{2}});
+  EXPECT_EQ(limited.status, Status::Stalled);
+  EXPECT_EQ(limited.end, PathEnd::None);
+  EXPECT_EQ(limited.phases.size(), 9u);
+  EXPECT_TRUE(limited.message.find("after 9 weights of their barriers") != std::string::npos)
+      << limited.message;
+}
+
 // x_k >= limit for every unknown; certifies paths.
 class Above final : public BarrierChecker {
  public:

@@ -110,6 +110,28 @@ TEST(Bounds, OfTermsHold) {
   EXPECT_NEAR(energies[0], energies[1], 1e-5 * energies[0]);
 }
 
+// Bounds that measure their violation are entered by its minimum, not by one relaxed bound after
+// the other: a square much too small.
+TEST(Bounds, ViolationsLeadInside) {
+  const auto mesh = generated("cap");
+  ParametrizationOptions options = degree(2);
+  const Vec x = parametrize(mesh, options).map->control_points();
+  const auto u = x(Eigen::seq(0, Eigen::last, 2));
+  const double limit = 0.35 * (u.maxCoeff() - u.minCoeff());
+  options.extend = [&](MapExtension& map) {
+    const Vec most = Vec::Constant(map.start().size(), limit * map.scale());
+    map.add(Bounds(-most, most).checker());
+  };
+  RunRecord record;
+  const ParametrizationResult held = parametrize(mesh, options, record);
+  EXPECT_EQ(held.status, Status::Converged) << held.message;
+  expect_valid(held, 2);
+  EXPECT_TRUE(held.checks[0].verdict.feasible);
+  EXPECT_LT(std::count_if(record.trace().begin(), record.trace().end(),
+                          [](const auto& row) { return row.phase == Phase::Barrier; }),
+            70);
+}
+
 // What the free minimum meets costs nothing, not even a barrier.
 TEST(Bounds, WideBoundsChangeNothing) {
   const auto mesh = generated("cap");
