@@ -15,6 +15,7 @@
 
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/partition.h"
+#include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/maps/measure.h"
 
@@ -43,6 +44,10 @@ class MapPart {
 
 // Returns the ranks that share the map; one process alone where it has no part.
 const Ranks& ranks_of(const MapSpecification& spec);
+
+// Returns the map with the control points of their owners: ranks may round those of a shared edge
+// differently. Collective.
+BezierMap as_owners_have_it(const MapSpecification& spec, BezierMap map);
 
 }  // namespace majorant
 

@@ -195,6 +195,13 @@ const Ranks& ranks_of(const MapSpecification& spec) {
   return spec.part ? spec.part->ranks() : *one_process();
 }
 
+BezierMap as_owners_have_it(const MapSpecification& spec, BezierMap map) {
+  if (!spec.part) return map;
+  Vec x = map.control_points();
+  spec.part->unknowns(map.space())->copy_from_owners(x);
+  return map.with(map.shared_space(), std::move(x));
+}
+
 double whole_area(const MapSpecification& spec) {
   return ranks_of(spec).sum(spec.rest->measure.sum());
 }

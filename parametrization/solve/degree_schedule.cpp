@@ -95,15 +95,9 @@ SolveResult DegreeSchedule::optimize() {
   return solved;
 }
 
-// Ranks may round the nodes of a shared edge differently: they are the owner's.
 void DegreeSchedule::elevate() {
   record_.announce(fmt::format("raising the degree to {}", map_.degree() + 1));
-  map_ = map_.elevated();
-  if (setup_.map.part) {
-    Vec x = map_.control_points();
-    setup_.map.part->unknowns(map_.space())->copy_from_owners(x);
-    map_ = map_.with(map_.shared_space(), std::move(x));
-  }
+  map_ = as_owners_have_it(setup_.map, map_.elevated());
   domain_.elevate(map_.shared_space());
 }
 

@@ -15,7 +15,6 @@
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/framework/partition.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/scaffold/improve_mesh.h"
@@ -25,6 +24,7 @@
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
 #include "majorant/parametrization/solve/pin_homotopy.h"
+#include "majorant/parametrization/solve/run_sharing.h"
 
 namespace majorant {
 namespace {
@@ -75,43 +75,39 @@ void require_valid(const ParametrizationOptions& options) {
         "flipping edges changes the faces and nodes that were added to; leave one of the two out");
 }
 
-// A run of parametrize() or parametrize_part(): the degree schedule of a map, or of the part of one
-// that a rank has, with additions, a scaffold, proofs and measures around it.
+// A run of parametrize(): the degree schedule of a map, with additions, a scaffold, proofs and
+// measures around it.
 class Run {
  public:
-  Run(const SolverRules& rules, std::shared_ptr<const MapPart> part, const BezierMap& start,
-      const ParametrizationOptions& options, RunRecord& record, const Keeping& keeping,
+  Run(const SolverRules& rules, RunSharing& sharing, const BezierMap& start,
+      const ParametrizationOptions& options, RunRecord& record,
       std::shared_ptr<PreparedParts> prepared = nullptr)
       : options_(options),
         record_(record),
-        keeping_(keeping),
-        start_(start, options.map, options.extend ? Origin::Kept : Origin::Free, part,
+        sharing_(sharing),
+        start_(start, options.map, options.extend ? Origin::Kept : Origin::Free, sharing.part(),
                prepared ? prepared->rest : nullptr),
         map_(start_.map()),
-        setup_{start_.specification(),
-               options.solve,
-               part ? StopCheck() : record.stop(),
-               rules,
-               {},
-               {}},
+        setup_{start_.specification(), options.solve, sharing.stop_of(record), rules, {}, {}},
         prepared_(std::move(prepared)) {
-    if (part) record_.agree([part](int own) { return part->ranks().of_first(own); });
-    if (options.solve.watch || options.extend || keeping.every > 0)
+    if (options.solve.watch || options.extend || sharing.follows())
       setup_.watch = [this](const TraceEntry& row, const MapView& at) {
-        keep_at(row, at);
+        sharing_.after_row([&] { return state_at(row, at); });
         return observe(row, at);
       };
   }
 
-  ParametrizationResult solve(const std::optional<RunState>& from) {
-    if (setup_.map.part && !from) require_injective(ErrorKind::Infeasible, "the initial map", 0);
+  ParametrizationResult solve() {
+    const RunState* const from = sharing_.from();
+    const RestShapes& rest = *setup_.map.rest;
+    if (from) map_ = map_.with(from->space, from->x);
+    if (!from || !from->entering)
+      sharing_.require_injective(map_, rest, options_.solve.injectivity_depth);
     const double started = record_.seconds();
     result_.start_moved = start_.moved();
-    result_.initial_value = from ? from->initial_value : mean_at_start();
-    if (from) map_ = map_.with(from->space, from->x);
+    result_.initial_value =
+        from ? from->initial_value : sharing_.mean(map_, rest, options_.map.energy);
     const bool enters = from ? from->entering : !std::isfinite(result_.initial_value);
-    if (from && !enters)
-      require_injective(ErrorKind::Unreadable, "the map of the checkpoint", from->solver.depth);
     show_start();
     if (options_.map.injectivity == MapInjectivity::Global) record_.begin(Activity::Scaffold);
     extend(map_);
@@ -123,7 +119,8 @@ class Run {
     if (enters) schedule_->enter();
     const SolveResult solved = schedule_->raise_degree(result_.initial_value);
     result_.optimize_seconds = record_.seconds() - started;
-    if (solved.status == Status::MaxIterations || was_stopped(solved.status)) keep_last();
+    if (solved.status == Status::MaxIterations || was_stopped(solved.status))
+      sharing_.at_limit([this] { return state_at_end(); });
     schedule_->elevate_to_last();
     map_ = schedule_->map();
     account(schedule_->counts());
@@ -131,48 +128,19 @@ class Run {
   }
 
  private:
-  const Ranks& ranks() const { return ranks_of(setup_.map); }
-
-  double mean_at_start() const {
-    Vec unused;
-    const Vec& measure = setup_.map.rest->measure;
-    const auto mean = [&] {
-      return mean_density(map_, *setup_.map.rest, options_.map.energy, unused);
-    };
-    if (!setup_.map.part) return mean();
-    const double area = measure.sum();
-    return ranks().sum(area > 0 ? area * mean() : 0) / ranks().sum(area);
+  // Where another run can go on from a row of the trace.
+  std::optional<RunState> state_at(const TraceEntry& row, const MapView& at) const {
+    const bool entering = schedule_->entering();
+    if (entering && row.phase != Phase::Entry && row.phase != Phase::SoftStart) return {};
+    std::optional<DegreeSolver::State> solver =
+        entering ? DegreeSolver::State() : schedule_->state();
+    if (!solver) return {};
+    return RunState{at.space, at.x, entering, *std::move(solver), result_.initial_value, 0};
   }
-
-  // Throws Error(kind) where the map of a part is not proven injective. depth: of bisection, at
-  // least.
-  void require_injective(ErrorKind kind, const char* what, int depth) const {
-    const std::string obstacle = setup_.map.part->obstacle(
-        map_, 2 * setup_.map.rest->measure, std::max(depth, options_.solve.injectivity_depth));
-    if (!obstacle.empty())
-      throw Error(kind, fmt::format("{} is not injective: {}", what, obstacle));
-  }
-
-  // Called after every row of the trace; all ranks have the same rows.
-  void keep_at(const TraceEntry& row, const MapView& at) {
-    ++iterations_;
-    if (keeping_.every == 0 || ++since_kept_ < keeping_.every) return;
-    if (schedule_->entering()) {
-      if (row.phase == Phase::Entry || row.phase == Phase::SoftStart) keep(at.space, at.x, {});
-    } else if (const auto state = schedule_->state()) {
-      keep(at.space, at.x, *state);
-    }
-  }
-  void keep(const std::shared_ptr<const BezierTriangleSpace>& space, VecIn x,
-            DegreeSolver::State solver) {
-    since_kept_ = 0;
-    keeping_.keep(
-        {space, x, schedule_->entering(), std::move(solver), result_.initial_value, iterations_});
-  }
-  // A limit has ended the run here.
-  void keep_last() {
+  std::optional<RunState> state_at_end() const {
     const BezierMap& map = schedule_->map();
-    if (keeping_.every > 0) keep(map.shared_space(), map.control_points(), *schedule_->state());
+    return RunState{map.shared_space(),  map.control_points(),  schedule_->entering(),
+                    *schedule_->state(), result_.initial_value, 0};
   }
 
   // Asks for the additions of this degree.
@@ -222,24 +190,15 @@ class Run {
   }
 
   void account(const DegreeSchedule::Counts& counts) {
-    result_.injectivity_tests = of_all_ranks(counts.injectivity_tests);
+    result_.injectivity_tests = counts.injectivity_tests;
     result_.remedies = counts.remedies;
     result_.variables = counts.variables;
-    result_.constraint_residual = ranks().max(counts.constraint_residual) / start_.scale();
-    double distance = 0;
+    result_.constraint_residual = counts.constraint_residual / start_.scale();
     for (const FixedPoint& h : setup_.map.handles)
-      distance =
-          std::max(distance, (map_.control_points().segment<2>(2 * h.node) - h.position).norm());
-    result_.handle_distance = ranks().max(distance) / start_.scale();
-  }
-
-  // Ranks may have bisected to different depths.
-  std::vector<long> of_all_ranks(const std::vector<long>& counts) const {
-    const double deepest = ranks().max(static_cast<double>(counts.size()));
-    std::vector<double> sums(counts.begin(), counts.end());
-    sums.resize(static_cast<std::size_t>(deepest), 0.0);
-    ranks().sum(sums);
-    return {sums.begin(), sums.end()};
+      result_.handle_distance = std::max(
+          result_.handle_distance,
+          (map_.control_points().segment<2>(2 * h.node) - h.position).norm() / start_.scale());
+    sharing_.account(result_);
   }
 
   ParametrizationResult conclude(const SolveResult& solved) {
@@ -255,7 +214,7 @@ class Run {
     const std::optional<Scaffold> scaffold = domain_->surroundings();
     if (scaffold) result_.scaffold = start_.in_model_units(scaffold->mesh());
     take_measures();
-    judge(unproven());
+    judge(unproven_);
     if (scaffold && result_.status != Status::Failed) prove_no_overlaps();
     if (options_.solve.triangles == Triangles::Flipped && result_.status != Status::Failed &&
         record_.directive() == Directive::Continue)
@@ -293,11 +252,8 @@ class Run {
   void take_measures() {
     record_.begin(Activity::Measuring);
     const double started = record_.seconds();
-    const EnergySum& energy = options_.map.energy;
-    if (setup_.map.part)
-      result_.measures = setup_.map.part->measure(*result_.map, energy, unproven_part_);
-    else
-      result_.measures = measure_map(*result_.map, energy, record_.stop());
+    unproven_ =
+        sharing_.measure(*result_.map, options_.map.energy, record_.stop(), result_.measures);
     result_.measure_seconds += record_.seconds() - started;
   }
 
@@ -325,18 +281,6 @@ class Run {
     }
   }
 
-  // Empty: nothing is amiss.
-  std::string unproven() const {
-    if (setup_.map.part || result_.measures.locally_injective) return unproven_part_;
-    const SurfaceMesh& mesh = result_.map->mesh();
-    Index face = 0;
-    const double least = result_.measures.min_det.minCoeff(&face);
-    if (!(least > 0))
-      return fmt::format("face {} ({} in all) is not proven to be positively oriented",
-                         user_face(mesh, face), (result_.measures.min_det.array() <= 0).count());
-    return "angle sums at inner vertices are not full turns";
-  }
-
   // Proves once more, from the boundary of the map that is returned, what the scaffold has held.
   void prove_no_overlaps() {
     record_.begin(Activity::Proving);
@@ -353,7 +297,7 @@ class Run {
 
   const ParametrizationOptions& options_;
   RunRecord& record_;
-  const Keeping& keeping_;
+  RunSharing& sharing_;
   NormalizedStart start_;
   BezierMap map_;  // normalised: the start, then the result
   DegreeSolver::Setup setup_;
@@ -363,8 +307,7 @@ class Run {
   std::unique_ptr<MapDomain> domain_;
   std::optional<DegreeSchedule> schedule_;
   ParametrizationResult result_;
-  std::string unproven_part_;  // MapPart::measure()
-  int iterations_ = 0, since_kept_ = 0;
+  std::string unproven_;  // of the result; empty: nothing is amiss
 };
 
 void require_degree_one(const BezierMap& start) {
@@ -383,15 +326,16 @@ ParametrizationResult solve_from(const BezierMap& start, const ParametrizationOp
   const ThreadCount threads(options.solve.threads);
   ParametrizationOptions resolved = options;
   resolved.map = with_targets(start, options.map);
-  // Edges that stay parallel to an axis leave a start no way to turn.
+  RunSharing alone;
   ParametrizationResult result;
+  // Edges that stay parallel to an axis leave a start no way to turn.
   if (meets_pins(start, resolved.map.pins) || !options.map.aligned.empty()) {
-    result = Run(rules, nullptr, start, options, record, {}, std::move(prepared)).solve({});
+    result = Run(rules, alone, start, options, record, std::move(prepared)).solve();
   } else {
     require_scale(resolved.map, start);
     const PinSolver solver = pin_solver(record, rules);
     const BezierMap led = pin_homotopy(start, resolved.map, options.solve, solver, record);
-    result = Run(rules, nullptr, led, resolved, record, {}).solve({});
+    result = Run(rules, alone, led, resolved, record).solve();
   }
   result.handles = resolved.map.handles;
   return result;
@@ -404,15 +348,12 @@ ParametrizationResult parametrize_by(const SolverRules& rules, const BezierMap& 
   return solve_from(start, options, rules, record, nullptr);
 }
 
-ParametrizationResult parametrize_part(std::shared_ptr<const MapPart> part, const BezierMap& start,
-                                       const ParametrizationOptions& options, RunRecord& record,
-                                       const Keeping& keeping,
-                                       const std::optional<RunState>& from) {
-  require_given("parametrize_part: the part", part);
+ParametrizationResult parametrize_shared(RunSharing& sharing, const BezierMap& start,
+                                         const ParametrizationOptions& options, RunRecord& record) {
   require_valid(options);
   require_degree_one(start);
   const ThreadCount threads(options.solve.threads);
-  return Run(SolverRules{}, std::move(part), start, options, record, keeping).solve(from);
+  return Run(SolverRules{}, sharing, start, options, record).solve();
 }
 
 // Scaffolds do not yield on the way: the next step would begin with what is squeezed between parts
