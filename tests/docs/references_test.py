@@ -57,6 +57,38 @@ class Files(unittest.TestCase):
         self.assertGreaterEqual(checked, 150)
 
 
+class MainPath(unittest.TestCase):
+    """The table of docs/architecture.md from main() to the factorization."""
+    def setUp(self):
+        text = (SOURCE / 'docs/architecture.md').read_text()
+        section = text.split('\n## The main path')[1].split('\n## ')[0]
+        rows = re.findall(r'^\| `([^`]+)` \| (`.*?`) \| ', section, re.M)
+        self.rows = [((SOURCE / file), re.findall(r'`(\w+)`', functions)) for file, functions in rows]
+        self.assertGreaterEqual(len(self.rows), 20)
+
+    def test_functions_are_in_their_files(self):
+        for path, functions in self.rows:
+            for function in functions:
+                self.assertRegex(path.read_text(), r'\b%s(\(|\b.*\{$)' % function, path.name)
+
+    def test_each_file_is_called_by_one_above_it(self):
+        for k, (path, functions) in enumerate(self.rows[1:], 1):
+            above = [other.name for other, _ in self.rows[:k]
+                     if re.search(r'\b%s\b' % functions[0], self.code_of(other))]
+            self.assertTrue(above, '%s: %s' % (path.name, functions[0]))
+
+    def test_it_goes_from_main_to_the_kernels_of_the_factorization(self):
+        self.assertEqual(self.rows[0][0].name, 'main.cpp')
+        self.assertEqual(self.rows[-1][0].name, 'front_kernels.cpp')
+
+    @staticmethod
+    def code_of(path):
+        """Without comments, with the header of the same name, where members and defaults stand."""
+        header = path.with_suffix('.h')
+        text = path.read_text() + (header.read_text() if header != path and header.exists() else '')
+        return re.sub(r'//.*', '', text)
+
+
 # Of the shared data, and a file that a reader is told to write.
 FOREIGN = {'tools/verify.py', 'verify.py', 'layout.py', 'energies/densities/dirichlet_area.h'}
 
