@@ -221,10 +221,10 @@ Directive observed(RunObserver* observer, const IterationRecord& record, const V
 
 class RunRecord {
  public:
-  // Seconds beyond the time limit that reading and making the start may take: what is stopped
-  // before it has a map has nothing to show. (50,000 faces take half a second for both.) Ctrl-C has
-  // no such grace.
-  static constexpr double kGrace = 10;
+  // Seconds beyond the time limit that reading and making the start may take: a run that is stopped
+  // before it has a map has nothing to show. 50,000 faces take half a second for both, and the run
+  // still ends within two seconds of the limit. Ctrl-C has no such grace.
+  static constexpr double kGrace = 1;
 
   // interrupt: set by others, a signal handler say, and looked at between pieces of work; may be
   // null, and so may the observer, which outlives the record. Throws InvalidArgument for a time

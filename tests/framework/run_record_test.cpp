@@ -23,6 +23,19 @@ TEST(RunRecord, NotesARemedyOnce) {
   EXPECT_EQ(noted(record), std::nullopt);
 }
 
+// Starts may take a little more than the limit, and Ctrl-C ends them at once.
+TEST(RunRecord, StartsEndSoonAfterTheLimit) {
+  EXPECT_LE(RunRecord::kGrace, 1);
+  const RunRecord late(-RunRecord::kGrace);
+  EXPECT_EQ(late.start_stop()(), Directive::TimeLimit);
+  const RunRecord just(0);
+  EXPECT_EQ(just.stop()(), Directive::TimeLimit);
+  EXPECT_EQ(just.start_stop()(), Directive::Continue);
+  const std::atomic<bool> interrupt = true;
+  const RunRecord interrupted(1e3, 10, &interrupt);
+  EXPECT_EQ(interrupted.start_stop()(), Directive::Interrupt);
+}
+
 TEST(RunRecord, ForgetsARemedyThatNoIterationFollowed) {
   RunRecord record;
   record.mark(Remedy::Deepen);
