@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/mesh/mesh_messages.h"
@@ -34,13 +35,25 @@ double asked_of(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
   return static_cast<double>(options.count.value_or(std::max(mesh.face_count() / 2, 1)));
 }
 
-void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
+void require_usable_size(const QuadMeshOptions& options) {
   if (options.count && options.edge_length)
     throw InvalidArgument("quad_mesh: both a count and an edge length");
   if (options.count && *options.count < 1)
     throw InvalidArgument(fmt::format("quad_mesh: {} quads", *options.count));
   if (options.edge_length && !(*options.edge_length > 0 && std::isfinite(*options.edge_length)))
     throw InvalidArgument(fmt::format("quad_mesh: edges of length {}", *options.edge_length));
+}
+
+double bytes_of(double quads) { return quads * static_cast<double>(kBytesOfQuad); }
+
+// Returns whether so many quads fit into the memory that is available.
+bool fits_into_memory(double quads) {
+  const std::optional<std::size_t> available = available_memory();
+  return !available || bytes_of(quads) <= static_cast<double>(*available);
+}
+
+void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
+  require_usable_size(options);
   if (mesh.topology().components != 1)
     throw InvalidArgument("quad_mesh: the surface has several components");
   if (mesh.topology().boundary_loops > 0 && options.map.cones)
@@ -61,9 +74,7 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
                 message_prefix(mesh) +
                     "there are features, where cones are those of the field that "
                     "follows them; leave one of both out");
-  if (const double asked = asked_of(mesh, options); asked > kMostQuads)
-    throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
-                                                    message_prefix(mesh), asked, kMostQuads));
+  require_memory_for_quads(mesh, options);
 }
 
 // Quads, not smoothed and not judged any further where they make no surface.
@@ -261,14 +272,18 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
     const auto count = static_cast<double>(result.check.count);
     return count == 0 || (!options.edge_length && part * asked < count);
   };
-  for (double part = kGrowth; may_be_more && is_closer(part) && part <= most; part *= kGrowth)
+  for (double part = kGrowth;
+       may_be_more && is_closer(part) && part <= most && fits_into_memory(part * asked);
+       part *= kGrowth)
     attempt_for(Arcs::Joined, part);
   if (result.check.count > 0) return result;
   // How many would do. With features fewer of these are tried next.
   constexpr double kMostTried = 64;
   std::string remedy = "ask for more of them";
   for (double part = 2 * most; features.empty() && part <= kMostTried * most; part *= 2) {
-    if (part * asked > kMostQuads || !attempt_for(Arcs::Joined, part)) continue;
+    if (part * asked > kMostQuads || !fits_into_memory(part * asked) ||
+        !attempt_for(Arcs::Joined, part))
+      continue;
     remedy =
         fmt::format("there are with {:.4g} times as many, {}", part, std::lround(part * asked));
     break;
@@ -283,6 +298,22 @@ std::vector<char> asked_features(const SurfaceMesh& mesh, const QuadMeshOptions&
 }
 
 }  // namespace
+
+void require_memory_for_quads(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
+  require_usable_size(options);
+  const double asked = asked_of(mesh, options);
+  if (asked > kMostQuads)
+    throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
+                                                    message_prefix(mesh), asked, kMostQuads));
+  if (fits_into_memory(asked)) return;
+  constexpr double kGigabyte = 1e9;
+  const auto available = static_cast<double>(available_memory().value_or(0));
+  throw Error(ErrorKind::Unsupported,
+              fmt::format("{}{:.0f} quads need about {:.1f} GB of memory, {:.1f} GB are available; "
+                          "ask for {:.0f} at most",
+                          message_prefix(mesh), asked, bytes_of(asked) / kGigabyte,
+                          available / kGigabyte, available / static_cast<double>(kBytesOfQuad)));
+}
 
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record) {
   require_usable(mesh, options);

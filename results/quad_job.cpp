@@ -175,6 +175,7 @@ void QuadJob::open(PolygonMesh input) {
 void QuadJob::solve(const std::string& source) {
   const double before = record.seconds();
   const SurfaceMesh& mesh = *surface.mesh;
+  require_memory_for_quads(mesh, options);  // of all components
   if (options.map.cones)
     for (const Cone& cone : *options.map.cones)
       used_vertex(source, mesh, surface.welded[cone.vertex]);
