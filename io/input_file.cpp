@@ -71,9 +71,10 @@ class InputFile {
 
   std::size_t size() const { return size_; }  // 0: nobody knows
 
-  // Calls take(bytes) with the blocks of the file, in order.
+  // Calls take(bytes) with the blocks of the file, in order, until it returns false. Returns
+  // whether it never did.
   template <class Take>
-  void for_each_block(const StopCheck& stop, const Take& take) const {
+  bool for_each_block(const StopCheck& stop, const Take& take) const {
     constexpr std::size_t kRead = std::size_t{1} << 16;
     std::string block(kRead, '\0');
     for (;;) {
@@ -81,8 +82,9 @@ class InputFile {
       pollfd ready{descriptor_, POLLIN, 0};
       if (may_wait_ && ::poll(&ready, 1, kWaitMilliseconds) <= 0) continue;
       const ssize_t count = ::read(descriptor_, block.data(), block.size());
-      if (count == 0) return;
-      if (count > 0) take(std::string_view(block).substr(0, static_cast<std::size_t>(count)));
+      if (count == 0) return true;
+      if (count > 0 && !take(std::string_view(block).substr(0, static_cast<std::size_t>(count))))
+        return false;
       if (count < 0 && errno != EINTR && errno != EAGAIN) fail("check the disk");
     }
   }
@@ -99,6 +101,24 @@ class InputFile {
   std::size_t size_ = 0;
 };
 
+// Appends what the blocks of a gzip file stand for to `content`, and calls added() after each,
+// until it returns false.
+template <class Added>
+void inflate_blocks(const std::string& path, const InputFile& file, const ReadingLimit& limit,
+                    const StopCheck& stop, std::string& content, const Added& added) {
+  GunzipStream stream(limit);
+  const bool is_whole = file.for_each_block(stop, [&](std::string_view block) {
+    if (!stream.append(block, content))
+      throw Error(
+          ErrorKind::Unreadable,
+          path + ": damaged, or no gzip file; if it is not compressed, name it without .gz");
+    return added();
+  });
+  if (is_whole && !stream.complete())
+    throw Error(ErrorKind::Unreadable,
+                path + ": the compressed data end too early; the file is truncated");
+}
+
 }  // namespace
 
 bool is_compressed(const std::string& path) { return lower_extension(path) == ".gz"; }
@@ -112,28 +132,35 @@ std::string read_whole_file(const std::string& path, const StopCheck& stop) {
   std::string content;
   const InputFile file(path);
   const ReadingLimit limit(path);
-  if (!is_compressed(path)) {
-    limit.require(file.size());
-    content.reserve(file.size() + 1);
-    file.for_each_block(stop, [&](std::string_view block) {
-      const std::size_t size = content.size() + block.size();
-      // Where it grows it is there twice, for a moment.
-      if (size > content.capacity()) limit.require(size + content.size());
-      content += block;
-    });
+  if (is_compressed(path)) {
+    inflate_blocks(path, file, limit, stop, content, [] { return true; });
     return content;
   }
-  GunzipStream stream(limit);
+  limit.require(file.size());
+  content.reserve(file.size() + 1);
   file.for_each_block(stop, [&](std::string_view block) {
-    if (!stream.append(block, content))
-      throw Error(
-          ErrorKind::Unreadable,
-          path + ": damaged, or no gzip file; if it is not compressed, name it without .gz");
+    const std::size_t size = content.size() + block.size();
+    // Where it grows it is there twice, for a moment.
+    if (size > content.capacity()) limit.require(size + content.size());
+    content += block;
+    return true;
   });
-  if (!stream.complete())
-    throw Error(ErrorKind::Unreadable,
-                path + ": the compressed data end too early; the file is truncated");
   return content;
+}
+
+void read_blocks(const std::string& path, const std::function<bool(std::string_view)>& take,
+                 const StopCheck& stop) {
+  const InputFile file(path);
+  if (!is_compressed(path)) {
+    file.for_each_block(stop, take);
+    return;
+  }
+  std::string content;
+  inflate_blocks(path, file, ReadingLimit(path), stop, content, [&] {
+    const bool goes_on = take(content);
+    content.clear();
+    return goes_on;
+  });
 }
 
 void require_text(const std::string& path, std::string& content) {

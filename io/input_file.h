@@ -7,6 +7,7 @@
 // second, and every reader can check the counts a header announces against the size.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,12 @@ std::string format_of(const std::string& path);
 // exist, is a directory, cannot be read or is no complete gzip file; Error(Unsupported) for more
 // than a ReadingLimit allows; Stopped, also while a FIFO has no writer.
 std::string read_whole_file(const std::string& path, const StopCheck& stop = {});
+
+// Calls take(bytes) with the bytes of `path` block by block, decompressed if its name says so,
+// until it returns false. Throws as read_whole_file(); a file that is not read to its end may be
+// truncated.
+void read_blocks(const std::string& path, const std::function<bool(std::string_view)>& take,
+                 const StopCheck& stop = {});
 
 // Refuses control bytes other than tab, line ends, vertical tab and form feed (binary content,
 // UTF-16), removes a UTF-8 byte order mark and turns lone carriage returns (old Mac line ends)

@@ -13,6 +13,7 @@
 #include "majorant/io/io.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
+#include "majorant/io/written_mark.h"
 
 namespace majorant {
 namespace {
@@ -33,7 +34,7 @@ class MshText {
   }
 
   void add_mesh() {
-    text_.add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+    text_.add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + mark_text(".msh"));
     add_groups();
     add_entities();
     add("$Nodes\n{} {} 1 {}\n", charts_.size(), nodes_.rows(), nodes_.rows());

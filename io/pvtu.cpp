@@ -15,6 +15,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/io/xml_tree.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/parametrization/maps/map_file.h"
@@ -185,7 +186,8 @@ std::string escaped(const std::string& name) {
 
 std::string pvtu_text(const MapFile& like, const std::vector<std::string>& pieces) {
   std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
+      "<?xml version=\"1.0\"?>\n" + mark_text(".pvtu") +
+      "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n";
   const auto array = [&](std::string_view type, std::string_view name, int components) {
     fmt::format_to(std::back_inserter(text),

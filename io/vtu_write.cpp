@@ -16,6 +16,7 @@
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
 #include "majorant/io/vtu_text.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
@@ -52,9 +53,8 @@ class VtuText {
   }
 
   // Bytes as numbers: there are readers that know no array of strings, and refuse the whole file.
-  void add_bytes(std::string_view name, std::string_view value) {
-    add("<DataArray type=\"UInt8\" Name=\"{}\" NumberOfTuples=\"{}\" format=\"ascii\">\n", name,
-        value.size());
+  void add_claims(std::string_view value) {
+    add("{}{}{}\n", claims_begin(), value.size(), claims_end());
     add("{}",
         fmt::join(std::span(reinterpret_cast<const unsigned char*>(value.data()), value.size()),
                   " "));
@@ -129,11 +129,12 @@ std::string vtu_text(const std::string& path, const MapFile& map, VtuCells cells
   VtuText text;
   text.reserve(greatest_size(map));
   text.add(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n");
+      "<?xml version=\"1.0\"?>\n{}<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n",
+      map.claims.empty() ? mark_text(".vtu") : "");  // claims are a mark
   if (!map.claims.empty()) {
     text.add("<FieldData>\n");
-    text.add_bytes("majorant_claims", map.claims);
+    text.add_claims(map.claims);
     text.add("</FieldData>\n");
   }
   text.add("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", map.points.rows(),

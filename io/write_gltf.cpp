@@ -40,7 +40,7 @@ class PlainFile {
   }
 
   GltfOutput output() const {
-    GltfOutput out({{"asset", {{"version", "2.0"}, {"generator", "majorant"}}},
+    GltfOutput out({{"asset", {{"version", "2.0"}}},
                     {"scene", 0},
                     {"scenes", {{{"nodes", {0}}}}},
                     {"nodes", {{{"mesh", 0}}}}});

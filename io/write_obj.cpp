@@ -14,6 +14,7 @@
 #include "majorant/io/internal/text_pieces.h"
 #include "majorant/io/io.h"
 #include "majorant/io/map_check.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 
 namespace majorant {
@@ -39,7 +40,11 @@ std::vector<Index> places_of_directives(const PolygonMesh& mesh) {
 // Lines of a mesh, in any order that its numbers allow.
 class ObjText {
  public:
-  explicit ObjText(const PolygonMesh& mesh) : mesh_(mesh), places_(places_of_directives(mesh)) {}
+  // head: lines above all others.
+  ObjText(const PolygonMesh& mesh, const std::string& head)
+      : mesh_(mesh), places_(places_of_directives(mesh)) {
+    text_.add(head);
+  }
 
   // All vertices first.
   std::string plain() {
@@ -163,14 +168,18 @@ class ObjText {
   Index vertices_ = 0, texcoords_ = 0, normals_ = 0;  // that are there
 };
 
-}  // namespace
-
-std::string obj_text(const PolygonMesh& mesh) {
+// mark and `comments` come first.
+std::string obj_text(const PolygonMesh& mesh, const std::string& comments) {
   const bool has_blocks = std::any_of(
       mesh.directives.begin(), mesh.directives.end(),
       [](const auto& directive) { return ObjText::vertices_of(directive.second).has_value(); });
-  return has_blocks ? ObjText(mesh).in_blocks() : ObjText(mesh).plain();
+  ObjText text(mesh, mark_text(".obj") + comments);
+  return has_blocks ? text.in_blocks() : text.plain();
 }
+
+}  // namespace
+
+std::string obj_text(const PolygonMesh& mesh) { return obj_text(mesh, {}); }
 
 void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const TessellationOptions& options, const FileVerification& verify) {
@@ -187,11 +196,10 @@ void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* i
         line = materials->repointed(line);
       }
     }
-    text = obj_text(mesh);
+    text = obj_text(mesh, cone_comments(map));
   } catch (const Error& error) {
     throw Error(error.kind(), fmt::format("cannot write {}: {}", path, error.what()));
   }
-  text.insert(0, cone_comments(map));
   write_file_atomically(path, text, verify);
 }
 

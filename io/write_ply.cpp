@@ -15,6 +15,7 @@
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/io.h"
 #include "majorant/io/map_check.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 
 namespace majorant {
@@ -81,7 +82,7 @@ class PlyText {
 
  private:
   std::string header(const std::map<Index, int>& cones) const {
-    std::string text = "ply\nformat binary_little_endian 1.0\n";
+    std::string text = "ply\nformat binary_little_endian 1.0\n" + mark_text(".ply");
     if (!cones.empty()) text += fmt::format("comment {}\n", kConesComment);
     for (const auto& [vertex, turns] : cones)
       text += fmt::format("comment {}\n", cone_comment(vertex, turns));

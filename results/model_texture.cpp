@@ -16,25 +16,12 @@
 #include "majorant/io/files_below.h"
 #include "majorant/io/gltf_texture.h"
 #include "majorant/io/input_file.h"
+#include "majorant/io/material_lines.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/pictures/image_file.h"
 
 namespace majorant {
 namespace {
-
-constexpr std::string_view kSpaces = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kSpaces);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
-}
-
-// The first word of a line, and the rest.
-std::pair<std::string_view, std::string_view> split(std::string_view line) {
-  line = trimmed(line);
-  const std::size_t end = std::min(line.find_first_of(kSpaces), line.size());
-  return {line.substr(0, end), trimmed(line.substr(end))};
-}
 
 std::string beside(const std::string& obj, const char* extension) {
   return std::filesystem::path(obj).replace_extension(extension).string();
@@ -45,22 +32,14 @@ struct Material {
   std::array<float, 3> color{1, 1, 1};
 };
 
-// The file that a map_Kd line names: behind its options, each of which has one value or two.
-std::string image_name(std::string_view rest, const std::string& file) {
-  while (rest.starts_with('-')) {
-    const auto [option, after] = split(rest);
+void require_unmoved(const MaterialImage& image, const std::string& file) {
+  for (const std::string_view option : image.options)
     if (option == "-s" || option == "-o" || option == "-t")
       throw Error(
           ErrorKind::Unsupported,
           fmt::format("{}: map_Kd {}: a texture that is scaled or moved is not baked; apply "
                       "that to the texture coordinates",
                       file, option));
-    rest = split(after).second;
-    if (option == "-mm") rest = split(rest).second;
-  }
-  std::string name(rest);
-  std::replace(name.begin(), name.end(), '\\', '/');
-  return name;
 }
 
 std::string image_file(const std::string& path, const std::string& name) {
@@ -83,14 +62,18 @@ class MaterialReader {
     Material* current = nullptr;
     for (std::string line; std::getline(lines, line);) {
       texture_.lines.push_back(line);
-      const auto [word, rest] = split(line);
+      const auto [word, rest] = split_keyword(line);
       if (word == "newmtl") current = &materials[std::string(rest)];
       if (!current) continue;
       if (word == "Kd") {
         std::istringstream numbers{std::string(rest)};
         for (float& c : current->color) numbers >> c;
       }
-      if (word == "map_Kd") current->map = image_file(path, image_name(rest, path));
+      if (word == "map_Kd") {
+        const MaterialImage image = *material_image(line);
+        require_unmoved(image, path);
+        current->map = image_file(path, image.name);
+      }
     }
   }
 
@@ -101,12 +84,7 @@ class MaterialReader {
 };
 
 // A map of another kind than map_Kd lies in the old layout.
-bool is_other_map(std::string_view word) {
-  constexpr std::array<std::string_view, 7> kMaps{"bump", "norm",  "disp",    "decal",
-                                                  "refl", "map_d", "map_bump"};
-  return word != "map_Kd" &&
-         (word.starts_with("map_") || std::find(kMaps.begin(), kMaps.end(), word) != kMaps.end());
-}
+bool is_other_map(std::string_view word) { return word != "map_Kd" && is_image_keyword(word); }
 
 Raster of_color(const std::array<float, 3>& color) {
   Raster pixel(1, 1, 3, PixelDepth::Eight);
@@ -115,10 +93,10 @@ Raster of_color(const std::array<float, 3>& color) {
 }
 
 std::string materials_text(const ModelTexture& texture, const std::string& image) {
-  std::string text;
+  std::string text = mark_text(".mtl");
   for (const std::string& line : texture.lines) {
-    const std::string_view word = split(line).first;
-    if (is_other_map(word)) continue;
+    const auto [word, rest] = split_keyword(line);
+    if (is_other_map(word) || (word == "#" && is_written_mark(rest))) continue;
     text += word == "map_Kd" ? "map_Kd " + image : line;
     text += '\n';
   }
@@ -131,7 +109,7 @@ ModelTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop
   MaterialReader reader(texture);
   const std::filesystem::path folder = std::filesystem::path(polygons.file).parent_path();
   for (const auto& [polygon, line] : polygons.directives) {
-    const auto [word, rest] = split(line);
+    const auto [word, rest] = split_keyword(line);
     if (word == "mtllib") reader.read((folder / std::string(rest)).string(), stop);
   }
   const bool has_map =
@@ -160,11 +138,12 @@ ModelTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop
   std::string material;
   for (std::size_t p = 0; p < polygons.polygons.size(); ++p) {
     for (; directive != polygons.directives.end() && to_size(directive->first) <= p; ++directive)
-      if (const auto [word, rest] = split(directive->second); word == "usemtl") material = rest;
+      if (const auto [word, rest] = split_keyword(directive->second); word == "usemtl")
+        material = rest;
     texture.image_of_polygon.push_back(number(material));
   }
   for (const std::string& line : texture.lines)
-    if (const std::string_view word = split(line).first; is_other_map(word))
+    if (const std::string_view word = split_keyword(line).first; is_other_map(word))
       texture.warnings.push_back(
           fmt::format("{}: {} is not moved to the new layout, and left out", polygons.file, word));
   return texture;
@@ -232,7 +211,7 @@ PolygonMesh with_material_file(PolygonMesh polygons, const std::string& obj) {
   const std::string line =
       "mtllib " + std::filesystem::path(material_file(obj)).filename().string();
   const auto is_library = [](const auto& directive) {
-    return split(directive.second).first == "mtllib";
+    return split_keyword(directive.second).first == "mtllib";
   };
   const auto first =
       std::find_if(polygons.directives.begin(), polygons.directives.end(), is_library);

@@ -18,6 +18,7 @@
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/parametrization/seams/edge_flags.h"
 #include "majorant/results/input_points.h"
 #include "majorant/results/quad_report.h"
@@ -37,9 +38,10 @@ constexpr int kOnBorder = -1;  // in place of a number of quads
 
 std::string ply_of_quads(const PolygonMesh& quads) {
   std::string text = fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double "
+      "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty "
+      "double "
       "y\nproperty double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      quads.positions.size(), quads.polygons.size());
+      mark_text(".ply"), quads.positions.size(), quads.polygons.size());
   for (const Vector3& p : quads.positions)
     for (const double x : p) append(x, text);
   for (const auto polygon : quads.polygons) {

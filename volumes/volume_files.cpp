@@ -12,6 +12,7 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/base64.h"
 #include "majorant/io/input_file.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/volumes/internal/gmsh_document.h"
 #include "majorant/volumes/internal/mesh_readers.h"
 #include "majorant/volumes/internal/mesh_source.h"
@@ -70,10 +71,11 @@ class VtuText {
   // after it.
   std::string take() {
     fmt::format_to(std::back_inserter(text_),
-                   "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"{}\" "
+                   "<?xml version=\"1.0\"?>\n{}<VTKFile type=\"UnstructuredGrid\" version=\"{}\" "
                    "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
                    "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<CellData>\n",
-                   has_lattice_hexahedra_ ? "2.2" : "1.0", points_.size() / 3, types_.size());
+                   mark_text(".vtu"), has_lattice_hexahedra_ ? "2.2" : "1.0", points_.size() / 3,
+                   types_.size());
     array("number", "Int64", 1, numbers_);
     array("region", "Int32", 1, regions_);
     if (!scaled_.empty()) {
@@ -191,10 +193,10 @@ std::string volume_mesh_content(const std::string& path, const VolumeMesh& mesh,
   require_volume_format(path, mesh, choice);
   const std::string format = format_of(path), source = source_format(mesh);
   if (format == source) {
-    if (!choice.version && !choice.encoding) return mesh.source->with_points(mesh.points);
+    std::string content = mesh.source->with_points(mesh.points);
+    if (!choice.version && !choice.encoding) return with_mark(format, std::move(content));
     const GmshFormat own = format_of_source(mesh), wanted = chosen(choice, own);
-    const std::string content = mesh.source->with_points(mesh.points);
-    if (own == wanted) return content;
+    if (own == wanted) return with_mark(format, std::move(content));
     return gmsh_content(read_gmsh_document(mesh.file, content, {}), wanted, left_out);
   }
   if (left_out != nullptr && !source.empty())

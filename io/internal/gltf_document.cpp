@@ -58,20 +58,6 @@ std::uint32_t number_at(const std::string& content, std::size_t place) {
   return load_bytes<std::uint32_t>(content.data() + place, ByteOrder::Little);
 }
 
-std::string without_escapes(const std::string& uri) {
-  std::string text;
-  for (std::size_t k = 0; k < uri.size(); ++k) {
-    const std::string digits = uri.substr(k + 1, 2);
-    const bool is_escape = uri[k] == '%' && digits.size() == 2 &&
-                           digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
-    text += is_escape ? static_cast<char>(std::stoi(digits, nullptr, 16)) : uri[k];
-    if (is_escape) k += 2;
-  }
-  return text;
-}
-
-bool is_data(std::string_view uri) { return uri.starts_with("data:"); }
-
 }  // namespace
 
 std::size_t size_of(GltfComponent component) {
@@ -120,8 +106,46 @@ double GltfElements::value(std::size_t element, std::size_t k) const {
   return 0;
 }
 
+std::string gltf_json(const std::string& path, std::size_t most, const StopCheck& stop) {
+  constexpr std::size_t kStart = kHeader + kChunkHeader;
+  std::string content;
+  std::size_t begin = 0, end = most;  // of the JSON
+  const auto is_glb = [&] { return content.starts_with(kMagic) && content.size() >= kStart; };
+  read_blocks(
+      path,
+      [&](std::string_view block) {
+        const bool is_first = content.size() < kStart;
+        content += block;
+        if (is_first && is_glb()) {
+          begin = kStart;
+          end = kStart + std::min<std::size_t>(most, number_at(content, kHeader));
+          if (number_at(content, kHeader + 4) != kJsonChunk) end = kStart;
+        }
+        return content.size() < end;
+      },
+      stop);
+  if (content.starts_with(kMagic) && begin == 0) return {};  // truncated
+  content.resize(std::min(content.size(), end));
+  content.erase(0, begin);
+  return content;
+}
+
+bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }
+
+std::string name_of_uri(const std::string& uri) {
+  std::string text;
+  for (std::size_t k = 0; k < uri.size(); ++k) {
+    const std::string digits = uri.substr(k + 1, 2);
+    const bool is_escape = uri[k] == '%' && digits.size() == 2 &&
+                           digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+    text += is_escape ? static_cast<char>(std::stoi(digits, nullptr, 16)) : uri[k];
+    if (is_escape) k += 2;
+  }
+  return text;
+}
+
 std::string file_of_uri(const std::string& path, const std::string& uri) {
-  const std::string name = without_escapes(uri);
+  const std::string name = name_of_uri(uri);
   if (name.find('\\') != std::string::npos || !is_below(path, name))
     refuse(path, fmt::format("it names the file {}, and files are read from its own folder and "
                              "those below alone; copy it there, or embed it",
@@ -227,7 +251,8 @@ void GltfDocument::require_sound_lists() const {
       refuse(path_, "KTX2 textures are not read; export the model without them");
     if (!image.contains("uri")) continue;
     if (!image["uri"].is_string()) damaged("images: uri is no text");
-    if (const auto uri = image["uri"].get<std::string>(); !is_data(uri)) file_of_uri(path_, uri);
+    if (const auto uri = image["uri"].get<std::string>(); !is_data_uri(uri))
+      file_of_uri(path_, uri);
   }
 }
 
@@ -256,7 +281,7 @@ std::optional<std::size_t> GltfDocument::optional_index(const Gltf& object, cons
 // name: of the list whose entry names the URI.
 std::string GltfDocument::bytes_of(const std::string& uri, const char* name,
                                    const StopCheck& stop) const {
-  if (!is_data(uri)) return read_whole_file(file_of_uri(path_, uri), stop);
+  if (!is_data_uri(uri)) return read_whole_file(file_of_uri(path_, uri), stop);
   constexpr std::string_view kBase64 = ";base64,";
   const std::size_t begin = uri.find(kBase64);
   if (begin == std::string::npos) damaged(fmt::format("{}: uri is no base64 data", name));

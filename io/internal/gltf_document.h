@@ -103,6 +103,15 @@ class GltfDocument {
   mutable std::size_t taken_ = 0;  // bytes of elements until now
 };
 
+// Returns the JSON of a glTF file, of a GLB its first chunk, of which no more is read: at most so
+// many bytes. Empty for a GLB without one. Throws as read_whole_file().
+std::string gltf_json(const std::string& path, std::size_t most, const StopCheck& stop = {});
+
+// Returns whether a URI holds data itself.
+bool is_data_uri(std::string_view uri);
+// The name in a URI, escapes resolved.
+std::string name_of_uri(const std::string& uri);
+
 // The file that a relative URI names, escapes resolved, relative to the document's folder. Throws
 // Error(Unsupported), beginning with `path`, for others, and for names that lead out of the folder.
 std::string file_of_uri(const std::string& path, const std::string& uri);

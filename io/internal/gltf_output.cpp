@@ -12,6 +12,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/base64.h"
+#include "majorant/io/written_mark.h"
 
 namespace majorant {
 namespace {
@@ -104,6 +105,19 @@ bool is_known(const std::string& extension) {
       "KHR_animation_pointer", "KHR_xmp_json_ld",       "EXT_mesh_gpu_instancing",
       "EXT_texture_webp",      "EXT_texture_avif",      "MSFT_texture_dds"};
   return extension.starts_with("KHR_materials_") || kKnown.contains(extension);
+}
+
+// The generator of a file of others stays the program that made it.
+void set_mark(Gltf& asset) {
+  const std::string generator = asset.contains("generator") && asset["generator"].is_string()
+                                    ? asset["generator"].get<std::string>()
+                                    : "";
+  const bool is_of_others = !generator.empty() && !is_written_generator(generator);
+  const bool has_place = !asset.contains("extras") || asset["extras"].is_object();
+  if (is_of_others && has_place)
+    asset["extras"]["majorant"] = written_version();
+  else
+    asset["generator"] = written_mark();
 }
 
 using VisitReferences = void (*)(Gltf&, const Visit&);
@@ -258,6 +272,7 @@ void GltfOutput::drop_unused(const GltfDocument& document) {
 
 Gltf GltfOutput::with_buffer() const {
   Gltf json = json_;
+  set_mark(json["asset"]);
   Gltf buffer =
       json.contains("buffers") && !json["buffers"].empty() ? json["buffers"][0] : Gltf::object();
   buffer.erase("uri");

@@ -58,6 +58,18 @@ NumberStatus parse_number(std::string_view token, double& value) {
   return std::isfinite(value) ? NumberStatus::Good : NumberStatus::NotFinite;
 }
 
+std::string joined_line(std::string_view line) {
+  std::string joined;
+  for (std::size_t end = line.find('\n'); end != std::string_view::npos; end = line.find('\n')) {
+    const std::string_view part = line.substr(0, end);
+    joined += part.substr(0, part.rfind('\\'));
+    joined.push_back(' ');
+    line.remove_prefix(end + 1);
+  }
+  joined += line;
+  return joined;
+}
+
 bool is_exact(std::string_view decimal, double nearest) {
   constexpr int kMostDigits = 19, kMostPower = 22;  // of a 64-bit integer; 10^22 is a double
   if (!decimal.empty() && (decimal.front() == '-' || decimal.front() == '+'))

@@ -86,6 +86,10 @@ class LineCursor {
   std::size_t steps_ = 0;  // lines and tokens, for polling
 };
 
+// A line of an OBJ as one: where it is continued, backslash, what follows it and the line end are a
+// space.
+std::string joined_line(std::string_view line);
+
 // Returns whether a decimal is exactly this double, its nearest. Says false for decimals of more
 // than 19 digits, or powers of ten beyond 22, that it does not look into.
 bool is_exact(std::string_view decimal, double nearest);

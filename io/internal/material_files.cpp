@@ -52,12 +52,9 @@ fs::path real_folder_of(const std::string& file) {
 
 }  // namespace
 
-MaterialFiles::MaterialFiles(const std::string& from, const std::string& to)
-    : old_folder_(real_folder_of(from)), new_folder_(real_folder_of(to)) {
-  if (old_folder_ == new_folder_) return;
-  way_ = old_folder_.lexically_relative(new_folder_).string();
+MaterialNames::MaterialNames(fs::path folder) : folder_(std::move(folder)) {
   std::error_code failed;
-  for (fs::directory_iterator entry(old_folder_, failed), end; !failed && entry != end;
+  for (fs::directory_iterator entry(folder_, failed), end; !failed && entry != end;
        entry.increment(failed)) {
     std::string name = entry->path().filename().string();
     if (name.find_first_of(kBlanks) == std::string::npos) continue;
@@ -66,14 +63,14 @@ MaterialFiles::MaterialFiles(const std::string& from, const std::string& to)
   }
 }
 
-bool MaterialFiles::is_file(const std::string& name) const {
+bool MaterialNames::is_file(const std::string& name) const {
   std::error_code ignored;
-  return fs::is_regular_file(old_folder_ / name, ignored);
+  return fs::is_regular_file(folder_ / name, ignored);
 }
 
 // One past the end of the longest file that is called so from `from` on, 0: there is none. Names
 // end where words do.
-std::size_t MaterialFiles::end_of_file(const std::string& names, std::size_t from) const {
+std::size_t MaterialNames::end_of_file(const std::string& names, std::size_t from) const {
   std::size_t end = end_of_word(names, from), longest = 0;
   if (find_slash(names, from, end) < end) return end_of_file_below(names, from, end);
   if (is_file(names.substr(from, end - from))) longest = end;
@@ -93,7 +90,7 @@ std::size_t MaterialFiles::end_of_file(const std::string& names, std::size_t fro
 }
 
 // The same for names with folders in them, of which the first ends at `end`.
-std::size_t MaterialFiles::end_of_file_below(const std::string& names, std::size_t from,
+std::size_t MaterialNames::end_of_file_below(const std::string& names, std::size_t from,
                                              std::size_t end) const {
   std::size_t longest = 0, parent = 0;
   for (; end - from < PATH_MAX; end = end_of_next_word(names, end)) {
@@ -101,7 +98,7 @@ std::size_t MaterialFiles::end_of_file_below(const std::string& names, std::size
     if (end - slash > NAME_MAX + 1) break;
     std::error_code ignored;
     if (slash != parent &&
-        !fs::is_directory(old_folder_ / names.substr(from, slash + 1 - from), ignored))
+        !fs::is_directory(folder_ / names.substr(from, slash + 1 - from), ignored))
       break;
     parent = slash;
     if (is_file(names.substr(from, end - from))) longest = end;
@@ -110,16 +107,14 @@ std::size_t MaterialFiles::end_of_file_below(const std::string& names, std::size
   return longest;
 }
 
-// One past the end of the name that begins at `from`: as long as files of the folder are called so,
-// else up to a word that ends with .mtl, else a word.
-std::size_t MaterialFiles::end_of_name(const std::string& names, std::size_t from,
+// One past the end of the name that begins at `from`.
+std::size_t MaterialNames::end_of_name(const std::string& names, std::size_t from,
                                        std::size_t first_material) const {
   if (const std::size_t end = end_of_file(names, from); end > 0) return end;
   return first_material != std::string::npos ? first_material : end_of_word(names, from);
 }
 
-// The names in what follows `mtllib`.
-std::vector<std::string> MaterialFiles::split(const std::string& names) const {
+std::vector<std::string> MaterialNames::split(const std::string& names) const {
   std::vector<std::string> result;
   std::string trimmed = names.substr(0, names.find(" #"));  // a comment
   trimmed.resize(trimmed.find_last_not_of(kBlanks) + 1);
@@ -133,6 +128,13 @@ std::vector<std::string> MaterialFiles::split(const std::string& names) const {
   return result;
 }
 
+MaterialFiles::MaterialFiles(const std::string& from, const std::string& to)
+    : old_folder_(real_folder_of(from)), new_folder_(real_folder_of(to)) {
+  if (old_folder_ == new_folder_) return;
+  way_ = old_folder_.lexically_relative(new_folder_).string();
+  names_.emplace(old_folder_);
+}
+
 std::string MaterialFiles::moved(const std::string& name) const {
   if (name.find('/') == std::string::npos) return way_ + "/" + name;
   const fs::path path(name);
@@ -141,9 +143,9 @@ std::string MaterialFiles::moved(const std::string& name) const {
 }
 
 std::string MaterialFiles::repointed(const std::string& line) const {
-  if (old_folder_ == new_folder_) return line;
+  if (!names_) return line;
   std::string together, apart;
-  for (const std::string& name : split(line.substr(end_of_word(line, 0)))) {
+  for (const std::string& name : names_->split(line.substr(end_of_word(line, 0)))) {
     const std::string there = moved(name);
     if (there.find_first_of(kBlanks) == std::string::npos)
       together += " " + there;

@@ -23,6 +23,7 @@
 #include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
+#include "majorant/io/written_mark.h"
 
 namespace majorant {
 namespace {
@@ -177,11 +178,13 @@ class ObjReader {
     vertices_before_.push_back(static_cast<Index>(mesh_.positions.size()));
   }
 
-  // Those of the writer about cones belong to the coordinates that were.
+  // Those of the writer, its mark and cones, belong to the file that was.
   void keep_comments() {
-    for (const std::string_view comment : comments_)
-      if (!comment.starts_with("# ") || !is_cone_comment(comment.substr(2)))
+    for (const std::string_view comment : comments_) {
+      const std::string_view text = comment.substr(std::min<std::size_t>(2, comment.size()));
+      if (!comment.starts_with("# ") || !(is_cone_comment(text) || is_written_mark(text)))
         add_directive(std::string(comment));
+    }
     comments_.clear();
   }
 
@@ -346,22 +349,7 @@ class ObjReader {
     return fmt::format("{} index {} out of range, the file has {}", space.name, index, space.count);
   }
 
-  void keep_directive() {
-    // A continued line becomes one line: backslash, what follows it and the line end are a space.
-    std::string text;
-    for (std::string_view rest = cursor_.whole_line(); !rest.empty();) {
-      const std::size_t end = rest.find('\n');
-      const std::string_view line = rest.substr(0, end);
-      if (end == std::string_view::npos) {
-        text += line;
-        break;
-      }
-      text += line.substr(0, line.rfind('\\'));
-      text.push_back(' ');
-      rest.remove_prefix(end + 1);
-    }
-    add_directive(std::move(text));
-  }
+  void keep_directive() { add_directive(joined_line(cursor_.whole_line())); }
 
   void read_face() {
     std::array<std::vector<Index>, 3>& lists = lists_;

@@ -52,6 +52,12 @@ def majorant(*args, cwd=None):
                                   stderr=subprocess.PIPE, timeout=300))
 
 
+def without_mark(data):
+    """The bytes of a mesh file without what says that majorant wrote it."""
+    return re.sub(rb'(# |comment |<!-- )majorant [\d.]+( -->)?\n|\$Comments\nmajorant [\d.]+\n\$EndComments\n', b'',
+                  data, count=1)
+
+
 def verb_names():
     """The verbs that help lists, those behind a word with it: `mesh check`."""
     def listed(*words):

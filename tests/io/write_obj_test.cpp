@@ -5,6 +5,7 @@
 #include "io_test_helpers.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/io/written_mark.h"
 
 namespace majorant {
 namespace {
@@ -68,7 +69,8 @@ TEST(WriteObj, CommentsAboutConesAreReplaced) {
   write_obj(folder.file("out.obj"), example.map, &example.input);
   EXPECT_TRUE(
       content_of(folder.file("out.obj"))
-          .starts_with("# cones: vertices count from 0; angle = quarter_turns * 90 degrees\n"
+          .starts_with(mark_text(".obj") +
+                       "# cones: vertices count from 0; angle = quarter_turns * 90 degrees\n"
                        "# cone vertex 2 quarter_turns 3\n"));
   EXPECT_EQ(read_mesh(folder.file("out.obj")).directives, example.input.directives);
 }

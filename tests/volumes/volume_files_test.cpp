@@ -12,6 +12,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/input_file.h"
+#include "majorant/io/written_mark.h"
 #include "public_data.h"
 
 namespace majorant {
@@ -31,10 +32,19 @@ class VolumeFiles : public testing::Test {
     std::ofstream(file(name), std::ios::binary) << content;
     return file(name);
   }
-  // Nothing moved: the bytes of the file. One coordinate moved: it alone.
+  // The content of a file without its mark, which is there once.
+  static std::string without_mark(const std::string& path, std::string content) {
+    const std::string mark = mark_text(format_of(path));
+    const std::size_t at = content.find(mark);
+    EXPECT_NE(at, std::string::npos) << path;
+    if (at != std::string::npos) content.erase(at, mark.size());
+    EXPECT_EQ(content.find(mark), std::string::npos) << path;
+    return content;
+  }
+  // Nothing moved: the bytes of the file, and a mark. One coordinate moved: it alone.
   void expect_written_back(const std::string& path) const {
     VolumeMesh mesh = read_volume_mesh(path);
-    EXPECT_EQ(volume_mesh_content(path, mesh), read_whole_file(path)) << path;
+    EXPECT_EQ(without_mark(path, volume_mesh_content(path, mesh)), read_whole_file(path)) << path;
     const Points3 before = mesh.points;
     const Index moved = static_cast<Index>(mesh.points.rows()) / 2;
     mesh.points(moved, 0) = std::nextafter(mesh.points(moved, 0), 1e9);
@@ -49,8 +59,11 @@ class VolumeFiles : public testing::Test {
       EXPECT_EQ(back.blocks[b].numbers, mesh.blocks[b].numbers);
       EXPECT_EQ(back.blocks[b].regions, mesh.blocks[b].regions);
     }
+    EXPECT_FALSE(has_mark(path)) << path;
+    EXPECT_TRUE(has_mark(out)) << path;
+    EXPECT_EQ(volume_mesh_content(out, back), read_whole_file(out)) << path;
     mesh.points = before;
-    EXPECT_EQ(volume_mesh_content(path, mesh), read_whole_file(path)) << path;
+    EXPECT_EQ(without_mark(path, volume_mesh_content(path, mesh)), read_whole_file(path)) << path;
   }
 
  private:
@@ -169,6 +182,8 @@ TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
         EXPECT_EQ(written.blocks[b].nodes, mesh.blocks[b].nodes);
       }
     });
+    EXPECT_TRUE(has_mark(file(other))) << other;
+    without_mark(file(other), read_whole_file(file(other)));
     return out;
   };
   using Names = std::vector<std::string>;
@@ -178,6 +193,14 @@ TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
   EXPECT_EQ(left_out("p.msh", kPartitioned, "q.msh"), Names());
   EXPECT_EQ(left_out("p.msh", kPartitioned, "q.msh", binary), Names{"partitions of elements"});
   EXPECT_EQ(left_out("p.msh", kOldGmsh, "q.msh", binary), Names{"section $NodeData"});
+  // A mark is written anew, comments of others are left out.
+  const std::string marked = with_mark(".msh", kOldGmsh);
+  EXPECT_EQ(left_out("p.msh", marked, "q.msh", binary), Names{"section $NodeData"});
+  EXPECT_EQ(left_out("p.msh", marked + "$Comments\nmajorant of all\n$EndComments\n", "q.msh", old),
+            Names());
+  EXPECT_EQ(
+      left_out("p.msh", marked + "$Comments\nmajorant of all\n$EndComments\n", "q.msh", binary),
+      (Names{"section $NodeData", "section $Comments"}));
   for (const auto& [name, content] : kSmall)
     for (const char* const other : {"q.vtu", "q.msh"})
       if (fs::path(name).extension() != fs::path(other).extension()) {
@@ -218,6 +241,15 @@ TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
   refused("r.msh", kOldGmsh, "s.mesh", "is written as .msh or .vtu");
   refused("r.msh", kOldGmsh, "s.msh.gz", ".gz");
   refused("r.msh", kOldGmsh, "s.vtu", "of .msh", binary);
+}
+
+TEST_F(VolumeFiles, CellsHaveAMark) {
+  const VolumeMesh mesh = read_volume_mesh(write("a.mesh", kMedit));
+  const VolumeCheck check = check_volume_mesh(mesh);
+  write_cells_vtu(file("cells.vtu"), mesh, {&check.cells[0]});
+  EXPECT_TRUE(has_mark(file("cells.vtu")));
+  without_mark(file("cells.vtu"), read_whole_file(file("cells.vtu")));
+  EXPECT_EQ(read_volume_mesh(file("cells.vtu")).blocks.size(), 1u);
 }
 
 struct Refusal {

@@ -11,6 +11,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/input_file.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/volumes/internal/cell_collector.h"
 #include "majorant/volumes/internal/gmsh_document.h"
 #include "majorant/volumes/internal/mesh_readers.h"
@@ -296,11 +297,17 @@ class GmshReader {
       if (name == "$PhysicalNames")
         document_->physical_names =
             std::string(words.text().substr(begin, found + 1 + end.size() - begin)) + "\n";
-      else
+      else if (!is_mark(words.text().substr(words.place(), found - words.place())))
         document_->others.push_back("section " + name);
     }
     words.go_to(found + 1 + end.size());
     return true;
+  }
+
+  // Returns whether the text of a section is our mark, which is written anew.
+  static bool is_mark(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    return begin != std::string_view::npos && is_written_mark(text.substr(begin));
   }
 
   void read_entities() {

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/volumes/internal/gmsh_document.h"
 #include "majorant/volumes/internal/mesh_readers.h"
 #include "majorant/volumes/internal/mesh_source.h"
@@ -331,6 +332,7 @@ std::string gmsh_content(const GmshDocument& document, const GmshFormat& wanted,
   out.text(fmt::format("$MeshFormat\n{} {} 8\n", is_new ? "4.1" : "2.2", out.is_binary() ? 1 : 0));
   if (out.is_binary()) out.small(1);
   out.end_section("MeshFormat");
+  out.text(mark_text(".msh"));
   out.text(document.physical_names);
   bool has_more_groups = false;
   if (is_new)

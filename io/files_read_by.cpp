@@ -1,0 +1,199 @@
+#include "majorant/io/files_read_by.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/files_below.h"
+#include "majorant/io/input_file.h"
+#include "majorant/io/internal/gltf_document.h"
+#include "majorant/io/internal/json_strings.h"
+#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/material_files.h"
+#include "majorant/io/material_lines.h"
+#include "majorant/io/pvtu.h"
+
+namespace majorant {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kLibrary = "mtllib";
+
+bool is_regular(const std::string& path) {
+  std::error_code failed;
+  return fs::is_regular_file(path, failed);
+}
+
+// Calls visit(line) with every line of an OBJ that begins with `mtllib`, those that are continued
+// as one.
+template <class Visit>
+class LibraryLines {
+ public:
+  LibraryLines(const std::string& path, const Visit& visit) : path_(path), visit_(visit) {}
+
+  void read(const StopCheck& stop) {
+    read_blocks(
+        path_,
+        [&](std::string_view block) {
+          text_ += block;
+          const std::size_t end = end_of_lines();
+          visit_lines(std::string_view(text_).substr(0, end));
+          text_.erase(0, end);
+          if (text_.size() > kLongestLine) text_.clear();
+          return true;
+        },
+        stop);
+    visit_lines(text_);
+  }
+
+ private:
+  static constexpr std::string_view kBlanks = " \t\v\f", kEnds = "\r\n";
+  static constexpr std::size_t kLongestLine = std::size_t{1} << 20;  // file names are far shorter
+
+  // One past the last line that does not go on; 0: there is none.
+  std::size_t end_of_lines() const {
+    for (std::size_t end = text_.find_last_of(kEnds); end != std::string::npos && end > 0;
+         end = text_.find_last_of(kEnds, end - 1)) {
+      const std::size_t last = text_.find_last_not_of(" \t\v\f\r", end - 1);
+      if (last == std::string::npos || text_[last] != '\\') return end + 1;
+    }
+    return 0;
+  }
+
+  static bool begins_line(std::string_view text, std::size_t at) {
+    if (at == 0) return true;
+    const std::size_t last = text.find_last_not_of(kBlanks, at - 1);
+    return last == std::string_view::npos || kEnds.find(text[last]) != std::string_view::npos ||
+           text.substr(0, last + 1) == "\xEF\xBB\xBF";
+  }
+
+  // Up to a carriage return that is the end of a line by itself.
+  static std::string_view up_to_return(std::string_view line) {
+    std::size_t end = line.find('\r');
+    while (end < line.size() && line.substr(end + 1).starts_with('\n'))
+      end = line.find('\r', end + 1);
+    return line.substr(0, end);
+  }
+
+  void visit_lines(std::string_view text) const {
+    for (std::size_t at = text.find(kLibrary); at != std::string_view::npos;
+         at = text.find(kLibrary, at)) {
+      LineCursor cursor(path_, text.substr(at), Continuation::Backslash);
+      if (begins_line(text, at) && cursor.next_line() && cursor.next_token() == kLibrary) {
+        const std::string_view line = up_to_return(cursor.whole_line());
+        at += line.size();
+        visit_(joined_line(line));
+      } else {
+        at += kLibrary.size();
+      }
+    }
+  }
+
+  const std::string& path_;
+  const Visit& visit_;
+  std::string text_;  // that was not searched yet
+};
+
+class FileList {
+ public:
+  explicit FileList(const StopCheck& stop) : stop_(stop) {}
+
+  void add_materials(const std::string& obj) {
+    std::optional<MaterialNames> names;  // lists the folder
+    std::set<std::string> known;         // lines
+    const auto visit = [&](const std::string& line) {
+      if (!known.insert(line).second) return;
+      const std::string_view rest = split_keyword(line).second;
+      if (!names) names.emplace(folder_of(obj));
+      for (const std::string& text : spellings(rest)) {
+        add_library(obj, text);
+        for (const std::string& name : names->split(text)) add_library(obj, name);
+      }
+    };
+    LibraryLines(obj, visit).read(stop_);
+  }
+
+  void add_gltf(const std::string& path) {
+    visit_strings(gltf_json(path, std::numeric_limits<std::size_t>::max(), stop_),
+                  [&](std::string_view place, const std::string& uri) {
+                    if ((place == "buffers/uri" || place == "images/uri") && !is_data_uri(uri))
+                      add(path, name_of_uri(uri));
+                    return true;
+                  });
+  }
+
+  void add_pieces(const std::string& path) {
+    for (const std::string& piece : pvtu_pieces(path, stop_)) add(path, piece);
+  }
+
+  std::vector<std::string> take() { return std::move(files_); }
+
+ private:
+  static fs::path folder_of(const std::string& file) {
+    const fs::path folder = fs::path(file).parent_path();
+    return folder.empty() ? "." : folder;
+  }
+
+  // With slashes for backslashes, too.
+  static std::set<std::string> spellings(std::string_view name) {
+    std::string other(name);
+    std::replace(other.begin(), other.end(), '\\', '/');
+    return {std::string(name), other};
+  }
+
+  // The file that the one at `path` names, if it is there and new; else empty.
+  std::string add(const std::string& path, const std::string& name) {
+    if (name.empty() || name.find('\0') != std::string::npos) return {};
+    std::string file = (fs::path(path).parent_path() / name).string();
+    std::error_code failed;
+    if (!fs::exists(file, failed) || fs::is_directory(file, failed) || !known_.insert(file).second)
+      return {};
+    files_.push_back(file);
+    return file;
+  }
+
+  void add_library(const std::string& obj, const std::string& name) {
+    const std::string library = add(obj, name);
+    if (library.empty() || !is_below(obj, name) || !is_regular(library)) return;
+    try {
+      std::string text = read_whole_file(library, stop_);
+      require_text(library, text);
+      std::istringstream lines(text);
+      for (std::string line; std::getline(lines, line);)
+        if (const std::optional<MaterialImage> image = material_image(line))
+          add(library, image->name);
+    } catch (const Error&) {  // who reads it says so
+    }
+  }
+
+  const StopCheck& stop_;
+  std::vector<std::string> files_;
+  std::set<std::string> known_;
+};
+
+}  // namespace
+
+std::vector<std::string> files_read_by(const std::string& path, const StopCheck& stop) {
+  FileList files(stop);
+  const std::string format = format_of(path);
+  if (!is_regular(path)) return {};
+  try {
+    if (format == ".obj") files.add_materials(path);
+    if (format == ".gltf" || format == ".glb") files.add_gltf(path);
+    if (format == ".pvtu") files.add_pieces(path);
+  } catch (const Error&) {  // who reads the mesh says so
+  }
+  return files.take();
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

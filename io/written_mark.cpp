@@ -1,0 +1,177 @@
+#include "majorant/io/written_mark.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "majorant/framework/error.h"
+#include "majorant/io/input_file.h"
+#include "majorant/io/internal/gltf_document.h"
+#include "majorant/io/internal/json_strings.h"
+#include "majorant/io/vtu_text.h"
+
+namespace majorant {
+namespace {
+
+constexpr std::string_view kName = "majorant", kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::size_t kHead = std::size_t{1} << 16, kMostJson = std::size_t{16} << 20;  // bytes
+
+// What stands around the mark of a format of text.
+struct MarkFrame {
+  std::string_view format, before, after;
+};
+constexpr std::array<MarkFrame, 7> kFrames = {{{".obj", "# ", "\n"},
+                                               {".mtl", "# ", "\n"},
+                                               {".mesh", "# ", "\n"},
+                                               {".ply", "comment ", "\n"},
+                                               {".msh", "$Comments\n", "\n$EndComments\n"},
+                                               {".vtu", "<!-- ", " -->\n"},
+                                               {".pvtu", "<!-- ", " -->\n"}}};
+
+const MarkFrame* frame_of(std::string_view format) {
+  const auto found = std::find_if(kFrames.begin(), kFrames.end(),
+                                  [&](const MarkFrame& frame) { return frame.format == format; });
+  return found == kFrames.end() ? nullptr : &*found;
+}
+
+bool is_gltf_format(std::string_view format) { return format == ".gltf" || format == ".glb"; }
+
+// One past the end of the line that goes on at `from`.
+std::size_t behind_line(std::string_view text, std::size_t from) {
+  const std::size_t end = text.find('\n', from);
+  return end == std::string_view::npos ? text.size() : end + 1;
+}
+
+// One past the end of the first word from `from` on; comments, from # to the end of a line, are
+// passed over.
+std::size_t behind_word(std::string_view text, std::size_t from) {
+  constexpr std::string_view kSpace = " \t\r\n\v\f";
+  std::size_t begin = text.find_first_not_of(kSpace, from);
+  while (begin < text.size() && text[begin] == '#')
+    begin = text.find_first_not_of(kSpace, behind_line(text, begin));
+  if (begin >= text.size()) return text.size();
+  return std::min(text.find_first_of(kSpace, begin), text.size());
+}
+
+// Where the mark of a format begins, in a file or its first bytes.
+std::size_t place_of_mark(std::string_view format, std::string_view text) {
+  const std::size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+  if (format == ".ply") return behind_line(text, behind_line(text, begin));
+  if (format == ".msh") {
+    const std::size_t end = text.find("$EndMeshFormat");
+    return end == std::string_view::npos ? text.size() : behind_line(text, end);
+  }
+  if (format == ".mesh") {  // MFEM has its version on the line of the first word, Medit behind it
+    const std::size_t end = behind_word(text, begin);
+    const bool is_medit = text.substr(0, end).ends_with("MeshVersionFormatted");
+    return behind_line(text, is_medit ? behind_word(text, end) : end);
+  }
+  if ((format == ".vtu" || format == ".pvtu") && text.substr(begin).starts_with("<?xml")) {
+    const std::size_t end = text.find("?>", begin);
+    if (end == std::string_view::npos) return text.size();
+    const std::size_t next = text.find_first_not_of(" \t\r", end + 2);
+    return next < text.size() && text[next] == '\n' ? next + 1 : end + 2;
+  }
+  return begin;
+}
+
+// The size of the mark that a text begins with; 0: with none.
+std::size_t mark_size(const MarkFrame& frame, std::string_view text) {
+  if (!text.starts_with(frame.before)) return 0;
+  const std::size_t begin = frame.before.size(), end = text.find(frame.after, begin);
+  if (end == std::string_view::npos || !is_written_mark(text.substr(begin, end - begin))) return 0;
+  return end + frame.after.size();
+}
+
+// Returns whether the claims in the first bytes of a .vtu are as write_vtu() writes them. Programs
+// that write a file anew copy the array, and write it in their own way.
+bool has_written_claims(std::string_view text) {
+  const std::string_view begin = claims_begin(), field = "<FieldData>\n";
+  const std::size_t at = text.find(field);
+  if (at == std::string_view::npos || text.find("<Piece") < at) return false;
+  text.remove_prefix(at + field.size());
+  if (!text.starts_with(begin)) return false;
+  text.remove_prefix(begin.size());
+  return text.substr(text.find_first_not_of("0123456789")).starts_with(claims_end());
+}
+
+// The first bytes of a file, decompressed if its name says so: `count` of them, if it has so many.
+std::string first_bytes(const std::string& path, std::size_t count) {
+  std::string bytes;
+  read_blocks(path, [&](std::string_view block) {
+    bytes += block.substr(0, count - bytes.size());
+    return bytes.size() < count;
+  });
+  return bytes;
+}
+
+bool has_gltf_mark(const std::string& path) {
+  bool is_marked = false;
+  visit_strings(gltf_json(path, kMostJson), [&](std::string_view place, const std::string& value) {
+    is_marked = (place == "asset/generator" && is_written_generator(value)) ||
+                place == "asset/extras/majorant";
+    return !is_marked;
+  });
+  return is_marked;
+}
+
+}  // namespace
+
+std::string written_version() { return MAJORANT_VERSION; }
+
+std::string written_mark() { return fmt::format("{} {}", kName, written_version()); }
+
+bool is_written_mark(std::string_view text) {
+  if (!text.starts_with(kName)) return false;
+  text.remove_prefix(kName.size());
+  return text.size() > 1 && text[0] == ' ' && text[1] >= '0' && text[1] <= '9' &&
+         text.find_first_not_of("0123456789.", 1) == std::string_view::npos;
+}
+
+bool is_written_generator(std::string_view generator) {
+  return generator == kName || is_written_mark(generator);
+}
+
+std::string mark_text(std::string_view format) {
+  const MarkFrame* const frame = frame_of(format);
+  return frame ? fmt::format("{}{}{}", frame->before, written_mark(), frame->after) : "";
+}
+
+std::string with_mark(std::string_view format, std::string content) {
+  const MarkFrame* const frame = frame_of(format);
+  if (frame == nullptr) return content;
+  const std::size_t place = place_of_mark(format, content);
+  const std::size_t size = mark_size(*frame, std::string_view(content).substr(place));
+  content.replace(place, size, mark_text(format));
+  return content;
+}
+
+bool takes_mark(const std::string& path) {
+  const std::string format = format_of(path);
+  return frame_of(format) != nullptr || is_gltf_format(format);
+}
+
+bool has_mark(const std::string& path) {
+  const std::string format = format_of(path);
+  std::error_code failed;
+  if (!takes_mark(path) || !std::filesystem::is_regular_file(path, failed)) return false;
+  try {
+    if (is_gltf_format(format)) return has_gltf_mark(path);
+    const std::string text = first_bytes(path, kHead);
+    const std::size_t place = place_of_mark(format, text);
+    return mark_size(*frame_of(format), std::string_view(text).substr(place)) > 0 ||
+           (format == ".vtu" && has_written_claims(text));
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
