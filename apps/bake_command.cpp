@@ -65,6 +65,12 @@ void choose_size(const std::string& text, BakeOptions& options) {
 
 const std::string& output_of(const BakeRequest& request) { return request.outputs.front(); }
 
+// The file that write_baked() writes beside numbers.
+std::vector<std::string> labels_of(const BakeRequest& request) {
+  if (extension(output_of(request)) != ".npy") return {};
+  return {output_of(request) + ".json"};
+}
+
 // Before any work.
 void require_usable(BakeRequest& request) {
   if (!request.positional_output.empty()) request.outputs.push_back(request.positional_output);
@@ -218,7 +224,8 @@ Made baked(const BakeRequest& request, BakeJob& job, Run& run) {
     made.faults.push_back(fmt::format("majorant: {}; no image is written", why));
     return made;
   }
-  made.files.push_back({output_of(request), [&] { write_baked(output_of(request), job); }});
+  made.files.push_back(
+      {output_of(request), [&] { write_baked(output_of(request), job); }, labels_of(request)});
   made.summary = [&](const WrittenFiles&) {
     return std::vector<std::string>{summary_of(request, job, run.seconds())};
   };
@@ -229,13 +236,14 @@ int bake_files(BakeRequest request) {
   require_usable(request);
   BakeJob job;
   if (!request.size.empty()) choose_size(request.size, job.options);
-  const RunPlan plan{.command = "bake",
-                     .common = request.common,
-                     .inputs = {request.surface, request.from,
-                                request.names_file() ? request.input_of_values() : std::string()},
-                     .outputs = {{request.outputs, writable_images()}},
-                     .stages = {Activity::Reading, Activity::Measuring, Activity::Writing},
-                     .time_limit = request.time_limit};
+  const RunPlan plan{
+      .command = "bake",
+      .common = request.common,
+      .inputs = {request.surface, request.from,
+                 request.names_file() ? request.input_of_values() : std::string()},
+      .outputs = {{request.outputs, writable_images()}, {labels_of(request), {".json"}, false}},
+      .stages = {Activity::Reading, Activity::Measuring, Activity::Writing},
+      .time_limit = request.time_limit};
   return run_verb(plan, [&](Run& run) { return baked(request, job, run); });
 }
 

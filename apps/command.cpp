@@ -20,17 +20,24 @@ void CommonOptions::add_to(CLI::App& verb) {
   begin_group(verb, OptionGroup::General);
   verb.get_help_ptr()->group(verb.option_defaults()->get_group());
   verb.set_version_flag("-V,--version", version_line(), "print the version");
-  add_options(verb, OptionGroup::General,
-              {{"--threads",
-                &threads,
-                "threads (default: all cores that the process may use; majorant-mpi: 1)",
-                {.check = whole_number(1, 1024)}},
-               {"-q,--quiet", &quiet, "no progress"},
-               {"-v,--verbose", &verbose, "a line per iteration", {.excludes = {"--quiet"}}},
-               {"--report", &report, "write a JSON report to FILE, - for stdout", {.type = "FILE"}},
-               {"--force", &force, "an output may replace a file that is read"},
-               {"--strict", &strict,
-                "refuse a mesh file of which something would be left out or repaired"}});
+  add_options(
+      verb, OptionGroup::General,
+      {{"--threads",
+        &threads,
+        "threads (default: all cores that the process may use; majorant-mpi: 1)",
+        {.check = whole_number(1, 1024)}},
+       {"-q,--quiet", &quiet, "no progress"},
+       {"-v,--verbose", &verbose, "a line per iteration", {.excludes = {"--quiet"}}},
+       {"--report", &report, "write a JSON report to FILE, - for stdout", {.type = "FILE"}},
+       {"--format",
+        &format,
+        "format of standard input and output, for - as a file: obj; or of the one and the other: "
+        "obj,glb",
+        {.type = "EXT"}},
+       {"--force", &force,
+        "an output may replace a file that is read, or a mesh that majorant did not write"},
+       {"--strict", &strict,
+        "refuse a mesh file of which something would be left out or repaired"}});
 }
 
 void CommonOptions::add_petsc_to(CLI::App& verb) {

@@ -22,6 +22,7 @@ struct CommonOptions {
   bool strict = false;  // nothing of an input is left out or repaired
   std::string report;   // file name, kStandardOutput or empty
   std::string petsc_options;
+  std::string format;  // of standard input and output (with_standard_streams() reads it)
 
   void add_to(CLI::App& verb);
   void add_petsc_to(CLI::App& verb);  // --petsc-options, where PETSc may solve

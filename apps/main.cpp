@@ -11,6 +11,7 @@
 
 #include "apps/arguments/command_line.h"
 #include "apps/arguments/help_text.h"
+#include "apps/arguments/standard_streams.h"
 #include "apps/command.h"
 #include "apps/failure.h"
 #include "apps/parts.h"
@@ -63,7 +64,7 @@ int run(int argc, char** argv) {
     print_text(overview(app, kExamples + "`majorant VERB --help` says more.\n"));
     return kSuccess;
   }
-  std::vector<std::string> words = meant_words(app, {argv + 1, argv + argc});
+  std::vector<std::string> words = meant_words(app, with_standard_streams({argv + 1, argv + argc}));
   std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
     app.parse(words);

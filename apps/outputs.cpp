@@ -19,7 +19,9 @@
 #include "apps/refusal_message.h"
 #include "apps/streams.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/files_read_by.h"
 #include "majorant/io/input_file.h"
+#include "majorant/io/written_mark.h"
 #include "majorant/pictures/png_file.h"
 
 namespace majorant::app {
@@ -118,12 +120,48 @@ void require_other_file(const NamedFile& output, const std::vector<NamedFile>& t
                               other.path, output.path));
 }
 
-void require_no_input(const NamedFile& output, const std::vector<std::string>& inputs) {
-  for (const std::string& input : inputs)
-    if (!input.empty() && output.identity && identify_file(input) == output.identity)
-      throw Error(ErrorKind::Usage,
-                  fmt::format("{} is read by this run ({}); give --force to replace it",
-                              output.path, input));
+// The files that a run reads: `path`, for the input `reader`, or that itself.
+struct ReadFile {
+  FileIdentity identity;
+  std::string path, reader;
+};
+
+// Returns the inputs that exist, and the files that these name.
+std::vector<ReadFile> files_read(const std::vector<std::string>& inputs, const StopCheck& stop) {
+  std::vector<ReadFile> files;
+  const auto add = [&](const std::string& path, const std::string& reader) {
+    if (const std::optional<FileIdentity> identity = identify_file(path))
+      files.push_back({*identity, path, reader});
+  };
+  for (const std::string& input : inputs) {
+    if (input.empty()) continue;
+    add(input, input);
+    for (const std::string& file : files_read_by(input, stop)) add(file, input);
+  }
+  return files;
+}
+
+void require_not_read(const NamedFile& output, const std::vector<ReadFile>& read) {
+  if (!output.identity) return;
+  for (const ReadFile& file : read)
+    if (file.identity == *output.identity)
+      throw Error(
+          ErrorKind::Usage,
+          fmt::format("{} is read by this run ({}); give --force to replace it", output.path,
+                      file.path == file.reader
+                          ? file.path
+                          : fmt::format("{} names {}", file.reader, file.path)));
+}
+
+// Refuses to replace a mesh of somebody else. Pipes and empty files lose nothing.
+void require_own_mesh(const std::string& path) {
+  std::error_code unknown;
+  if (!takes_mark(path) || !std::filesystem::is_regular_file(path, unknown)) return;
+  if (std::filesystem::file_size(path, unknown) == 0 || has_mark(path)) return;
+  throw Error(ErrorKind::Usage,
+              fmt::format("{}: there is a file of this name, which majorant did not write; take "
+                          "another name, or give --force to replace it",
+                          path));
 }
 
 }  // namespace
@@ -153,10 +191,12 @@ void require_some_output(const std::vector<std::string>& outputs,
 }
 
 void require_writable(const CommonOptions& common, const std::vector<OutputNames>& outputs,
-                      const std::vector<std::string>& inputs) {
+                      const std::vector<std::string>& inputs, const StopCheck& stop) {
   std::vector<OutputNames> all = outputs;
   if (common.report != kStandardOutput) all.push_back({{common.report}, {".json"}});
   std::vector<NamedFile> taken;
+  const std::vector<ReadFile> read =
+      common.force ? std::vector<ReadFile>() : files_read(inputs, stop);
   for (const OutputNames& names : all)
     for (const std::string& path : names.paths) {
       if (path.empty()) continue;
@@ -164,7 +204,8 @@ void require_writable(const CommonOptions& common, const std::vector<OutputNames
       require_writable_file(path);
       const NamedFile file{path, identify_file(path)};
       require_other_file(file, taken);
-      if (!common.force) require_no_input(file, inputs);
+      require_not_read(file, read);
+      if (!common.force) require_own_mesh(path);
       taken.push_back(file);
     }
 }

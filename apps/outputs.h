@@ -37,13 +37,15 @@ void require_some_output(const std::vector<std::string>& outputs,
 // options not given.
 struct OutputNames {
   std::vector<std::string> paths, extensions;
+  bool may_be_report = true;  // a .json is a report of the run
 };
 
 // Before any work: refuses outputs, the report of `common` among them, that have another extension
-// or cannot be written, that are one file under two names, or that would replace one of `inputs`
-// without --force. Throws Error(Usage).
+// or cannot be written, or that are one file under two names; without --force also those that would
+// replace one of `inputs`, a file that one of these names (a texture, a buffer), or a mesh that
+// majorant did not write. Throws Error(Usage); Stopped.
 void require_writable(const CommonOptions& common, const std::vector<OutputNames>& outputs,
-                      const std::vector<std::string>& inputs);
+                      const std::vector<std::string>& inputs, const StopCheck& stop = {});
 
 // Files written one by one: where one fails, the others are written all the same.
 class WrittenFiles {

@@ -18,6 +18,7 @@
 #include "majorant/io/input_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
+#include "majorant/io/standard_stream.h"
 #include "majorant/pictures/quad_picture.h"
 #include "majorant/results/quad_job.h"
 #include "majorant/results/quad_report.h"
@@ -90,7 +91,7 @@ std::vector<std::string> summary_of(const QuadsRequest& request, const QuadJob& 
                 (request.features.empty() ? fmt::format("{}", kCornerTurn) : request.features)
           : "";
   for (const std::string& path : request.outputs)
-    if (written.has(path) && !is_picture(path))
+    if (written.has(path) && !is_picture(path) && !is_standard_output(path))
       lines.push_back(fmt::format("proof: majorant check {} --surface {}{}{}", path, request.input,
                                   format_of(path) == ".vtu" ? " --quads" : "", features));
   return lines;

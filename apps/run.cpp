@@ -115,7 +115,8 @@ Run::Run(const RunPlan& plan)
       watch_(std::make_unique<Watch>(plan, *progress_)),
       record_(plan.time_limit, plan.max_iterations, interruption_flag(), watch_.get()),
       threads_(usable_threads(plan.common.threads)) {
-  require_writable(plan.common, plan.outputs, plan.inputs);
+  or_interrupted("reading " + input(),
+                 [&] { require_writable(plan.common, plan.outputs, plan.inputs, record_.stop()); });
   set_output_stop(record_.stop());
   acknowledge_signals(!plan.common.quiet);
   record_.begin(Activity::Reading);
@@ -129,7 +130,7 @@ std::vector<std::string> Run::report_paths() const {
   if (!plan_.common.report.empty()) paths.push_back(plan_.common.report);
   for (const OutputNames& names : plan_.outputs)
     for (const std::string& path : names.paths)
-      if (extension(path) == ".json") paths.push_back(path);
+      if (names.may_be_report && extension(path) == ".json") paths.push_back(path);
   return paths;
 }
 

@@ -13,6 +13,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/input_file.h"
+#include "majorant/io/standard_stream.h"
 #include "majorant/io/temporary_file.h"
 #include "majorant/io/waiting_output.h"
 
@@ -33,6 +34,7 @@ constexpr mode_t kOwnerOnly = 0600;
 // The standard streams by name: message_prefix the name again would start at the beginning of a
 // file that the shell appends to. -1 for other paths.
 int standard_stream(const std::string& path) {
+  if (is_standard_output(path)) return 1;
   if (path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1") return 1;
   if (path == "/dev/stderr" || path == "/dev/fd/2" || path == "/proc/self/fd/2") return 2;
   return -1;
@@ -105,6 +107,9 @@ void write_special(const std::string& path, std::string_view content) {
 PendingFile::PendingFile(const std::string& path, std::string_view content,
                          const FileVerification& verify)
     : path_(path) {
+  if (is_standard_output(path))
+    throw Error(ErrorKind::Usage,
+                fmt::format("cannot write {}: there are several files; give them a name", path));
   const Target target = find_target(path);
   if (target.kind == TargetKind::Special)
     throw Error(ErrorKind::Usage, fmt::format("cannot write {}: it is no regular file", path));
@@ -157,6 +162,7 @@ void require_writable_file(const std::string& path) {
 }
 
 std::optional<FileIdentity> identify_file(const std::string& path) {
+  if (is_standard_input(path) || is_standard_output(path)) return std::nullopt;
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0) return FileIdentity{status.st_dev, status.st_ino, ""};
   const std::filesystem::path target = follow_links(path);

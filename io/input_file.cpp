@@ -16,6 +16,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/internal/inflate.h"
 #include "majorant/io/reading_limit.h"
+#include "majorant/io/standard_stream.h"
 #include "majorant/io/waiting_output.h"
 
 namespace majorant {
@@ -55,7 +56,9 @@ class InputFile {
       throw Error(ErrorKind::Unreadable,
                   fmt::format("{}: no file name has a null character", in_quotes(path)));
     // Not waiting: of a FIFO nobody may come to write.
-    descriptor_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    descriptor_ = is_standard_input(path)
+                      ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
+                      : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     struct stat status {};
     if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) fail("check the name");
     if (S_ISDIR(status.st_mode))

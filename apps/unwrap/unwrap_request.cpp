@@ -17,6 +17,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
+#include "majorant/io/standard_stream.h"
 #include "majorant/results/model_texture.h"
 
 namespace majorant::app {
@@ -269,6 +270,9 @@ std::vector<std::string> baked_files(const UnwrapVerb& request) {
     throw Error(ErrorKind::Usage,
                 "--bake moves the texture of an OBJ to an OBJ, that of a GLB or glTF to one of "
                 "these: -o OUT.obj, or -o OUT.glb");
+  if (is_standard_output(*model) && !files_beside(*model).empty())
+    throw Error(ErrorKind::Usage,
+                "--bake writes an image and materials beside the OBJ; give it a name: -o OUT.obj");
   return files_beside(*model);
 }
 

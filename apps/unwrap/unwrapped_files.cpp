@@ -13,6 +13,7 @@
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
+#include "majorant/io/standard_stream.h"
 #include "majorant/results/global_verdict.h"
 #include "majorant/results/obj_layout.h"
 
@@ -173,7 +174,7 @@ std::vector<std::string> summary_of(const UnwrapRun& run, const WrittenFiles& wr
       seconds)};
   const bool is_stacked = run.job.options.stacking != Stacking::None;
   for (const std::string& path : run.request.outputs.files)
-    if (is_map_data(path) && written.has(path))
+    if (is_map_data(path) && written.has(path) && !is_standard_output(path))
       list.push_back(fmt::format("proof: majorant check {}{}{}", path,
                                  atlas.packing ? " --certify" : "",
                                  is_stacked && format_of(path) != ".vtu" ? " --stacked" : ""));
@@ -265,7 +266,7 @@ Made made_of(const ObjectsRun& run, UnwrappedObjects objects) {
   made.summary = [&](const WrittenFiles& written) {
     std::vector<std::string> list = run.lines;
     for (const std::string& path : run.request.outputs.files)
-      if (is_map_data(path) && written.has(path))
+      if (is_map_data(path) && written.has(path) && !is_standard_output(path))
         list.push_back(fmt::format("proof: majorant check {} --certify --objects separate", path));
     return list;
   };
