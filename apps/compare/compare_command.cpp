@@ -7,18 +7,14 @@
 #include <fmt/ranges.h>
 
 #include <CLI/App.hpp>
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "apps/arguments/number_check.h"
-#include "apps/arguments/option_table.h"
-#include "apps/arguments/suggestion.h"
 #include "apps/command.h"
+#include "apps/compare/compare_request.h"
 #include "apps/compare/comparison_table.h"
 #include "apps/compare/linear_solver_run.h"
 #include "apps/compare/matched_maps.h"
@@ -42,16 +38,6 @@
 
 namespace majorant::app {
 namespace {
-
-struct CompareRequest {
-  CommonOptions common;
-  MapRequest map;
-  std::string other;  // a second result, or empty
-  std::vector<std::string> outputs, methods, linear_solvers;
-  FormatOptions formats;
-  int max_iterations = Contest().max_iterations;
-  double tolerance = Contest().tolerance, time_limit = 60;
-};
 
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
@@ -90,47 +76,12 @@ Contest make_contest(const CompareRequest& request, Run& run) {
   return c;
 }
 
-// The methods asked for, each once; all of them without a wish.
-std::vector<const Method*> chosen_methods(const CompareRequest& request) {
-  std::vector<const Method*> chosen;
-  for (std::string name : request.methods) {
-    std::erase(name, ' ');
-    const Method* m = find_method(name);
-    if (!m) {
-      std::vector<std::string> names;
-      for (const Method& known : methods()) names.push_back(known.name);
-      throw Error(ErrorKind::Usage, fmt::format("no method is called '{}'{}; use {}", name,
-                                                did_you_mean(name, names), fmt::join(names, ", ")));
-    }
-    if (std::find(chosen.begin(), chosen.end(), m) == chosen.end()) chosen.push_back(m);
-  }
-  if (chosen.empty() && !request.linear_solvers.empty()) chosen.push_back(find_method("newton"));
-  if (chosen.empty())
-    for (const Method& m : methods()) chosen.push_back(&m);
-  return chosen;
-}
-
-std::vector<std::string> chosen_linear_solvers(const CompareRequest& request) {
-  const std::vector<std::string> names = linear_solver_names();
-  std::vector<std::string> chosen;
-  for (std::string name : request.linear_solvers) {
-    std::erase(name, ' ');
-    if (name == "all") return names;
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      throw Error(ErrorKind::Usage,
-                  fmt::format("--linear-solvers: there is no {}{}; use all, or {}", name,
-                              did_you_mean(name, names), fmt::join(names, ", ")));
-    chosen.push_back(name);
-  }
-  return chosen;
-}
-
 // One after the other, on one thread.
 std::vector<LinearSolverRun> measure_linear_solvers(const CompareRequest& request,
                                                     const Contest& contest) {
   const ThreadCount one(1);
   std::vector<LinearSolverRun> runs;
-  for (const std::string& name : chosen_linear_solvers(request)) {
+  for (const std::string& name : request.chosen_linear_solvers()) {
     if (interruption_flag()->load()) break;
     if (!request.common.quiet) say("{} ...\n", name);
     runs.push_back(
@@ -156,51 +107,13 @@ bool can_be_had(const Method& method, const CompareRequest& request) {
 // Without those that the contest is not for; asked for by name, that is an error.
 std::vector<const Method*> choose(const CompareRequest& request, const Contest& contest) {
   std::vector<const Method*> chosen;
-  for (const Method* m : chosen_methods(request)) {
+  for (const Method* m : request.chosen_methods()) {
     const std::string why = m->obstacle ? m->obstacle(contest) : std::string();
     if (!why.empty() && !request.methods.empty())
       throw Error(ErrorKind::Usage, fmt::format("method {}: {}", m->name, why));
     if (why.empty() && can_be_had(*m, request)) chosen.push_back(m);
   }
   return chosen;
-}
-
-RunReport report_of(const CompareRequest& request, const Comparison& comparison,
-                    const std::vector<LinearSolverRun>& solvers) {
-  Json options = request.map.to_json();
-  options.erase("curvature");  // part of the methods' names
-  options["tolerance"] = request.tolerance;
-  options["max_iterations"] = request.max_iterations;
-  options["time_limit"] = request.time_limit;
-  options["strict"] = request.common.strict;
-  const double best = comparison.best_energy();
-  Json runs = Json::array();
-  for (const MethodRun& run : comparison.runs) {
-    Json within = Json::object();
-    for (const auto& [key, fraction] : {std::pair("0.01", 0.01), {"0.0001", 0.0001}})
-      if (const ComparisonPoint* p = first_within(run, best, fraction))
-        within[key] = {{"iterations", p->iteration}, {"seconds", p->seconds}};
-      else
-        within[key] = nullptr;
-    runs.push_back({{"method", run.method},
-                    {"status", run.status},
-                    {"message", run.message},
-                    {"iterations", run.points.back().iteration},
-                    {"seconds", run.points.back().seconds},
-                    {"energy", run.points.back().energy},
-                    {"gradient_norm", run.points.back().gradient_norm},
-                    {"min_det", run.points.back().min_det},
-                    {"within", within}});
-  }
-  RunReport report{.status = "done",
-                   .input = {{"file", request.map.input}},
-                   .options = options,
-                   .result = {{"title", comparison.title},
-                              {"machine", comparison.machine},
-                              {"best_energy", best},
-                              {"methods", runs}}};
-  if (!solvers.empty()) report.result["linear_solvers"] = linear_solvers_section(solvers);
-  return report;
 }
 
 std::vector<MadeFile> files_of(const CompareRequest& request,
@@ -234,7 +147,7 @@ Made compared(const CompareRequest& request, Run& run) {
     comparison->runs.push_back(race(*method, contest, request.time_limit));
     if (interruption_flag()->load()) break;
   }
-  Made made{.report = report_of(request, *comparison, solvers), .is_verdict_news = true};
+  Made made{.report = comparison_report(request, *comparison, solvers), .is_verdict_news = true};
   if (is_printed) made.verdict = comparison_table(*comparison);
   if (interruption_flag()->load()) made.report.status = "interrupted";
   made.files = files_of(request, comparison);
@@ -242,8 +155,8 @@ Made compared(const CompareRequest& request, Run& run) {
 }
 
 int compare(const CompareRequest& request) {
-  chosen_methods(request);  // complains before anything is read
-  chosen_linear_solvers(request);
+  request.chosen_methods();  // complains before anything is read
+  request.chosen_linear_solvers();
   const RunPlan plan{.command = "compare",
                      .common = request.common,
                      .inputs = request.map.inputs(),
@@ -252,20 +165,6 @@ int compare(const CompareRequest& request) {
                      .max_iterations = request.max_iterations,
                      .with_result = {Activity::Solving, Activity::Writing}};
   return run_verb(plan, [&](Run& run) { return compared(request, run); });
-}
-
-// Throws Error(Usage) for an option that says how a problem is solved.
-void require_no_problem(const CLI::App& verb) {
-  const std::set<std::string> usable{"output", "threads", "quiet",       "verbose",
-                                     "strict", "force",   "color-range", "color-by",
-                                     "size",   "edges",   "legend",      "transparent"};
-  for (const CLI::Option* option : verb.get_options())
-    if (option->count() > 0 && !option->get_positional() &&
-        usable.count(option->get_single_name()) == 0)
-      throw Error(ErrorKind::Usage,
-                  fmt::format("--{} is of one problem solved with many methods; leave it out to "
-                              "compare two results, or leave out the second one",
-                              option->get_single_name()));
 }
 
 // Pages hold a number a control point; the claims say what the file is.
@@ -321,59 +220,13 @@ void add_compare(CLI::App& app, Action* run) {
   CompareRequest& r = *request;
   CLI::App& verb = *app.add_subcommand(
       "compare", "solve one problem with many methods, or show two results side by side");
-  r.map.add_to(verb, "3");
-  r.map.init = "tutte";  // far enough from the minimum to compare the ways there
-  r.map.add_start_to(verb);
-  add_options(
-      verb, OptionGroup::Files,
-      {{"other", &r.other,
-        "a second result: the first one is a result of the same surface, too, and -o OUT.html "
-        "shows "
-        "both with the difference of their densities, -o OUT.svg both layouts, for a figure"}});
-  const CLI::Option* const other = verb.get_option("other");
-  r.formats.add_drawing_to(verb);
-  add_options(
-      verb, OptionGroup::Solver,
-      {{"--methods",
-        &r.methods,
-        "names, comma separated (all that fit the energy)",
-        {.type = "NAMES", .comma_separated = true}},
-       {"--linear-solvers",
-        &r.linear_solvers,
-        fmt::format("also a table of what solves Newton's systems, on the first one: all, or "
-                    "names, comma separated ({})",
-                    fmt::join(linear_solver_names(), ", ")),
-        {.type = "NAMES", .comma_separated = true}}});
-  add_options(verb, OptionGroup::Files,
-              {{"-o,--output",
-                &r.outputs,
-                "output: .csv .html .json, of two results .html .svg, repeatable",
-                {.type = "FILE"}}});
-  add_options(verb, OptionGroup::Solver,
-              {{"--tolerance",
-                &r.tolerance,
-                fmt::format("relative decrease that ends Newton ({})", r.tolerance),
-                {.check = positive_number()}},
-               {"--max-iterations",
-                &r.max_iterations,
-                fmt::format("of each method ({})", r.max_iterations),
-                {.check = whole_number(0)}},
-               {"--time-limit",
-                &r.time_limit,
-                fmt::format("seconds for each method ({})", r.time_limit),
-                {.check = non_negative_number()}}});
-  r.common.add_to(verb);
+  r.add_to(verb);
   std::string list = energy_help() + "Methods:\n";
   for (const Method& m : methods()) list += fmt::format("  {:<24} {}\n", m.name, m.summary);
   verb.footer(list +
               "Example: majorant compare bunny.obj --degree 2 --methods newton,lbfgs -o c.html");
-  verb.callback([request, run, other, &verb] {
-    if (other->count() > 0) require_no_problem(verb);
-    if (const std::string option = request->formats.first_given();
-        other->count() == 0 && !option.empty())
-      throw Error(ErrorKind::Usage, fmt::format("{} is of two results side by side; add the second "
-                                                "one, or leave it out",
-                                                option));
+  verb.callback([request, run, &verb] {
+    request->require_fitting(verb);
     *run = [request] {
       if (!request->other.empty()) return compare_results(*request);
       request->map.choose_degree({});

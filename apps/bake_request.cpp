@@ -1,0 +1,197 @@
+#include "apps/bake_request.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "apps/arguments/number_check.h"
+#include "apps/arguments/option_table.h"
+#include "apps/arguments/suggestion.h"
+#include "apps/outputs.h"
+#include "majorant/framework/error.h"
+#include "majorant/io/input_file.h"
+#include "majorant/pictures/image_file.h"
+#include "majorant/results/model_texture.h"
+
+namespace majorant::app {
+namespace {
+
+constexpr int kSmallestImage = 1;
+
+std::string shown_extensions() { return fmt::format("{}", fmt::join(writable_images(), " ")); }
+
+// Throws Error(Usage) for what is no size.
+void choose_size(const std::string& text, BakeOptions& options) {
+  const auto size = size_in(text, kSmallestImage, kLargestImage);
+  if (!size)
+    throw Error(ErrorKind::Usage,
+                fmt::format("--size: '{}' is no size; give pixels, {} to {}: 2048, or 2048,1024",
+                            text, kSmallestImage, kLargestImage));
+  options.width = (*size)[0];
+  options.height = (*size)[1];
+}
+
+}  // namespace
+
+bool BakeRequest::names_file() const {
+  if (is_of_model()) return false;
+  return !image.empty() || std::find(kBakeAttributes.begin(), kBakeAttributes.end(), attribute) ==
+                               kBakeAttributes.end();
+}
+
+void BakeRequest::add_to(CLI::App& verb) {
+  add_options(
+      verb, OptionGroup::Files,
+      {{"new",
+        &surface,
+        "surface with the layout to bake into: .obj .ply .vtu .msh, in [0, 1]^2",
+        {.required = true}},
+       {"output", &positional_output, "output file, same as -o"},
+       {"-o,--output",
+        &outputs,
+        fmt::format("output: {}; beside OUT.npy stands OUT.npy.json", shown_extensions()),
+        {.type = "FILE"}},
+       {"--from",
+        &from,
+        "the surface that carries what is baked; may be NEW",
+        {.type = "OLD", .required = true}},
+       {"--image",
+        &image,
+        fmt::format("bake this image, in OLD's texture coordinates: {}; without it and "
+                    "--attribute the textures of OLD, an .obj or .glb",
+                    fmt::join(readable_images(), " ")),
+        {.type = "FILE"}},
+       {"--attribute",
+        &attribute,
+        "bake position, normal (object space), face (number from 0) or distortion of OLD, or the "
+        "rows of FILE.npy, one a face or a vertex of OLD",
+        {.type = "NAME"}}});
+  add_options(
+      verb, OptionGroup::Pictures,
+      {{"--size",
+        &size,
+        "pixels along both sides, or width and height (that of --image, else 1024)",
+        {.type = "N|W,H"}},
+       {"--method",
+        &method,
+        "same: equal faces by their numbers; nearest: nearest points; auto: same where that is "
+        "possible",
+        {.check = one_of({"auto", "same", "nearest"})}},
+       {"--distance",
+        &distance,
+        "farthest nearest point, in model units (2 % of OLD's diagonal); beyond, texels are "
+        "counted as misses and filled from their neighbours; --strict refuses them",
+        {.type = "X", .check = non_negative_number()}},
+       {"--padding",
+        &padding,
+        fmt::format("pixels around charts filled with the nearest of their texels ({}; of .npy 0)",
+                    BakeOptions().padding),
+        {.check = whole_number(0, kLargestImage)}},
+       {"--samples",
+        &samples,
+        "samples along each side of a texel (1)",
+        {.check = whole_number(1, 64)}},
+       {"--filter",
+        &filter,
+        "between the pixels of --image (bilinear)",
+        {.check = one_of({"nearest", "bilinear"})}},
+       {"--depth",
+        &depth,
+        "PNG: bits a channel (that of --image, else 16)",
+        {.check = CLI::IsMember({8, 16})}},
+       {"--linear", &linear,
+        "--image holds numbers, not sRGB colours: they are filtered as they are"}});
+  add_options(verb, OptionGroup::Solver,
+              {{"--time-limit",
+                &time_limit,
+                "seconds; no image is written beyond",
+                {.check = non_negative_number()}}});
+  common.add_to(verb);
+}
+
+void BakeRequest::require_usable() {
+  if (!positional_output.empty()) outputs.push_back(positional_output);
+  require_some_output(outputs, writable_images());
+  if (outputs.size() > 1)
+    throw Error(ErrorKind::Usage, "-o: one image a run; the report has its own flag");
+  const bool names_both = !image.empty() && !attribute.empty();
+  if (names_both || (is_of_model() && !may_have_texture(from)))
+    throw Error(ErrorKind::Usage,
+                "say what to bake: --image FILE, or --attribute position, normal, face, distortion "
+                "or FILE.npy; the textures of an OBJ or GLB that is OLD are baked without either");
+  if (attribute.find("tangent") != std::string::npos)
+    throw Error(
+        ErrorKind::Unsupported,
+        fmt::format("--attribute {}: tangent-space normal maps are not baked: they depend on "
+                    "the tangents of the program that shows them; --attribute normal is in "
+                    "object space",
+                    attribute));
+  const std::string format = extension(output());
+  const bool is_png = format == ".png";
+  if (is_png && !attribute.empty() && attribute != "normal")
+    throw Error(ErrorKind::Usage,
+                fmt::format("--attribute {}: these are numbers, which a PNG does not hold; write "
+                            "-o OUT.npy{}",
+                            attribute, writable_images().size() > 2 ? " or OUT.exr" : ""));
+  if (depth && !is_png)
+    throw Error(ErrorKind::Usage,
+                fmt::format("--depth is of .png, and {} holds floats; leave it out", output()));
+  BakeOptions options;
+  if (!size.empty()) choose_size(size, options);
+}
+
+std::vector<std::string> BakeRequest::labels() const {
+  if (extension(output()) != ".npy") return {};
+  return {output() + ".json"};
+}
+
+void BakeRequest::apply(BakeJob& job) const {
+  job.attribute = attribute;
+  job.image_transfer = linear ? Transfer::Linear : Transfer::Srgb;
+  job.filter = filter == "nearest" ? Filter::Nearest : Filter::Bilinear;
+  job.method = method == "same"      ? BakeMethod::Same
+               : method == "nearest" ? BakeMethod::Nearest
+                                     : BakeMethod::Automatic;
+  job.distance = distance;
+  BakeOptions& options = job.options;
+  if (!job.images.empty()) options.width = options.height = 0;
+  for (const Raster& one : job.images) {
+    options.width = std::max(options.width, one.width());
+    options.height = std::max(options.height, one.height());
+  }
+  if (!size.empty()) choose_size(size, options);
+  options.samples = samples;
+  const std::string format = extension(output());
+  options.padding = padding.value_or(format == ".npy" ? 0 : BakeOptions().padding);
+  options.depth = PixelDepth::Float;
+  options.transfer = Transfer::Linear;
+  if (format != ".png") return;
+  const bool has_image = !job.images.empty();
+  const bool is_eight =
+      has_image && std::all_of(job.images.begin(), job.images.end(), [](const Raster& one) {
+        return one.depth() == PixelDepth::Eight;
+      });
+  options.depth = depth.value_or(is_eight ? 8 : 16) == 8 ? PixelDepth::Eight : PixelDepth::Sixteen;
+  if (!has_image) options.transfer = Transfer::Signed;
+  if (has_image && !linear) options.transfer = Transfer::Srgb;
+}
+
+Json BakeRequest::to_json(const BakeJob& job) const {
+  return {{"from", from},
+          {"image", image},
+          {"attribute", attribute},
+          {"size", {job.options.width, job.options.height}},
+          {"method", method},
+          {"distance", distance ? Json(*distance) : Json()},
+          {"padding", job.options.padding},
+          {"samples", samples},
+          {"filter", filter},
+          {"linear", linear},
+          {"strict", common.strict}};
+}
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,42 @@
+// The options of `majorant compare`, and the report of a comparison.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/command.h"
+#include "apps/compare/comparison.h"
+#include "apps/compare/linear_solver_run.h"
+#include "apps/compare/methods.h"
+#include "apps/map_request.h"
+#include "apps/outputs.h"
+#include "majorant/results/report.h"
+
+namespace majorant::app {
+
+struct CompareRequest {
+  CommonOptions common;
+  MapRequest map;
+  std::string other;  // a second result, or empty
+  std::vector<std::string> outputs, methods, linear_solvers;
+  FormatOptions formats;
+  int max_iterations = Contest().max_iterations;
+  double tolerance = Contest().tolerance, time_limit = 60;
+
+  void add_to(CLI::App& verb);
+  // Throws Error(Usage) for an option of one problem with two results, and the other way round.
+  void require_fitting(const CLI::App& verb) const;
+  // The methods that are named, each once; without names all of them. Throws Error(Usage).
+  std::vector<const Method*> chosen_methods() const;
+  std::vector<std::string> chosen_linear_solvers() const;
+};
+
+// The report of a comparison of methods.
+RunReport comparison_report(const CompareRequest& request, const Comparison& comparison,
+                            const std::vector<LinearSolverRun>& solvers);
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

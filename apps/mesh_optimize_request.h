@@ -1,0 +1,40 @@
+// The options of `majorant mesh optimize`, and the file that --target names.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <limits>
+#include <string>
+
+#include "apps/command.h"
+#include "majorant/results/report.h"
+#include "majorant/volumes/optimize_volume_mesh.h"
+#include "majorant/volumes/volume_files.h"
+
+namespace majorant::app {
+
+struct MeshOptimizeRequest {
+  CommonOptions common;
+  std::string input, output;
+  std::string energy = "symmetric-dirichlet", target = "ideal", boundary = "fixed";
+  int listed = 10;  // elements in messages and the report, at most
+  double tolerance = VolumeOptions().tolerance;
+  int max_iterations = StoppingRules().max_iterations;
+  double time_limit = std::numeric_limits<double>::infinity();
+  std::string msh_version;  // or empty: as the input
+  bool binary = false;
+
+  void add_to(CLI::App& verb);
+  // Throws Error(Usage) before any work.
+  void require_usable() const;
+  // The file that --target names; empty where it is one of the words.
+  std::string size_file() const;
+  // Reads that file. Throws Error(Unreadable) where it does not fit the mesh.
+  VolumeOptions options(const VolumeMesh& mesh, const StopCheck& stop) const;
+  GmshChoice gmsh() const;
+  Json to_json() const;  // for reports
+};
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
