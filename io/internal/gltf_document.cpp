@@ -14,6 +14,7 @@
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/files_below.h"
 #include "majorant/io/input_file.h"
+#include "majorant/io/internal/json_strings.h"
 #include "majorant/io/json_depth.h"
 #include "majorant/io/reading_limit.h"
 
@@ -54,7 +55,7 @@ constexpr std::array<const char*, 11> kLists = {"accessors", "animations", "buff
   throw Error(ErrorKind::Unsupported, fmt::format("{}: {}", path, what));
 }
 
-std::uint32_t number_at(const std::string& content, std::size_t place) {
+std::uint32_t number_at(std::string_view content, std::size_t place) {
   return load_bytes<std::uint32_t>(content.data() + place, ByteOrder::Little);
 }
 
@@ -108,26 +109,23 @@ double GltfElements::value(std::size_t element, std::size_t k) const {
 
 std::string gltf_json(const std::string& path, std::size_t most, const StopCheck& stop) {
   constexpr std::size_t kStart = kHeader + kChunkHeader;
-  std::string content;
-  std::size_t begin = 0, end = most;  // of the JSON
-  const auto is_glb = [&] { return content.starts_with(kMagic) && content.size() >= kStart; };
+  JsonWithoutData json;
+  std::size_t at = 0, begin = 0, end = most;  // of the block, of the JSON
   read_blocks(
       path,
       [&](std::string_view block) {
-        const bool is_first = content.size() < kStart;
-        content += block;
-        if (is_first && is_glb()) {
-          begin = kStart;
-          end = kStart + std::min<std::size_t>(most, number_at(content, kHeader));
-          if (number_at(content, kHeader + 4) != kJsonChunk) end = kStart;
+        if (at == 0 && block.starts_with(kMagic)) {
+          begin = end = kStart;
+          if (block.size() >= kStart && number_at(block, kHeader + 4) == kJsonChunk)
+            end += std::min<std::size_t>(most, number_at(block, kHeader));
         }
-        return content.size() < end;
+        block = block.substr(0, std::max(at, end) - at);
+        if (at + block.size() > begin) json.append(block.substr(std::max(at, begin) - at));
+        at += block.size();
+        return at < end;
       },
       stop);
-  if (content.starts_with(kMagic) && begin == 0) return {};  // truncated
-  content.resize(std::min(content.size(), end));
-  content.erase(0, begin);
-  return content;
+  return json.take();
 }
 
 bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }

@@ -103,8 +103,9 @@ class GltfDocument {
   mutable std::size_t taken_ = 0;  // bytes of elements until now
 };
 
-// Returns the JSON of a glTF file, of a GLB its first chunk, of which no more is read: at most so
-// many bytes. Empty for a GLB without one. Throws as read_whole_file().
+// Returns the JSON in a glTF file, without the data in it (JsonWithoutData), of its first bytes, at
+// most so many. Of a GLB no more is read than the first chunk; empty where that is no JSON. Throws
+// as read_whole_file().
 std::string gltf_json(const std::string& path, std::size_t most, const StopCheck& stop = {});
 
 // Returns whether a URI holds data itself.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <vector>
@@ -54,28 +55,50 @@ class Strings final : public nlohmann::json_sax<Json> {
   std::vector<std::string> keys_;  // of the objects around
 };
 
-// Without what follows "data:" at the beginning of a text.
-std::string without_data(std::string_view json) {
-  constexpr std::string_view kData = "\"data:";
-  std::string lean;
-  for (std::size_t at = 0; at < json.size();) {
-    const std::size_t found = json.find(kData, at);
-    const std::size_t begin = found == std::string_view::npos ? json.size() : found + kData.size();
-    lean += json.substr(at, begin - at);
-    at = begin;
-    // A quote behind a backslash ends no text, and begins none.
-    if (begin == json.size() || (found > 0 && json[found - 1] == '\\')) continue;
-    const std::size_t end = std::min(json.find('"', begin), json.size());
-    if (json[end - 1] != '\\') at = end;
-  }
-  return lean;
+}  // namespace
+
+void JsonWithoutData::append(std::string_view block) {
+  while (!block.empty()) block = is_in_data_ ? behind_data(block) : behind_text(block);
 }
 
-}  // namespace
+std::string_view JsonWithoutData::behind_text(std::string_view block) {
+  constexpr std::string_view kData = "\"data:";
+  const std::size_t before = text_.size();
+  text_ += block;
+  std::size_t at = text_.find(kData, before - std::min(before, kData.size() - 1));
+  // A quote behind a backslash begins no text.
+  while (at != std::string::npos && at > 0 && text_[at - 1] == '\\')
+    at = text_.find(kData, at + kData.size());
+  if (at == std::string::npos) return {};
+  const std::size_t end = at + kData.size();
+  text_.resize(end);
+  is_in_data_ = true;
+  backslashes_ = 0;
+  return block.substr(end - before);
+}
+
+std::string_view JsonWithoutData::behind_data(std::string_view block) {
+  for (std::size_t at = block.find('"'), from = 0; at != std::string_view::npos;
+       from = at + 1, at = block.find('"', from)) {
+    count_backslashes(block.substr(from, at - from));
+    is_in_data_ = backslashes_ % 2 != 0;  // it is escaped
+    backslashes_ = 0;
+    if (!is_in_data_) return block.substr(at);
+  }
+  count_backslashes(block.substr(block.rfind('"') + 1));
+  return {};
+}
+
+// Those at the end of what was read so far.
+void JsonWithoutData::count_backslashes(std::string_view more) {
+  const std::size_t last = more.find_last_not_of('\\');
+  backslashes_ =
+      last == std::string_view::npos ? backslashes_ + more.size() : more.size() - 1 - last;
+}
 
 void visit_strings(std::string_view json, const VisitString& visit) {
   Strings strings(visit);
-  Json::sax_parse(without_data(json), &strings);
+  Json::sax_parse(json, &strings);
 }
 
 }  // namespace majorant

@@ -114,6 +114,20 @@ TEST_F(FilesReadBy, CompressedObj) {
   EXPECT_EQ(of("b.obj.gz"), Names());
 }
 
+// Data in a .gltf are passed over, wherever blocks of the file end and whatever is escaped.
+TEST_F(FilesReadBy, DataOfGltfAcrossBlocks) {
+  write("a.bin", "x");
+  constexpr std::size_t kBlock = 1 << 16;
+  const std::string begin = R"({"extras": ")";
+  for (const std::string data : {R"(data:AAAA)", R"(data:,\"data:\\)", R"(data:\\\"x)"})
+    for (std::size_t before = kBlock - 30; before <= kBlock + 2; ++before) {
+      const std::string dashes(before - begin.size(), '-');
+      write("a.gltf",
+            begin + dashes + R"(", "buffers": [{"uri": ")" + data + R"("}, {"uri": "a.bin"}]})");
+      EXPECT_EQ(of("a.gltf"), (Names{"a.bin"})) << data << before;
+    }
+}
+
 // What readers refuse is named, not opened.
 TEST_F(FilesReadBy, OutsideOfTheFolder) {
   write("a.mtl", "map_Kd wood.png\n");
