@@ -183,7 +183,8 @@ constexpr std::string_view activity_name(Activity activity) {
   return kNames[static_cast<std::size_t>(activity)];
 }
 
-// Watches a run. It outlives the run, and is called by the thread that runs.
+// Watches a run. It outlives the run, and is called by the thread that runs; advance() alone by
+// others, too.
 class RunObserver {
  public:
   virtual ~RunObserver() = default;
@@ -191,11 +192,23 @@ class RunObserver {
   virtual void begin(Activity /*activity*/) {}
   // A part of the activity is under way, until the next step: "raising the degree to 2".
   virtual void announce(std::string_view /*part*/) {}
+  // So much of the activity is done, from 0 to 1: of the faces, charts, texels or whatever it goes
+  // through. Told of activities whose end can be foreseen; from any thread, several at a time.
+  // After begin() of another activity, and begin_pass(), from 0 again.
+  virtual void advance(double /*share*/) {}
+  // Activities that were begin once more, for what they left to do; the first pass is the run up
+  // to here. most: passes at most, where that is known, else 0.
+  virtual void begin_pass(int /*pass*/, int /*most*/) {}
   // A step was tried: of a minimizer by itself one that was taken, before the next one. y: the
   // point it reached, empty where the rows are those of a RunRecord. Anything but Continue ends the
   // solve with that status.
   virtual Directive after_step(const TraceEntry& /*row*/, const Vec& /*y*/) {
     return Directive::Continue;
+  }
+  // One of the parts that are solved side by side is over: "chart 3 of 17", and the rows of its
+  // trace. Told one after the other. As if the last of them was the only one, unless overridden.
+  virtual void after_part(std::string_view /*part*/, const std::vector<TraceEntry>& rows) {
+    if (!rows.empty()) after_step(rows.back(), {});
   }
 };
 
@@ -246,10 +259,12 @@ class RunRecord {
   // answer what `agreed` makes of their own answers, the same for all of them.
   void agree(std::function<int(int own)> agreed) { agreed_ = std::move(agreed); }
   // A record for one part of the run that is solved by itself, perhaps on another thread: the same
-  // limits (iterations count from 0) and a trace of its own. Its activities are not announced, its
-  // steps are told the observer.
-  RunRecord part(RunObserver* observer = nullptr) const {
+  // limits (iterations count from 0) and a trace of its own. Its activities, shares and passes are
+  // not told, its steps are told the observer.
+  // starting: told the share of a start that the part makes, by telling_start().
+  RunRecord part(RunObserver* observer = nullptr, StopCheck::Tell starting = {}) const {
     RunRecord part;
+    part.starting_ = std::move(starting);
     part.max_iterations_ = max_iterations_;
     part.observer_ = observer;
     part.is_part_ = true;
@@ -277,6 +292,25 @@ class RunRecord {
   }
   void announce(std::string_view part) const {
     if (observer_ && !is_part_) observer_->announce(part);
+  }
+  // As RunObserver has them.
+  void advance(double share) const {
+    if (observer_ && !is_part_) observer_->advance(share);
+  }
+  // The next pass. left: how many more there may be after it, where that is known.
+  void begin_pass(std::optional<int> left = {}) {
+    ++pass_;
+    if (observer_ && !is_part_) observer_->begin_pass(pass_, left ? pass_ + *left : 0);
+  }
+  // The same check, whose shares are those of the current activity: for work that is all of it. May
+  // outlive the record, not the observer.
+  StopCheck telling(const StopCheck& stop) const {
+    if (!observer_ || is_part_) return stop.silent();
+    return stop.telling([to = observer_](double share) { to->advance(share); });
+  }
+  // The same for a start, which is an activity of the run or one piece of a part's work.
+  StopCheck telling_start(const StopCheck& stop) const {
+    return is_part_ ? stop.telling(starting_) : telling(stop);
   }
   // The next iteration is the first one after this remedy.
   void mark(Remedy remedy) { remedy_ = remedy; }
@@ -322,6 +356,8 @@ class RunRecord {
   StopCheck stop_, start_stop_;
   RunObserver* observer_ = nullptr;
   bool is_part_ = false;
+  int pass_ = 1;
+  StopCheck::Tell starting_;
   std::vector<TraceEntry> trace_;
   std::optional<Remedy> remedy_;
   std::function<int(int)> agreed_;  // empty: as they are

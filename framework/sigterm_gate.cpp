@@ -60,7 +60,7 @@ void SigtermGate::poll() {
 
 StopCheck SigtermGate::polled(const StopCheck& stop) {
   if (!gate_of_this_thread) return stop;
-  return StopCheck([stop] {
+  return stop.asking([stop] {
     if (gate_of_this_thread) gate_of_this_thread->poll();
     return stop();
   });

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "framework/thread_ranks.h"
 
@@ -97,6 +99,59 @@ TEST(RunRecord, RanksStopTogether) {
     late.agree([&](int own) { return ranks->of_first(own); });
     EXPECT_EQ(late.note(row_of(0)), Directive::Interrupt);
   });
+}
+
+// What an observer is told, in words.
+class Listener final : public RunObserver {
+ public:
+  std::vector<std::string> told;
+
+  void begin(Activity activity) override { told.emplace_back(activity_name(activity)); }
+  void advance(double share) override { told.push_back(std::to_string(std::lround(100 * share))); }
+  void begin_pass(int pass, int most) override {
+    told.push_back("pass " + std::to_string(pass) + " of " + std::to_string(most));
+  }
+  Directive after_step(const TraceEntry& row, const Vec&) override {
+    told.push_back("step " + std::to_string(row.record.iteration));
+    return Directive::Continue;
+  }
+};
+
+TEST(RunRecord, TellsSharesAndPasses) {
+  Listener listener;
+  RunRecord record(INFINITY, 9, nullptr, &listener);
+  record.begin(Activity::Cutting);
+  record.telling(record.stop()).between(0.5, 1).advance(0.5);
+  record.advance(1);
+  record.begin_pass();
+  record.begin_pass(4);
+  EXPECT_EQ(listener.told,
+            (std::vector<std::string>{"cutting", "75", "100", "pass 2 of 0", "pass 3 of 7"}));
+}
+
+TEST(RunRecord, PartsTellTheSharesOfTheirStartAlone) {
+  Listener listener;
+  const RunRecord record(INFINITY, 9, nullptr, &listener);
+  double start = 0;
+  RunRecord part = record.part(&listener, [&](double share) { start = share; });
+  part.begin(Activity::Starting);
+  part.advance(0.5);
+  part.telling(part.stop()).advance(0.6);
+  part.begin_pass();
+  part.telling_start(part.stop()).advance(0.7);
+  record.part().telling_start({}).advance(0.8);
+  EXPECT_EQ(start, 0.7);
+  EXPECT_TRUE(listener.told.empty());
+}
+
+TEST(RunRecord, OfPartsTheLastStepIsTold) {
+  Listener listener;
+  RunObserver& observer = listener;
+  std::vector<TraceEntry> rows(3);
+  rows[2].record.iteration = 3;
+  observer.after_part("chart 1 of 2", rows);
+  observer.after_part("chart 2 of 2", {});
+  EXPECT_EQ(listener.told, std::vector<std::string>{"step 3"});
 }
 
 TEST(Trace, WhatAFactorizationCostsIsTheMedianAtOneDegree) {

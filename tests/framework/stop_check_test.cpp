@@ -130,6 +130,33 @@ TEST(StopCheck, MinimizersReturnTheLastAcceptedPoint) {
   }
 }
 
+TEST(StopCheck, PiecesTellSharesOfTheWhole) {
+  std::vector<double> told;
+  const StopCheck all = StopCheck().telling([&](double share) { told.push_back(share); });
+  const StopCheck half = all.between(0.5, 1);
+  all.advance(0.25);
+  half.advance(0.5);
+  half.between(0, 0.4).advance(1, 4);
+  half.silent().advance(1);
+  half.asking([] { return Directive::Interrupt; }).advance(1);
+  StopCheck().advance(0.7);
+  EXPECT_EQ(told, (std::vector<double>{0.25, 0.75, 0.55, 1}));
+}
+
+TEST(StopCheck, PiecesAskAsTheWhole) {
+  const StopCheck stopped([] { return Directive::TimeLimit; });
+  EXPECT_EQ(stopped.telling([](double) {}).between(0, 0.1)(), Directive::TimeLimit);
+  EXPECT_EQ(stopped.silent()(), Directive::TimeLimit);
+  EXPECT_EQ(stopped.asking([] { return Directive::Continue; })(), Directive::Continue);
+}
+
+TEST(StopCheck, LoopsTellWhenTheyPoll) {
+  int told = 0;
+  const StopCheck check = StopCheck().telling([&](double) { ++told; });
+  for (std::size_t k = 0; k < 3 * StopCheck::kPeriod; ++k) check.poll_at(k, 3 * StopCheck::kPeriod);
+  EXPECT_EQ(told, 3);
+}
+
 }  // namespace
 }  // namespace majorant::test
 
