@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/byte_counts.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/standard_stream.h"
 #include "majorant/io/temporary_file.h"
@@ -97,7 +98,7 @@ void verify_elsewhere(const std::string& path, std::string_view content,
 void write_special(const std::string& path, std::string_view content) {
   const int descriptor = open_waiting(path);
   if (descriptor < 0) fail(path, errno);
-  const int written = write_all(descriptor, content);
+  const int written = write_all(descriptor, content, &byte_counts().written);
   const int closed = ::close(descriptor) == 0 ? 0 : errno;
   if (written != 0 || closed != 0) fail(path, written != 0 ? written : closed);
 }
@@ -142,7 +143,8 @@ void write_file_atomically(const std::string& path, std::string_view content,
     fail(path, e.code().value());
   }
   if (stream < 0) return write_special(path, content);
-  if (const int code = write_all(stream, content); code != 0) fail(path, code);
+  if (const int code = write_all(stream, content, &byte_counts().written); code != 0)
+    fail(path, code);
 }
 
 void require_writable_file(const std::string& path) {

@@ -14,6 +14,7 @@
 #include <filesystem>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/byte_counts.h"
 #include "majorant/io/internal/inflate.h"
 #include "majorant/io/reading_limit.h"
 #include "majorant/io/standard_stream.h"
@@ -65,6 +66,7 @@ class InputFile {
       throw Error(ErrorKind::Unreadable, path + ": is a directory; name a file");
     may_wait_ = !S_ISREG(status.st_mode);
     if (!may_wait_) size_ = static_cast<std::size_t>(status.st_size);
+    byte_counts().to_read += size_;
   }
   ~InputFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -86,6 +88,7 @@ class InputFile {
       if (may_wait_ && ::poll(&ready, 1, kWaitMilliseconds) <= 0) continue;
       const ssize_t count = ::read(descriptor_, block.data(), block.size());
       if (count == 0) return true;
+      if (count > 0) byte_counts().read += static_cast<std::size_t>(count);
       if (count > 0 && !take(std::string_view(block).substr(0, static_cast<std::size_t>(count))))
         return false;
       if (count < 0 && errno != EINTR && errno != EAGAIN) fail("check the disk");

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "majorant/io/byte_counts.h"
 #include "majorant/io/waiting_output.h"
 
 namespace majorant {
@@ -85,7 +86,7 @@ int TemporaryFile::set_exact_mode(mode_t exact_mode) {
 }
 
 int TemporaryFile::write_and_close(std::string_view content) {
-  const int written = write_all(descriptor_, content);
+  const int written = write_all(descriptor_, content, &byte_counts().written);
   const int closed = ::close(descriptor_) == 0 ? 0 : errno;
   descriptor_ = -1;
   return written != 0 ? written : closed;

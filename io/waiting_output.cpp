@@ -49,18 +49,21 @@ void set_output_stop(StopCheck stop) {
 }
 
 // A pipe that is ready takes PIPE_BUF bytes without waiting, however full it is.
-int write_all(int descriptor, std::string_view content) noexcept {
-  const std::size_t piece = is_regular(descriptor) ? content.size() : PIPE_BUF;
+int write_all(int descriptor, std::string_view content,
+              std::atomic<std::uint64_t>* written) noexcept {
+  constexpr std::size_t kShown = std::size_t{1} << 24;  // bytes, some 10 ms
+  const std::size_t piece = is_regular(descriptor) ? kShown : PIPE_BUF;
   while (!content.empty()) {
     pollfd ready{descriptor, POLLOUT, 0};
     if (piece == PIPE_BUF && ::poll(&ready, 1, kWaitMilliseconds) <= 0) {
       if (is_given_up()) return ETIMEDOUT;
       continue;
     }
-    const ssize_t written =
+    const ssize_t taken =
         ::write(descriptor, content.data(), std::min<std::size_t>(piece, content.size()));
-    if (written >= 0) {
-      content.remove_prefix(static_cast<std::size_t>(written));
+    if (taken >= 0) {
+      content.remove_prefix(static_cast<std::size_t>(taken));
+      if (written) *written += static_cast<std::size_t>(taken);
       if (piece == PIPE_BUF) note_progress();
     } else if (errno != EINTR && errno != EAGAIN) {
       return errno;

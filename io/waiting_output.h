@@ -4,6 +4,8 @@
 //   const int code = write_all(1, "v 0 0 0\n");   // ETIMEDOUT: the run is to end, nobody takes it
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -23,8 +25,9 @@ inline constexpr double kOutputPatience = 2;
 void set_output_stop(StopCheck stop);
 
 // All of `content`, also where single calls are interrupted, write a part of it or would block.
-// 0 or an error number.
-int write_all(int descriptor, std::string_view content) noexcept;
+// 0 or an error number. written, if not null: grows by the bytes that are taken, as they are.
+int write_all(int descriptor, std::string_view content,
+              std::atomic<std::uint64_t>* written = nullptr) noexcept;
 
 // A descriptor for writing to what is there, of a FIFO as soon as it has a reader; -1: see errno.
 int open_waiting(const std::string& path) noexcept;

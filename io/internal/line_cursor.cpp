@@ -112,12 +112,20 @@ bool is_exact(std::string_view decimal, double nearest) {
 LineCursor::LineCursor(const std::string& file, std::string_view text, Continuation continuation,
                        StopCheck stop)
     : file_(file),
+      text_begin_(text.data()),
       text_end_(text.data() + text.size()),
       line_begin_(text.data()),
       line_end_(nullptr),
       cursor_(text.data()),
       continuation_(continuation),
-      stop_(std::move(stop)) {}
+      stop_(std::move(stop)),
+      parsed_(text.size()) {}
+
+void LineCursor::poll() {
+  if (++steps_ % StopCheck::kPeriod != 0) return;
+  stop_.poll();
+  parsed_.reach(static_cast<std::size_t>(cursor_ - text_begin_));
+}
 
 // A backslash that is followed by the end of the line, or by the end of the text.
 bool LineCursor::is_continuation(const char* at) const {
@@ -151,7 +159,7 @@ bool LineCursor::next_line() {
   const char* begin = line_end_ == nullptr ? line_begin_ : line_end_;
   if (line_end_ != nullptr && begin != text_end_) ++begin;
   while (begin != text_end_) {
-    stop_.poll_at(++steps_);
+    poll();
     line_ = next_line_++;
     line_begin_ = cursor_ = begin;
     line_end_ = end_of_line(begin);
@@ -160,6 +168,7 @@ bool LineCursor::next_line() {
     begin = line_end_ == text_end_ ? text_end_ : line_end_ + 1;
   }
   line_begin_ = line_end_ = cursor_ = text_end_;
+  parsed_.reach(static_cast<std::size_t>(text_end_ - text_begin_));
   return false;
 }
 
@@ -199,7 +208,7 @@ bool LineCursor::at_end_of_line() {
 
 std::string_view LineCursor::next_token() {
   if (at_end_of_line()) return {};
-  stop_.poll_at(++steps_);
+  poll();
   const char* begin = cursor_;
   while (cursor_ != line_end_ &&
          (!may_end_token(*cursor_) || (*cursor_ == '\\' && !is_continuation(cursor_))))

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
+#include "majorant/io/byte_counts.h"
 
 namespace majorant {
 
@@ -66,11 +67,13 @@ class LineCursor {
   [[noreturn]] void fail(std::string_view problem) const;
 
  private:
+  void poll();
   void skip_space();
   bool is_continuation(const char* at) const;
   const char* end_of_line(const char* begin);
 
   const std::string& file_;
+  const char* text_begin_;
   const char* text_end_;
   const char* line_begin_;
   const char* line_end_;
@@ -79,6 +82,7 @@ class LineCursor {
   long next_line_ = 1;  // number of the line that begins after line_end_
   Continuation continuation_;
   StopCheck stop_;
+  ParsedBytes parsed_;
   std::vector<std::string_view>* comments_ = nullptr;
   std::string_view number_;  // the token of the last number
   NumberStatus status_ = NumberStatus::Good;

@@ -518,6 +518,7 @@ std::optional<PolygonMesh> read_pieces(const std::string& path, std::string_view
   const std::vector<std::string_view> pieces = pieces_of(text, kPiece);
   std::vector<std::unique_ptr<ObjReader>> readers(pieces.size());
   std::atomic<bool> is_one = false;
+  ParsedBytes parsed(text.size());  // pieces are too small to count
   parallel_tasks(static_cast<Index>(pieces.size()), [&](Index k, int) {
     if (is_one) return;
     try {
@@ -525,6 +526,7 @@ std::optional<PolygonMesh> read_pieces(const std::string& path, std::string_view
       readers[k]->reserve(k == 0 ? text : pieces[k]);  // the others come behind the first one
       readers[k]->read_lines();
       if (!readers[k]->is_independent()) is_one = true;
+      parsed.add(pieces[k].size());
     } catch (const Error&) {
       is_one = true;
     }

@@ -77,9 +77,11 @@ class AsciiPlySource {
 class BinaryPlySource {
  public:
   BinaryPlySource(const std::string& path, std::string_view bytes, ByteOrder order)
-      : cursor_(path, bytes, order), path_(path) {}
+      : cursor_(path, bytes, order), path_(path), size_(bytes.size()), parsed_(bytes.size()) {}
 
-  void begin_record() {}
+  void begin_record() {
+    if (++records_ % StopCheck::kPeriod == 0) parsed_.reach(size_ - cursor_.remaining());
+  }
   void end_record() {}
   double next(PlyType type) {
     switch (type) {
@@ -121,6 +123,8 @@ class BinaryPlySource {
  private:
   ByteCursor cursor_;
   const std::string& path_;
+  std::size_t size_, records_ = 0;
+  ParsedBytes parsed_;
 };
 
 // Vertices that a file holds several times, for the texture coordinates on both sides of a cut, as

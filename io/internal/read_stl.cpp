@@ -78,8 +78,12 @@ PolygonMesh read_binary_stl(const std::string& path, std::string_view content,
   mesh.polygons.reserve(count, 3 * std::size_t{count});
   VertexMerger merger(mesh.positions);
   ByteCursor cursor(path, content.substr(kHeaderBytes), ByteOrder::Little);
+  ParsedBytes parsed(content.size());
   for (long facet = 1; facet <= static_cast<long>(count); ++facet) {
-    stop.poll_at(static_cast<std::size_t>(facet));
+    if (facet % static_cast<long>(StopCheck::kPeriod) == 0) {
+      stop.poll();
+      parsed.reach(content.size() - cursor.remaining());
+    }
     cursor.skip(3 * sizeof(float));
     std::array<Vector3, 3> corners;
     for (Vector3& corner : corners) {
