@@ -1,11 +1,16 @@
 #include "apps/progress.h"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
+#include <cstdint>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -13,12 +18,23 @@
 #include <thread>
 #include <utility>
 
+#include "apps/process.h"
 #include "apps/streams.h"
+#include "majorant/io/byte_counts.h"
 
 namespace majorant::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// On the stack, as a rule: memory that the thread of the display took from the heap would be mapped
+// for it alone, 64 MiB of address space.
+using Text = fmt::memory_buffer;
+
+template <class... Args>
+void append(Text& text, fmt::format_string<Args...> format, Args&&... args) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
+}
 
 std::string without_degree(const TraceEntry& e) {
   const std::string phase =
@@ -42,91 +58,170 @@ std::size_t terminal_width() {
   return size.ws_col;
 }
 
-}  // namespace
+// The beginning that fits, without half a character of several bytes.
+std::string_view cut_to(std::string_view text, std::size_t size) {
+  if (text.size() <= size) return text;
+  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
+  return text.substr(0, size);
+}
 
-// The line at the bottom of a terminal.
-class LiveLine {
+// "1:07", "1:02:03".
+void append_clock(Text& text, double seconds) {
+  const auto all = static_cast<long>(seconds);
+  if (all >= 3600) append(text, "{}:{:02}:{:02}", all / 3600, all / 60 % 60, all % 60);
+  if (all < 3600) append(text, "{}:{:02}", all / 60, all % 60);
+}
+
+// An estimate does not pretend to be exact.
+double rounded_estimate(double seconds) {
+  const double unit = seconds < 10 ? 1 : seconds < 60 ? 5 : seconds < 600 ? 10 : 60;
+  return std::max(1.0, std::round(seconds / unit)) * unit;
+}
+
+// What ByteCounts has, at a moment.
+struct Bytes {
+  std::uint64_t to_read = byte_counts().to_read, read = byte_counts().read;
+  std::uint64_t to_parse = byte_counts().to_parse, parsed = byte_counts().parsed;
+  std::uint64_t written = byte_counts().written;
+};
+
+// Where a run is.
+class Standing {
  public:
-  explicit LiveLine(std::vector<Activity> stages)
-      : stages_(std::move(stages)), cuts_(std::ranges::count(stages_, Activity::Cutting) > 0) {
-    try {
-      thread_ = std::jthread([this](const std::stop_token& ended) { tick(ended); });
-    } catch (const std::system_error&) {  // no room for a thread: shown when something happens
-    }
-  }
-  ~LiveLine() {
-    thread_.request_stop();
-    if (thread_.joinable()) thread_.join();
-    show_live({});
-  }
+  explicit Standing(std::vector<Activity> stages) : stages_(std::move(stages)) {}
+
+  bool has_begun() const { return activity_.has_value(); }
+  bool cuts() const { return std::ranges::count(stages_, Activity::Cutting) > 0; }
 
   void begin(Activity activity) {
-    const std::lock_guard lock(mutex_);
-    if (activity_ != activity) part_.clear();  // a chart may be solved more than once
+    if (activity_ != activity) {
+      part_.clear();  // a chart may be solved more than once
+      begin_shares();
+    }
     activity_ = activity;
-    since_ = Clock::now();
     step_.clear();
-    show();
+    const auto first = stages_.begin() + std::max<std::ptrdiff_t>(stage_, 0);
+    const auto next = std::find(first, stages_.end(), activity);
+    if (next != stages_.end()) stage_ = next - stages_.begin();
   }
-  void say_of_part(std::string_view text) {
-    const std::lock_guard lock(mutex_);
-    part_ = text;
+  void begin_pass(int pass, int most) {
+    pass_ = pass;
+    most_ = most;
+    begin_shares();
+  }
+  void announce(std::string_view part) {
+    part_ = one_line(part);
     step_.clear();
-    show();
+  }
+  // From any thread.
+  void advance(double share) {
+    double known = told_.load();
+    while (share > known && !told_.compare_exchange_weak(known, share)) {
+    }
   }
   // After a chart there is room for the energy on 80 columns without the degree that most have.
-  void say_of_step(const TraceEntry& e) {
-    const std::lock_guard lock(mutex_);
-    if (!cuts_) part_.clear();
-    step_ = cuts_ && e.degree == 1 ? without_degree(e) : line(e);
-    show();
+  void note(const TraceEntry& e) {
+    if (!cuts()) part_.clear();
+    step_ = cuts() && e.degree == 1 ? without_degree(e) : line(e);
+  }
+
+  // "[##..] "; empty where the activity is none of the stages.
+  void append_bar(Text& text) const {
+    if (stage_ < 0) return;
+    append(text, "[{:#<{}}{:.<{}}] ", "", stage_ + 1, "", count() - stage_ - 1);
+  }
+  // "2 of 4 solving 41 %  1:12, about 0:40 left  pass 2  chart 3 of 17  iteration 7 ..."
+  void append_to(Text& text) const {
+    if (stage_ >= 0) append(text, "{} of {} ", stage_ + 1, count());
+    append(text, "{}", activity_name(*activity_));
+    const Bytes now;
+    const std::optional<double> done = share(now);
+    if (done) append(text, " {} %", static_cast<int>(100 * *done));
+    append_bytes(text, now);
+    append(text, "  ");
+    append_clock(text, seconds_since(start_));
+    if (interruption_flag()->load(std::memory_order_relaxed))
+      append(text, ", stopping");
+    else
+      append_what_is_left(text, done);
+    if (pass_ > 1) append(text, "  pass {}", pass_);
+    if (pass_ > 1 && most_ > 0) append(text, " of at most {}", most_);
+    if (!part_.empty()) append(text, "  {}", part_);
+    if (!step_.empty()) append(text, "  {}", step_);
   }
 
  private:
-  static constexpr std::chrono::milliseconds kPeriod{500};
+  // From where on what is left is estimated.
+  static constexpr double kLeastShare = 0.05, kLeastSeconds = 2;
 
-  void tick(const std::stop_token& ended) {
-    std::unique_lock lock(mutex_);
-    while (!changed_.wait_for(lock, ended, kPeriod, [&] { return ended.stop_requested(); })) show();
-  }
-  void show() const {
-    if (!activity_) return;
-    const std::string text = fmt::format("{}{} {:.1f} s  {}{}{}", bar(), activity_name(*activity_),
-                                         seconds_since(since_), part_,
-                                         part_.empty() || step_.empty() ? "" : "  ", step_);
-    show_live(std::string_view(text).substr(0, terminal_width() - 1));
+  std::ptrdiff_t count() const { return std::ssize(stages_); }
+
+  void begin_shares() {
+    told_ = kNoShare;
+    since_ = Clock::now();
+    before_ = Bytes();
   }
 
-  // "[##..] 2 of 4 "; empty where the activity is none of the stages.
-  std::string bar() const {
-    const auto found = std::find(stages_.begin(), stages_.end(), *activity_);
-    if (found == stages_.end()) return {};
-    const auto done = static_cast<std::size_t>(found - stages_.begin()) + 1;
-    return fmt::format("[{}{}] {} of {} ", std::string(done, '#'),
-                       std::string(stages_.size() - done, '.'), done, stages_.size());
+  // What was told, or how far files are that are read (or read back) and parsed.
+  std::optional<double> share(const Bytes& now) const {
+    if (const double told = told_.load(); told > kNoShare) return std::clamp(told, 0.0, 1.0);
+    // What is announced comes once files are parsed.
+    return activity_ == Activity::Reading && part_.empty() ? parsed_share(now) : std::nullopt;
   }
+  std::optional<double> parsed_share(const Bytes& now) const {
+    if (now.to_parse <= before_.to_parse) return {};
+    return std::min(1.0, static_cast<double>(now.parsed - before_.parsed) /
+                             static_cast<double>(now.to_parse - before_.to_parse));
+  }
+
+  void append_bytes(Text& text, const Bytes& now) const {
+    const std::uint64_t read = now.read - before_.read, to_read = now.to_read - before_.to_read;
+    if (activity_ == Activity::Reading && read > 0) append(text, " {}", bytes_text(read));
+    if (activity_ == Activity::Reading && read < to_read)
+      append(text, " of {}", bytes_text(to_read));
+    if (activity_ != Activity::Writing) return;
+    if (now.written > before_.written)
+      append(text, " {}", bytes_text(now.written - before_.written));
+    if (const std::optional<double> parsed = parsed_share(now))
+      append(text, ", {} % read back", static_cast<int>(100 * *parsed));
+  }
+
+  void append_what_is_left(Text& text, std::optional<double> done) const {
+    const double taken = seconds_since(since_);
+    if (!done || *done < kLeastShare || taken < kLeastSeconds) return;
+    append(text, ", about ");
+    append_clock(text, rounded_estimate(taken * (1 - *done) / *done));
+    append(text, " left");
+  }
+
+  static constexpr double kNoShare = -1;
 
   const std::vector<Activity> stages_;
-  const bool cuts_;   // then parts are charts, and last for many steps; else until the next step
-  std::mutex mutex_;  // of all below
-  std::condition_variable_any changed_;
+  const Clock::time_point start_ = Clock::now();
   std::optional<Activity> activity_;
-  Clock::time_point since_;
+  std::ptrdiff_t stage_ = -1;  // -1: none yet
+  int pass_ = 1, most_ = 0;
+  Clock::time_point since_;  // this activity, in this pass
+  Bytes before_;
+  std::atomic<double> told_{kNoShare};
   std::string part_;  // what was announced
   std::string step_;  // the last one of it
-  std::jthread thread_;
 };
 
 // The lines of a log.
 class Log {
  public:
+  // Looking at a surface and cutting it, which begin one after the other, are one line.
   void begin(Activity activity) {
+    if (activity_ == activity && activity == Activity::Cutting && !is_announced_) return;
     end();
     activity_ = activity;
     since_ = Clock::now();
+    is_announced_ = false;
   }
   // Steps tell of what is solved, nothing else of what is cut.
   void announce(std::string_view part) {
+    is_announced_ = true;
     if (activity_ == Activity::Cutting) held_ += fmt::format("{}\n", part);
   }
   void end() {
@@ -138,54 +233,136 @@ class Log {
   }
   void flush() {
     is_open_ = true;
-    if (!held_.empty()) say_text(held_);
+    if (!held_.empty()) say(held_);
     held_.clear();
   }
+  void say(std::string_view text) {
+    said_ = Clock::now();
+    say_text(text);
+  }
+  double silence() const { return seconds_since(said_); }
 
  private:
   std::optional<Activity> activity_;
   Clock::time_point since_;
+  Clock::time_point said_ = Clock::now();
   std::string held_;
-  bool is_open_ = false;  // nothing is held back any more
+  bool is_announced_ = false;  // something of the activity
+  bool is_open_ = false;       // nothing is held back any more
 };
+
+}  // namespace
 
 class Progress::Display {
  public:
   Display(const CommonOptions& options, std::vector<Activity> stages)
-      : is_verbose_(options.verbose) {
-    if (!is_verbose_ && isatty(STDERR_FILENO))
-      live_.emplace(std::move(stages));
-    else
-      log_.emplace();
+      : is_verbose_(options.verbose),
+        is_live_(!options.verbose && isatty(STDERR_FILENO)),
+        standing_(std::move(stages)) {
+    try {
+      thread_ = std::jthread([this](const std::stop_token& ended) { tick(ended); });
+    } catch (const std::system_error&) {  // no room for a thread: shown when something happens
+    }
   }
+  ~Display() {
+    thread_.request_stop();
+    if (thread_.joinable()) thread_.join();
+    if (is_live_) show_live({});
+  }
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
   void begin(Activity activity) {
+    const std::lock_guard lock(mutex_);
     degree_ = 0;
-    if (live_) live_->begin(activity);
-    if (log_) log_->begin(activity);
+    standing_.begin(activity);
+    if (!is_live_) log_.begin(activity);
+    show();
   }
-  void note(const TraceEntry& e) {
-    if (live_) return live_->say_of_step(e);
-    const bool is_told = is_verbose_ || e.degree != degree_ || e.record.iteration % 10 == 0;
-    degree_ = e.degree;
-    if (!is_told) return;
-    log_->flush();
-    say("{}\n", line(e));
+  void begin_pass(int pass, int most) {
+    const std::lock_guard lock(mutex_);
+    standing_.begin_pass(pass, most);
+    show();
   }
   void announce(std::string_view part) {
-    if (live_) live_->say_of_part(part);
-    if (log_) log_->announce(part);
+    const std::lock_guard lock(mutex_);
+    standing_.announce(part);
+    if (!is_live_) log_.announce(part);
+    name_ = part;
+    show();
+  }
+  void advance(double share) { standing_.advance(share); }
+  void note(const TraceEntry& e) {
+    const std::lock_guard lock(mutex_);
+    note(e, name_);
+  }
+  void note_part(std::string_view part, const std::vector<TraceEntry>& rows) {
+    const std::lock_guard lock(mutex_);
+    if (is_verbose_)
+      for (const TraceEntry& row : rows) note(row, part);
+    else if (!rows.empty())
+      note(rows.back(), part);
   }
   void finish() {
-    if (!log_) return;
-    log_->end();
-    log_->flush();
+    if (is_live_) return;
+    const std::lock_guard lock(mutex_);
+    log_.end();
+    log_.flush();
   }
 
  private:
-  bool is_verbose_;
-  int degree_ = 0;
-  std::optional<LiveLine> live_;
-  std::optional<Log> log_;  // where live_ is not
+  static constexpr std::chrono::milliseconds kPeriod{500};
+  // Seconds after which a log says where the run is: less than five by more than a period.
+  static constexpr double kSilence = 4.3;
+
+  void tick(const std::stop_token& ended) {
+    std::unique_lock lock(mutex_);
+    bool was_interrupted = false;
+    while (!changed_.wait_for(lock, ended, kPeriod, [&] { return ended.stop_requested(); })) {
+      show();
+      const bool is_interrupted = interruption_flag()->load(std::memory_order_relaxed);
+      const bool is_answer = is_interrupted && !std::exchange(was_interrupted, is_interrupted);
+      if (!is_live_ && (is_answer || log_.silence() > kSilence)) say_where();
+    }
+  }
+
+  void note(const TraceEntry& e, std::string_view part) {
+    standing_.note(e);
+    if (is_live_) return show();
+    const bool is_told = is_verbose_ || e.degree != degree_ || e.record.iteration % 10 == 0;
+    degree_ = e.degree;
+    if (!is_told) return;
+    log_.flush();
+    const bool is_named = is_verbose_ && standing_.cuts() && !part.empty();
+    log_.say(
+        fmt::format("{}{}{}\n", is_named ? one_line(part) : "", is_named ? "  " : "", line(e)));
+  }
+
+  void show() const {
+    if (!is_live_ || !standing_.has_begun()) return;
+    Text text;
+    standing_.append_bar(text);
+    standing_.append_to(text);
+    show_live(cut_to({text.data(), text.size()}, terminal_width() - 1));
+  }
+
+  void say_where() {
+    if (!standing_.has_begun()) return;
+    log_.flush();
+    Text text;
+    standing_.append_to(text);
+    text.push_back('\n');
+    log_.say({text.data(), text.size()});
+  }
+
+  const bool is_verbose_, is_live_;
+  std::mutex mutex_;  // of all below, but for Standing::advance()
+  std::condition_variable_any changed_;
+  Standing standing_;
+  Log log_;           // where it is not live
+  int degree_ = 0;    // of the last step
+  std::string name_;  // of the part that steps are of
+  std::jthread thread_;
 };
 
 Progress::Progress(const CommonOptions& options, std::vector<Activity> stages) {
@@ -202,9 +379,21 @@ void Progress::announce(std::string_view part) {
   if (display_) display_->announce(part);
 }
 
+void Progress::advance(double share) {
+  if (display_) display_->advance(share);
+}
+
+void Progress::begin_pass(int pass, int most) {
+  if (display_) display_->begin_pass(pass, most);
+}
+
 Directive Progress::after_step(const TraceEntry& row, const Vec&) {
   if (display_) display_->note(row);
   return Directive::Continue;
+}
+
+void Progress::after_part(std::string_view part, const std::vector<TraceEntry>& rows) {
+  if (display_) display_->note_part(part, rows);
 }
 
 void Progress::finish() {

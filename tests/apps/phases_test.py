@@ -1,14 +1,34 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """What a run says it is doing: a line each in logs, one live line on a terminal."""
+import fcntl
 import os
 import pty
 import select
+import signal
+import struct
 import subprocess
+import termios
+import time
 
 from command_helpers import *
 
 CLEAR = '\r\x1b[K'
+
+
+# Of the live line and of a log's line about where the run is: the stage, of how many, the activity,
+# percents, bytes, the clock, what is left, the pass, and what is under way.
+WHERE = (r'(?P<stage>\d+) of (?P<stages>\d+) (?P<activity>\w+)(?: (?P<share>\d+) %)?'
+         r'(?: (?P<bytes>[\d.]+ \w+(?: of [\d.]+ \w+)?))?(?:, \d+ % read back)?  (?P<clock>(?:\d+:)?\d+:\d\d)'
+         r'(?:, (?P<left>about (?:\d+:)?\d+:\d\d left|stopping))?(?:  pass (?P<pass>\d+)(?: of at most \d+)?)?'
+         r'(?:  (?P<part>.*))?')
+
+
+def seconds(clock):
+    total = 0
+    for part in clock.split(':'):
+        total = 60 * total + int(part)
+    return total
 
 
 def logged(text):
@@ -54,6 +74,70 @@ class Log(CommandTest):
         self.assertEqual(logged(lines[again[0] - 1]), ['solving'])
         self.assertEqual(logged(lines[again[0] + 1]), ['cutting'])
 
+    def check_never_backwards(self, lines):
+        """lines: matches of WHERE, in order."""
+        for before, after in zip(lines, lines[1:]):
+            self.assertLessEqual(int(before['stage']), int(after['stage']), after[0])
+            self.assertLessEqual(seconds(before['clock']), seconds(after['clock']), after[0])
+            self.assertLessEqual(int(before['pass'] or 1), int(after['pass'] or 1), after[0])
+            if all(before[k] == after[k] for k in ('activity', 'pass')) and before['share'] and after['share']:
+                self.assertLessEqual(int(before['share']), int(after['share']), after[0])
+
+    def test_every_iteration_of_every_chart(self):
+        """Charts are solved side by side; each of the lines says of which one it is."""
+        points, faces = torus(24, 12, 0)
+        mesh = self.write('torus.obj', obj_text(points, faces))
+        asked = ('unwrap', mesh, self.path('a.obj'), '--charts', '4', '--report', self.path('r.json'))
+        said = self.run_ok(*asked, '--verbose').err.splitlines()
+        shown = [re.fullmatch(r'(chart \d+ of \d+)  degree 1  iteration +(\d+)  .*', line) for line in said]
+        self.assertTrue(any(shown), said)
+        self.assertEqual([line for line in said if 'iteration' in line], [line[0] for line in shown if line])
+        with open(self.path('r.json')) as f:
+            report = json.load(f)
+        self.assertGreaterEqual(len([line for line in shown if line]),
+                                sum(chart['iterations'] for chart in report['charts']))
+        plain = [line for line in self.run_ok(*asked).err.splitlines() if 'iteration' in line]
+        self.assertLess(len(plain), len([line for line in shown if line]))
+
+    def test_a_log_is_not_silent(self):
+        """Reading from a pipe that nobody writes to for long: a line at least every five seconds, all with
+        the clock of the run, and what was held back before them."""
+        pipe = self.path('slow.obj')
+        os.mkfifo(pipe)
+        process = subprocess.Popen([BINARY, 'unwrap', pipe, self.path('a.obj')], stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        start, times, lines = time.monotonic(), [0], []
+        while len(lines) < 2:
+            lines.append(process.stderr.readline())
+            times.append(time.monotonic() - start)
+        with open(generated('cap'), 'rb') as mesh, open(pipe, 'wb') as writer:
+            writer.write(mesh.read())
+        rest = process.communicate(timeout=120)[1]
+        self.assertEqual(process.returncode, OK, rest)
+        where = [re.fullmatch(WHERE, line.rstrip('\n')) for line in lines]
+        self.assertTrue(all(where), lines)
+        self.assertEqual([(w['stage'], w['stages'], w['activity']) for w in where], [('1', '6', 'reading')] * 2)
+        self.check_never_backwards(where)
+        self.assertLess(seconds(where[0]['clock']), seconds(where[1]['clock']))
+        for before, after in zip(times, times[1:]):
+            self.assertLess(after - before, 5.5)  # of which a busy machine may take some
+        self.assertEqual(logged(rest)[0], 'reading')
+
+    def test_the_first_signal_is_acknowledged(self):
+        """While an output is waited for, which nobody reads."""
+        os.mkfifo(self.path('fifo.vtu'))
+        process = subprocess.Popen([BINARY, 'parametrize', generated('cap'), self.path('fifo.vtu'), '--degree', '1'],
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        while logged(process.stderr.readline()) != ['proving']:
+            self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        rest = process.communicate(timeout=120)[1]
+        where = [m for m in (re.fullmatch(WHERE, line) for line in rest.splitlines()) if m]
+        self.assertEqual([(m['activity'], m['left']) for m in where], [('writing', 'stopping')], rest)
+
     def test_limits(self):
         self.assertIn('writing', self.phases('parametrize', generated('cap'), self.path('a.vtu'),
                                              '--degree', '2', '--time-limit', '0', code=LIMIT))
@@ -68,8 +152,9 @@ class Log(CommandTest):
 
 
 class Terminal(CommandTest):
-    def start(self, *args):
+    def start(self, *args, columns=0):
         outer, inner = pty.openpty()
+        fcntl.ioctl(inner, termios.TIOCSWINSZ, struct.pack('HHHH', 24, columns, 0, 0))
         self.addCleanup(os.close, outer)
         process = subprocess.Popen([BINARY, *map(str, args)], stderr=inner,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
@@ -84,8 +169,17 @@ class Terminal(CommandTest):
         except OSError:
             return ''
 
-    def said(self, *args, code=OK):
-        process, outer = self.start(*args)
+    def lines_of(self, live):
+        """Matches of WHERE, behind bars that say the same."""
+        shown = [re.fullmatch(r'\[(?P<done>#+)(?P<rest>\.*)\] ' + WHERE, line) for line in live]
+        self.assertTrue(all(shown), [line for line, match in zip(live, shown) if not match])
+        for line in shown:
+            self.assertEqual((len(line['done']), len(line['done'] + line['rest'])),
+                             (int(line['stage']), int(line['stages'])))
+        return shown
+
+    def said(self, *args, code=OK, **terminal):
+        process, outer = self.start(*args, **terminal)
         text = ''.join(iter(lambda: self.more(outer), ''))
         self.assertEqual(process.wait(60), code, text)
         return text
@@ -99,14 +193,13 @@ class Terminal(CommandTest):
                              (['unwrap'], ['reading', 'cutting', 'solving', 'packing', 'proving', 'writing'])):
             text = self.said(*verb, generated('cap'), self.path('a.vtu'))
             *live, last = text.split(CLEAR)
-            shown = [re.fullmatch(r'\[(#+)(\.*)\] (\d) of (\d) (\w+) \d+\.\d s  '
-                                  r'(degree .*|(chart 1 of 1  )?iteration .*|raising the degree to 2|'
-                                  r'chart 1 of 1)?', line) for line in live]
-            names = [line[5] for line in shown]
-            self.assertTrue(all((len(line[1]), len(line[1] + line[2])) == (int(line[3]), int(line[4]))
-                                for line in shown), live)
-            self.assertEqual([phases[int(line[3]) - 1] for line in shown], names)
-            self.assertEqual({int(line[4]) for line in shown}, {len(phases)})
+            shown = self.lines_of(live)
+            names = [line['activity'] for line in shown]
+            self.assertEqual([phases[int(line['stage']) - 1] for line in shown], names)
+            self.assertEqual({int(line['stages']) for line in shown}, {len(phases)})
+            for line in shown:
+                self.assertRegex(line['part'] or '', r'^(degree .*|(chart 1 of 1  )?iteration .*|'
+                                                     r'raising the degree to 2|building the surface|chart 1 of 1|)$')
             self.assertEqual(list(dict.fromkeys(names)), phases)
             self.assertLess(max(map(len, live)), 80)
             self.assertEqual(any('raising the degree to 2' in line for line in live), '2' in verb)
@@ -125,7 +218,7 @@ class Terminal(CommandTest):
         mesh = self.write('two.obj', obj_text(points + moved, twice))
         live = self.said('unwrap', mesh, self.path('a.obj')).split(CLEAR)
         steps = [line for line in live if 'iteration' in line]
-        self.assertEqual({line.split('s  ')[1].split('  iteration')[0] for line in steps},
+        self.assertEqual({line['part'].split('  iteration')[0] for line in self.lines_of(steps)},
                          {'chart 1 of 2', 'chart 2 of 2'})
         self.assertTrue(all(re.search(r'energy \d+\.\d{3}', line) for line in steps), steps)  # 80 columns
 
@@ -146,7 +239,8 @@ class Terminal(CommandTest):
             arrived = self.more(outer)
             self.assertTrue(arrived, text)
             text += arrived
-        self.assertEqual(len(set(text.split(CLEAR)[:4])), 4, text)  # the time goes on
+        shown = self.lines_of(text.split(CLEAR)[:4])
+        self.assertLess(seconds(shown[0]['clock']), seconds(shown[-1]['clock']), text)  # the time goes on
         with open(pipe, 'wb') as writer:
             writer.write(self.read_of(generated('cap')))
         text += ''.join(iter(lambda: self.more(outer), ''))
@@ -162,6 +256,27 @@ class Terminal(CommandTest):
         text = self.said('parametrize', closed, self.path('a.vtu'), code=UNSUPPORTED)
         self.assertEqual(text.split(CLEAR)[-1].count('\n'), 1)
         self.assertIn('majorant: ', text.split(CLEAR)[-1])
+
+    def test_nothing_goes_backwards(self):
+        """A surface that is cut again is shown as another pass, at the stage where it was; charts that are
+        done are a share."""
+        points, faces = torus(36, 24, 0)
+        mesh = self.write('torus.obj', obj_text(points, faces))
+        *live, _ = self.said('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0005').split(CLEAR)
+        shown = self.lines_of(live)
+        Log.check_never_backwards(self, shown)
+        again = [line for line in shown if line['pass']]
+        self.assertTrue(again, live)
+        self.assertIn('cutting', {line['activity'] for line in again})
+        self.assertGreaterEqual(min(int(line['stage']) for line in again), 3)
+        self.assertTrue(any(0 < int(line['share'] or 0) for line in shown), live)
+
+    def test_narrow(self):
+        """The line is cut where the terminal ends."""
+        for columns in (40, 20):
+            *live, _ = self.said('unwrap', generated('cap'), self.path('a.obj'), columns=columns).split(CLEAR)
+            self.assertTrue(live)
+            self.assertLess(max(map(len, live)), columns)
 
     def test_quiet(self):
         self.assertEqual(self.said('parametrize', generated('cap'), self.path('a.vtu'), '--quiet'),
