@@ -86,7 +86,7 @@ Made baked(const BakeRequest& request, BakeJob& job, Run& run) {
   run.record().begin(Activity::Measuring);
   run.make("baking " + request.surface, [&] {
     const FreeMemoryOnly limit;
-    job.run(run.stop());
+    job.run(run.record().telling(run.stop()));
   });
   Made made{.report = bake_report(job)};
   made.report.options = request.to_json(job);

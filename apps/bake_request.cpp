@@ -169,9 +169,8 @@ void BakeRequest::apply(BakeJob& job) const {
   if (format != ".png") return;
   const bool has_image = !job.images.empty();
   const bool is_eight =
-      has_image && std::all_of(job.images.begin(), job.images.end(), [](const Raster& one) {
-        return one.depth() == PixelDepth::Eight;
-      });
+      has_image && std::all_of(job.images.begin(), job.images.end(),
+                               [](const Raster& one) { return one.depth() == PixelDepth::Eight; });
   options.depth = depth.value_or(is_eight ? 8 : 16) == 8 ? PixelDepth::Eight : PixelDepth::Sixteen;
   if (!has_image) options.transfer = Transfer::Signed;
   if (has_image && !linear) options.transfer = Transfer::Srgb;

@@ -73,7 +73,8 @@ Made verdict(const MeshCheckRequest& request, CheckedMesh& c, Run& run) {
   c.mesh = run.read(request.input, [&] { return read_volume_mesh(request.input, run.stop()); });
   run.record().begin(Activity::Proving);
   c.check = run.make("checking " + request.input, [&] {
-    return within_memory(request.input, [&] { return check_volume_mesh(c.mesh, run.stop()); });
+    return within_memory(
+        request.input, [&] { return check_volume_mesh(c.mesh, run.record().telling(run.stop())); });
   });
   Made made{.report = volume_check_report(c.mesh, c.check, request.listed)};
   made.report.options = {{"list", request.listed}, {"strict", request.common.strict}};

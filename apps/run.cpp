@@ -64,6 +64,8 @@ class Run::Watch final : public RunObserver {
     progress_.begin(activity);
   }
   void announce(std::string_view part) override { progress_.announce(part); }
+  void advance(double share) override { progress_.advance(share); }
+  void begin_pass(int pass, int most) override { progress_.begin_pass(pass, most); }
   Directive after_step(const TraceEntry& row, const Vec& y) override {
     return progress_.after_step(row, y);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -32,6 +33,8 @@ namespace {
 // Quarter turns. Between their rounding and a quarter turn.
 constexpr double kWholeTurnTolerance = 1e-6;
 constexpr Index kCellsPerPoll = 256;
+// Shares that are done once the cells are judged, and what is between them.
+constexpr double kPositiveShare = 0.5, kCutShare = 0.9;
 
 bool allows_seams(CutRule rule) { return rule == CutRule::Seams || rule == CutRule::SeamsOrFree; }
 bool allows_any(CutRule rule) { return rule == CutRule::Free || rule == CutRule::SeamsOrFree; }
@@ -177,12 +180,14 @@ class MapProof::Judge {
            }
          });
     if (!cut_) return give_up(unfit);
+    request_.stop.advance(kPositiveShare);
     both([this] { judge_surface(); },
          [this] {
            judge_cuts();
            judge_angles();
            open();
          });
+    request_.stop.advance(kCutShare);
     if (!proof_.map_) return;
     proof_.cuts.charts = proof_.map_->mesh().topology().components;
     judge_overlaps(*proof_.map_);
@@ -233,6 +238,8 @@ class MapProof::Judge {
     const Eigen::Map<const Vec> x(file_.uv.data(), file_.uv.size());
     const auto cells = static_cast<Index>(file_.cells.rows());
     std::vector<char> is_proven(to_size(cells), 0);  // in floating point
+    std::atomic<std::size_t> done = 0;
+    const StopCheck told = request_.stop.between(0, kPositiveShare);
     parallel_tasks((cells + kCellsPerPoll - 1) / kCellsPerPoll, [&](Index task, int) {
       if (is_stopped()) return;
       const Index last = std::min(cells, (task + 1) * kCellsPerPoll);
@@ -241,6 +248,7 @@ class MapProof::Judge {
         is_proven[c] = proof.result == ProofStatus::Proven &&
                        proof.lower_bound > rounding_of_determinant(file_, c);
       }
+      told.advance(done += to_size(kCellsPerPoll), to_size(cells));
     });
     std::string worst;
     bool is_violated = false;

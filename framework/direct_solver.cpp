@@ -114,6 +114,7 @@ class DirectSolver final : public LinearSolver {
     Vec r = Vec::Zero(size), y;
     for (Index k = 0; k < count; ++k) {
       stop.poll();
+      stop.advance(to_size(k), to_size(count));
       for (const auto& [unknown, value] : columns[k]) r[unknown] += value;
       factor_->half_solve(r, y);
       for (const auto& [unknown, value] : columns[k]) r[unknown] = 0;

@@ -35,6 +35,7 @@ Eigen::MatrixXd LinearSolver::inverse_products(Index size, const std::vector<Spa
   Vec p;
   for (Index k = 0; k < count; ++k) {
     stop.poll();
+    stop.advance(static_cast<std::size_t>(k), columns.size());
     solve(dense(size, columns[k]), p);
     for (Index i = 0; i < count; ++i) products(i, k) = product(columns[i], p);
   }

@@ -25,6 +25,8 @@
 namespace majorant {
 namespace {
 
+// Shares of judging that are done once corners are measured, and distances to and from the surface.
+constexpr double kCornersShare = 0.1, kToSurfaceShare = 0.5, kFromSurfaceShare = 0.9;
 constexpr std::size_t kNamed = 8;  // places that a sentence names
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
@@ -293,7 +295,8 @@ class QuadJudge {
     for (std::size_t v = 0; v < corners_.size(); ++v)
       if (corners_[v] > 0) samples.row(rows++) = quads_.positions[v];
     samples.conservativeResize(rows, 3);
-    const std::vector<NearestPoint> nearest = tree.locate(samples, stop_);
+    const std::vector<NearestPoint> nearest =
+        tree.locate(samples, stop_.between(kCornersShare, kToSurfaceShare));
     for (const NearestPoint& p : nearest)
       check_.hausdorff.to_surface = std::max(check_.hausdorff.to_surface, p.distance);
     for (Index q = 0; q < check_.count; ++q) {
@@ -331,7 +334,8 @@ class QuadJudge {
       for (int k = 0; k < 3; ++k) sum += positions.row(surface_->faces()(f, k));
       samples.row(vertices + f) = sum / 3;
     }
-    for (const NearestPoint& p : tree.locate(samples, stop_))
+    const StopCheck told = stop_.between(kToSurfaceShare, kFromSurfaceShare);
+    for (const NearestPoint& p : tree.locate(samples, told))
       check_.hausdorff.from_surface = std::max(check_.hausdorff.from_surface, p.distance);
   }
 

@@ -98,9 +98,10 @@ JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const std::vector<char>& fea
   QuadCheck check = check_quads(quads, nullptr, {}, stop);
   HeldVertices held = extracted.held_vertices();
   if (check.is_surface) {
+    record.announce(fmt::format("smoothing {} quads", check.count));
     smooth_quads(quads, lattice.surface(), held, stop);
     record.begin(Activity::Proving);
-    check = check_quads(quads, &mesh, features, stop);
+    check = check_quads(quads, &mesh, features, record.telling(stop));
   }
   return {std::move(quads), extracted.patches(), std::move(held.feature_edges), std::move(check),
           static_cast<Index>(t_mesh.patches.size())};
@@ -252,7 +253,9 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                                        [](ArcNumbers& numbers) { return numbers.fewest(); }));
     result.least_count = std::min(least, long{result.check.count});
   };
+  int attempts = 0;
   const auto attempt_for = [&](Arcs arcs, double part) {
+    if (++attempts > 1) record.begin_pass();
     record.begin(Activity::Solving);
     const std::optional<std::string> failed = why_infeasible([&] { attempt(arcs, part); });
     if (!why) why = failed;

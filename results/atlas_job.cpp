@@ -20,6 +20,9 @@
 namespace majorant {
 namespace {
 
+// The share of cutting that is done once it is known what can be seen.
+constexpr double kLookedShare = 0.05;
+
 bool is_cut_short(const Atlas& atlas) {
   return std::any_of(atlas.charts.begin(), atlas.charts.end(),
                      [](const Chart& chart) { return chart.measures.cut_short; });
@@ -197,6 +200,7 @@ Json result_section(const AtlasJob& job) {
 }  // namespace
 
 void AtlasJob::open(PolygonMesh input, const RepairOptions& how) {
+  record.announce("building the surface");
   surface = repair(input, how, record.start_stop());
   is_joined_for_map_ = !how.weld && !is_soup(input);
   polygons = std::make_shared<PolygonMesh>(with_welded_vertices(std::move(input), surface));
@@ -211,11 +215,12 @@ const Repair* AtlasJob::first_repair() const {
 }
 
 void AtlasJob::solve() {
+  record.begin(Activity::Cutting);
   options.cuts.given.clear();
   if (old_seams == OldSeams::Cut) options.cuts.given = surface.texture_seams;
   options.cuts.wanted = {marked_creases(*polygons, surface), {}};
   if (chooses_cuts(options.cuts.method)) {
-    const StopCheck& stop = record.start_stop();
+    const StopCheck stop = record.telling(record.start_stop()).between(0, kLookedShare);
     visibility = hide_from ? visibility_from(*surface.mesh, *hide_from, stop)
                            : ambient_visibility(*surface.mesh, stop);
     options.cuts.wanted.weight = hiding_weights(*surface.mesh, visibility);

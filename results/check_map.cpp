@@ -157,7 +157,7 @@ ProofRequest questions(const MapFile& file, const CheckRequest& request, const C
 MapProof proven(const MapFile& file, const CheckRequest& request, const Claims& claims,
                 const RunRecord& record) {
   record.begin(Activity::Proving);
-  return {file, request.name, questions(file, request, claims, record.stop())};
+  return {file, request.name, questions(file, request, claims, record.telling(record.stop()))};
 }
 
 // At the scale of its claims, or a scale of its own.
@@ -299,9 +299,9 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
   add_proofs(*this);
   record.begin(Activity::Measuring);
   if (proof.stacks.mirrored == 0) {
-    add_measures(*this, file, request, record.stop());
+    add_measures(*this, file, request, record.telling(record.stop()));
   } else {
-    add_measures(*this, turned_back(file, proof.stacks), request, record.stop());
+    add_measures(*this, turned_back(file, proof.stacks), request, record.telling(record.stop()));
   }
   measure_overlap(*this, request, record.stop());
   if (claims.stacks && proof.map()) check_stacks(file, proof.stacks, claims, findings);

@@ -123,6 +123,7 @@ SeamlessMethod method_called(std::string_view name) {
 
 void MapJob::open(std::shared_ptr<const PolygonMesh> input) {
   polygons = std::move(input);
+  record.announce("building the surface");
   mesh = std::make_shared<const SurfaceMesh>(
       SurfaceMesh::from_polygons(*polygons, record.start_stop()));
 }

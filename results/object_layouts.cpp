@@ -23,6 +23,7 @@ UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
   UnwrappedObjects all;
   const MeshObjects objects = objects_of(polygons);
   for (Index k = 0; k < objects.count(); ++k) {
+    if (k > 0) record.begin_pass();
     const std::string& name = objects.names[to_size(k)];
     ObjectMesh object = object_mesh(polygons, objects, k);
     object.mesh.file = fmt::format(

@@ -170,6 +170,7 @@ std::string relaxed_features(const QuadJob& job) {
 }  // namespace
 
 void QuadJob::open(PolygonMesh input) {
+  record.announce("building the surface");
   surface = repair(input, {.welding = Welding::EqualPlaces}, record.start_stop());
   polygons = std::move(input);
 }
@@ -184,6 +185,7 @@ void QuadJob::solve(const std::string& source) {
   const std::vector<SurfacePiece> pieces = mesh.split(record.start_stop());
   long least = 0;
   for (const SurfacePiece& piece : pieces) {
+    if (&piece != &pieces.front()) record.begin_pass();
     QuadMeshOptions of_piece = options;
     if (options.count)
       of_piece.count = std::max(
@@ -205,7 +207,7 @@ void QuadJob::solve(const std::string& source) {
     if (made.status != Status::Converged) status = made.status;
   }
   record.begin(Activity::Proving);
-  check = check_quads(quads, &mesh, features, record.start_stop());
+  check = check_quads(quads, &mesh, features, record.telling(record.start_stop()));
   if (!check.is_valid())
     throw Error(ErrorKind::Infeasible,
                 fmt::format("{}: its components do not make valid quads together: {}",

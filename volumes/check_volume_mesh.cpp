@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -183,8 +184,12 @@ VolumeCheck check_volume_mesh(const VolumeMesh& mesh, const StopCheck& stop) {
       check.cells.push_back({{static_cast<Index>(b), c}, {}, 0});
   }
   const CellCheck check_cell(mesh, stop);
+  std::atomic<std::size_t> begun = 0;
   parallel_for(static_cast<Index>(check.cells.size()), kPiece, [&](Index k) {
-    if (k % kPiece == 0) stop.poll();
+    if (k % kPiece == 0) {
+      stop.poll();
+      stop.advance(begun += to_size(kPiece), check.cells.size());
+    }
     check.cells[to_size(k)] = check_cell(check.cells[to_size(k)].name);
   });
   SideCheck(mesh, check).run(stop);

@@ -101,7 +101,7 @@ class VolumeOptimizer {
   VolumeResult run() {
     record_.begin(Activity::Proving);
     result_.points = mesh_.points;
-    result_.before = check_volume_mesh(mesh_, record_.start_stop());
+    result_.before = check_volume_mesh(mesh_, record_.telling(record_.start_stop()));
     require_usable();
     record_.begin(Activity::Starting);
     const std::vector<CellSide> sides = sides_of(mesh_);
@@ -342,6 +342,7 @@ class VolumeOptimizer {
     Vec best_x = x_;
     for (int round = 0; round < kMostRounds && result_.status == Status::Converged; ++round) {
       if (!result_.least_fell()) break;
+      record_.begin_pass(kMostRounds - round - 1);
       weigh_more();
       optimize(depth);
       finish();
@@ -377,7 +378,7 @@ class VolumeOptimizer {
     result_.moved_nodes = 0;
     for (Index k = 0; k < moved.points.rows(); ++k)
       if (moved.points.row(k) != mesh_.points.row(k)) ++result_.moved_nodes;
-    result_.after = check_volume_mesh(moved);
+    result_.after = check_volume_mesh(moved, record_.telling({}));
     result_.points = std::move(moved.points);
   }
 

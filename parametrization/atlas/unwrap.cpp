@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <exception>
 #include <functional>
@@ -107,6 +108,10 @@ constexpr double kAsLong = 0.7;
 // In square roots of a chart's area: how near two sides of a cut lie on each other once the chart
 // is unfolded, where that has no gap. Rounding is a millionth of it.
 constexpr double kClosed = 1e-9;
+// Passes through cutting and mapping at most, the first one included. Far more than any layout is
+// known to take: 2 to 5 for the stretch, as many for what is asked for, one or two for each of the
+// layouts on the way to a fill.
+constexpr int kMostPasses = 100;
 // Layouts packed at most on the way to a fill, each of which takes as long as the first one.
 constexpr int kMostFills = 16;
 
@@ -183,7 +188,7 @@ class Unwrapping {
                                                             : Directive::Continue;
       });
     record_.begin(Activity::Cutting);
-    atlas_.cuts = choose_cuts(surface_, cuts, record_.start_stop());
+    atlas_.cuts = choose_cuts(surface_, cuts, record_.telling(record_.start_stop()));
     make_tasks();
     atlas_.initialize_seconds = record_.seconds() - started;
     record_.begin(Activity::Solving);
@@ -295,7 +300,7 @@ class Unwrapping {
   // be or a limit is reached; those that have no map in any case.
   void keep_limit() {
     for (;;) {
-      const bool is_over = record_.directive() != Directive::Continue;
+      const bool is_over = !may_go_on();
       std::vector<std::size_t> bad;
       for (std::size_t k = 0; k < tasks_.size(); ++k)
         if (may_be_cut(k) && (!is_over || atlas_.charts[k].status == Status::Failed))
@@ -308,11 +313,19 @@ class Unwrapping {
       else
         recut(bad, [&](const StopCheck& stop) { return cuts_of(bad, stop); });
     }
-    const Directive why = record_.directive();
+    const Status why = why_over();
     for (std::size_t k = 0; k < tasks_.size(); ++k)
-      if (Chart& chart = atlas_.charts[k]; may_be_cut(k))
-        chart.status = why == Directive::Interrupt ? Status::Interrupted : Status::TimeLimit;
+      if (may_be_cut(k)) atlas_.charts[k].status = why;
     sort_charts();
+  }
+
+  // Whether there may be another pass; where not, why.
+  bool may_go_on() const {
+    return record_.directive() == Directive::Continue && pass_ < kMostPasses;
+  }
+  Status why_over() const {
+    const Directive why = record_.directive();
+    return why == Directive::Continue ? Status::MaxIterations : stopped_status(why);
   }
 
   bool may_be_cut(std::size_t k) const {
@@ -390,7 +403,18 @@ class Unwrapping {
   }
 
   std::vector<Flags> cuts_of(const std::vector<std::size_t>& bad, const StopCheck& stop) const {
-    return alike(bad, [&](std::size_t k) { return cut_of(k, stop); });
+    const double all = faces_of(bad);
+    double done = 0;
+    return alike(bad, [&](std::size_t k) {
+      const double before = std::exchange(done, done + tasks_[k].mesh->face_count());
+      return cut_of(k, stop.between(before / all, done / all));
+    });
+  }
+
+  double faces_of(const std::vector<std::size_t>& which) const {
+    double faces = 0;
+    for (const std::size_t k : which) faces += tasks_[k].mesh->face_count();
+    return faces;
   }
 
   // Of these charts; those of copies that are to be stacked are the same.
@@ -413,11 +437,13 @@ class Unwrapping {
     const std::vector<Task> tasks = tasks_;
     const std::vector<Chart> charts = atlas_.charts;
     const SurfaceCuts cuts = atlas_.cuts;
+    record_.begin_pass(kMostPasses - ++pass_);
     record_.begin(Activity::Cutting);
     record_.announce(fmt::format("cutting again: {} of {} chart{}", which.size(), tasks_.size(),
                                  tasks_.size() == 1 ? "" : "s"));
     try {
-      const std::vector<std::size_t> changed = cut_charts(which, cuts_of_these(record_.stop()));
+      const std::vector<std::size_t> changed =
+          cut_charts(which, cuts_of_these(record_.telling(record_.stop())));
       record_.begin(Activity::Solving);
       solve_charts(changed);
     } catch (const Stopped&) {
@@ -494,14 +520,14 @@ class Unwrapping {
         if (next.empty()) return;
         if (!divide(next)) break;
       }
-      atlas_.division = stopped_status(record_.directive());
+      atlas_.division = why_over();
     } catch (const Stopped& stop) {
       atlas_.division = stopped_status(stop.why());
     }
   }
 
   bool divide(const std::vector<std::size_t>& which) {
-    if (record_.directive() != Directive::Continue) return false;
+    if (!may_go_on()) return false;
     const bool is_done = recut(which, [&](const StopCheck&) {
       return alike(which, [&](std::size_t k) { return tasks_[k].division->cut; });
     });
@@ -598,6 +624,7 @@ class Unwrapping {
     Task& task = tasks_[k];
     if (!task.division) {
       record_.stop().poll();
+      record_.announce(fmt::format("where chart {} of {} divides best", k + 1, tasks_.size()));
       const Chart& chart = atlas_.charts[k];
       Division division;
       division.cut = cut_across(*task.mesh, task.wanted, PathsAcross::BetweenEnds, record_.stop());
@@ -679,17 +706,29 @@ class Unwrapping {
 
   // Those with these numbers.
   void solve_charts(std::vector<std::size_t> order) {
+    const double all = faces_of(order);
+    std::atomic<Index> done = 0;  // faces
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return tasks_[a].mesh->face_count() > tasks_[b].mesh->face_count();
     });
     std::size_t large = 0;
-    const auto announce = [&](std::size_t chart) {
-      record_.announce(fmt::format("chart {} of {}", chart, order.size()));
+    const auto name = [&](std::size_t chart) {
+      return fmt::format("chart {} of {}", chart, order.size());
+    };
+    const auto solve = [&](std::size_t chart, RunObserver* observer, StopCheck::Tell starting) {
+      const Index faces = tasks_[chart].mesh->face_count();
+      solve_chart(chart, observer, std::move(starting));
+      record_.advance((done += faces) / all);
     };
     for (; large < order.size() && tasks_[order[large]].mesh->face_count() >= kLargeChart;
          ++large) {
-      announce(large + 1);
-      solve_chart(order[large], record_.observer());
+      record_.announce(name(large + 1));
+      int told = 0;  // percents of its start
+      solve(order[large], record_.observer(), [&, chart = name(large + 1)](double share) {
+        const int percents = static_cast<int>(100 * share);
+        if (percents <= std::exchange(told, std::max(told, percents))) return;
+        record_.announce(percents < 100 ? fmt::format("{}, start {} %", chart, percents) : chart);
+      });
     }
     std::size_t solved = large;
     std::mutex failing, telling;
@@ -698,11 +737,12 @@ class Unwrapping {
     parallel_for(static_cast<Index>(order.size() - large), 1, [&](Index task) {
       const std::size_t chart = order[large + to_size(task)];
       try {
-        solve_chart(chart, nullptr);
-        const std::vector<TraceEntry>& trace = atlas_.charts[chart].trace;
+        solve(chart, nullptr, {});
         const std::lock_guard lock(telling);
-        if (!trace.empty() && record_.observer()) record_.observer()->after_step(trace.back(), {});
-        announce(++solved);
+        if (record_.observer())
+          record_.observer()->after_part(name(large + to_size(task) + 1),
+                                         atlas_.charts[chart].trace);
+        record_.announce(name(++solved));
       } catch (...) {
         const std::lock_guard lock(failing);
         if (chart < failed) failure = std::current_exception();
@@ -712,9 +752,10 @@ class Unwrapping {
     if (failure) std::rethrow_exception(failure);
   }
 
-  void solve_chart(std::size_t k, RunObserver* observer) {
+  // starting: told the share of its start, where that takes long.
+  void solve_chart(std::size_t k, RunObserver* observer, StopCheck::Tell starting) {
     const Task& task = tasks_[k];
-    RunRecord record = record_.part(observer);
+    RunRecord record = record_.part(observer, std::move(starting));
     ChartHints hints;
     hints.parent = task.parent;
     if (options_.cuts.method == CutMethod::Texture && is_textured(*task.mesh, 0))
@@ -776,7 +817,7 @@ class Unwrapping {
         if (k == kMostFills) return Status::MaxIterations;
         const std::vector<std::size_t> next = fullest_next();
         if (next.empty()) break;
-        if (!divide(next)) return stopped_status(record_.directive());
+        if (!divide(next)) return why_over();
         place_charts();
         after_layout();
       }
@@ -851,7 +892,7 @@ class Unwrapping {
       maps.push_back(*atlas_.charts[k].map);
       packing.fixed.push_back(!atlas_.charts[k].pins.empty());
     }
-    Packing packed = pack(maps, packing, record_.start_stop());
+    Packing packed = pack(maps, packing, record_.telling(record_.start_stop()));
     for (std::size_t i = 0; i < lowest.size(); ++i) {
       Chart& chart = atlas_.charts[lowest[i]];
       chart.map = packed.charts[i];
@@ -895,6 +936,7 @@ class Unwrapping {
   RunRecord& record_;
   std::vector<Task> tasks_;
   Atlas atlas_;
+  int pass_ = 1;  // through cutting and solving
 };
 
 void scale_points(double factor, std::vector<Pin>& points) {

@@ -11,7 +11,8 @@
 // parametrize() gives for its piece alone, whatever the number of threads.
 //
 // The record's RunObserver is told every step of charts of some thousand faces, and of smaller ones
-// the last step, one thread at a time: they are solved side by side, in any order.
+// all of them once they are done (after_part), one thread at a time: they are solved side by side,
+// in any order. Where charts are cut and mapped again, that is another pass.
 //
 // Every chart has a valid map in the end: where a solve does not end with one, the chart keeps the
 // best valid map there was, the start if need be, and its status says so.

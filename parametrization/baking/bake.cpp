@@ -22,6 +22,8 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 // Rows of texels of a task.
 constexpr int kRowsOfBand = 16;
+// Shares of baking that are done once texels have values, seams are levelled, and gaps filled.
+constexpr double kCoveredShare = 0.9, kLevelledShare = 0.94, kFilledShare = 0.97;
 // Rows and columns around a piece in which texels have something of it: one for filters, and one
 // because row() and column() round.
 constexpr int kReach = 2;
@@ -230,9 +232,12 @@ class Baker {
   BakedImage run(const StopCheck& stop) {
     const int bands = (options_.height + kRowsOfBand - 1) / kRowsOfBand;
     std::vector<BakeCounts> counts(to_size(bands));
+    std::atomic<Index> done = 0;
+    const StopCheck told = stop.between(0, kCoveredShare);
     parallel_tasks(bands, [&](Index band, int) {
       stop.poll();
       bake_band(static_cast<int>(band), counts[to_size(band)], stop);
+      told.advance(to_size(++done), to_size(bands));
     });
     BakeCounts& all = baked_.counts;
     for (const BakeCounts& c : counts) {
@@ -246,7 +251,9 @@ class Baker {
     all.charts = static_cast<Index>(has_texel_.size());
     for (const auto& has : has_texel_) all.charts_without_texels += has ? 0 : 1;
     if (has_margin() && options_.samples == 1) level(stop);
+    stop.advance(kLevelledShare);
     fill_from_nearest(baked_.image, texels_, options_.padding, stop);
+    stop.advance(kFilledShare);
     if (has_margin() && values_.course == Course::Picture) close(stop);
     return std::move(baked_);
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -170,6 +171,7 @@ std::vector<Index> faces_at(const SurfaceMesh& mesh, const NearestPoint& point) 
 std::vector<NearestPoint> SurfaceTree::locate(const Points3& p, const StopCheck& stop) const {
   const auto count = static_cast<Index>(p.rows());
   std::vector<NearestPoint> result(to_size(count));
+  std::atomic<std::size_t> done = 0;
   parallel_tasks((count + kPointsOfTask - 1) / kPointsOfTask, [&](Index task, int) {
     stop.poll();
     Index likely = -1;
@@ -178,6 +180,7 @@ std::vector<NearestPoint> SurfaceTree::locate(const Points3& p, const StopCheck&
       result[to_size(k)] = nearest(Vector3(p.row(k)), likely);
       likely = result[to_size(k)].face;
     }
+    stop.advance(done += to_size(kPointsOfTask), to_size(count));
   });
   return result;
 }

@@ -26,6 +26,9 @@ namespace {
 // The agreement of rules, relative to the total, spread over the elements: ten times finer than
 // energies are compared.
 constexpr double kEnergyAgreement = 1e-6;
+
+// Shares of measuring that are done after the energy, and after samples of extremes.
+constexpr double kEnergyShare = 0.3, kSampledShare = 0.7;
 // Faces whose Jacobians a task looks at: some 0.1 ms.
 constexpr Index kFacesOfATask = 1024;
 
@@ -130,6 +133,7 @@ void sample_extremes(const BezierMap& map, const RestShapes& rest, const EnergyS
   m.sigma_min = std::numeric_limits<double>::infinity();
   m.max_density = -m.sigma_min;
   for (std::size_t k = 0; k < points.size(); ++k) {
+    stop.advance(k, points.size());
     m.cut_short = m.cut_short || (k > 0 && stop() != Directive::Continue);
     if (k > 0 && m.cut_short) return;
     const Vec density = measured.values(static_cast<RuleId>(k), faces).cwiseQuotient(rest.measure);
@@ -187,7 +191,7 @@ MapMeasures measure_normalized(const BezierMap& map, double scale, const EnergyS
   const BezierMap scaled =
       scale == 1 ? map : map.with(map.shared_space(), scale * map.control_points());
   measure_energy(scaled, rest, energy, stop, m);
-  sample_extremes(scaled, rest, energy, stop, m);
+  sample_extremes(scaled, rest, energy, stop.between(kEnergyShare, kSampledShare), m);
   if (!m.cut_short)
     m.distortion =
         measure_distortion(map.degree(), map.space().cells(), map.control_points(), rest, scale);

@@ -48,6 +48,11 @@ constexpr int kTries = 4;
 constexpr int kFewTries = 1;
 constexpr std::size_t kMany = 500;
 
+// Shares of packing that are done once outlines are made, boxes and then outlines of cells
+// arranged, all attempts made, and charts moved; what is left is the proof of their distances.
+constexpr double kOutlined = 0.1, kBoxesArranged = 0.2, kRasterArranged = 0.5, kArranged = 0.7,
+                 kMoved = 0.9;
+
 // Turns that are tried in addition, in radians: each rounds all digits anew, and a chart as large
 // as the square stays within the gap's margin (kGapMargin).
 constexpr double kNudge = 1e-9;
@@ -89,7 +94,8 @@ class Packer {
       : charts_(charts),
         options_(options),
         border_(border),
-        stop_(stop),
+        told_(stop),
+        stop_(stop.silent()),
         least_distance_(charts.size() < 2
                             ? kLeastGap  // one chart has no neighbour
                             : std::max(options.padding_pixels / options.resolution, kLeastGap)),
@@ -105,7 +111,9 @@ class Packer {
       const std::vector<AllowedRotations> freedom = freedom_;
       const PackingJob job = packing_job(charts_, freedom_, least_distance_ * (1 + kGapMargin),
                                          {options_.tiles, options_.up}, stop_);
+      told_.advance(kOutlined);
       std::vector<Candidate> candidates = options_.side ? fitted(job) : arrange(job);
+      told_.advance(kArranged);
       if (candidates.empty() && options_.side) refuse_side(job);
       if (candidates.empty()) refuse_padding();
       std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
@@ -171,6 +179,7 @@ class Packer {
                                              {kFirstWidth * std::sqrt(job.area / job.tiles),
                                               kSkylineFactor, kSkylineTries}));
     if (candidates.empty()) return candidates;
+    told_.advance(kBoxesArranged);
     const double of_boxes = candidates[0].placements.side;
     const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;
     const int tries = charts_.size() > kMany ? kFewTries : kTries;
@@ -178,6 +187,7 @@ class Packer {
     add(PackMethod::Raster,
         smallest_square(job, raster, {kRasterWidth * of_boxes, kFactor, tries}));
     if (charts_.size() > kMostNested || charts_.size() < 2) return candidates;
+    told_.advance(kRasterArranged);
     const double best = std::min(of_boxes, candidates.back().placements.side);
     const auto nesting = [&](double width) { return nested_strip(job, width); };
     add(PackMethod::Nesting,
@@ -190,7 +200,9 @@ class Packer {
     Packing packing;
     packing.method = candidate.method;
     const double side = job.unit * candidate.placements.side * (1 + kGapMargin / 4);
+    const StopCheck told = told_.between(kArranged, kMoved);
     for (std::size_t k = 0; k < charts_.size(); ++k) {
+      told.advance(k, charts_.size());
       const std::optional<MovedLayout> moved =
           freedom_[k] == AllowedRotations::None
               ? MovedLayout{{charts_[k]}, {}}
@@ -213,6 +225,7 @@ class Packer {
     } else {
       frame(packing);
     }
+    told_.advance(kMoved);
     const double relative = job.unit / packing.side;
     const std::set<int> used(packing.tiles.begin(), packing.tiles.end());
     packing.fill = job.area * relative * relative / static_cast<double>(used.size());
@@ -265,7 +278,7 @@ class Packer {
   const std::vector<BezierMap>& charts_;
   const PackOptions& options_;
   const double border_;
-  const StopCheck& stop_;
+  const StopCheck told_, stop_;  // the second says nothing: for what may be done several times
   const double least_distance_;  // as a part of the side
   std::vector<AllowedRotations> freedom_;
 };

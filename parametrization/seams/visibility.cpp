@@ -261,7 +261,10 @@ Vec ambient_visibility(const SurfaceMesh& surface, const StopCheck& stop) {
     const std::vector<Direction> light = directions();
     Vec visibility = Vec::Ones(static_cast<Index>(samples.vertices().size()));
     parallel_for(visibility.size(), 16, [&](Index sample) {
-      if (sample % 16 == 0) stop.poll();
+      if (sample % 16 == 0) {
+        stop.poll();
+        stop.advance(to_size(sample), samples.vertices().size());
+      }
       const Index v = samples.vertices()[to_size(sample)];
       double seen = 0, all = 0;
       for (const Direction& d : light) {
@@ -284,7 +287,10 @@ Vec visibility_from(const SurfaceMesh& surface, const Vector3& direction, const 
     const RaysFrom rays(mesh);
     Vec visibility(mesh.vertex_count());
     parallel_for(mesh.vertex_count(), 256, [&](Index v) {
-      if (v % 256 == 0) stop.poll();
+      if (v % 256 == 0) {
+        stop.poll();
+        stop.advance(to_size(v), to_size(mesh.vertex_count()));
+      }
       const double cosine = towards.dot(rays.normal(v));
       visibility[v] = cosine > 0 && rays.leaves(v, towards) ? cosine : 0;
     });

@@ -90,11 +90,13 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& rec
   method = StartMethod::Multiresolution;
   MultiresolutionRules rules;
   if (asked.start == StartMethod::Automatic) rules.largest_drop = kLargestDrop;
-  if (tries_multiresolution(mesh, asked))
-    if (std::optional<Vec> start =
-            multiresolution_map(mesh, asked, record, rules, nullptr, solve_without_overlaps);
-        start && (asked.injectivity == MapInjectivity::Local || has_no_overlaps(mesh, *start)))
+  if (tries_multiresolution(mesh, asked)) {
+    std::optional<Vec> start =
+        multiresolution_map(mesh, asked, record, rules, nullptr, solve_without_overlaps);
+    record.telling_start({}).advance(1);
+    if (start && (asked.injectivity == MapInjectivity::Local || has_no_overlaps(mesh, *start)))
       return *std::move(start);
+  }
   method = StartMethod::Tutte;
   return tutte_map(mesh, SigtermGate::polled(record.start_stop()));
 }

@@ -252,8 +252,8 @@ class Run {
   void take_measures() {
     record_.begin(Activity::Measuring);
     const double started = record_.seconds();
-    unproven_ =
-        sharing_.measure(*result_.map, options_.map.energy, record_.stop(), result_.measures);
+    unproven_ = sharing_.measure(*result_.map, options_.map.energy, record_.telling(record_.stop()),
+                                 result_.measures);
     result_.measure_seconds += record_.seconds() - started;
   }
 

@@ -156,7 +156,11 @@ class Decimation {
   }
 
   void run() {
-    while (mesh_.faces_left() > goal_.faces && round() > 0) ++round_;
+    const double all = mesh_.faces_left() - goal_.faces;
+    while (mesh_.faces_left() > goal_.faces && round() > 0) {
+      ++round_;
+      stop_.advance(1 - (mesh_.faces_left() - goal_.faces) / all);
+    }
   }
 
  private:

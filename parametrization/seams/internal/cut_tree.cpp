@@ -20,6 +20,9 @@ constexpr double kSoftness = 1e-9;
 // other are rarely among the best; cuts have ten to thirty ends, those of 70 handles hundreds.
 constexpr std::size_t kOffersPerStep = 30;
 
+// The share of what branches are worth that is done once the matrix is factorized.
+constexpr double kFactorDone = 0.4;
+
 }  // namespace
 
 CutTree::CutTree(const SurfaceMesh& mesh, const std::vector<char>& is_cut,
@@ -176,7 +179,8 @@ void CutTree::grow(const std::vector<char>& is_terminal, double length) {
 
 void CutTree::hold(const StopCheck& stop) {
   const SurfaceMesh base = mesh_.cut_along(is_root_cut_, nullptr);
-  const FlatteningStrain sheet(base, base.from_vertex(outer_), stop, Ordering::Metis);
+  const FlatteningStrain sheet(base, base.from_vertex(outer_), stop.silent(), Ordering::Metis);
+  stop.advance(kFactorDone);
   std::vector<FlatteningStrain::Functional> held;
   const auto add = [&](Branch& branch, const FlatteningStrain::Functional& functional) {
     if (sheet.is_zero(functional)) return;
@@ -191,7 +195,7 @@ void CutTree::hold(const StopCheck& stop) {
       add(branch, {{base.to_vertex(next(h)), 1}, {base.to_vertex(next(mesh_.opposite(h))), -1}});
   }
   const auto count = static_cast<Index>(held.size());
-  Eigen::MatrixXd g = sheet.responses(held, stop);
+  Eigen::MatrixXd g = sheet.responses(held, stop.between(kFactorDone, 1));
   Vec values(count);
   for (Index k = 0; k < count; ++k) values[k] = sheet.apply(held[k], sheet.chi());
   const Vec scale = g.diagonal().cwiseSqrt().cwiseInverse();
