@@ -69,6 +69,9 @@ class Run::Watch final : public RunObserver {
   Directive after_step(const TraceEntry& row, const Vec& y) override {
     return progress_.after_step(row, y);
   }
+  void after_part(std::string_view part, const std::vector<TraceEntry>& rows) override {
+    progress_.after_part(part, rows);
+  }
 
  private:
   // Over: the run ends by itself. Ending: this ends the process.
