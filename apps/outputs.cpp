@@ -18,6 +18,7 @@
 #include "apps/or_interrupted.h"
 #include "apps/refusal_message.h"
 #include "apps/streams.h"
+#include "apps/within_memory.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/files_read_by.h"
 #include "majorant/io/input_file.h"
@@ -136,7 +137,8 @@ std::vector<ReadFile> files_read(const std::vector<std::string>& inputs, const S
   for (const std::string& input : inputs) {
     if (input.empty()) continue;
     add(input, input);
-    for (const std::string& file : files_read_by(input, stop)) add(file, input);
+    const auto search = [&] { return files_read_by(input, stop); };
+    for (const std::string& file : within_memory(input, search)) add(file, input);
   }
   return files;
 }

@@ -121,7 +121,7 @@ Run::Run(const RunPlan& plan)
       record_(plan.time_limit, plan.max_iterations, interruption_flag(), watch_.get()),
       threads_(usable_threads(plan.common.threads)) {
   or_interrupted("reading " + input(),
-                 [&] { require_writable(plan.common, plan.outputs, plan.inputs, record_.stop()); });
+                 [&] { require_writable(plan.common, plan.outputs, plan.inputs, record_.start_stop()); });
   set_output_stop(record_.stop());
   acknowledge_signals(!plan.common.quiet);
   record_.begin(Activity::Reading);

@@ -51,6 +51,9 @@ std::vector<std::string> with_standard_streams(std::vector<std::string> words) {
     throw Error(ErrorKind::Usage,
                 "-: standard input and output have no name that says their format; add --format "
                 "obj, or --format obj,glb for the one and the other");
+  if (!has_input && !has_output && !input.empty())
+    throw Error(ErrorKind::Usage,
+                "--format is of standard input and output, and no file is -; leave it out");
   if (has_output && has_report)
     throw Error(ErrorKind::Usage,
                 "-o - and --report - would write into each other; give one of them a file");

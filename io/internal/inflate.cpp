@@ -49,7 +49,7 @@ bool GunzipStream::append(std::string_view bytes, std::string& content) {
 // For one more block. Where the string grows it holds what it has twice, for a moment.
 void GunzipStream::require_room(const std::string& content) const {
   const std::size_t size = content.size() + kBlock;
-  limit_.require_unpacked(size, compressed_);
+  limit_.require_unpacked(unpacked_ + kBlock, compressed_);
   if (size > content.capacity()) limit_.require(size + content.size());
 }
 
@@ -63,6 +63,7 @@ bool GunzipStream::append_member(std::string& content) {
     stream_.avail_out = kBlock;
     const int code = inflate(&stream_, Z_NO_FLUSH);
     content.resize(size + kBlock - stream_.avail_out);
+    unpacked_ += kBlock - stream_.avail_out;
     if (code == Z_MEM_ERROR) throw std::bad_alloc();
     if (code == Z_STREAM_END) {
       in_member_ = false;

@@ -39,7 +39,7 @@ class GunzipStream {
 
   z_stream stream_{};
   ReadingLimit limit_;
-  std::size_t compressed_ = 0;  // bytes until now
+  std::size_t compressed_ = 0, unpacked_ = 0;  // bytes until now
   std::size_t members_ = 0;     // that have ended
   bool in_member_ = false;
 };

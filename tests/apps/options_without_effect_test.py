@@ -29,6 +29,7 @@ ALWAYS = {
 
 # option -> (the words without effect, outputs, what is said); for every verb that has it
 CASES = {
+    '--format': (['--format', 'obj'], ['.vtu'], 'no file is -'),
     '--soft': (['--soft', '10'], ['.vtu'], '--soft requires --handles'),
     '--no-flips': (['--no-flips'], ['.vtu'], '--no-flips needs --bijective'),
     '--write-scaffold': (['--write-scaffold', 's.vtu'], ['.vtu'], '--write-scaffold needs --bijective'),
