@@ -28,6 +28,19 @@ CommonOptions progress_options(const RunPlan& plan) {
   return options;
 }
 
+// Signals stop runs from here on. They are answered from the first one on.
+const std::atomic<bool>* stop_on_signals(const CommonOptions& common) {
+  acknowledge_signals(!common.quiet);
+  return interruption_flag();
+}
+
+// "reading", for "interrupted while reading in.obj".
+std::string_view doing(Activity activity) {
+  if (activity == Activity::Starting) return "making the start of";
+  if (activity == Activity::Scaffold) return "making the scaffold of";
+  return activity_name(activity);
+}
+
 }  // namespace
 
 // Passes what a run tells on to its progress, and looks from a thread of its own at its stop:
@@ -95,7 +108,7 @@ class Run::Watch final : public RunObserver {
   }
   void end_process(Directive why) {
     const std::string message = fmt::format("{} while {} {}", Stopped(why).what(),
-                                            activity_name(activity_.load()), plan_.inputs.front());
+                                            doing(activity_.load()), plan_.inputs.front());
     const int code = fail_({kInvalid, std::string(status_name(stopped_status(why))), message,
                             message + "; nothing is written"});
     remove_temporary_files();
@@ -118,12 +131,11 @@ Run::Run(const RunPlan& plan)
     : plan_(plan),
       progress_(std::make_unique<Progress>(progress_options(plan), plan.stages)),
       watch_(std::make_unique<Watch>(plan, *progress_)),
-      record_(plan.time_limit, plan.max_iterations, interruption_flag(), watch_.get()),
+      record_(plan.time_limit, plan.max_iterations, stop_on_signals(plan.common), watch_.get()),
       threads_(usable_threads(plan.common.threads)) {
   or_interrupted("reading " + input(),
                  [&] { require_writable(plan.common, plan.outputs, plan.inputs, record_.start_stop()); });
   set_output_stop(record_.stop());
-  acknowledge_signals(!plan.common.quiet);
   record_.begin(Activity::Reading);
   watch_->start(record_.stop(), [this](const Failure& failure) { return fail(failure); });
 }
