@@ -51,12 +51,6 @@ class Streams(CommandTest):
         self.assertTrue(self.read('out.vtu').startswith(b'<?xml'))
         self.assertEqual(self.files(), ['out.vtu'])
 
-    def test_an_old_result_survives_a_refusal(self):
-        self.write('out.vtu', 'old')
-        self.write('bad.obj', 'v 0 0 0\n')
-        self.refused(UNREADABLE, 'parametrize', self.path('bad.obj'), self.path('out.vtu'))
-        self.assertEqual(self.read('out.vtu'), b'old')
-
 
 class Info(CommandTest):
     def test_a_good_mesh(self):

@@ -103,38 +103,6 @@ class Signals(CommandTest):
         self.assertEqual(self.finished(process).code, OK)
         self.assertEqual(received, self.read('done.vtu'))
 
-    def test_verbs_without_a_best_map_end_and_clean_up(self):
-        """convert is signalled while it writes; what it would replace is whole."""
-        self.run_ok('parametrize', generated('creature'), '-o', self.path('in.vtu'), '--degree', '8',
-                    '--max-iterations', '0', code=LIMIT)
-        self.run_ok('convert', self.path('in.vtu'), '-o', self.path('out.vtu'))
-        whole = self.read('out.vtu')
-        for number in ENDING:
-            for _ in range(50):
-                process = start('convert', self.path('in.vtu'), '-o', self.path('out.vtu'))
-                # The first temporary file only tests the folder; it is gone at once.
-                seen = self.wait_for_temporary(process, 1000)
-                process.send_signal(number)
-                code = self.finished(process).code
-                self.assertIn(code, (OK, -number))
-                self.assertEqual(self.files(), ['in.vtu', 'out.vtu'])
-                self.assertEqual(self.read('out.vtu'), whole)
-                if seen and code == -number:
-                    break
-            else:
-                self.fail('convert was never caught while it wrote')
-
-    def wait_for_temporary(self, process, size):
-        while process.poll() is None:
-            for name in os.listdir(self.folder):
-                try:
-                    if name not in ('in.vtu', 'out.vtu') and \
-                            os.path.getsize(self.path(name)) > size:
-                        return True
-                except OSError:
-                    pass
-        return False
-
 
 if __name__ == '__main__':
     main()

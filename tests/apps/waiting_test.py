@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pipes that nobody reads or writes: the first signal and the time limit end the wait, with a line."""
+"""Pipes that are read and written slowly, or no more; lists and images that are pipes (others: every_verb_test)."""
 import fcntl
 import os
 import select
@@ -51,21 +51,6 @@ class Waiting(CommandTest):
         for part in (name, 'nobody reads it', 'written: ' + written if written else 'nothing was written'):
             self.assertIn(part, err)
 
-    def test_a_fifo_and_each_signal(self):
-        os.mkfifo(self.path('fifo.vtu'))
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            process = self.start(*self.job('done.vtu', 'fifo.vtu'))
-            self.wait_for('done.vtu', process)
-            process.send_signal(number)
-            self.check_said(self.ended(process), 'fifo.vtu', self.path('done.vtu'))
-            os.unlink(self.path('done.vtu'))
-            self.assertEqual(self.files(), ['fifo.vtu'])
-
-    def test_a_fifo_and_the_time_limit(self):
-        os.mkfifo(self.path('fifo.vtu'))
-        process = self.start(*self.job('fifo.vtu'), '--time-limit', '1')
-        self.check_said(self.ended(process), 'fifo.vtu', None)
-
     def test_a_fifo_whose_reader_stops_reading(self):
         os.mkfifo(self.path('fifo.vtu'))
         process = self.start('parametrize', generated('creature'), '-o', self.path('fifo.vtu'), '--degree', '3',
@@ -109,18 +94,6 @@ class Waiting(CommandTest):
         code = process.wait(SOON + 20)
         self.assertEqual(code, LIMIT)
         self.run_ok('check', self.path('done.vtu'))
-
-    def test_an_input_that_nobody_writes(self):
-        os.mkfifo(self.path('in.obj'))
-        for verb in ('parametrize', 'unwrap'):
-            process = self.start(verb, self.path('in.obj'), '-o', self.path('out.vtu'))
-            time.sleep(1)
-            self.assertIsNone(process.poll())
-            process.send_signal(signal.SIGTERM)
-            code, err = self.ended(process)
-            self.assertEqual(code, INVALID, err)
-            self.assertIn('interrupted while reading %s; nothing is written\n' % self.path('in.obj'), err)
-            self.assertEqual(self.files(), ['in.obj'])
 
     def test_lists_and_images_that_nobody_writes(self):
         os.mkfifo(self.path('list'))

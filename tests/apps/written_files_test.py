@@ -104,10 +104,6 @@ class Inputs(CommandTest):
                          '--report', self.pins, *DISK, says=['--force', 'pins.json'])
         self.refused(USAGE, 'seamless', self.mesh, '-o', self.path('a.vtu'), '--cones', self.pins,
                      '--report', self.pins, says='--force')
-        self.refused(USAGE, 'info', self.pins, '--report', self.pins, says='--force')
-        self.refused(USAGE, 'convert', self.mesh, self.mesh, says='--force')
-        self.refused(USAGE, 'check', self.mesh, '--surface', self.pins, '--report', self.pins,
-                     says='--force')
         self.assertEqual(self.files(), before)
         self.assertEqual(self.read('mesh.obj').decode(), self.text())
 
