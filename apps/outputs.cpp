@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -15,11 +16,13 @@
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/suggestion.h"
+#include "apps/failure.h"
 #include "apps/or_interrupted.h"
 #include "apps/refusal_message.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/stop_check.h"
 #include "majorant/io/files_read_by.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/written_mark.h"
@@ -222,6 +225,13 @@ void WrittenFiles::write(const std::string& path, const std::function<void()>& w
   } catch (const std::bad_alloc&) {
     entry.failure = fmt::format("cannot write {}: out of memory", path);
     entry.code = kUsage;
+  } catch (const Stopped& stopped) {
+    entry.failure = fmt::format("cannot write {}: {}", path, stopped.what());
+    entry.code = kInvalid;
+  } catch (const std::exception&) {
+    entry.failure =
+        fmt::format("cannot write {}: {}", path, failure_of(std::current_exception()).line);
+    entry.code = kInternal;
   }
   entries_.push_back(std::move(entry));
 }
