@@ -24,9 +24,11 @@ int info(const InfoRequest& request) {
     const PolygonMesh polygons = run.read(request.input, [&] {
       return read_mesh(request.input, run.stop(), request.common.strictness());
     });
+    Stopwatch watch;
     MeshDescription found = run.make("describing " + request.input, [&] {
       return describe_mesh(polygons, {.plan = request.plan}, run.stop());
     });
+    found.report.seconds["describe"] = watch.restart();
     found.report.options = {{"plan", request.plan}, {"strict", request.common.strict}};
     Made made{.report = std::move(found.report), .is_verdict_news = true};
     if (request.common.report != kStandardOutput) made.verdict = std::move(found.text);

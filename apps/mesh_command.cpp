@@ -72,12 +72,14 @@ struct CheckedMesh {
 Made verdict(const MeshCheckRequest& request, CheckedMesh& c, Run& run) {
   c.mesh = run.read(request.input, [&] { return read_volume_mesh(request.input, run.stop()); });
   run.record().begin(Activity::Proving);
+  const double before = run.seconds();
   c.check = run.make("checking " + request.input, [&] {
     return within_memory(
         request.input, [&] { return check_volume_mesh(c.mesh, run.record().telling(run.stop())); });
   });
   Made made{.report = volume_check_report(c.mesh, c.check, request.listed)};
   made.report.options = {{"list", request.listed}, {"strict", request.common.strict}};
+  made.report.seconds["check"] = run.seconds() - before;
   made.verdict = verdict_of(request, c.mesh, c.check);
   made.is_verdict_news = !c.check.is_valid();
   for (const std::string& path : request.outputs)

@@ -80,12 +80,14 @@ Made optimized(const MeshOptimizeRequest& request, VolumeMesh& mesh, Run& run) {
   require_volume_format(request.output, mesh, request.gmsh());
   const VolumeOptions options = run.make("reading " + request.size_file(),
                                          [&] { return request.options(mesh, run.start_stop()); });
+  const double before = run.seconds();
   const VolumeResult result = run.make("optimizing " + request.input, [&] {
     return within_memory(request.input,
                          [&] { return optimize_volume_mesh(mesh, options, run.record()); });
   });
   mesh.points = result.points;  // those that are written, or that failed
   Made made{.report = optimized_mesh_report(mesh, result, run.record(), request.listed)};
+  made.report.seconds["optimize"] = run.seconds() - before;
   made.report.options = request.to_json();
   made.report.result["energy"] = request.energy;
   const std::string text = summary_of(request, mesh, result);

@@ -207,7 +207,10 @@ void Run::write_reports(RunReport report, WrittenFiles& written) const {
   const std::vector<std::string> paths = report_paths();
   if (paths.empty()) return;
   report.command = plan_.command;
-  report.seconds["total"] = seconds();
+  Json by_stage{{"read", read_seconds_}};
+  by_stage.update(report.seconds);
+  by_stage["total"] = seconds();
+  report.seconds = std::move(by_stage);
   const Json json = to_json(report, written.to_json());
   for (const std::string& path : paths) written.write(path, [&] { write_json(path, json); });
 }

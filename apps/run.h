@@ -32,6 +32,7 @@
 #include "apps/within_memory.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/run_record.h"
+#include "majorant/framework/stopwatch.h"
 #include "majorant/results/report.h"
 
 namespace majorant::app {
@@ -90,10 +91,12 @@ class Run {
   const std::string& input() const { return plan_.inputs.front(); }
   double seconds() const { return record_.seconds(); }
 
-  // Returns read() of that file, of which no more memory is taken than is free. Throws Interrupted
+  // Returns read() of that file, of which no more memory is taken than is free. Its time is the
+  // report's seconds.read, unless the verb says another one. Throws Interrupted
   // when it is stopped, Error(Unsupported) where memory is short.
   template <class Read>
   auto read(const std::string& path, const Read& read) const {
+    const AddedSeconds time(read_seconds_);
     return or_interrupted("reading " + path, [&] { return within_memory(path, read); });
   }
   // Returns work(). Throws Interrupted when it is stopped; doing: "unwrapping IN".
@@ -119,6 +122,7 @@ class Run {
   std::unique_ptr<Watch> watch_;
   RunRecord record_;
   ThreadCount threads_;
+  mutable double read_seconds_ = 0;
 };
 
 // A Run, concluded.

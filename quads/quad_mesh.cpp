@@ -13,6 +13,7 @@
 #include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/stopwatch.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/quads/internal/aligned_map.h"
@@ -91,17 +92,24 @@ struct JudgedQuads {
 // features: of `mesh`.
 JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const std::vector<char>& features,
                            const SeamlessLattice& lattice, const TMesh& t_mesh,
-                           const std::vector<Index>& edges, const RunRecord& record) {
+                           const std::vector<Index>& edges, const RunRecord& record,
+                           QuadSeconds& seconds) {
   const StopCheck& stop = record.start_stop();
-  ExtractedQuads extracted(lattice, t_mesh, edges);
-  PolygonMesh quads = extracted.polygons();
-  QuadCheck check = check_quads(quads, nullptr, {}, stop);
-  HeldVertices held = extracted.held_vertices();
+  const auto timed = [](double& sum, const auto& work) {
+    const AddedSeconds time(sum);
+    return work();
+  };
+  ExtractedQuads extracted =
+      timed(seconds.place, [&] { return ExtractedQuads(lattice, t_mesh, edges); });
+  PolygonMesh quads = timed(seconds.place, [&] { return extracted.polygons(); });
+  QuadCheck check = timed(seconds.check, [&] { return check_quads(quads, nullptr, {}, stop); });
+  HeldVertices held = timed(seconds.place, [&] { return extracted.held_vertices(); });
   if (check.is_surface) {
     record.announce(fmt::format("smoothing {} quads", check.count));
-    smooth_quads(quads, lattice.surface(), held, stop);
+    timed(seconds.smooth, [&] { smooth_quads(quads, lattice.surface(), held, stop); });
     record.begin(Activity::Proving);
-    check = check_quads(quads, &mesh, features, record.telling(stop));
+    check = timed(seconds.check,
+                  [&] { return check_quads(quads, &mesh, features, record.telling(stop)); });
   }
   return {std::move(quads), extracted.patches(), std::move(held.feature_edges), std::move(check),
           static_cast<Index>(t_mesh.patches.size())};
@@ -125,7 +133,7 @@ class QuadPlacer {
   // All of them outlive this. features: of `mesh`.
   QuadPlacer(const SurfaceMesh& mesh, const std::vector<char>& features, const RoomySurface& roomy,
              const BezierMap& map, const SeamlessLattice& lattice, const TMesh& t_mesh,
-             const QuadMeshOptions& options, const RunRecord& record)
+             const QuadMeshOptions& options, const RunRecord& record, QuadSeconds& seconds)
       : mesh_(mesh),
         features_(features),
         roomy_(roomy),
@@ -133,7 +141,8 @@ class QuadPlacer {
         lattice_(lattice),
         t_mesh_(t_mesh),
         options_(options),
-        record_(record) {}
+        record_(record),
+        seconds_(seconds) {}
 
   // Throws Error(Infeasible) where none are valid.
   JudgedQuads place(const std::vector<Index>& edges) const {
@@ -150,7 +159,9 @@ class QuadPlacer {
       }
     };
     if (options_.placing != QuadPlacing::IntegerGrid)
-      consider([&] { return smoothed_quads(mesh_, features_, lattice_, t_mesh_, edges, record_); });
+      consider([&] {
+        return smoothed_quads(mesh_, features_, lattice_, t_mesh_, edges, record_, seconds_);
+      });
     if (options_.placing != QuadPlacing::Rectangles)
       consider([&] { return on_integer_grid(edges); });
     if (!best) throw Error(ErrorKind::Infeasible, why.value_or(""));
@@ -159,6 +170,7 @@ class QuadPlacer {
 
  private:
   JudgedQuads on_integer_grid(const std::vector<Index>& edges) const {
+    std::optional<AddedSeconds> time(std::in_place, seconds_.place);
     const StopCheck& stop = record_.start_stop();
     const long count = quad_count(t_mesh_, edges);
     const double area =
@@ -176,8 +188,9 @@ class QuadPlacer {
     const IntegerGrid found(roomy_, *whole, grid.edge_length(), stop);
     if (quad_count(found.t_mesh(), found.edges()) != count)
       throw Error(ErrorKind::Infeasible, "the integer-grid map has another number of quads");
-    JudgedQuads made =
-        smoothed_quads(mesh_, features_, found.lattice(), found.t_mesh(), found.edges(), record_);
+    time.reset();
+    JudgedQuads made = smoothed_quads(mesh_, features_, found.lattice(), found.t_mesh(),
+                                      found.edges(), record_, seconds_);
     made.placed = QuadPlacing::IntegerGrid;
     made.degree = whole->degree();
     return made;
@@ -191,12 +204,14 @@ class QuadPlacer {
   const TMesh& t_mesh_;
   const QuadMeshOptions& options_;
   const RunRecord& record_;
+  QuadSeconds& seconds_;
 };
 
 // Returns the quads of a surface with these features (3 #F, or empty: none). Throws
 // Error(Infeasible) where there are none.
 QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
-                    const QuadMeshOptions& options, RunRecord& record) {
+                    const QuadMeshOptions& options, RunRecord& record, QuadSeconds& seconds) {
+  std::optional<AddedSeconds> time(std::in_place, seconds.map);
   const StopCheck& stop = record.start_stop();
   QuadMesh result;
   const RoomySurface roomy = with_room(mesh, features);
@@ -206,13 +221,15 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
   const AlignedMap aligned = aligned_map(roomy, how, record);
   const BezierMap& map = aligned.map;
   result.status = aligned.status;
+  time.emplace(seconds.quantize);
   SeamlessLattice lattice(roomy.mesh, map, roomy.is_feature);
   const TMesh t_mesh = trace_t_mesh(lattice, stop);
   for (const TNode& node : t_mesh.nodes)
     result.cones += node.is_cone() && node.side != Side::Border;
+  time.reset();
   const double asked = asked_of(mesh, options);
   result.asked = std::lround(asked);
-  const QuadPlacer placer(mesh, features, roomy, map, lattice, t_mesh, options, record);
+  const QuadPlacer placer(mesh, features, roomy, map, lattice, t_mesh, options, record, seconds);
   // Arcs without edges leave the best angles; other numbers of quads are other meshes, of which one
   // may be valid, or have the count that was asked for, where the first is not, or has not.
   using Arcs = ArcNumbers::Arcs;
@@ -222,6 +239,7 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
   std::optional<std::string> why;
   double least_off = std::numeric_limits<double>::infinity();
   const auto numbers_for = [&](const std::string& what, Arcs arcs, const auto& find) {
+    const AddedSeconds of_numbers(seconds.quantize);
     record.announce("whole numbers for " + what);
     ArcNumbers numbers(lattice, t_mesh, arcs, stop);
     std::vector<Index> edges = find(numbers);
@@ -321,9 +339,13 @@ void require_memory_for_quads(const SurfaceMesh& mesh, const QuadMeshOptions& op
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record) {
   require_usable(mesh, options);
   const ThreadCount threads(options.threads);
+  QuadSeconds seconds;
   const std::vector<char> asked = asked_features(mesh, options);
   const auto made_with = [&](const std::vector<char>& features) {
-    return quads_with(mesh, has_any(features) ? features : std::vector<char>(), options, record);
+    QuadMesh made = quads_with(mesh, has_any(features) ? features : std::vector<char>(), options,
+                               record, seconds);
+    made.seconds = seconds;
+    return made;
   };
   if (!has_any(asked)) return made_with({});
   const double length = std::sqrt(mesh.area() / std::max(asked_of(mesh, options), 1.0));
@@ -361,6 +383,7 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
       made->relaxed.push_back(
           {mesh.from_vertex(line.half_edges.front()), mesh.to_vertex(line.half_edges.back())});
   made->conflict = std::move(conflict);
+  made->seconds = seconds;
   return *std::move(made);
 }
 

@@ -54,6 +54,15 @@ struct QuadMeshOptions {
   int threads = 0;  // as SolveOptions has it
 };
 
+// Seconds that stages took, attempts that failed included.
+struct QuadSeconds {
+  double map = 0;       // the cross field and the seamless map that follows it
+  double quantize = 0;  // the motorcycle graph and the whole numbers of its arcs
+  double place = 0;     // vertices on the surface, by the integer-grid map, too
+  double smooth = 0;
+  double check = 0;  // check_quads(), nearest points of the surface among it
+};
+
 struct QuadMesh {
   PolygonMesh quads;
   QuadCheck check;  // of these, with the surface and `features`: valid
@@ -76,6 +85,7 @@ struct QuadMesh {
   QuadPlacing placed = QuadPlacing::Rectangles;  // never Best
   int degree = 1;                                // of the map that has placed them
   Status status = Status::Converged;  // of the map's optimization, which a limit may have ended
+  QuadSeconds seconds = {};
 };
 
 // Of the attempts whose quads are valid the first with a count within this part of the one asked

@@ -7,6 +7,7 @@
 
 #include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
+#include "majorant/framework/stopwatch.h"
 #include "majorant/io/io.h"
 #include "majorant/mesh/marked_creases.h"
 #include "majorant/mesh/weld.h"
@@ -220,6 +221,7 @@ void AtlasJob::solve() {
   if (old_seams == OldSeams::Cut) options.cuts.given = surface.texture_seams;
   options.cuts.wanted = {marked_creases(*polygons, surface), {}};
   if (chooses_cuts(options.cuts.method)) {
+    const AddedSeconds time(visibility_seconds);
     const StopCheck stop = record.telling(record.start_stop()).between(0, kLookedShare);
     visibility = hide_from ? visibility_from(*surface.mesh, *hide_from, stop)
                            : ambient_visibility(*surface.mesh, stop);
@@ -328,9 +330,10 @@ RunReport atlas_report(const AtlasJob& job) {
                    .result = result_section(job),
                    .warnings = job.polygons->warnings,
                    .seconds = {{"read", job.read_seconds},
-                               {"initialize", atlas.initialize_seconds},
-                               {"optimize", atlas.optimize_seconds},
-                               {"pack", atlas.packing_seconds}}};
+                               {"cut", job.visibility_seconds + atlas.cut_seconds},
+                               {"recut", atlas.recut_seconds},
+                               {"map", atlas.map_seconds},
+                               {"pack", atlas.pack_seconds}}};
   report.more = {{"repairs", repairs_section(job.surface)}, {"charts", charts_section(atlas)}};
   add_solver(report, job.linear_solver, job.memory);
   return report;

@@ -45,7 +45,7 @@ struct AtlasJob {
   void prove();
 
   RunRecord& record;
-  std::string energy = {};      // as said; empty: one without a name
+  std::string energy = {};             // as said; empty: one without a name
   Json options_json = Json::object();  // the options as given, for reports and claims
 
   std::shared_ptr<PolygonMesh> polygons;  // as with_welded_vertices() has them
@@ -63,7 +63,7 @@ struct AtlasJob {
   GlobalInjectivity boundary;          // prove()
   Vec visibility;                      // #V of the surface, of solve()
   Json linear_solver, memory;          // sections of the report, or null
-  double read_seconds = 0;
+  double read_seconds = 0, visibility_seconds = 0;
 
  private:
   void ask_for_density();

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
 #include "majorant/certify/cut_map.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/stopwatch.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/layout_scale.h"
@@ -174,6 +177,31 @@ SurfaceValues values_of(const BakeJob& job, std::vector<std::string>& channels,
   return values;
 }
 
+// The time that searches for nearest points take, of which every kPeriod-th is measured.
+class TimedPlaces {
+ public:
+  explicit TimedPlaces(PlaceOf places) : places_(std::move(places)) {}
+
+  PlaceOf places() {
+    return [this](const SurfacePlace& of, Index likely) {
+      thread_local unsigned calls = 0;
+      if (++calls % kPeriod != 0) return places_(of, likely);
+      Stopwatch watch;
+      std::optional<SurfacePlace> found = places_(of, likely);
+      nanoseconds_.fetch_add(std::llround(1e9 * watch.restart()), std::memory_order_relaxed);
+      return found;
+    };
+  }
+  // Seconds of all searches together, of the processor.
+  double seconds() const { return 1e-9 * kPeriod * static_cast<double>(nanoseconds_.load()); }
+
+ private:
+  static constexpr unsigned kPeriod = 16;
+
+  PlaceOf places_;
+  std::atomic<long long> nanoseconds_{0};
+};
+
 }  // namespace
 
 std::string_view method_name(BakeMethod method) {
@@ -222,13 +250,23 @@ void BakeJob::run(const StopCheck& stop) {
                 fmt::format("{} and {} do not have the same faces; go by nearest points",
                             target.file, carrier.file));
   method = place_of ? BakeMethod::Same : BakeMethod::Nearest;
+  Stopwatch watch;
+  std::optional<TimedPlaces> timed;
   if (!place_of) {
     farthest = distance.value_or(kFarthest * diagonal(carrier.mesh->positions()));
     tree.emplace(input_positions(*carrier.mesh), carrier.mesh->faces());
-    place_of = nearest_places(*target.mesh, *tree, farthest);
+    timed.emplace(nearest_places(*target.mesh, *tree, farthest));
+    place_of = timed->places();
+    nearest_seconds = watch.restart();
   }
   baked = bake(InverseMap(*target.layout), options, *place_of, values, stop);
   density = texel_density(*target.layout, options.width, options.height);
+  bake_seconds = watch.restart();
+  if (timed) {  // threads search side by side
+    const double searches = std::min(bake_seconds, timed->seconds() / ThreadCount::current());
+    nearest_seconds += searches;
+    bake_seconds -= searches;
+  }
   images = {};
 }
 
@@ -261,7 +299,8 @@ RunReport bake_report(const BakeJob& job) {
           .status = "converged",
           .input = {{"file", job.target.file}},
           .result = {{"bake", bake_section(job)}},
-          .warnings = job.target.warnings};
+          .warnings = job.target.warnings,
+          .seconds = {{"nearest_points", job.nearest_seconds}, {"bake", job.bake_seconds}}};
 }
 
 void write_baked(const std::string& path, const BakeJob& job) {

@@ -81,6 +81,8 @@ struct BakeJob {
   double farthest = 0;  // of Nearest
   std::optional<BakedImage> baked;
   TexelDensity density;
+  // Of the search tree and the searches in it; of all else. Wall clock.
+  double nearest_seconds = 0, bake_seconds = 0;
 };
 
 // The report of a job that has run, but for its options.

@@ -195,17 +195,17 @@ void add_proofs(MapCheck& check) {
       check.findings.add_open(
           fmt::format("{}: could not be decided: {}", question, finding->detail));
     check.report.result["proofs"][question] = {{"answer", name_of(finding->answer)},
-                                        {"detail", finding->detail}};
+                                               {"detail", finding->detail}};
   }
   const StackedCharts& stacks = check.proof.stacks;
   check.report.result["stacks"] = {
       {"stacks", stacks.stacks}, {"charts", stacks.stacked}, {"mirrored", stacks.mirrored}};
   const CutCount& cuts = check.proof.cuts;
   check.report.result["cuts"] = {{"seam_edges", cuts.seams},
-                          {"other_edges", cuts.others},
-                          {"length", cuts.length},
-                          {"charts", cuts.charts},
-                          {"told_from_tears", !check.has_untold_cuts}};
+                                 {"other_edges", cuts.others},
+                                 {"length", cuts.length},
+                                 {"charts", cuts.charts},
+                                 {"told_from_tears", !check.has_untold_cuts}};
 }
 
 // Claimed charts lie on each other, as they are or mirrored as it is claimed, and no others do.
@@ -266,7 +266,7 @@ void measure_overlap(MapCheck& check, const CheckRequest& request, const StopChe
   }
   if (check.overlap)
     check.report.result["overlap"] = {{"faces", check.overlap->faces},
-                                         {"share", check.overlap->share}};
+                                      {"share", check.overlap->share}};
 }
 
 // Adds measures of the map that there is, and of its claims.

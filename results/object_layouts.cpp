@@ -8,12 +8,17 @@ namespace majorant {
 
 namespace {
 
-Json object_section(const std::string& name, const AtlasJob& job) {
-  const Json report = to_json(atlas_report(job));
+Json object_section(const std::string& name, const Json& report) {
   Json section{{"name", name}};
   for (const char* const key : {"status", "input", "repairs", "result", "charts"})
     section[key] = report[key];
   return section;
+}
+
+// Adds the stages of an object; reading is told of all objects together.
+void add_seconds(const Json& of_object, Json& all) {
+  for (const auto& [stage, seconds] : of_object.items())
+    if (stage != "read") all[stage] = all.value(stage, 0.0) + seconds.get<double>();
 }
 
 }  // namespace
@@ -36,7 +41,9 @@ UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
       all.status = status;
       all.message = job.atlas.message();
     }
-    all.sections.push_back(object_section(name, job));
+    const Json report = to_json(atlas_report(job));
+    all.sections.push_back(object_section(name, report));
+    add_seconds(report["seconds"], all.seconds);
     all.options_json = job.options_json;
     if (status != Status::Failed) all.layouts.push_back({name, atlas_file(job), std::move(object)});
   }
@@ -49,7 +56,8 @@ RunReport objects_report(const UnwrappedObjects& objects, const PolygonMesh& pol
                    .message = objects.message,
                    .input = {{"file", polygons.file}},
                    .options = objects.options_json,
-                   .warnings = polygons.warnings};
+                   .warnings = polygons.warnings,
+                   .seconds = objects.seconds};
   report.more["objects"] = objects.sections;
   return report;
 }

@@ -33,6 +33,7 @@ struct UnwrappedObjects {
   std::vector<ObjectLayout> layouts;  // of all but those that failed
   Json sections = Json::array();  // {"name", "status", "input", "repairs", "result", "charts"} each
   Json options_json;              // of the jobs, for reports
+  Json seconds = Json::object();  // by stage, of all objects together
   Status status = Status::Converged;  // the worst of the objects
   std::string message;                // of the first that ended so
 };

@@ -13,6 +13,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/stopwatch.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/input_file.h"
 #include "majorant/io/io.h"
@@ -167,6 +168,14 @@ std::string relaxed_features(const QuadJob& job) {
       fmt::join(ends, ", "), job.relaxed.size() > kNamedPlaces ? ", ..." : "");
 }
 
+void add_seconds(const QuadSeconds& of_component, QuadSeconds& all) {
+  all.map += of_component.map;
+  all.quantize += of_component.quantize;
+  all.place += of_component.place;
+  all.smooth += of_component.smooth;
+  all.check += of_component.check;
+}
+
 }  // namespace
 
 void QuadJob::open(PolygonMesh input) {
@@ -176,7 +185,6 @@ void QuadJob::open(PolygonMesh input) {
 }
 
 void QuadJob::solve(const std::string& source) {
-  const double before = record.seconds();
   const SurfaceMesh& mesh = *surface.mesh;
   require_memory_for_quads(mesh, options);  // of all components
   if (options.map.cones)
@@ -203,11 +211,15 @@ void QuadJob::solve(const std::string& source) {
     requested_count += made.asked;
     patches += made.patches;
     degree = std::max(degree, made.degree);
+    add_seconds(made.seconds, seconds);
     least += made.least_count.value_or(made.check.count);
     if (made.status != Status::Converged) status = made.status;
   }
   record.begin(Activity::Proving);
-  check = check_quads(quads, &mesh, features, record.telling(record.start_stop()));
+  {
+    const AddedSeconds time(seconds.check);
+    check = check_quads(quads, &mesh, features, record.telling(record.start_stop()));
+  }
   if (!check.is_valid())
     throw Error(ErrorKind::Infeasible,
                 fmt::format("{}: its components do not make valid quads together: {}",
@@ -219,7 +231,6 @@ void QuadJob::solve(const std::string& source) {
         fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found",
                     polygons.file, check.count, requested_count, 100 * kCountClose));
   if (!relaxed.empty()) warnings.push_back(relaxed_features(*this));
-  solve_seconds = record.seconds() - before;
 }
 
 RunReport quad_report(const QuadJob& job) {
@@ -242,7 +253,12 @@ RunReport quad_report(const QuadJob& job) {
           .options = job.options_json,
           .result = {{"quads", section}},
           .warnings = warnings,
-          .seconds = {{"read", job.read_seconds}, {"solve", job.solve_seconds}}};
+          .seconds = {{"read", job.read_seconds},
+                      {"map", job.seconds.map},
+                      {"quantize", job.seconds.quantize},
+                      {"place", job.seconds.place},
+                      {"smooth", job.seconds.smooth},
+                      {"check", job.seconds.check}}};
 }
 
 std::vector<std::string> quad_extensions() { return {".obj", ".ply", ".vtu"}; }

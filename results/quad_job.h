@@ -56,7 +56,8 @@ struct QuadJob {
   std::vector<std::array<Index, 2>> feature_edges;  // of the quads, those that cover features
   std::vector<std::string> warnings;  // a count that is not close to the one asked for
   Status status = Status::Converged;  // of the maps: a limit may have ended their optimization
-  double read_seconds = 0, solve_seconds = 0;
+  double read_seconds = 0;
+  QuadSeconds seconds;  // of all components
 };
 
 // Whole but for what writing adds to it: the seconds "write" and "total".

@@ -133,6 +133,7 @@ void require_of_maps(const Request& request) {
 
 Made quads_verdict(const Request& request, const PolygonMesh& quads, const PolygonMesh* polygons,
                    Run& run) {
+  Stopwatch watch;
   run.record().begin(Activity::Proving);
   const auto with = polygons ? QuadsComparedWith::Surface : QuadsComparedWith::Nothing;
   const QuadCheck check = run.make("checking " + request.result, [&] {
@@ -151,7 +152,8 @@ Made quads_verdict(const Request& request, const PolygonMesh& quads, const Polyg
                        .input = {{"file", request.result}},
                        .options = options_of(request),
                        .result = {{"quads", quads_section(check, with, features)}},
-                       .warnings = quads.warnings}};
+                       .warnings = quads.warnings,
+                       .seconds = {{"check", watch.restart()}}}};
   made.verdict =
       one_line(fmt::format("{}: {}: {}", request.result, made.report.status, made.report.message)) +
       "\n";
@@ -211,6 +213,7 @@ Made verdict(const Request& request, Checked& c, Run& run) {
   c.mesh.reset();
   say_warnings(c.file.warnings);
   read_surface();
+  Stopwatch watch;
   c.check.emplace(c.file,
                   CheckRequest{.name = request.result,
                                .surface = c.surface ? &*c.surface : nullptr,
@@ -221,6 +224,7 @@ Made verdict(const Request& request, Checked& c, Run& run) {
                                .layers = layers,
                                .reported = run.has_report() || !request.outputs.empty()},
                   run.record());
+  c.check->report.seconds["check"] = watch.restart();
   return made_of(request, c.file, *c.check);
 }
 

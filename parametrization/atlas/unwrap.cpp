@@ -23,6 +23,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/kept_factor_memory.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/stopwatch.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/model_unit.h"
 #include "majorant/mesh/refusal.h"
@@ -190,7 +191,7 @@ class Unwrapping {
     record_.begin(Activity::Cutting);
     atlas_.cuts = choose_cuts(surface_, cuts, record_.telling(record_.start_stop()));
     make_tasks();
-    atlas_.initialize_seconds = record_.seconds() - started;
+    atlas_.cut_seconds = record_.seconds() - started;
     record_.begin(Activity::Solving);
     atlas_.charts.resize(tasks_.size());
     std::vector<std::size_t> all(tasks_.size());
@@ -204,12 +205,11 @@ class Unwrapping {
     }
     kept.reset();
     scale_charts();
-    atlas_.optimize_seconds = record_.seconds() - started - atlas_.initialize_seconds;
     if (options_.packing && atlas_.status() != Status::Failed) place_charts();
     if (atlas_.packing && options_.least_fill > 0 && may_cut(options_) && is_of_one_scale())
       fill_square();
-    atlas_.packing_seconds =
-        record_.seconds() - started - atlas_.initialize_seconds - atlas_.optimize_seconds;
+    atlas_.recut_seconds = std::max(0.0, record_.seconds() - started - atlas_.cut_seconds -
+                                             atlas_.map_seconds - atlas_.pack_seconds);
     return std::move(atlas_);
   }
 
@@ -667,6 +667,7 @@ class Unwrapping {
   }
 
   void keep_islands() {
+    const AddedSeconds time(atlas_.map_seconds);
     std::vector<std::shared_ptr<const SurfaceMesh>> islands;
     for (const Task& task : tasks_) islands.push_back(task.mesh);
     const std::vector<BezierMap> maps = kept_islands(islands);
@@ -706,6 +707,7 @@ class Unwrapping {
 
   // Those with these numbers.
   void solve_charts(std::vector<std::size_t> order) {
+    const AddedSeconds time(atlas_.map_seconds);
     const double all = faces_of(order);
     std::atomic<Index> done = 0;  // faces
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -882,6 +884,7 @@ class Unwrapping {
   }
 
   void place_charts() {
+    const AddedSeconds time(atlas_.pack_seconds);
     record_.begin(Activity::Packing);
     PackOptions packing = *options_.packing;
     packing.fixed.clear();

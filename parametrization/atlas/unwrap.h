@@ -138,7 +138,9 @@ struct Atlas {
   SurfaceCuts cuts;
   std::vector<Chart> charts;       // in the order of their first faces
   std::optional<Packing> packing;  // of their maps, which are in place
-  double initialize_seconds = 0, optimize_seconds = 0, packing_seconds = 0;
+  // The time of the first cuts, of the maps, of the placing, and of all between: which charts are
+  // cut again or divided, and how.
+  double cut_seconds = 0, map_seconds = 0, pack_seconds = 0, recut_seconds = 0;
   // Why the division of charts ended (least_charts, least_fill). Converged: there are so many, and
   // they fill so much, or none can be divided that gains anything. MaxIterations: no more layouts
   // are packed on the way to a fill.
