@@ -80,6 +80,7 @@ def check_contents(name, path):
     wanted = ['./usr/share/doc/%s/copyright' % name]
     if name == 'majorant':
         wanted += ['./usr/bin/majorant', './usr/share/man/man1/majorant.1.gz',
+                   './usr/share/majorant/report.schema.json',
                    './usr/share/bash-completion/completions/majorant',
                    './usr/share/zsh/vendor-completions/_majorant',
                    './usr/share/fish/vendor_completions.d/majorant.fish']

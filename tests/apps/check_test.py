@@ -42,7 +42,7 @@ class Check(CommandTest):
             with open(report) as f:
                 data = json.load(f)
             self.assertEqual((data['schema_version'], data['command'], data['status']),
-                             (1, 'check', 'valid'))
+                             (2, 'check', 'valid'))
             self.assertEqual(data['result']['findings'], [])
             self.assertTrue(data['result']['locally_injective'])
             self.assertAlmostEqual(data['result']['value'], Vtu(path).claims['value'], delta=1e-9)

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""docs/interface.md against the program: flags of --help, exit codes, statuses, keys of reports.
+"""docs/interface.md against the program: flags of --help, exit codes, statuses; reports against their schema.
 
-A flag, a status or a key of a report that the program has and the page has not, or the other way
-round, fails with its name. Reports come from a handful of small runs: a key that only appears in
-situations that none of them meets needs a run of its own here.
+A flag, a status or a key of a report that the program has and the page or the schema has not, or the
+other way round, fails with its name. Reports come from a handful of small runs: a key that only
+appears in situations that none of them meets needs a run of its own here.
 """
 import glob
 import json
@@ -18,8 +18,11 @@ import unittest
 
 SOURCE = os.environ['MAJORANT_SOURCE_DIR']
 sys.path.insert(0, os.path.join(SOURCE, 'tests', 'apps'))
+sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
 import command_helpers as helpers  # noqa: E402
-from command_helpers import INVALID, LIMIT, CommandTest, majorant  # noqa: E402
+import report_schema  # noqa: E402
+import report_table  # noqa: E402
+from command_helpers import INVALID, LIMIT, UNREADABLE, UNSUPPORTED, USAGE, CommandTest, majorant  # noqa: E402
 
 MPI_BINARY = os.environ.get('MAJORANT_MPI_BINARY', '')
 
@@ -33,7 +36,6 @@ def alone(*words):
 
 VERBS = ['parametrize', 'unwrap', 'seamless', 'deform', 'check', 'compare', 'convert', 'bake', 'quads', 'info', 'mesh check',
          'mesh optimize']
-REPORTS = VERBS + ['check --quads']  # kinds of them: of a mesh of quads `check` says other things
 
 
 def page():
@@ -113,8 +115,8 @@ class Flags(unittest.TestCase):
 
 class Codes(unittest.TestCase):
     def test_exit_codes(self):
-        with open(os.path.join(SOURCE, 'apps', 'command.h')) as f:
-            codes = re.search(r'enum ExitCode \{(.*?)\}', f.read(), re.S)[1]
+        with open(os.path.join(SOURCE, 'apps', 'failure.h')) as f:
+            codes = re.search(r'enum ExitCode.*? \{(.*?)\}', f.read(), re.S)[1]
         self.assertEqual([row[0] for row in rows(section('Exit codes')) if row[0].isdigit()],
                          re.findall(r'= (\d+)', codes))
 
@@ -130,34 +132,27 @@ class Codes(unittest.TestCase):
         self.assertEqual(set(listed), names)
 
 
-def keys(value, path=''):
-    """Paths of a JSON value: result.cones[].vertex."""
-    if isinstance(value, dict):
-        for key, inner in value.items():
-            yield from keys(inner, path + '.' + key if path else key)
-    elif isinstance(value, list) and value and isinstance(value[0], dict):
-        yield path
-        for inner in value:
-            yield from keys(inner, path + '[]')
-    elif path:
-        path = re.sub(r'^polygons\.\d+$', 'polygons.CORNERS', path)
-        path = re.sub(r'^mesh\.elements\.\w+$', 'mesh.elements.TYPE', path)
-        path = re.sub(r'^(linear_solver)\.[\w-]+\.', r'\1.RUNG.', path)
-        path = re.sub(r'^(result\.distortion)\.\w+\.(?=\w+$)', r'\1.QUANTITY.', path)
-        yield re.sub(r'^(proofs|methods\[\]\.within)\.(\w+(?:\.\d+)?)',
-                     lambda m: m[1] + ('.QUESTION' if m[1] == 'proofs' else '.FRACTION'), path)
-
-
 class Reports(CommandTest):
-    def report(self, verb, *args, code=0, kind=None):
-        """The keys of the report of a run, and which of them were there; kind: where it is not the verb."""
-        self.run_ok(*verb.split(), *args, '--report', self.path('report.json'), '--quiet', '--force',
-                    code=code)
-        with open(self.path('report.json')) as f:
-            self.found.setdefault(kind or verb, []).append(set(keys(json.load(f))))
+    def report(self, verb, *args, code=0):
+        """Judges the report of a run with this exit code, and remembers which keys of the schema it has."""
+        report = self.path('report.json')
+        self.run_ok(*verb.split(), *args, '--report', report, '--quiet', '--force', code=code)
+        self.judged(verb, report)
+        self.codes.add(code)
+
+    def judged(self, verb, path):
+        with open(path) as f:
+            report = json.load(f)
+        os.remove(path)
+        faults, seen = report_schema.validated(report)
+        self.assertFalse(faults, '%s: a report that results/report.schema.json does not allow' % verb)
+        self.assertEqual(report['command'], verb)
+        self.seen |= seen
+        self.statuses.setdefault(report['status'], set()).add(verb)
+        return report
 
     def run_all(self):
-        """Runs of every verb that show, together, every key that its report can have."""
+        """Runs of every verb that show, together, every key that reports can have."""
         points, faces = helpers.grid(4)
         plane = [p[:2] for p in points]
         disk = self.write('disk.obj', helpers.obj_text(points, faces))
@@ -172,7 +167,7 @@ class Reports(CommandTest):
         self.report('parametrize', disk, self.path('b.vtu'), '--time-limit', 0, code=LIMIT)
         self.report('parametrize', disk, self.path('b.html'), '--snapshots', 2)
         self.report('unwrap', helpers.generated('buckle'), self.path('b.obj'), '--normalize')
-        self.report('unwrap', disk, self.path('b.obj'), '--time-limit', 0, code=LIMIT)
+        self.report('unwrap', disk, self.path('b.obj'), '--time-limit', 0, code=INVALID)
         self.report('unwrap', self.write('flipped.obj', helpers.obj_text(
             points, [faces[0][::-1], *faces[1:]])), self.path('b.obj'), '--no-pack')
         self.report('unwrap', self.write('soup.obj', helpers.obj_text(
@@ -194,13 +189,14 @@ class Reports(CommandTest):
             [(0, 0), (1, -0.1), (2, 0), (1, 1)])))  # a face without area
         self.report('compare', disk, '--degree', 1, '--methods', 'newton,lbfgs')
         self.report('compare', disk, '--degree', 1, '--linear-solvers', 'direct,eigen')
+        self.report('compare', result, result, '-o', self.path('both.html'))
         self.report('convert', result, self.path('c.obj'))
         self.report('convert', result, self.path('image.msh'))
         self.report('parametrize', helpers.generated('buckle'), self.path('b.vtu'), '--seams', 'auto',
                     '--degree', 1)
         self.report('bake', with_uv, '--from', disk, '--attribute', 'position', '-o', self.path('b.npy'))
         self.report('quads', helpers.generated('buckle'), self.path('quads.obj'), '--count', 600)
-        self.report('check', self.path('quads.obj'), '--surface', helpers.generated('buckle'), kind='check --quads')
+        self.report('check', self.path('quads.obj'), '--surface', helpers.generated('buckle'))
         self.report('info', disk)
         self.report('info', disk, '--plan')
         self.report('info', self.write('small.obj', helpers.obj_text(
@@ -211,38 +207,79 @@ class Reports(CommandTest):
         self.report('info', inverted)
         self.report('mesh check', self.write('two.mesh', TWO_TETRAHEDRA))
         self.report('mesh optimize', self.path('two.mesh'), '-o', self.path('one.mesh'), '--boundary', 'free')
+        self.report('unwrap', self.write('objects.obj', two_objects(points, faces)), self.path('b.obj'), '--objects',
+                    'separate')
         self.has_petsc = os.path.exists(os.path.join(os.path.dirname(helpers.BINARY), 'libmajorant_petsc.so'))
         if self.has_petsc:
             self.report('parametrize', disk, self.path('b.vtu'), '--degree', 1, '--linear-solver', 'mumps')
 
+    def run_without_result(self):
+        """Every verb without its input; an input that is not supported; outputs that cannot be written."""
+        none, mesh = self.path('none.obj'), helpers.generated('cap')
+        more = {'bake': ['--from', none, '-o', self.path('n.png')], 'compare': ['--degree', 1], 'info': [], 'check': [],
+                'mesh check': [], 'mesh optimize': ['-o', self.path('n.msh')]}
+        for verb in VERBS:
+            inputs = [self.path('none.msh') if verb.startswith('mesh') else none]
+            self.report(verb, *inputs, *more.get(verb, ['-o', self.path('n.obj')]), code=UNREADABLE)
+        self.report('parametrize', self.write('torus.obj', helpers.obj_text(*helpers.torus(8, 8, 0))),
+                    self.path('n.obj'), code=UNSUPPORTED)
+        os.symlink('/dev/full', self.path('full.obj'))
+        self.report('unwrap', mesh, self.path('full.obj'), code=USAGE)
+
+    def run_parts(self):
+        """majorant-mpi, on one rank."""
+        mesh, report, kept = helpers.generated('cap'), self.path('mpi.json'), self.path('kept.ckpt')
+        for words in (['--checkpoint', kept, '--every', '1'], ['--resume', kept]):
+            done = alone('parametrize', mesh, '-o', self.path('parts.pvtu'), '--degree', '2', '--force', '--quiet', *words,
+                         '--report', report)
+            self.assertEqual(done.code, 0, done.err)
+            self.judged('parametrize', report)
+
     def test_every_key(self):
-        """Keys of no * are in every report of their verbs, the others in one at least."""
-        self.found = {}
+        """Every report fits the schema, and every key of it is in one at least."""
+        self.seen, self.codes, self.statuses = set(), set(), {}
         self.run_all()
-        runs = ['parametrize', 'seamless', 'deform']
-        verbs = {'all': REPORTS, 'runs': runs, 'maps': runs + ['unwrap']}
-        always, sometimes, listed = {}, {}, []
-        for key, where, *_ in rows(section('Reports')):
-            name = re.match(r'`(.*?)`', key)[1]
-            if name.startswith(('linear_solver.indefinite', 'linear_solver.RUNG')) and not self.has_petsc:
-                continue
-            listed.append(name)
-            for word in where.split(', '):
-                for verb in verbs.get(word, [word]):
-                    (sometimes if key.endswith('*') else always).setdefault(verb, set()).add(name)
-        self.assertEqual(len(listed), len(set(listed)), 'a key is twice in docs/interface.md')
-        for verb in REPORTS:
-            with self.subTest(verb):
-                reports = self.found[verb]
-                seen = set.union(*reports)
-                known = always[verb] | sometimes.get(verb, set())
-                self.assertFalse(seen - known, 'keys that docs/interface.md lacks for ' + verb)
-                self.assertFalse(always[verb] - set.intersection(*reports),
-                                 'keys of docs/interface.md that a report lacks')
-                # A verb need not show what another one that makes a map shows.
-                shown = seen | (set.union(*self.found['parametrize'], *self.found['seamless'])
-                                if verb in verbs['runs'] else set())
-                self.assertFalse(known - shown, 'keys of docs/interface.md that no report has')
+        self.run_without_result()
+        has_parts = os.path.exists(MPI_BINARY)
+        if has_parts:
+            self.run_parts()
+        self.assertEqual(self.codes, {0, USAGE, UNREADABLE, UNSUPPORTED, LIMIT, INVALID})
+        without = set(VERBS) - self.statuses['unreadable']
+        self.assertFalse(without, 'verbs of which no run without an input was judged')
+        missing = [key for key in report_schema.keys_of(report_schema.SCHEMA) if key not in self.seen]
+        if not has_parts:
+            missing = [key for key in missing if 'parts/' not in key]
+        if not self.has_petsc:
+            missing = [key for key in missing if '/rung/' not in key and '/linear_solver/' not in key]
+        self.assertFalse(missing, 'keys of results/report.schema.json that no report has')
+
+    def test_what_the_schema_lacks(self):
+        """A key too many, one too few and a value of another type are found, wherever they are."""
+        report = self.path('report.json')
+        self.run_ok('parametrize', helpers.generated('cap'), '--degree', 1, '-o', report, '--quiet')
+        with open(report) as f:
+            text = f.read()
+        for path in ([], ['result'], ['result', 'distortion', 'area'], ['iterations', 0], ['options'], ['input']):
+            for change in (lambda part: part.update(another=1), lambda part: part.popitem(),
+                           lambda part: part.update({next(iter(part)): {}})):
+                changed = json.loads(text)
+                part = changed
+                for key in path:
+                    part = part[key]
+                change(part)
+                self.assertTrue(report_schema.validated(changed)[0], path)
+
+    def test_the_page(self):
+        """Its tables are those that scripts/report_table.py makes."""
+        is_now, should_be = report_table.page()
+        self.assertEqual(is_now, should_be, 'run scripts/report_table.py --write')
+
+    def test_statuses(self):
+        """Those of the schema are those that have an exit code, and internal_error, which has the last one."""
+        with open(os.path.join(SOURCE, 'apps', 'failure.cpp')) as f:
+            table = re.search(r'kCodes\{\{(.*?)\}\};', f.read(), re.S)[1]
+        self.assertEqual(set(report_schema.SCHEMA['properties']['status']['enum']),
+                         set(re.findall(r'"(\w+)"', table)) | {'internal_error'})
 
 
 TWO_TETRAHEDRA = '''MeshVersionFormatted 2
@@ -258,6 +295,15 @@ Tetrahedra 2
 2 3 4 5 7
 End
 '''
+
+
+def two_objects(points, faces):
+    """OBJ of the same surface twice, side by side."""
+    moved = [(x + 2, y, z) for x, y, z in points]
+    vertices = ''.join('v %r %r %r\n' % tuple(p) for p in points + moved)
+    groups = [''.join('f %s\n' % ' '.join(str(v + first) for v in face) for face in faces)
+              for first in (1, 1 + len(points))]
+    return vertices + 'o left\n' + groups[0] + 'o right\n' + groups[1]
 
 
 def ribbon_of_more_than_a_turn():

@@ -74,6 +74,10 @@ class Package(unittest.TestCase):
     def test_the_installed_command_runs(self):
         self.assertIn('majorant', self.do(os.path.join(self.prefix, 'bin', 'majorant'), '--version'))
 
+    def test_the_schema_of_reports(self):
+        with open(os.path.join(self.prefix, 'share', 'majorant', 'report.schema.json')) as f:
+            self.assertIn('schema_version', json.load(f)['required'])
+
     def test_the_package_does_not_point_back(self):
         names = list(self.installed())
         self.assertTrue(any(n.endswith('majorantConfig.cmake') for n in names))
