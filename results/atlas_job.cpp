@@ -330,10 +330,10 @@ RunReport atlas_report(const AtlasJob& job) {
                    .result = result_section(job),
                    .warnings = job.polygons->warnings,
                    .seconds = {{"read", job.read_seconds},
-                               {"cut", job.visibility_seconds + atlas.cut_seconds},
-                               {"recut", atlas.recut_seconds},
-                               {"map", atlas.map_seconds},
-                               {"pack", atlas.pack_seconds}}};
+                               {"cut", job.visibility_seconds + atlas.seconds.cut},
+                               {"recut", atlas.seconds.recut},
+                               {"map", atlas.seconds.map},
+                               {"pack", atlas.seconds.pack}}};
   report.more = {{"repairs", repairs_section(job.surface)}, {"charts", charts_section(atlas)}};
   add_solver(report, job.linear_solver, job.memory);
   return report;

@@ -191,7 +191,7 @@ class Unwrapping {
     record_.begin(Activity::Cutting);
     atlas_.cuts = choose_cuts(surface_, cuts, record_.telling(record_.start_stop()));
     make_tasks();
-    atlas_.cut_seconds = record_.seconds() - started;
+    seconds_.cut = record_.seconds() - started;
     record_.begin(Activity::Solving);
     atlas_.charts.resize(tasks_.size());
     std::vector<std::size_t> all(tasks_.size());
@@ -208,8 +208,9 @@ class Unwrapping {
     if (options_.packing && atlas_.status() != Status::Failed) place_charts();
     if (atlas_.packing && options_.least_fill > 0 && may_cut(options_) && is_of_one_scale())
       fill_square();
-    atlas_.recut_seconds = std::max(0.0, record_.seconds() - started - atlas_.cut_seconds -
-                                             atlas_.map_seconds - atlas_.pack_seconds);
+    const double left = record_.seconds() - started - seconds_.cut - seconds_.map - seconds_.pack;
+    seconds_.recut = std::max(0.0, left);
+    atlas_.seconds = seconds_;
     return std::move(atlas_);
   }
 
@@ -667,7 +668,7 @@ class Unwrapping {
   }
 
   void keep_islands() {
-    const AddedSeconds time(atlas_.map_seconds);
+    const AddedSeconds time(seconds_.map);
     std::vector<std::shared_ptr<const SurfaceMesh>> islands;
     for (const Task& task : tasks_) islands.push_back(task.mesh);
     const std::vector<BezierMap> maps = kept_islands(islands);
@@ -707,7 +708,7 @@ class Unwrapping {
 
   // Those with these numbers.
   void solve_charts(std::vector<std::size_t> order) {
-    const AddedSeconds time(atlas_.map_seconds);
+    const AddedSeconds time(seconds_.map);
     const double all = faces_of(order);
     std::atomic<Index> done = 0;  // faces
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -884,7 +885,7 @@ class Unwrapping {
   }
 
   void place_charts() {
-    const AddedSeconds time(atlas_.pack_seconds);
+    const AddedSeconds time(seconds_.pack);
     record_.begin(Activity::Packing);
     PackOptions packing = *options_.packing;
     packing.fixed.clear();
@@ -939,6 +940,7 @@ class Unwrapping {
   RunRecord& record_;
   std::vector<Task> tasks_;
   Atlas atlas_;
+  AtlasSeconds seconds_;
   int pass_ = 1;  // through cutting and solving
 };
 

@@ -134,13 +134,19 @@ struct UnwrapOptions {
 // interrupted, infeasible, failed.
 Status worse_of(Status a, Status b);
 
+// Seconds that stages took.
+struct AtlasSeconds {
+  double cut = 0;    // the first cuts
+  double recut = 0;  // which charts are cut again or divided, and how
+  double map = 0;    // the maps of all charts, also of those that were cut again
+  double pack = 0;
+};
+
 struct Atlas {
   SurfaceCuts cuts;
   std::vector<Chart> charts;       // in the order of their first faces
   std::optional<Packing> packing;  // of their maps, which are in place
-  // The time of the first cuts, of the maps, of the placing, and of all between: which charts are
-  // cut again or divided, and how.
-  double cut_seconds = 0, map_seconds = 0, pack_seconds = 0, recut_seconds = 0;
+  AtlasSeconds seconds = {};
   // Why the division of charts ended (least_charts, least_fill). Converged: there are so many, and
   // they fill so much, or none can be divided that gains anything. MaxIterations: no more layouts
   // are packed on the way to a fill.
