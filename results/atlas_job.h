@@ -63,7 +63,8 @@ struct AtlasJob {
   GlobalInjectivity boundary;          // prove()
   Vec visibility;                      // #V of the surface, of solve()
   Json linear_solver, memory;          // sections of the report, or null
-  double read_seconds = 0, visibility_seconds = 0;
+  double read_seconds = 0;
+  double visibility_seconds = 0;  // of solve(): a part of cutting
 
  private:
   void ask_for_density();

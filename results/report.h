@@ -29,8 +29,8 @@ struct RunReport {
   Json seconds = Json::object();  // by stage, "total" and "write" among them once they are known
   Json more = Json::object();     // "iterations", "charts", ...
 };
-// outputs: [{"file", "written", "message"}], in the order of writing. Threads and memory are those of
-// the process at the time of the call.
+// outputs: [{"file", "written", "message"}], in the order of writing. Threads and memory are those
+// of the process at the time of the call.
 Json to_json(const RunReport& report, const Json& outputs = Json::array());
 
 Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh);

@@ -42,8 +42,9 @@ struct LadderOptions {
 // Used: the library's own factorization has solved something.
 enum class OwnSolver { Unused, Used };
 
-// "linear_solver" of reports: {"requested", "used"} and, where PETSc solved anything, what each rung of
-// the ladder did. used: all that did, "direct + cg-hypre"; null where there was nothing to solve.
+// "linear_solver" of reports: {"requested", "used"} and, where PETSc solved anything, what each
+// rung of the ladder did. used: all that did, "direct + cg-hypre"; null where there was nothing to
+// solve.
 Json linear_solver_section(const std::string& name, OwnSolver own, const LadderRecord& record);
 
 // The words of --petsc-options, for PETSc's options database: "-ksp_rtol 1e-3 -info" has three.
