@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -153,9 +154,19 @@ class Packer {
                             side * job.unit * (1 + kGapMargin) / *options_.side));
   }
 
+  // Returns whether the charts are too large for squares of this width, however they lie: by their
+  // area, or one by its length. Rasters of such charts would have any number of cells.
+  static bool are_too_large(const PackingJob& job, double width) {
+    const double diagonal = std::numbers::sqrt2 * width;
+    return job.area > job.tiles * width * width ||
+           std::any_of(job.charts.begin(), job.charts.end(),
+                       [&](const ChartOutline& chart) { return chart.size.maxCoeff() > diagonal; });
+  }
+
   // Those that fit into squares of the given side.
   std::vector<Candidate> fitted(const PackingJob& job) const {
     const double width = *options_.side / job.unit / (1 + kGapMargin / 4);
+    if (are_too_large(job, width)) return {};
     const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;
     std::vector<Candidate> candidates;
     const auto add = [&](PackMethod method, std::optional<Strip> strip) {
