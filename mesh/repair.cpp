@@ -607,6 +607,10 @@ bool is_crossing(const std::vector<Vector3>& corners,
   }
 }
 
+// The weld distance that is proposed, as a part of the length of edges. Small enough that no chain
+// of such steps crosses a face.
+constexpr double kWeldPart = 0.1;
+
 class Repairing {
  public:
   Repairing(const PolygonMesh& input, const RepairOptions& options, const StopCheck& stop)
@@ -614,7 +618,7 @@ class Repairing {
 
   RepairedSurface run() {
     require_sound_lists(input_);
-    if (options_.weld) require_at_least("repair: RepairOptions::weld", *options_.weld, 0);
+    if (options_.weld) require_usable_distance(*options_.weld);
     weld_vertices();
     stop_.poll();
     list_ = triangulate(input_, Crossing::Fanned, stop_);
@@ -636,6 +640,16 @@ class Repairing {
   }
 
  private:
+  void require_usable_distance(double distance) const {
+    require_at_least("repair: RepairOptions::weld", distance, 0);
+    if (const double most = usable_weld_distance(input_); distance > most)
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: vertices {:g} apart cannot be welded: most faces have edges of "
+                              "{:.3g} and less, and would be torn apart; give a weld distance well "
+                              "below that, such as {:.1g}",
+                              input_.file, distance, most, kWeldPart * most));
+  }
+
   void weld_vertices() {
     const bool is_soup_welded = options_.welding != Welding::Nothing && is_soup(input_);
     if (options_.weld || is_soup_welded) {
@@ -822,7 +836,8 @@ std::string_view name_of(RepairKind kind) { return text_of(kind).name; }
 std::string describe(const Repair& repair) {
   std::string text = described(text_of(repair.kind), repair.count, repair.places);
   if (repair.pieces)
-    text += fmt::format(": {} pieces before, {} after", (*repair.pieces)[0], (*repair.pieces)[1]);
+    text += fmt::format(": {} piece{} before, {} after", (*repair.pieces)[0],
+                        (*repair.pieces)[0] == 1 ? "" : "s", (*repair.pieces)[1]);
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "majorant/mesh/union_find.h"
@@ -65,6 +66,22 @@ void join_equal(const PolygonMesh& mesh, std::vector<Index> order, UnionFind& se
   std::sort(order.begin(), order.end(), less);
   for (std::size_t k = 1; k < order.size(); ++k)
     if (mesh.positions[order[k]] == mesh.positions[order[k - 1]]) sets.join(order[k], order[k - 1]);
+}
+
+// Of every polygon the shortest edge that has a length; nothing of one without.
+std::vector<double> shortest_edges(const PolygonMesh& mesh) {
+  std::vector<double> shortest;
+  for (const auto polygon : mesh.polygons) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vector3 &a = mesh.positions[polygon[k]],
+                    &b = mesh.positions[polygon[(k + 1) % polygon.size()]];
+      const double length = (b - a).stableNorm();
+      if (length > 0) least = std::min(least, length);
+    }
+    if (std::isfinite(least)) shortest.push_back(least);
+  }
+  return shortest;
 }
 
 // No two corners of a polygon are welded: of a set with such corners, every vertex goes to the
@@ -134,6 +151,14 @@ std::vector<Index> coincident_vertices(const PolygonMesh& mesh) {
   for (std::size_t v = 0; v < first.size(); ++v)
     if (first[v] != static_cast<Index>(v)) vertices.push_back(static_cast<Index>(v));
   return vertices;
+}
+
+double usable_weld_distance(const PolygonMesh& mesh) {
+  std::vector<double> shortest = shortest_edges(mesh);
+  if (shortest.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = shortest.begin() + static_cast<std::ptrdiff_t>(shortest.size() / 2);
+  std::nth_element(shortest.begin(), middle, shortest.end());
+  return *middle;
 }
 
 std::vector<Index> weld(const PolygonMesh& mesh, double distance, const StopCheck& stop) {

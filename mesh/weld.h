@@ -18,6 +18,11 @@ std::vector<Index> first_at_place(const PolygonMesh& mesh);
 // Vertices, ascending, that lie exactly where a smaller one does; of those that a polygon uses.
 std::vector<Index> coincident_vertices(const PolygonMesh& mesh);
 
+// Returns the median of the shortest edges of the polygons: a longer distance would weld corners of
+// most polygons to each other, and tear the surface into shards. Infinite where no edge has a
+// length.
+double usable_weld_distance(const PolygonMesh& mesh);
+
 // For every vertex the smallest one that it is welded to; itself where it is not, or no polygon
 // uses it. Vertices no farther apart than `distance` are welded, chains of them, too; 0: equal
 // positions. O(n log n) unless very many lie within the distance.

@@ -111,6 +111,10 @@ class Repairs(UnwrapTest):
             self.assertEqual((len(layout.charts), self.repaired(report)), (1, {'welded': 5}))
             self.assertEqual(report['repairs'][0]['pieces'], {'before': 2, 'after': 1})
         self.assertIn('2 pieces before, 1 after', self.run_ok('unwrap', mesh, self.path('o.obj')).err)
+        refused = self.refused(UNSUPPORTED, 'unwrap', mesh, self.path('p.obj'), '--weld', 1000,
+                               says=['vertices 1000 apart cannot be welded', 'edges of 0.25 and less'])
+        usable = re.search(r'such as ([0-9.e-]+)$', refused.err.strip())[1]
+        self.assertEqual(len(self.clean(mesh, '--weld', usable)[0].charts), 1)
         edges = self.write('edges.json', '{"edges": []}')  # by number
         self.assertEqual(len(self.clean(mesh, '--seams', edges)[0].charts), 2)
         for word in ('yes', '-1', 'inf', 'nan', ''):

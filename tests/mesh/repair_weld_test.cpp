@@ -3,6 +3,7 @@
 #include <map>
 #include <random>
 
+#include "expected_error.h"
 #include "mesh/list_edits.h"
 #include "mesh/repair_checks.h"
 #include "mesh/surfaces_of_any_genus.h"
@@ -154,6 +155,26 @@ TEST(Repair, WeldsIndexedMeshesOnRequest) {
   const RepairedSurface near = repair(slit, {.weld = 6e-4});
   expect_repaired(slit, near, 6e-4);
   EXPECT_EQ(shape_of(near), (Shape{1, 1, 1}));
+}
+
+TEST(Repair, SaysOnePieceOrSeveral) {
+  const auto text = [](Index before) {
+    return describe({RepairKind::Welded, 1, {{0, -1}}, std::array<Index, 2>{before, 1}});
+  };
+  expect_contains(text(1), {": 1 piece before, 1 after"});
+  expect_contains(text(2), {": 2 pieces before, 1 after"});
+}
+
+// A distance across most faces would leave shards; what is proposed instead tears nothing.
+TEST(Repair, RefusesToWeldAcrossFaces) {
+  const PolygonMesh mesh = grid(8, bumpy);
+  for (const double distance : {0.2, 1.0, 1e6, 1e300}) {
+    const std::string text =
+        error_message(ErrorKind::Unsupported, [&] { repair(mesh, {.weld = distance}); });
+    expect_contains(text, {"edges of 0.1", "such as 0.01"});
+  }
+  for (const double distance : {0.01, 0.1})
+    EXPECT_EQ(shape_of(repair(mesh, {.weld = distance})), (Shape{1, 1, 1}));
 }
 
 TEST(Repair, WeldsNoEdgeAway) {
