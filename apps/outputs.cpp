@@ -205,8 +205,8 @@ void require_writable(const CommonOptions& common, const std::vector<OutputNames
   for (const OutputNames& names : all)
     for (const std::string& path : names.paths) {
       if (path.empty()) continue;
+      require_writable_file(path);  // a directory is one, whatever its name ends in
       require_extension(path, names.extensions);
-      require_writable_file(path);
       const NamedFile file{path, identify_file(path)};
       require_other_file(file, taken);
       require_not_read(file, read);

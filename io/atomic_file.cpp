@@ -29,7 +29,8 @@ constexpr mode_t kOwnerOnly = 0600;
   if (code == ETIMEDOUT)
     throw Error(ErrorKind::Usage,
                 fmt::format("cannot write {}: nobody reads it, and the run is to end", path));
-  throw Error(ErrorKind::Usage, fmt::format("cannot write {}: {}", path, std::strerror(code)));
+  throw Error(ErrorKind::Usage, fmt::format("cannot write {}: {}{}", path, std::strerror(code),
+                                            code == EISDIR ? "; name a file in it" : ""));
 }
 
 // The standard streams by name: message_prefix the name again would start at the beginning of a

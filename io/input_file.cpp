@@ -49,21 +49,39 @@ std::string lower_extension(const std::filesystem::path& path) {
   return e;
 }
 
+[[noreturn]] void refuse_input(const std::string& path, const std::string& what,
+                               ErrorKind kind = ErrorKind::Unreadable) {
+  throw Error(kind, fmt::format("{}: {}", path, what));
+}
+
+[[noreturn]] void refuse_by_errno(const std::string& path, const char* remedy) {
+  refuse_input(path, fmt::format("{}; {}", std::strerror(errno), remedy));
+}
+
+void require_possible_name(const std::string& path) {
+  if (path.empty()) refuse_input("''", "no file has an empty name; name a file");
+  if (path.find('\0') != std::string::npos)
+    refuse_input(in_quotes(path), "no file name has a null character");
+}
+
+void require_no_directory(const std::string& path, const struct stat& status) {
+  if (S_ISDIR(status.st_mode)) refuse_input(path, "is a directory; name a file");
+}
+
+constexpr const char* kOtherName = "check the name";  // the remedy where no such file is there
+
 // A file that is open for reading.
 class InputFile {
  public:
   explicit InputFile(const std::string& path) : path_(path) {
-    if (path.find('\0') != std::string::npos)
-      throw Error(ErrorKind::Unreadable,
-                  fmt::format("{}: no file name has a null character", in_quotes(path)));
+    require_possible_name(path);
     // Not waiting: of a FIFO nobody may come to write.
     descriptor_ = is_standard_input(path)
                       ? ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 0)
                       : ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     struct stat status {};
-    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) fail("check the name");
-    if (S_ISDIR(status.st_mode))
-      throw Error(ErrorKind::Unreadable, path + ": is a directory; name a file");
+    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0) refuse_by_errno(path, kOtherName);
+    require_no_directory(path, status);
     may_wait_ = !S_ISREG(status.st_mode);
     if (!may_wait_) size_ = static_cast<std::size_t>(status.st_size);
     byte_counts().to_read += size_;
@@ -91,16 +109,11 @@ class InputFile {
       if (count > 0) byte_counts().read += static_cast<std::size_t>(count);
       if (count > 0 && !take(std::string_view(block).substr(0, static_cast<std::size_t>(count))))
         return false;
-      if (count < 0 && errno != EINTR && errno != EAGAIN) fail("check the disk");
+      if (count < 0 && errno != EINTR && errno != EAGAIN) refuse_by_errno(path_, "check the disk");
     }
   }
 
  private:
-  [[noreturn]] void fail(const char* remedy) const {
-    throw Error(ErrorKind::Unreadable,
-                fmt::format("{}: {}; {}", path_, std::strerror(errno), remedy));
-  }
-
   const std::string& path_;
   int descriptor_ = -1;
   bool may_wait_ = false;
@@ -132,6 +145,20 @@ bool is_compressed(const std::string& path) { return lower_extension(path) == ".
 std::string format_of(const std::string& path) {
   const std::filesystem::path name(path);
   return lower_extension(is_compressed(path) ? name.stem() : name);
+}
+
+void require_format_name(const std::string& path, std::string_view formats, ErrorKind kind) {
+  require_possible_name(path);
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) refuse_by_errno(path, kOtherName);
+  require_no_directory(path, status);
+  if (!format_of(path).empty()) return;
+  refuse_input(
+      path,
+      fmt::format("the name has no extension{}, which says the format; rename the file to end "
+                  "in {}",
+                  is_compressed(path) ? " before .gz" : "", formats),
+      kind);
 }
 
 std::string read_whole_file(const std::string& path, const StopCheck& stop) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "majorant/framework/error.h"
 #include "majorant/framework/stop_check.h"
 
 namespace majorant {
@@ -19,6 +20,12 @@ namespace majorant {
 bool is_compressed(const std::string& path);
 // The format that the name says: the extension in lower case, with the dot; .obj for mesh.OBJ.gz.
 std::string format_of(const std::string& path);
+
+// Refuses what cannot be read by a reader that goes by the extension: a name that is empty, of no
+// file or of a directory, with Error(Unreadable), and one without an extension, with Error(kind).
+// Other extensions are for the reader to refuse. formats: what it reads, ".obj, .off or .ply".
+void require_format_name(const std::string& path, std::string_view formats,
+                         ErrorKind kind = ErrorKind::Unreadable);
 
 // All bytes of `path`, decompressed if its name says so. Throws Error(Unreadable) if it does not
 // exist, is a directory, cannot be read or is no complete gzip file; Error(Unsupported) for more

@@ -62,10 +62,11 @@ PolygonMesh read_mesh(const std::string& path, const StopCheck& stop, Strictness
                 fmt::format("{}: {} files are not read; export the mesh as .obj, .glb or .ply from "
                             "a program that reads them",
                             path, format));
-  throw Error(ErrorKind::Unreadable,
-              fmt::format("{}: unknown mesh format {}; use .obj, .off, .ply, .stl, .glb, .gltf, "
-                          ".vtu or .msh, or one of them with .gz",
-                          path, in_quotes(extension)));
+  constexpr const char* kFormats =
+      ".obj, .off, .ply, .stl, .glb, .gltf, .vtu or .msh, or one of them with .gz";
+  require_format_name(path, kFormats);
+  throw Error(ErrorKind::Unreadable, fmt::format("{}: unknown mesh format {}; use {}", path,
+                                                 in_quotes(extension), kFormats));
 }
 
 }  // namespace majorant

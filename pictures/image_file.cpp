@@ -128,6 +128,7 @@ Raster read_image(const std::string& path, const StopCheck& stop) {
   if (format == ".png") return decode_png(path, read_whole_file(path, stop));
   if (format == ".jpg" || format == ".jpeg") return decode_jpeg(path, read_whole_file(path, stop));
   if (format == ".exr") return decode_exr(path, read_whole_file(path, stop));
+  require_format_name(path, fmt::format("{}", fmt::join(readable_images(), ", ")));
   throw Error(ErrorKind::Unreadable,
               fmt::format("{}: no image that is read, by its name; give one of {}", path,
                           fmt::join(readable_images(), " ")));

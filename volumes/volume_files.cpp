@@ -148,9 +148,11 @@ void refuse_mesh(const std::string& path, const std::string& what) {
 
 VolumeMesh read_volume_mesh(const std::string& path, const StopCheck& stop) {
   const std::string format = format_of(path);
-  if (format != ".msh" && format != ".mesh" && format != ".vtu")
-    refuse_mesh(path, fmt::format("meshes of volumes are read from .msh, .mesh and .vtu, not {}",
-                                  format.empty() ? "files without an extension" : format));
+  if (format != ".msh" && format != ".mesh" && format != ".vtu") {
+    require_format_name(path, ".msh, .mesh or .vtu", ErrorKind::Unsupported);
+    refuse_mesh(
+        path, fmt::format("meshes of volumes are read from .msh, .mesh and .vtu, not {}", format));
+  }
   std::string content = read_whole_file(path, stop);
   if (format == ".msh") return read_gmsh_mesh(path, std::move(content), stop);
   if (format == ".vtu") return read_vtk_mesh(path, std::move(content), stop);

@@ -84,6 +84,59 @@ class Usage(CommandTest):
         self.assertEqual(os.listdir(self.path('folder.vtu')), [])
 
 
+class Names(CommandTest):
+    """Directories, and files whose names say no format."""
+
+    def setUp(self):
+        super().setUp()
+        os.mkdir(self.path('folder'))
+        self.mesh, self.out = self.write('mesh.obj', obj_text(*grid(3))), self.path('out.obj')
+        self.plain = self.write('plain', obj_text(*grid(3)))
+        self.layout = self.path('layout.obj')
+        self.run_ok('unwrap', self.mesh, self.layout, '-q')
+
+    def inputs(self, name, code_of_volumes):
+        """(exit code, words) of runs that read it, each where another kind of file is read."""
+        bake = ['bake', self.layout, '-o', self.path('o.npy'), '--from']
+        yield from [(UNREADABLE, words) for words in [
+            [name, self.out], [name, '-o', self.out], ['unwrap', name, self.out], ['parametrize', name, self.out],
+            ['seamless', name, self.out], ['quads', name, self.out], ['check', name], ['info', name],
+            ['check', self.layout, '--surface', name], ['convert', name, self.out], ['compare', name],
+            ['compare', self.layout, name, '-o', self.path('o.html')], [*bake, name, '--attribute', 'normal'],
+            [*bake, self.mesh, '--image', name]]]
+        yield from [(code_of_volumes, words) for words in [
+            ['mesh', 'check', name], ['mesh', 'optimize', name, '-o', self.path('o.msh')]]]
+
+    def test_directories(self):
+        for name in (self.path('folder'), self.path('folder') + '/'):
+            for code, words in self.inputs(name, UNREADABLE):
+                self.refused(code, *words, says=name + ': is a directory; name a file')
+        for flags in (['--seams'], ['--pins'], ['--weights'], ['--texel-density']):
+            self.refused(UNREADABLE, 'unwrap', self.mesh, self.out, *flags, self.path('folder'), says='is a directory')
+
+    def test_names_without_an_extension(self):
+        for code, words in self.inputs(self.plain, UNSUPPORTED):
+            self.refused(code, *words, says=self.plain + ': the name has no extension, which says the format; rename '
+                                                         'the file to end in .')
+        self.refused(UNREADABLE, 'info', self.write('plain.gz', b''), says='has no extension before .gz')
+        os.rename(self.plain, self.path('plain.obj'))  # as it says
+        self.run_ok('info', self.path('plain.obj'))
+
+    def test_files_that_are_not_there(self):
+        for code, words in self.inputs(self.path('none'), UNREADABLE):
+            self.refused(code, *words, says='none: No such file or directory; check the name')
+
+    def test_outputs(self):
+        for name in ('folder', 'folder/'):
+            for words in (['unwrap', self.mesh], ['parametrize', self.mesh], ['convert', self.layout],
+                          ['quads', self.mesh], ['compare', self.mesh], ['mesh', 'optimize', self.layout],
+                          ['bake', self.layout, '--from', self.mesh, '--attribute', 'normal'],
+                          ['mesh', 'check', self.layout], ['check', self.layout]):
+                self.refused(USAGE, *words, '-o', self.path(name), says=name + ': Is a directory; name a file in it')
+            self.refused(USAGE, self.mesh, self.path(name), says=name + ': Is a directory; name a file in it')
+            self.refused(USAGE, 'info', self.mesh, '--report', self.path(name), says='Is a directory')
+
+
 class Unreadable(CommandTest):
     def cases(self):
         good = obj_text(*grid(3))
