@@ -35,8 +35,18 @@ def whole_verbs(first):
     return ['%s %s' % (first, second) for second in listed(ask(first, '--help'))] or [first]
 
 
-def flags_behind(first):
-    return set().union(*(flags(ask(*verb.split(), '--help')) for verb in whole_verbs(first)))
+def all_verbs():
+    return [verb for first in verbs() for verb in whole_verbs(first)]
+
+
+def flags_of(verb):
+    return flags(ask(*verb.split(), '--help'))
+
+
+def groups():
+    """{'mesh': ['check', 'optimize']}."""
+    return {first: [verb.split()[1] for verb in whole_verbs(first)] for first in verbs()
+            if whole_verbs(first) != [first]}
 
 
 class ManualPage(unittest.TestCase):
@@ -84,13 +94,42 @@ class Completion(unittest.TestCase):
         return out.split()
 
     def test_verbs_and_flags(self):
-        self.assertEqual(self.complete('majorant '), verbs())
+        self.assertEqual(self.complete('majorant '), [*verbs(), 'help', 'version'])
+        self.assertEqual(self.complete('majorant help '), verbs())
         self.assertEqual(self.complete('majorant par'), ['parametrize'])
         self.assertIn('--licenses', self.complete('majorant --'))
-        for verb in verbs():
-            self.assertEqual(set(self.complete('majorant %s -' % verb)), flags_behind(verb), verb)
+        for verb in [*all_verbs(), *groups()]:
+            self.assertEqual(set(self.complete('majorant %s -' % verb)), flags_of(verb), verb)
+        self.assertEqual(list(groups()), ['mesh'])
+        for group, inner in groups().items():
+            for words in ('majorant ' + group, 'majorant help ' + group):
+                self.assertEqual(self.complete(words + ' '), inner)
+                self.assertEqual(self.complete(words + ' c'), ['check'])
+        self.assertEqual(self.complete('majorant mesh check part.msh --ta'), [])
+        self.assertEqual(self.complete('majorant in.obj --pad'), ['--padding'])  # unwrap is meant
 
     def test_choices(self):
+        self.assertEqual(self.complete('majorant unwrap in.obj --seams s'), ['sharp', 'sharp='])
+        self.assertEqual(self.complete('majorant in.obj --seams u'), ['uv'])
+        self.assertEqual(self.complete('majorant parametrize --energy sym'), ['symmetric-dirichlet', 'symmetric-arap'])
+        self.assertEqual(self.complete('majorant mesh optimize --target s'), ['size='])
+        self.assertEqual(self.complete('majorant mesh optimize --energy mi'), ['mips'])
+        self.assertEqual(self.complete('majorant compare --methods newton-e'), ['newton-exact', 'newton-eigen'])
+        self.assertEqual(self.complete('majorant bake --attribute n'), ['normal'])
+        self.assertEqual(self.complete('majorant unwrap --weld '), ['auto', 'no'])
+        self.assertEqual(self.complete('majorant unwrap --size '), [])  # N|W,H
+
+    def test_every_list_of_words(self):
+        """Of what help says: `--edges yes|no`."""
+        count = 0
+        for verb in all_verbs():
+            for flag, values in re.findall(r'^  (?:-\w, )?(--[a-z-]+) \[?([a-z0-9.|-]+\|[a-z0-9.|-]+)\]?(?: |$)',
+                                           ask(*verb.split(), '--help'), re.M):
+                self.assertEqual(self.complete('majorant %s %s ' % (verb, flag)), values.split('|'))
+                count += 1
+        self.assertGreater(count, 50)
+
+    def test_choices_of_check(self):
         self.assertEqual(self.complete('majorant parametrize in.obj --boundary '), ['free', 'fixed'])
         self.assertEqual(self.complete('majorant check --cuts f'), ['free'])
 
@@ -110,11 +149,16 @@ class OtherShells(unittest.TestCase):
                                  stdout=subprocess.PIPE, cwd=empty).stdout
             return [word.split('\t')[0] for word in out.splitlines()]
         self.assertEqual(complete('majorant param'), ['parametrize'])
-        self.assertLessEqual(set(verbs()), set(complete('majorant ')))
+        self.assertLessEqual({*verbs(), 'help', 'version'}, set(complete('majorant ')))
+        self.assertEqual(set(complete('majorant help ')), set(verbs()))
         self.assertEqual(complete('majorant parametrize in.obj --boundary f'), ['fixed', 'free'])
-        for verb in verbs():
+        self.assertEqual(complete('majorant in.obj --seams s'), ['sharp', 'sharp='])
+        for verb in [*all_verbs(), *groups()]:
             self.assertEqual({flag for flag in complete('majorant %s --' % verb)},
-                             {flag for flag in flags_behind(verb) if flag.startswith('--')}, verb)
+                             {flag for flag in flags_of(verb) if flag.startswith('--')}, verb)
+        for group, inner in groups().items():
+            self.assertEqual(complete('majorant %s ' % group), inner)
+            self.assertEqual(complete('majorant help %s ' % group), inner)
 
     @unittest.skipUnless(shutil.which('zsh'), 'no zsh')
     def test_zsh(self):
@@ -126,10 +170,17 @@ class OtherShells(unittest.TestCase):
         def told(line):
             return subprocess.run(['zsh', '-f', '-c', script, '-', path, line], check=True, text=True,
                                   stdout=subprocess.PIPE).stdout.splitlines()
-        self.assertEqual([word.split(':')[0] for word in told('p')], verbs())
-        for verb in verbs():
+        self.assertEqual([word.split(':')[0] for word in told('p')], [*verbs(), 'help', 'version'])
+        self.assertEqual([word.split(':')[0] for word in told('help p')], verbs())
+        for verb in all_verbs():
             names = [re.match(r'\*(-[\w-]+)\[', word) for word in told(verb + ' x')]
-            self.assertEqual({name[1] for name in names if name}, flags_behind(verb), verb)
+            self.assertEqual({name[1] for name in names if name}, flags_of(verb), verb)
+        self.assertEqual(told('x.obj x'), told('unwrap x'))
+        for group, inner in groups().items():
+            for words in (group + ' x', 'help %s x' % group):
+                self.assertEqual([word.split(':')[0] for word in told(words)], inner)
+            names = [re.match(r'\*(-[\w-]+)\[', word) for word in told(group + ' -')]
+            self.assertEqual({name[1] for name in names if name}, flags_of(group))
         self.assertIn(':free fixed:(free fixed)', '\n'.join(told('parametrize x')))
 
 
