@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/option_table.h"
@@ -66,7 +67,8 @@ void BakeRequest::add_to(CLI::App& verb) {
         &attribute,
         "bake position, normal (object space), face (number from 0) or distortion of OLD, or the "
         "rows of FILE.npy, one a face or a vertex of OLD",
-        {.type = "NAME"}}});
+        {.type = "position|normal|face|distortion|FILE",
+         .check = word_or_file({kBakeAttributes.begin(), kBakeAttributes.end()})}}});
   add_options(
       verb, OptionGroup::Pictures,
       {{"--size",
@@ -129,7 +131,8 @@ void BakeRequest::require_usable() {
                     attribute));
   const std::string format = extension(output());
   const bool is_png = format == ".png";
-  if (is_png && !attribute.empty() && attribute != "normal")
+  if (is_png && !attribute.empty() && attribute != "normal" &&
+      (!names_file() || std::filesystem::exists(attribute)))
     throw Error(ErrorKind::Usage,
                 fmt::format("--attribute {}: these are numbers, which a PNG does not hold; write "
                             "-o OUT.npy{}",

@@ -61,18 +61,19 @@ int run(int argc, char** argv) {
   add_info(app, &action);
   add_mesh(app, &action);
   if (argc == 1) {
-    print_text(overview(app, kExamples + "`majorant VERB --help` says more.\n"));
+    print_page(overview(app, kExamples + "`majorant VERB --help` says more.\n"));
     return kSuccess;
   }
   std::vector<std::string> words = meant_words(app, with_standard_streams({argv + 1, argv + argc}));
   std::reverse(words.begin(), words.end());  // as the parser takes them
   try {
     app.parse(words);
+    require_values(app);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) {  // help, version
       std::ostringstream text;
       app.exit(e, text, text);
-      print_text(text.str());
+      print_page(text.str());
       return kSuccess;
     }
     say("majorant: {}\n", usage_message(app, e));

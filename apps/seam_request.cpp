@@ -34,32 +34,37 @@ double sharp_angle(const std::string& seams) {
   return angle;
 }
 
-// The message about a word that is no file, where a known one is near.
-std::string wrong_word(const std::string& seams) {
+// The message about a word that is no file, where it is an angle, as in `40` or `sharp:40`.
+std::string wrong_angle(const std::string& seams) {
   std::error_code ignored;
-  const std::vector<std::string> words = {"auto", "uv", std::string(kSharp)};
   if (is_sharp(seams) || std::filesystem::exists(seams, ignored)) return {};
-  if (std::find(words.begin(), words.end(), seams) != words.end()) return {};
-  const std::string hint = did_you_mean(seams, words);
-  return hint.empty() ? hint : fmt::format("there is no file '{}'{}", seams, hint);
+  const std::string angle = seams.substr(std::min(seams.find_first_of("0123456789"), seams.size()));
+  double degrees = 0;
+  const std::string word = seams.substr(0, seams.size() - angle.size());
+  const bool is_word = word.empty() || word.starts_with(kSharp);
+  if (!is_word || !CLI::detail::lexical_cast(angle, degrees)) return {};
+  return fmt::format("there is no file '{}'; write --seams {}{} for an angle", seams, kSharpAngle,
+                     angle);
 }
 
 }  // namespace
 
 void SeamRequest::add_to(CLI::App& verb) {
-  add_options(verb, OptionGroup::Charts,
-              {{"--seams",
-                &seams,
-                "where to cut: auto; uv, the islands of the file's texture coordinates; "
-                "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
-                "FILE {\"edges\": [[0, 1], ...]}",
-                {.type = "SEAMS", .check = checked_by(wrong_word)}},
-               {"--max-stretch",
-                &max_stretch,
-                fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "
-                            "({:g})",
-                            CutOptions().max_stretch),
-                {.check = positive_number()}}});
+  add_options(
+      verb, OptionGroup::Charts,
+      {{"--seams",
+        &seams,
+        "where to cut: auto; uv, the islands of the file's texture coordinates; "
+        "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
+        "FILE {\"edges\": [[0, 1], ...]}",
+        {.type = "auto|uv|sharp[=DEG]|FILE",
+         .check = checked_by(wrong_angle) & word_or_file({"auto", "uv", std::string(kSharp)})}},
+       {"--max-stretch",
+        &max_stretch,
+        fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "
+                    "({:g})",
+                    CutOptions().max_stretch),
+        {.check = positive_number()}}});
 }
 
 std::string SeamRequest::file() const {

@@ -72,6 +72,11 @@ void print_text(std::string_view text) noexcept {
   if (first_error == 0) first_error = write_all(STDOUT_FILENO, text);
 }
 
+void print_page(std::string_view text) noexcept {
+  print_text(text);
+  if (first_error == EPIPE) first_error = 0;
+}
+
 int data_error() noexcept {
   if (::close(STDOUT_FILENO) != 0 && first_error == 0) first_error = errno;
   return first_error;

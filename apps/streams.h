@@ -28,6 +28,9 @@ void say_text(std::string_view text) noexcept;
 // From any thread.
 void show_live(std::string_view line) noexcept;
 void print_text(std::string_view text) noexcept;
+// Prints help and the like, whose reader may leave before the end, as `| head` does: that is no
+// error then.
+void print_page(std::string_view text) noexcept;
 
 // "majorant: warning: ..." for each.
 void say_warnings(const std::vector<std::string>& warnings);

@@ -5,6 +5,7 @@
 //   std::reverse(words.begin(), words.end());    // as CLI11 wants them
 //   try {
 //     command.parse(words);
+//     require_values(command);
 //   } catch (const CLI::ParseError& e) {
 //     say("majorant: {}\n", usage_message(command, e));
 //   }
@@ -16,13 +17,19 @@
 
 namespace majorant::app {
 
-// `words`, the arguments of the command, with the verb in front: `help VERB` is `VERB --help`, and
-// where the first word that is no option names a mesh or another file, the verb is unwrap.
-// Throws Error(Usage) that names the nearest verb where there is none.
+// Returns `words`, the arguments of the command, with the verb in front: `help VERB` is `VERB
+// --help`, `version` is `--version`, and where the first word that is no option names a mesh,
+// another file or a directory, the verb is unwrap. Throws Error(Usage) that names the nearest verb
+// where there is none, and for what the parser would misunderstand: an option in the place of a
+// value, `--seams sharp 40`.
 std::vector<std::string> meant_words(const CLI::App& app, std::vector<std::string> words);
 
-// One line for a line that app.parse refused: the nearest option, who has that option, or what the
-// parser says; and where help is.
+// Throws Error(Usage) if an option of the parsed verb has an empty value, as an unset variable of a
+// shell makes it. Empty names of inputs are for their readers to refuse.
+void require_values(const CLI::App& app);
+
+// Returns one line for a line that app.parse refused: the nearest option, who has that option, or
+// what the parser says; and where help is.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace majorant::app

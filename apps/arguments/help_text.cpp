@@ -78,6 +78,10 @@ std::string value_name(const ValueType& type) {
   return type.name == "FLOAT" ? "X" : type.name;
 }
 
+bool is_range(const std::string& check) {
+  return check.starts_with("from ") && check.find(" to ") != std::string::npos;
+}
+
 // "-o, --output FILE", "--view [X,Y,Z]".
 std::string usage(const CLI::Option& option) {
   std::string names;
@@ -91,9 +95,8 @@ std::string usage(const CLI::Option& option) {
 
 std::string meaning(const CLI::Option& option) {
   const std::string check = ValueType(option.get_type_name()).check;
-  const bool is_range = check.starts_with("from ") && check.find(" to ") != std::string::npos;
-  return is_range ? fmt::format("{} ({})", option.get_description(), check.substr(5))
-                  : option.get_description();
+  return is_range(check) ? fmt::format("{} ({})", option.get_description(), check.substr(5))
+                         : option.get_description();
 }
 
 std::string positionals(const CLI::App& app, std::size_t width) {
@@ -137,6 +140,12 @@ std::string verb_lines(const CLI::App& app) {
 
 void begin_group(CLI::App& verb, OptionGroup group) {
   verb.option_defaults()->group(kGroups[static_cast<std::size_t>(group)]);
+}
+
+std::string value_words(const CLI::Option& option) {
+  const ValueType type(option.get_type_name());
+  const std::string range = is_range(type.check) ? fmt::format(", {}", type.check) : "";
+  return value_name(type) + range;
 }
 
 std::string overview(const CLI::App& app, const std::string& rest) {

@@ -23,6 +23,9 @@ enum class OptionGroup { Files, Map, Constraints, Charts, Solver, Pictures, Gene
 // Begins a group of options: those that are added to the verb from now on.
 void begin_group(CLI::App& verb, OptionGroup group);
 
+// The value of an option as help names it: "FILE", "free|fixed", "N, from 1 to 8". Empty for flags.
+std::string value_words(const CLI::Option& option);
+
 // What the program is, its verbs, and what follows them: for a command line without words.
 std::string overview(const CLI::App& app, const std::string& rest);
 

@@ -38,7 +38,8 @@ CLI::Validator whole_number(int least, int most) {
       [=](std::string& text) {
         int number = 0;
         const bool is_good = CLI::detail::lexical_cast(text, number) && least <= number &&
-                             number <= most && text.find_first_of(".eE") == std::string::npos;
+                             number <= most &&
+                             text.find_first_not_of("+-0123456789") == std::string::npos;
         return is_good ? std::string() : fmt::format("'{}' is no whole number {}", text, range);
       },
       range);

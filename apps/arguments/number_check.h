@@ -12,7 +12,7 @@ namespace majorant::app {
 // Finite and > 0, or >= 0, and at most so much.
 CLI::Validator positive_number(double most = std::numeric_limits<double>::max());
 CLI::Validator non_negative_number(double most = std::numeric_limits<double>::max());
-// Digits alone: 3.0 is none.
+// Digits alone: 3.0, 1e3 and 0x3 are none.
 CLI::Validator whole_number(int least, int most = std::numeric_limits<int>::max());
 
 }  // namespace majorant::app

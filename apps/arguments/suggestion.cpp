@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <numeric>
 #include <utility>
 
@@ -11,14 +13,16 @@ namespace {
 
 constexpr std::size_t kShort = 3;  // letters of a word of which one may be wrong, of others two
 
-// Letters put in, left out or changed.
+char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+// Letters put in, left out or changed; capitals are no others.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);  // from the letters of `a` up to i to those of `b`
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
     std::size_t diagonal = std::exchange(row[0], i + 1);
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t changed = diagonal + (a[i] != b[j]);
+      const std::size_t changed = diagonal + (lower(a[i]) != lower(b[j]));
       diagonal = row[j + 1];
       row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
     }
@@ -35,15 +39,27 @@ std::string nearest(const std::string& word, const std::vector<std::string>& nam
     const std::size_t distance = edit_distance(word, name);
     if (distance < least) std::tie(least, found) = std::pair(distance, name);
   }
-  if (!found.empty() || word.empty()) return found;
+  if (least <= 1 || word.empty()) return found;
   const auto longer = std::find_if(names.begin(), names.end(),
                                    [&](const std::string& name) { return name.starts_with(word); });
-  return longer == names.end() ? std::string() : *longer;
+  return longer == names.end() ? found : *longer;
 }
 
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names) {
   const std::string name = nearest(word, names);
   return name.empty() ? name : fmt::format(" (did you mean '{}'?)", name);
+}
+
+CLI::Validator word_or_file(std::vector<std::string> words) {
+  return CLI::Validator(
+      [words = std::move(words)](std::string& word) {
+        std::error_code ignored;
+        const bool is_one = std::find(words.begin(), words.end(), word) != words.end();
+        const std::string hint = did_you_mean(word, words);
+        if (is_one || hint.empty() || std::filesystem::exists(word, ignored)) return std::string();
+        return fmt::format("there is no file '{}'{}", word, hint);
+      },
+      "");
 }
 
 CLI::Validator one_of(std::vector<std::string> choices) {

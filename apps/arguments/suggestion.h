@@ -10,11 +10,16 @@
 
 namespace majorant::app {
 
-// The name that is at most two letters (of short words: one) put in, left out or changed away from
-// `word`, the nearest of them; else the first one that begins with `word`. Empty if there is none.
+// Returns the name that is one letter put in, left out or changed away from `word`; else the first
+// one that begins with `word`; else the nearest that is two letters away, of words that are not
+// short. Capitals count as small letters. Empty if there is none.
 std::string nearest(const std::string& word, const std::vector<std::string>& names);
 // For the end of a message: " (did you mean 'NAME'?)", or nothing.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& names);
+
+// Refuses a word that names no file and is near one of `words`, for an option that takes these and
+// files. What is near none is left to the reader of the file.
+CLI::Validator word_or_file(std::vector<std::string> words);
 
 // As CLI::IsMember, with that end.
 CLI::Validator one_of(std::vector<std::string> choices);

@@ -179,6 +179,10 @@ MapPage page_of(const std::string& path, const MapFile& map) {
 // compare A.vtu B.vtu -o AB.html -o AB.svg.
 int compare_results(const CompareRequest& request) {
   const std::vector<std::string> extensions{".html", ".svg"};
+  if (const std::string e = extension(request.other); e == ".csv" || e == ".html" || e == ".json")
+    throw Error(
+        ErrorKind::Usage,
+        fmt::format("{0}: the second word is a result to compare; write -o {0}", request.other));
   require_some_output(request.outputs, extensions);
   request.formats.require_effect(request.outputs);
   const RunPlan plan{.command = "compare",

@@ -246,6 +246,10 @@ class Refusals(BakeTest):
         self.refused(USAGE, 'bake', self.old, '--from', self.path('none.vtu'), '-o', out, says='--image')
         self.refused(UNSUPPORTED, *args, '-o', out, says='map_Kd')  # has none itself
         self.refused(USAGE, *args, '--attribute', 'position', '-o', out, says='.npy')
+        none = ['bake', self.path('none.obj'), '--from', self.path('none.obj'), '-o', out, '--attribute']
+        for wrong, right in (('normals', 'normal'), ('Position', 'position'), ('faces', 'face')):  # before any reading
+            self.refused(USAGE, *none, wrong, says="there is no file '%s' (did you mean '%s'?)" % (wrong, right))
+        self.refused(UNREADABLE, *args, '--attribute', 'hue', '-o', out, says='hue: No such file')
         self.refused(UNSUPPORTED, *args, '--attribute', 'tangent-normal', '-o', out, says='tangent')
         self.refused(USAGE, *args, '--attribute', 'normal', '-o', self.path('a.obj'), says='.png')
         self.refused(USAGE, *args, '--attribute', 'normal', '-o', out, '--size', '0', says='--size')

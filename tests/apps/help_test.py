@@ -60,6 +60,15 @@ class Help(CommandTest):
         self.assertRegex(help_of('parametrize'), r'--bijective  +keep')
         self.assertIn('Usage: majorant check result [OPTIONS]\n', help_of('check'))
 
+    def test_a_reader_that_leaves(self):
+        """Of what is printed for people; tests/apps/streams_test.py has data."""
+        for words in (['--help'], [], ['unwrap', '--help'], ['--version'], ['help'], ['version'], ['--licenses']):
+            reader, writer = os.pipe()
+            os.close(reader)
+            done = subprocess.run([helpers.BINARY, *words], stdout=writer, stderr=subprocess.PIPE, text=True)
+            os.close(writer)
+            self.assertEqual((done.returncode, done.stderr), (0, ''), words)
+
     def test_short_flags(self):
         version = self.run_ok('--version').out
         self.assertEqual(self.run_ok('-V').out, version)

@@ -16,12 +16,31 @@ class MeantWords(CommandTest):
                              ('chek', 'check'), ('verify', 'check'), ('inof', 'info')]:
             self.assertIn("did you mean '%s' (see majorant %s --help)?" % (right, right),
                           self.said(wrong, 'x.obj'), wrong)
-        self.assertRegex(self.said('frobnicate', 'x'), 'use one of parametrize, unwrap, seamless, .*info')
+        self.assertRegex(self.said('frobnicate', 'x'),
+                         "no verb and no file is called 'frobnicate'; use one of parametrize, .*info, mesh check")
+        self.assertIn("did you mean 'parametrize'", self.said('PARAMETRIZE', 'x.obj'))
+        self.assertIn("did you mean 'mesh optimize'", self.said('optimize', 'x.msh'))
         self.assertRegex(self.said('flatten', 'x.obj'), "no verb is called 'flatten'")
         self.assertRegex(self.said('--quiet'), 'name a verb: one of parametrize, ')
         for option in (['-q'], ['--quiet'], ['--threads', '2'], ['-o', 'x.obj']):
             self.assertIn("'%s' comes after the verb: majorant unwrap ... %s (see majorant unwrap --help)"
                           % (option[0], option[0]), self.said(*option, 'unwrap', 'x.obj'))
+        self.assertIn('majorant mesh check ... -q (see', self.said('-q', 'mesh', 'check', 'x.msh'))
+        self.assertIn("check has no option '--degree'; parametrize,", self.said('--degree', '3', 'check', 'x.vtu'))
+
+    def test_verbs_of_a_group(self):
+        for words, says in [(['mesh'], 'name a verb: one of mesh check, mesh optimize (see majorant mesh --help)'),
+                            (['mesh', 'chek', 'x.msh'], "no verb is called 'mesh chek'; did you mean 'mesh check'"),
+                            (['mesh', 'foo', 'x.msh'], "no verb and no file is called 'mesh foo'; use one of "),
+                            (['mesh', 'x.msh'], "'x.msh' is a file; name a verb first, as in majorant mesh check"),
+                            (['mesh', 'check', 'x.msh', '--target', 'ideal'],
+                             "mesh check has no option '--target'; mesh optimize has it")]:
+            self.assertIn(says, self.said(*words))
+
+    def test_options_of_the_program(self):
+        for wrong, right in [('--halp', '--help'), ('--licences', '--licenses'), ('--versoin', '--version')]:
+            self.assertIn("majorant has no option '%s' (did you mean '%s'?) (see majorant --help)" % (wrong, right),
+                          self.said(wrong))
 
     def test_options(self):
         mesh = generated('cap')
@@ -34,8 +53,10 @@ class MeantWords(CommandTest):
         # Its value is not taken for something else.
         self.assertIn("did you mean '--tolerance'",
                       self.said('parametrize', '--tolerence', '1e-5', mesh, self.path('o.obj')))
-        self.assertIn("seamless has no option '--init', parametrize, compare has",
+        self.assertIn("seamless has no option '--init'; parametrize and compare have it (see majorant",
                       self.said('seamless', mesh, '-o', self.path('out.vtu'), '--init', 'tutte'))
+        self.assertIn("info has no option '--certify'; check has it", self.said('info', mesh, '--certify'))
+        self.assertIn("did you mean '--output'", self.said(*run, '--out', 'x.obj'))
         self.assertRegex(self.said(*run, '--frobnicate'), r"'--frobnicate' \(see majorant param")
         self.assertIn("one word too many: 'c.obj' (see majorant info --help)",
                       self.said('info', mesh, 'c.obj'))
@@ -88,14 +109,43 @@ class MeantWords(CommandTest):
         for option, value, wanted in [('--degree', '3.0', 'whole number from 1 to 8'),
                                       ('--degree', '9', 'whole number from 1 to 8'),
                                       ('--degree', '1e0', 'whole number from 1 to 8'),
+                                      ('--degree', '0x3', 'whole number from 1 to 8'),
                                       ('--max-iterations', '2.5', 'whole number from 0 on'),
                                       ('--threads', '99999999999', 'whole number from 1 to 1024'),
                                       ('--quadrature', '0', 'whole number from 1 to 10000')]:
             self.assertIn("%s: '%s' is no %s" % (option, value, wanted), self.said(*run, option, value))
 
+    def test_values_that_are_missing_empty_or_given_twice(self):
+        run = ['parametrize', generated('cap'), '-o', self.path('out.vtu')]
+        for words, says in [(['--degree'], '--degree: its value is missing; write --degree N, from 1 to 8 (see'),
+                            (['--degree='], '--degree: its value is missing; write --degree N, from 1 to 8'),
+                            (['--boundary'], '--boundary: its value is missing; write --boundary free|fixed'),
+                            (['--pins'], '--pins: its value is missing; write --pins FILE'),
+                            (['--pins', '--quiet'], '--pins: its value is missing; write --pins FILE'),
+                            (['-o'], '--output: its value is missing; write --output FILE'),
+                            (['--pins', ''], '--pins: its value is empty; give one, or leave it out'),
+                            (['--report', ''], '--report: its value is empty'), (['-o', ''], '--output: its value'),
+                            ([''], 'output: its value is empty'),
+                            (['--degree', 2, '--degree', 3], '--degree is given 2 times; give it once'),
+                            (['-q', '-v'], '--quiet excludes --verbose; leave one of the two out')]:
+            with self.subTest(words):
+                self.assertIn(says, self.said(*run, *words))
+                self.assertEqual(self.files(), [])
+        self.assertIn('the first word is empty; name a verb or a file', self.said('', 'out.obj'))
+        self.refused(UNREADABLE, 'info', '', says="'': no file has an empty name")
+        self.run_ok(*run, '--view', '--grid', '-o', self.path('out.png'), '-q')  # values that may be left out
+
     def test_seams_that_are_nearly_a_word(self):
         for verb in ('unwrap', 'parametrize'):
-            for wrong, right in [('sharpp', 'sharp'), ('uv2', 'uv'), ('atuo', 'auto')]:
+            run = [verb, generated('cap'), '-o', self.path('o.obj')]
+            for words in (['--seams', 'sharp', 40], ['--seams=sharp', 40]):
+                self.assertIn('--seams sharp 40: the number belongs to the word; write --seams sharp=40 (see',
+                              self.said(*run, *words))
+                self.assertIn('write --seams sharp=40', self.said(verb, generated('cap'), *words, '-o', 'o.obj'))
+            for wrong in ('40', 'sharp40', 'sharp:40'):
+                self.assertIn("there is no file '%s'; write --seams sharp=40 for an angle" % wrong,
+                              self.said(*run, '--seams', wrong))
+            for wrong, right in [('sharpp', 'sharp'), ('uv2', 'uv'), ('atuo', 'auto'), ('UV', 'uv')]:
                 self.assertIn("there is no file '%s' (did you mean '%s'?)" % (wrong, right),
                               self.said(verb, generated('cap'), '-o', self.path('o.obj'), '--seams', wrong))
         self.refused(UNREADABLE, 'unwrap', generated('cap'), '-o', self.path('o.obj'), '--seams', 'no.json',
@@ -116,6 +166,15 @@ class MeantWords(CommandTest):
         self.assertEqual(self.run_ok('help').out, self.run_ok('--help').out)
         self.assertEqual(self.run_ok('help', 'check').out, self.run_ok('check', '--help').out)
         self.assertIn("did you mean 'check'", self.said('help', 'chek'))
+        self.assertIn("no verb and no file is called 'nothing'", self.said('help', 'nothing'))
+        self.assertEqual(self.run_ok('help', 'mesh', 'check').out, self.run_ok('mesh', 'check', '--help').out)
+        self.assertIn("did you mean 'mesh check'", self.said('help', 'mesh', 'chek'))
+        self.assertIn("one word too many: 'convert'", self.said('help', 'check', 'convert'))
+
+    def test_version(self):
+        self.assertEqual(self.run_ok('version').out, self.run_ok('--version').out)
+        self.assertEqual(self.run_ok('licenses').out, self.run_ok('--licenses').out)
+        self.assertEqual(self.run_ok('help', 'version').out, self.run_ok('--help').out)
 
     def test_a_file_without_a_verb(self):
         """Means unwrap, where there is that verb."""
