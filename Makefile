@@ -23,7 +23,7 @@ GENERATOR = $(or $(shell sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' $(BUILD)/CMake
 
 demo: command
 	@mkdir -p $(OUT)
-	@$(BINARY) parametrize meshes/creature.obj --degree 3 -o $(OUT)/creature.vtu \
+	@$(BINARY) parametrize examples/meshes/creature.obj --degree 3 -o $(OUT)/creature.vtu \
 	  -o $(OUT)/creature.obj -o $(OUT)/creature.svg -o $(OUT)/creature.html \
 	  --report $(OUT)/creature.json
 	@echo "the map, for ParaView:        $(OUT)/creature.vtu"
@@ -39,25 +39,25 @@ install:
 test: build
 	@ctest --preset release -j $(JOBS) -LE mpi --no-tests=error $(JUNIT) tests.xml; status=$$?; \
 	  ctest --preset release -L mpi $(JUNIT) tests_mpi.xml || status=$$?; \
-	  /usr/bin/python3 scripts/skipped_tests.py build/release/tests.xml build/release/tests_mpi.xml; \
+	  /usr/bin/python3 cmake/scripts/skipped_tests.py build/release/tests.xml build/release/tests_mpi.xml; \
 	  exit $$status
 
 test-core: core-setup configure
 	cmake --build $(BUILD) -j $(JOBS)
 	@ctest --preset release -j $(JOBS) -LE mpi --no-tests=error $(JUNIT) tests.xml; status=$$?; \
-	  /usr/bin/python3 scripts/skipped_tests.py build/release/tests.xml; exit $$status
+	  /usr/bin/python3 cmake/scripts/skipped_tests.py build/release/tests.xml; exit $$status
 
 setup:
-	@scripts/install_packages.sh
+	@cmake/scripts/install_packages.sh
 
 core-setup:
-	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_core.txt
+	@cmake/scripts/install_packages.sh cmake/scripts/packages_python.txt cmake/scripts/packages_core.txt
 
 test-setup:
-	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_core.txt scripts/packages_test.txt \
-	  scripts/packages_site.txt
-	@scripts/install_packages.sh scripts/packages_browser.txt || echo "no browser, or no npm"
-	@scripts/install_packages.sh scripts/packages_mpi.txt || echo "no PETSc, so no majorant-mpi"
+	@cmake/scripts/install_packages.sh cmake/scripts/packages_python.txt cmake/scripts/packages_core.txt cmake/scripts/packages_test.txt \
+	  cmake/scripts/packages_site.txt
+	@cmake/scripts/install_packages.sh cmake/scripts/packages_browser.txt || echo "no browser, or no npm"
+	@cmake/scripts/install_packages.sh cmake/scripts/packages_mpi.txt || echo "no PETSc, so no majorant-mpi"
 
 configure: setup
 	@cmake --preset release -B $(BUILD) -G "$(GENERATOR)" > /dev/null
@@ -74,8 +74,8 @@ asan: test-setup
 	ctest --preset asan -j $(JOBS) --no-tests=error
 
 tsan:
-	@scripts/install_packages.sh scripts/packages_python.txt scripts/packages_core.txt scripts/packages_test.txt \
-	  scripts/packages_tsan.txt
+	@cmake/scripts/install_packages.sh cmake/scripts/packages_python.txt cmake/scripts/packages_core.txt cmake/scripts/packages_test.txt \
+	  cmake/scripts/packages_tsan.txt
 	cmake --preset tsan
 	cmake --build --preset tsan -j $(JOBS)
 	ctest --preset tsan -j $(JOBS) --no-tests=error
@@ -84,8 +84,8 @@ bench: build
 	build/release/bench/majorant_bench
 
 site:
-	@scripts/install_packages.sh scripts/packages_site.txt
-	@/usr/bin/python3 scripts/make_site.py
+	@cmake/scripts/install_packages.sh cmake/scripts/packages_site.txt
+	@/usr/bin/python3 cmake/scripts/make_site.py
 
 clean:
 	rm -rf build $(OUT)

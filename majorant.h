@@ -6,7 +6,7 @@
 //
 // It includes the umbrella headers of the modules that stand below; the comment of each is its
 // table of contents. Not for programs that put problems together themselves (other elements,
-// constraints, solvers): framework/framework.h, terms/terms.h, elements/elements.h and
+// constraints, solvers): framework/framework.h, framework/terms/terms.h, elements/elements.h and
 // constraints/constraints.h, or single headers of these. Nor for meshes of volumes
 // (volumes/volumes.h) and of quads (quads/quad_mesh.h).
 #pragma once

@@ -12,11 +12,11 @@
 #include "apps/process.h"
 #include "apps/run.h"
 #include "apps/streams.h"
+#include "majorant/apps/jobs/bake_job.h"
+#include "majorant/apps/jobs/model_texture.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/framework/error.h"
-#include "majorant/pictures/image_file.h"
-#include "majorant/results/bake_job.h"
-#include "majorant/results/model_texture.h"
+#include "majorant/pictures/images/image_file.h"
 
 namespace majorant::app {
 namespace {

@@ -10,10 +10,10 @@
 #include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
 #include "apps/outputs.h"
+#include "majorant/apps/jobs/model_texture.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
-#include "majorant/pictures/image_file.h"
-#include "majorant/results/model_texture.h"
+#include "majorant/io/files/input_file.h"
+#include "majorant/pictures/images/image_file.h"
 
 namespace majorant::app {
 namespace {

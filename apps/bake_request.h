@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/command.h"
-#include "majorant/results/bake_job.h"
+#include "majorant/apps/jobs/bake_job.h"
 
 namespace majorant::app {
 

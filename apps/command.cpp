@@ -6,8 +6,8 @@
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/option_table.h"
 #include "apps/parts.h"
+#include "majorant/apps/jobs/solver_ladder.h"
 #include "majorant/framework/linear_solver.h"
-#include "majorant/results/solver_ladder.h"
 
 namespace majorant::app {
 

@@ -10,16 +10,16 @@
 #include "apps/page_content.h"
 #include "apps/run.h"
 #include "apps/streams.h"
+#include "majorant/apps/jobs/check_map.h"
+#include "majorant/apps/jobs/report.h"
 #include "majorant/certify/cut_map.h"
 #include "majorant/certify/moved_layout.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/io.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/maps/smallest_rectangle.h"
+#include "majorant/maps/smallest_rectangle.h"
 #include "majorant/pictures/turned_over.h"
-#include "majorant/results/check_map.h"
-#include "majorant/results/report.h"
 
 namespace majorant::app {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "apps/arguments/suggestion.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/maps/energy_text.h"
-#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/maps/energy_text.h"
+#include "majorant/maps/map_problem.h"
 
 namespace majorant::app {
 namespace {

@@ -11,9 +11,9 @@
 #include "apps/arguments/number_check.h"
 #include "apps/arguments/option_table.h"
 #include "apps/arguments/suggestion.h"
+#include "majorant/apps/jobs/obj_layout.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_densities.h"
-#include "majorant/results/obj_layout.h"
 
 namespace majorant::app {
 namespace {

@@ -10,7 +10,7 @@
 #include <CLI/App.hpp>
 #include <string>
 
-#include "majorant/results/atlas_job.h"
+#include "majorant/apps/jobs/atlas_job.h"
 
 namespace majorant::app {
 

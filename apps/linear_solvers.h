@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "apps/command.h"
+#include "majorant/apps/jobs/machine_memory.h"
+#include "majorant/apps/jobs/solver_ladder.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/results/machine_memory.h"
-#include "majorant/results/solver_ladder.h"
 
 namespace majorant::app {
 

@@ -13,13 +13,13 @@
 #include "apps/outputs.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
+#include "majorant/apps/jobs/input_points.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/free_scale.h"
-#include "majorant/results/input_points.h"
 
 namespace majorant::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
+#include "majorant/apps/jobs/map_job.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/results/map_job.h"
 
 namespace majorant::app {
 

@@ -12,9 +12,9 @@
 #include "apps/run.h"
 #include "apps/seam_request.h"
 #include "apps/streams.h"
+#include "majorant/apps/jobs/global_verdict.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/io.h"
-#include "majorant/results/global_verdict.h"
 
 namespace majorant::app {
 

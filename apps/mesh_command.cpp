@@ -15,8 +15,8 @@
 #include "apps/run.h"
 #include "apps/streams.h"
 #include "apps/within_memory.h"
-#include "majorant/results/volume_pictures.h"
-#include "majorant/results/volume_report.h"
+#include "majorant/apps/jobs/volume_pictures.h"
+#include "majorant/apps/jobs/volume_report.h"
 #include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/volumes/volume_files.h"
 

@@ -13,7 +13,7 @@
 #include "apps/streams.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/claims.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/repair.h"

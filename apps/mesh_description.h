@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
+#include "majorant/apps/jobs/report.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/results/report.h"
 
 namespace majorant::app {
 

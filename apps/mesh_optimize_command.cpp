@@ -12,8 +12,8 @@
 #include "apps/outputs.h"
 #include "apps/run.h"
 #include "apps/streams.h"
+#include "majorant/apps/jobs/volume_report.h"
 #include "majorant/energies/solid_energies.h"
-#include "majorant/results/volume_report.h"
 #include "majorant/volumes/optimize_volume_mesh.h"
 #include "majorant/volumes/volume_files.h"
 

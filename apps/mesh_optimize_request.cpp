@@ -13,7 +13,7 @@
 #include "apps/energy_option.h"
 #include "majorant/energies/solid_energies.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 
 namespace majorant::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "apps/command.h"
-#include "majorant/results/report.h"
+#include "majorant/apps/jobs/report.h"
 #include "majorant/volumes/optimize_volume_mesh.h"
 #include "majorant/volumes/volume_files.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "apps/arguments/option_table.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/files_below.h"
-#include "majorant/io/input_file.h"
 
 namespace majorant::app {
 

@@ -13,7 +13,7 @@
 #include "apps/command.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
-#include "majorant/results/map_job.h"
+#include "majorant/apps/jobs/map_job.h"
 
 namespace majorant::app {
 

@@ -23,10 +23,10 @@
 #include "apps/within_memory.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/stop_check.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/files_read_by.h"
-#include "majorant/io/input_file.h"
 #include "majorant/io/written_mark.h"
-#include "majorant/pictures/png_file.h"
+#include "majorant/pictures/images/png_file.h"
 
 namespace majorant::app {
 namespace {

@@ -16,9 +16,9 @@
 
 #include "apps/arguments/option_table.h"
 #include "apps/command.h"
+#include "majorant/apps/jobs/report.h"
+#include "majorant/apps/jobs/write_map.h"
 #include "majorant/io/atomic_file.h"
-#include "majorant/results/report.h"
-#include "majorant/results/write_map.h"
 
 namespace majorant::app {
 

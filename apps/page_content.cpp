@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "apps/outputs.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 
 namespace majorant::app {
 namespace {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "apps/map_request.h"
+#include "majorant/apps/jobs/check_map.h"
+#include "majorant/apps/jobs/map_job.h"
+#include "majorant/apps/jobs/report.h"
 #include "majorant/io/claims.h"
 #include "majorant/pictures/pictures.h"
-#include "majorant/results/check_map.h"
-#include "majorant/results/map_job.h"
-#include "majorant/results/report.h"
 
 namespace majorant::app {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"
-#include "majorant/pictures/image_file.h"
+#include "majorant/pictures/images/image_file.h"
 
 namespace majorant::app {
 namespace {

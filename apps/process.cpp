@@ -19,7 +19,7 @@
 
 #include "apps/streams.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/io/reading_limit.h"
+#include "majorant/io/files/reading_limit.h"
 #include "majorant/io/temporary_file.h"
 
 namespace majorant::app {

@@ -15,13 +15,13 @@
 #include "apps/page_content.h"
 #include "apps/run.h"
 #include "apps/streams.h"
-#include "majorant/io/input_file.h"
+#include "majorant/apps/jobs/quad_job.h"
+#include "majorant/apps/jobs/quad_report.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/io/standard_stream.h"
 #include "majorant/pictures/quad_picture.h"
-#include "majorant/results/quad_job.h"
-#include "majorant/results/quad_report.h"
 
 namespace majorant::app {
 namespace {

@@ -14,9 +14,9 @@
 
 #include "apps/process.h"
 #include "apps/streams.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
+#include "majorant/io/files/waiting_output.h"
 #include "majorant/io/temporary_file.h"
-#include "majorant/io/waiting_output.h"
 
 namespace majorant::app {
 namespace {
@@ -133,8 +133,9 @@ Run::Run(const RunPlan& plan)
       watch_(std::make_unique<Watch>(plan, *progress_)),
       record_(plan.time_limit, plan.max_iterations, stop_on_signals(plan.common), watch_.get()),
       threads_(usable_threads(plan.common.threads)) {
-  or_interrupted("reading " + input(),
-                 [&] { require_writable(plan.common, plan.outputs, plan.inputs, record_.start_stop()); });
+  or_interrupted("reading " + input(), [&] {
+    require_writable(plan.common, plan.outputs, plan.inputs, record_.start_stop());
+  });
   set_output_stop(record_.stop());
   record_.begin(Activity::Reading);
   watch_->start(record_.stop(), [this](const Failure& failure) { return fail(failure); });

@@ -30,10 +30,10 @@
 #include "apps/outputs.h"
 #include "apps/progress.h"
 #include "apps/within_memory.h"
+#include "majorant/apps/jobs/report.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/stopwatch.h"
-#include "majorant/results/report.h"
 
 namespace majorant::app {
 

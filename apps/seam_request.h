@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "majorant/apps/jobs/report.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
-#include "majorant/results/report.h"
 
 namespace majorant::app {
 

@@ -7,9 +7,9 @@
 
 #include "apps/command.h"
 #include "apps/output_request.h"
+#include "majorant/apps/jobs/report.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/results/report.h"
 
 namespace majorant::app {
 

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <mutex>
 
-#include "majorant/io/waiting_output.h"
+#include "majorant/io/files/waiting_output.h"
 
 namespace majorant::app {
 namespace {

@@ -9,8 +9,8 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/maps/quadrature_ladder.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {

@@ -32,7 +32,7 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / 'scripts'))
+sys.path.insert(0, str(ROOT / 'cmake/scripts'))
 import include_graph  # noqa: E402
 
 LOG = 'MAJORANT_CALL_TIMES'  # the file calls are written to; set: this run starts one call
@@ -93,7 +93,7 @@ def part(output):
     if 'cmake_pch' in output:
         return 'precompiled headers'
     for name, key in (('tests', 'tests/'), ('examples', 'examples/'), ('bench', 'bench/'),
-                      ('Python', 'python/'), ('majorant-mpi', 'distributed/'),
+                      ('Python', 'python/'), ('majorant-mpi', 'apps/mpi/'), ('library', 'majorant_results.dir/'),
                       ('kernels', '_kernels_'), ('command', 'apps/')):
         if key in output:
             return name

@@ -21,7 +21,7 @@ import tempfile
 
 BUILD = os.path.join(os.path.dirname(__file__), '..', 'build', 'release')
 SERIAL = os.path.join(BUILD, 'apps', 'majorant')
-MPI = os.path.join(BUILD, 'distributed', 'majorant-mpi')
+MPI = os.path.join(BUILD, 'apps', 'majorant-mpi')
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1',
                    OMPI_MCA_rmaps_base_oversubscribe='1', OMPI_MCA_hwloc_base_binding_policy='none',
                    OMPI_MCA_btl_vader_single_copy_mechanism='none',

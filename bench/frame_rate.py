@@ -22,7 +22,7 @@ from pathlib import Path
 import common
 
 TESTS = common.ROOT / 'tests'
-sys.path[:0] = [str(TESTS / 'apps'), str(TESTS / 'pages')]
+sys.path[:0] = [str(TESTS / 'apps'), str(TESTS / 'pictures/web')]
 SIDE = 71                                         # of the grid: 2 * 71^2 triangles
 SHOWN = [(show, view) for show in ('texture', 'density') for view in ('surface', 'layout')]
 

@@ -25,7 +25,7 @@ import tempfile
 
 BUILD = os.path.join(os.path.dirname(__file__), '..', 'build', 'release')
 SERIAL = os.path.join(BUILD, 'apps', 'majorant')
-MPI = os.path.join(BUILD, 'distributed', 'majorant-mpi')
+MPI = os.path.join(BUILD, 'apps', 'majorant-mpi')
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
 
 

@@ -8,7 +8,7 @@
 // Sample runs:
 //   build/release/bench/majorant_multiresolution ../shared/data/public/disks/*_10000.obj
 //   build/release/bench/majorant_multiresolution --start-only /tmp/spot_1000000.obj
-//   build/release/bench/majorant_multiresolution --ratio 2 --sweeps 2 meshes/creature.obj
+//   build/release/bench/majorant_multiresolution --ratio 2 --sweeps 2 examples/meshes/creature.obj
 #include "majorant/parametrization/initialization/multiresolution.h"
 
 #include <fmt/format.h>

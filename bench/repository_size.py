@@ -5,7 +5,7 @@
 
 Counted from what git holds, not from the working tree. Library: C++ that is installed or linked into
 it; newer modules: folders of it that the first commit does not have, nor under another name; command:
-apps/ and results/; public headers: those that are installed, but for detail/; types: classes, structs,
+apps/ (results/, in older commits); public headers: those that are installed, but for detail/; types: classes, structs,
 enums and unions defined at the beginning of a line or inside a class. --command PATH: the binary of the
 last commit, its size and the libraries that it names and that are loaded with it.
 
@@ -21,7 +21,8 @@ from pathlib import PurePath
 
 ROOT = PurePath(__file__).parent.parent
 COMMAND = ('apps', 'results')
-NEWER = ('adapters', 'parametrization/baking', 'quads', 'volumes')
+NEWER = ('adapters', 'parametrization/adapters', 'parametrization/baking', 'pictures/baking', 'quads', 'volumes')
+PARALLEL = ('distributed/', 'apps/mpi/')
 NOT_LIBRARY = COMMAND + ('tests', 'bench', 'examples', 'python', 'web', 'docs', 'scripts', 'cmake', 'distributed')
 TYPE = re.compile(r'^\s*(?:template\s*<.*>\s*)?(?:class|struct|union|enum(?:\s+class)?)\s+(?:\[\[.*?\]\]\s*)?'
                   r'[\w:]+(?:\s*final)?(?:\s*:[^;{]*)?\s*\{', re.M)
@@ -54,8 +55,8 @@ def measure(commit):
     code = {n: t for n, t in texts.items() if n.endswith(('.h', '.cpp'))}
     library = {n: t for n, t in code.items() if n.split('/')[0] not in NOT_LIBRARY}
     newer = {n: t for n, t in library.items() if n.startswith(tuple(folder + '/' for folder in NEWER))}
-    command = {n: t for n, t in code.items() if n.split('/')[0] in COMMAND}
-    parallel = {n: t for n, t in code.items() if n.startswith('distributed/')}
+    parallel = {n: t for n, t in code.items() if n.startswith(PARALLEL)}
+    command = {n: t for n, t in code.items() if n.split('/')[0] in COMMAND and n not in parallel}
     listed = texts.get('cmake/public_headers.txt') or texts['tests/package/public_headers.txt']
     headers = {n: texts[n] for n in (line.removeprefix('majorant/') for line in listed.splitlines())
                if n in texts and '/detail/' not in n}

@@ -26,9 +26,9 @@
 //
 // Sample runs:
 //   build/release/bench/solver_cost ../shared/data/public/disks/*_10000.obj
-//   build/release/bench/solver_cost --degrees 1,2,3 --json meshes/creature.obj
-//   build/release/bench/solver_cost --no-runs --threads 2 --degrees 3 meshes/creature.obj
-//   build/release/bench/solver_cost --init tutte --bijective meshes/creature.obj
+//   build/release/bench/solver_cost --degrees 1,2,3 --json examples/meshes/creature.obj
+//   build/release/bench/solver_cost --no-runs --threads 2 --degrees 3 examples/meshes/creature.obj
+//   build/release/bench/solver_cost --init tutte --bijective examples/meshes/creature.obj
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>

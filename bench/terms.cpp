@@ -14,7 +14,7 @@
 #include "majorant/framework/detail/packed_symmetric.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
-#include "majorant/terms/local_term.h"
+#include "majorant/framework/terms/local_term.h"
 
 namespace majorant {
 namespace {

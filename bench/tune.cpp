@@ -6,8 +6,8 @@
 // Sample runs:
 //   build/release/bench/majorant_tune --list
 //   build/release/bench/majorant_tune --degree 2 ../shared/data/public/disks/spot_500.obj
-//   build/release/bench/majorant_tune --bijective --set scaffold.share=1e-4 meshes/creature.obj
-//   build/release/bench/majorant_tune --bounded 1.2 --set bounds.weights.fall=0.3 meshes/cap.obj
+//   build/release/bench/majorant_tune --bijective --set scaffold.share=1e-4 examples/meshes/creature.obj
+//   build/release/bench/majorant_tune --bounded 1.2 --set bounds.weights.fall=0.3 examples/meshes/cap.obj
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>

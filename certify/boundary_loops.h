@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "majorant/certify/internal/planar_curve.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 
 namespace majorant {
 

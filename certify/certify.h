@@ -9,7 +9,7 @@
 // * moved_layout.h: layouts that are turned, scaled and moved, proven where they end up
 // * stacked_charts.h: charts of a layout that lie exactly on others
 //
-// Not for how good a map is: parametrization/maps/measure.h.
+// Not for how good a map is: maps/measure.h.
 #pragma once
 
 #include "majorant/certify/global_injectivity.h"

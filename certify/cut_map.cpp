@@ -17,10 +17,10 @@
 #include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/mesh/sound_surface.h"
-#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 namespace {

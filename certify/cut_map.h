@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 

@@ -43,7 +43,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 
 namespace majorant {
 

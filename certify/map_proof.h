@@ -23,8 +23,8 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/stacked_charts.h"
 #include "majorant/framework/stop_check.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/mesh/repair.h"
-#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

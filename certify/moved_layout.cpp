@@ -8,8 +8,8 @@
 #include "majorant/certify/proven_distance.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/rounding.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
-#include "majorant/parametrization/maps/smallest_rectangle.h"
+#include "majorant/maps/rest_shapes_of.h"
+#include "majorant/maps/smallest_rectangle.h"
 
 namespace majorant {
 namespace {

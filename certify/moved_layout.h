@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/measure.h"
+#include "majorant/maps/bezier_map.h"
+#include "majorant/maps/measure.h"
 
 namespace majorant {
 

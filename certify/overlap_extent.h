@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 
 namespace majorant {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "majorant/certify/cut_map.h"
+#include "majorant/maps/bezier_cell.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/union_find.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

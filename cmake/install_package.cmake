@@ -7,7 +7,8 @@ install(TARGETS majorant EXPORT libmajorantTargets COMPONENT development)
 install(FILES majorant.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPONENT development)
 install(FILES parametrization/parametrization.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/parametrization COMPONENT development)
-install(DIRECTORY adapters DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant COMPONENT development)
+install(DIRECTORY parametrization/adapters
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/majorant/parametrization COMPONENT development)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/majorant)
 set(libraries libmajorant_framework libmajorant)

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # majorant_library(NAME)
-# majorant_module(FOLDER [PUBLIC target...] [PRIVATE target...])
+# majorant_module(FOLDER [NAME module] [PUBLIC target...] [PRIVATE target...])
 #
-# One module = one archive `majorant_MODULE` (MODULE is the last part of FOLDER), made of every
+# One module = one archive `majorant_MODULE` (MODULE is NAME, or the last part of FOLDER), made of every
 # .cpp of FOLDER and FOLDER/internal. Headers are included as "majorant/FOLDER/x.h", inside the tree as
 # after install; a link in the build tree makes that path, one include root per module. Installed are
 # those that cmake/public_headers.txt lists, of FOLDER/detail what templates in public headers need;
@@ -69,8 +69,11 @@ macro(majorant_library name)
 endmacro()
 
 function(majorant_module folder)
-  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "NAME" "PUBLIC;PRIVATE" ${ARGN})
   get_filename_component(name ${folder} NAME)
+  if(ARG_NAME)
+    set(name ${ARG_NAME})
+  endif()
   set(source_dir ${PROJECT_SOURCE_DIR}/${folder})
   file(GLOB sources CONFIGURE_DEPENDS ${source_dir}/*.cpp ${source_dir}/internal/*.cpp)
   foreach(source IN LISTS sources)
@@ -181,7 +184,7 @@ function(majorant_umbrella)
   endif()
   set(root ${PROJECT_BINARY_DIR}/include/majorant)
   file(MAKE_DIRECTORY ${root}/majorant/parametrization)
-  foreach(name majorant.h adapters parametrization/parametrization.h)
+  foreach(name majorant.h parametrization/adapters parametrization/parametrization.h)
     file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${name} ${root}/majorant/${name} SYMBOLIC)
   endforeach()
   target_include_directories(majorant INTERFACE $<BUILD_INTERFACE:${root}>

@@ -6,8 +6,8 @@
 //   builder.add(SeamlessConstraint(space, map.shared_seams()));
 //   builder.add(std::make_shared<const LocalInjectivity>(space, 2 * rest.measure));
 //
-// Not for what may give way: QuadraticPenalty (terms/quadratic_penalty.h) makes any of these
-// constraints soft.
+// Not for what may give way: QuadraticPenalty (framework/terms/quadratic_penalty.h) makes any of
+// these constraints soft.
 #pragma once
 
 #include <memory>

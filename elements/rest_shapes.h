@@ -8,7 +8,7 @@
 // orthonormal frame of the rest shape).
 //
 // Not for surfaces that repair() made, whose faces may have no area: rest_shapes()
-// (parametrization/maps/rest_shapes_of.h) knows these.
+// (maps/rest_shapes_of.h) knows these.
 #pragma once
 
 #include <optional>

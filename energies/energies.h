@@ -12,7 +12,7 @@
 //     energy_factory.h            EnergyFactory, EnergySum: what drivers take; energies by name
 //
 // Not here, since it compiles the whole contraction: vectorized.h, for a formula that is waited
-// for. Not for energies that are no densities of a Jacobian: terms/terms.h.
+// for. Not for energies that are no densities of a Jacobian: framework/terms/terms.h.
 #pragma once
 
 #include "majorant/energies/energy_factory.h"

@@ -16,7 +16,7 @@
 // which may change between steps.
 //
 // Not for functions of few unknowns that integrate nothing, as springs or penalties: make_term()
-// (terms/local_term.h).
+// (framework/terms/local_term.h).
 #pragma once
 
 #include <cstddef>

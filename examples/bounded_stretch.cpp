@@ -2,8 +2,8 @@
 // face, and the run converges inside the bound instead of stalling at it.
 //
 // Sample runs:
-//   example_bounded_stretch meshes/cap.obj cap.vtu
-//   example_bounded_stretch meshes/creature.obj creature.vtu
+//   example_bounded_stretch examples/meshes/cap.obj cap.vtu
+//   example_bounded_stretch examples/meshes/creature.obj creature.vtu
 #include <iostream>
 
 #include "majorant/io/io.h"

@@ -1,8 +1,8 @@
 // CGAL in, CGAL out: texture coordinates as the property map "h:uv" of a CGAL::Surface_mesh.
 //
 // Sample run:
-//   example_cgal meshes/cap.obj
-#include "majorant/adapters/cgal.h"
+//   example_cgal examples/meshes/cap.obj
+#include "majorant/parametrization/adapters/cgal.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,7 +7,7 @@
 #include "cloth.h"
 
 #include "majorant/framework/newton.h"
-#include "majorant/terms/local_term.h"
+#include "majorant/framework/terms/local_term.h"
 #include "outcome.h"
 using namespace majorant;
 

@@ -7,7 +7,7 @@
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/newton.h"
-#include "majorant/terms/local_term.h"
+#include "majorant/framework/terms/local_term.h"
 #include "meshes.h"
 #include "outcome.h"
 using namespace majorant;

@@ -3,7 +3,7 @@
 #include <ceres/ceres.h>
 
 #include "majorant/framework/newton.h"
-#include "majorant/terms/least_squares.h"
+#include "majorant/framework/terms/least_squares.h"
 #include "outcome.h"
 using namespace majorant;
 

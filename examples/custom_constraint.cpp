@@ -2,7 +2,7 @@
 // the solver starts. Here a rigid link: one vertex keeps its offset from another.
 //
 // Sample run:
-//   example_custom_constraint meshes/cap.obj cap.vtu
+//   example_custom_constraint examples/meshes/cap.obj cap.vtu
 #include <iostream>
 
 #include "majorant/framework/newton.h"

@@ -3,11 +3,11 @@
 // Its angles of warp and weft, and its lengths along the warp, are to stay.
 //
 // Sample run:
-//   example_custom_density meshes/cap.obj cap.vtu
+//   example_custom_density examples/meshes/cap.obj cap.vtu
 #include <iostream>
 
 #include "majorant/majorant.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/maps/rest_shapes_of.h"
 
 using namespace majorant;
 

@@ -2,7 +2,7 @@
 // touching the library. Another density of J: see custom_density.cpp.
 //
 // Sample run:
-//   example_custom_energy meshes/cap.obj cap.vtu
+//   example_custom_energy examples/meshes/cap.obj cap.vtu
 #include <iostream>
 
 #include "majorant/majorant.h"

@@ -3,7 +3,7 @@
 // and where the matrix turns out to be indefinite Newton tries a larger shift.
 //
 // Sample run:
-//   example_custom_solver meshes/cap.obj cap.vtu
+//   example_custom_solver examples/meshes/cap.obj cap.vtu
 #include <Eigen/IterativeLinearSolvers>
 #include <cmath>
 #include <iostream>
@@ -12,7 +12,7 @@
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/majorant.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/maps/rest_shapes_of.h"
 
 using namespace majorant;
 

@@ -2,7 +2,7 @@
 // which keep their length on the surface, added to a map's problem that is put together by hand.
 //
 // Sample run:
-//   example_custom_term meshes/cap.obj cap.vtu
+//   example_custom_term examples/meshes/cap.obj cap.vtu
 #include <cmath>
 #include <iostream>
 

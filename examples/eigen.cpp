@@ -2,7 +2,7 @@
 //
 // Sample run:
 //   example_eigen
-#include "majorant/adapters/eigen.h"
+#include "majorant/parametrization/adapters/eigen.h"
 
 #include <iostream>
 

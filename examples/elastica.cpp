@@ -3,7 +3,7 @@
 // the closed form, in which K and E are the elliptic integrals of the modulus k.
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/newton.h"
-#include "majorant/terms/local_term.h"
+#include "majorant/framework/terms/local_term.h"
 #include "meshes.h"
 #include "outcome.h"
 using namespace majorant;

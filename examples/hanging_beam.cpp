@@ -2,7 +2,7 @@
 // rest shapes as data of the lambda. Where a tetrahedron turns over, log J is NaN: outside of the
 // domain, so no step goes there.
 #include "majorant/framework/newton.h"
-#include "majorant/terms/local_term.h"
+#include "majorant/framework/terms/local_term.h"
 #include "meshes.h"
 #include "outcome.h"
 using namespace majorant;

@@ -1,7 +1,7 @@
 // A soap film over a square: its energy is its area, the unknowns are heights, one to a node. On
 // the boundary it has the heights of Scherk's surface z = log(cos y / cos x), and so it has inside.
 #include "majorant/framework/newton.h"
-#include "majorant/terms/local_term.h"
+#include "majorant/framework/terms/local_term.h"
 #include "meshes.h"
 #include "outcome.h"
 using namespace majorant;

@@ -2,7 +2,7 @@
 // what parametrize() solves at every degree, and held exactly by elimination.
 //
 // Sample run:
-//   example_mirror_symmetry meshes/cap.obj cap.vtu
+//   example_mirror_symmetry examples/meshes/cap.obj cap.vtu
 #include <array>
 #include <cmath>
 #include <iostream>

@@ -3,8 +3,8 @@
 // mesh mapped before its garbage is collected.
 //
 // Sample run:
-//   example_openmesh meshes/cap.obj
-#include "majorant/adapters/openmesh.h"
+//   example_openmesh examples/meshes/cap.obj
+#include "majorant/parametrization/adapters/openmesh.h"
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>

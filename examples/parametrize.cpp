@@ -1,8 +1,8 @@
 // The library in ten lines: flatten a mesh with cubic Bezier triangles.
 //
 // Sample runs:
-//   example_parametrize meshes/creature.obj creature.vtu
-//   example_parametrize meshes/cap.obj cap.vtu
+//   example_parametrize examples/meshes/creature.obj creature.vtu
+//   example_parametrize examples/meshes/cap.obj cap.vtu
 #include "majorant/parametrization/solve/parametrize.h"
 
 #include <iostream>

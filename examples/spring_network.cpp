@@ -1,7 +1,7 @@
 // A net of springs, held at its corners, sags under its weight: a rest length for each spring, a
 // load for each knot. The corners carry the whole weight.
 #include "majorant/framework/newton.h"
-#include "majorant/terms/local_term.h"
+#include "majorant/framework/terms/local_term.h"
 #include "meshes.h"
 #include "outcome.h"
 using namespace majorant;

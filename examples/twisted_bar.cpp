@@ -12,7 +12,7 @@
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/newton.h"
-#include "majorant/terms/quadratic_penalty.h"
+#include "majorant/framework/terms/quadratic_penalty.h"
 #include "write_vtk.h"
 
 using namespace majorant;

@@ -10,10 +10,10 @@
 //   const BarrierResult result = BarrierMinimizer({id}).run(problem, y0);
 //
 // A barrier is any term that is +inf outside of the feasible set and grows like -log of the
-// distance to its boundary: Bounds::barrier(), Inequality::barrier() (terms/), or one that belongs
-// to a FeasibilityChecker of the problem. With E the other terms and B the barriers, each with the
-// weight it has in the problem, phases minimize E + mu B for falling mu by Newton's method. The
-// last one has
+// distance to its boundary: Bounds::barrier(), Inequality::barrier() (framework/terms/), or one
+// that belongs to a FeasibilityChecker of the problem. With E the other terms and B the barriers,
+// each with the weight it has in the problem, phases minimize E + mu B for falling mu by Newton's
+// method. The last one has
 //     m mu <= tolerance max(1, |E|)
 // with m the sum of the weights of all elements of the barriers, which for convex problems and -log
 // g bounds what E is above its constrained minimum, and as much is left of E by its last decrease:

@@ -17,7 +17,8 @@
 //     }
 //   };
 //
-// Not for inequalities (feasibility.h), nor for what may give way (terms/quadratic_penalty.h).
+// Not for inequalities (feasibility.h), nor for what may give way
+// (framework/terms/quadratic_penalty.h).
 #pragma once
 
 #include <cmath>

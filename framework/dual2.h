@@ -15,7 +15,7 @@
 // function has no finite derivative (sqrt at 0, asin at 1, atan2(0, 0)) neither has the result.
 //
 // Not for functions of many variables: a sum of functions of few each is a term, differentiated
-// element by element (terms/local_term.h).
+// element by element (framework/terms/local_term.h).
 #pragma once
 
 #include <array>

@@ -2,7 +2,8 @@
 //
 // This is the raw extension point, for elements of many unknowns, models of curvature of one's own,
 // or memory shared by a batch. Not for densities of a Jacobian, whose chain rule make_energy()
-// (energies/make_energy.h) does, nor for what a lambda says: make_term() (terms/local_term.h).
+// (energies/make_energy.h) does, nor for what a lambda says: make_term()
+// (framework/terms/local_term.h).
 //
 //   class Springs final : public EnergyTerm {
 //     std::string_view name() const override { return "springs"; }

@@ -37,7 +37,7 @@
 
 namespace majorant {
 
-// Who brings processes implements the virtual members (distributed/ does, on MPI); terms, checkers
+// Who brings processes implements the virtual members (apps/mpi/ does, on MPI); terms, checkers
 // and elements never see this.
 class Ranks {
  public:

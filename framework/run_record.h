@@ -18,7 +18,7 @@
 // Solvers, starts and measurements announce what they begin and note their steps; progress lines,
 // reports and CSV files show it. Not for deciding from a step whether to go on, which StoppingTest
 // does (minimizer.h), nor for looking at the map itself on its way: that is SolveOptions::watch
-// (parametrization/maps/map_options.h).
+// (maps/map_options.h).
 #pragma once
 
 #include <algorithm>

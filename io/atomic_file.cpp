@@ -13,10 +13,10 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/byte_counts.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
+#include "majorant/io/files/waiting_output.h"
 #include "majorant/io/standard_stream.h"
 #include "majorant/io/temporary_file.h"
-#include "majorant/io/waiting_output.h"
 
 namespace majorant {
 namespace {

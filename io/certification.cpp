@@ -6,7 +6,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/mesh_objects.h"
 #include "majorant/io/read_mesh.h"

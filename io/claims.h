@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "majorant/framework/types.h"
+#include "majorant/maps/map_options.h"
 #include "majorant/mesh/seams.h"
-#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/files_below.h"
-#include "majorant/io/input_file.h"
 #include "majorant/io/internal/gltf_document.h"
 #include "majorant/io/internal/json_strings.h"
 #include "majorant/io/internal/line_cursor.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/gltf_output.h"
 #include "majorant/io/internal/gltf_scene.h"
 

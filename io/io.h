@@ -17,7 +17,7 @@
 #include "majorant/certify/map_proof.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 
 namespace majorant {

@@ -13,7 +13,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

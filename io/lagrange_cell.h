@@ -13,7 +13,7 @@
 #include <string>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 

@@ -4,7 +4,7 @@
 
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/io/claims.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

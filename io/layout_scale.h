@@ -10,7 +10,7 @@
 // surface have the same area.
 #pragma once
 
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/maps/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
-#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

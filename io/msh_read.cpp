@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/msh_content.h"
 #include "majorant/io/io.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/written_mark.h"
 #include "majorant/io/xml_tree.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/bezier_cell.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 namespace {

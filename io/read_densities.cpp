@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/json_depth.h"
 
 namespace majorant {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/pvtu.h"
 #include "majorant/io/read_mesh.h"

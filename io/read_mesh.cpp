@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/mesh_readers.h"
 #include "majorant/io/internal/msh_content.h"
 #include "majorant/io/io.h"

@@ -38,8 +38,8 @@
 #include <string>
 
 #include "majorant/framework/stop_check.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
-#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

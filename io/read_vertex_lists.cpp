@@ -9,10 +9,10 @@
 #include <unordered_map>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/json_depth.h"
-#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/maps/map_problem.h"
 
 namespace majorant {
 namespace {

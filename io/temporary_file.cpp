@@ -14,7 +14,7 @@
 #include <system_error>
 
 #include "majorant/io/byte_counts.h"
-#include "majorant/io/waiting_output.h"
+#include "majorant/io/files/waiting_output.h"
 
 namespace majorant {
 namespace {

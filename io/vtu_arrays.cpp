@@ -12,8 +12,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/types.h"
 #include "majorant/io/base64.h"
-#include "majorant/io/input_file.h"
-#include "majorant/io/internal/inflate.h"
+#include "majorant/io/files/inflate.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 
 namespace majorant {

@@ -13,7 +13,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/io/byte_cursor.h"
-#include "majorant/io/reading_limit.h"
+#include "majorant/io/files/reading_limit.h"
 #include "majorant/io/xml_tree.h"
 
 namespace majorant {

@@ -11,13 +11,13 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/stop_check.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
 #include "majorant/io/vtu_arrays.h"
 #include "majorant/io/xml_tree.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -17,7 +17,7 @@
 #include "majorant/io/map_check.h"
 #include "majorant/io/vtu_text.h"
 #include "majorant/io/written_mark.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/gltf_output.h"
 #include "majorant/io/internal/gltf_scene.h"
 #include "majorant/io/internal/gltf_update.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/gltf_document.h"
 #include "majorant/io/internal/json_strings.h"
 #include "majorant/io/vtu_text.h"

@@ -104,7 +104,7 @@ enum class Shapes { Proper, Any };
 
 // A rest triangle, the shape of a face that has no area, or hardly one: a triangle in the plane, in
 // model units, counterclockwise. Maps are measured against it
-// (parametrization/maps/rest_shapes_of.h).
+// (maps/rest_shapes_of.h).
 struct RestTriangle {
   Index face;
   std::array<Vector2, 3> corners;

@@ -5,7 +5,7 @@
 //   const ParametrizationResult result = parametrize(mesh, {});
 //   if (result.map) std::cout << result.measures.value << "\n";
 //
-// What is asked for:
+// What is asked for (folders of parametrization/, and maps/ beside it):
 //     solve/parametrize.h           parametrize(), one map; deform(), a planar mesh by handles
 //     maps/map_options.h            what a map shall be, how it is looked for; a map on its way
 //     maps/map_extension.h          terms, constraints and checkers of one's own
@@ -30,17 +30,17 @@
 // file holds: certify/certify.h.
 #pragma once
 
+#include "majorant/maps/bezier_map.h"
+#include "majorant/maps/distortion.h"
+#include "majorant/maps/map_extension.h"
+#include "majorant/maps/map_file.h"
+#include "majorant/maps/map_options.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/measure.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/parametrization/atlas/unwrap.h"
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/distortion.h"
-#include "majorant/parametrization/maps/map_extension.h"
-#include "majorant/parametrization/maps/map_file.h"
-#include "majorant/parametrization/maps/map_options.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/measure.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/solve/parametrize.h"

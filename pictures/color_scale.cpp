@@ -102,8 +102,6 @@ std::string tick_label(double value) {
 
 }  // namespace
 
-std::string Color::hex() const { return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue); }
-
 std::string_view quantity_name(Quantity quantity) {
   constexpr std::array kNames{"density", "area", "angle", "sigma-max", "sigma-min"};
   return kNames[static_cast<std::size_t>(quantity)];

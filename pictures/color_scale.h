@@ -35,15 +35,10 @@
 #include <vector>
 
 #include "majorant/energies/energy_factory.h"
+#include "majorant/pictures/images/color.h"
 #include "majorant/pictures/pictures.h"
 
 namespace majorant {
-
-struct Color {  // sRGB
-  std::uint8_t red = 0, green = 0, blue = 0;
-  std::string hex() const;  // "#rrggbb"
-  bool operator==(const Color&) const = default;
-};
 
 // The colour of cells that are turned over, or have no area: no scale has it.
 inline constexpr Color kFlippedColor{214, 0, 190};

@@ -2,7 +2,7 @@
 // with a bare --view.
 #pragma once
 
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 

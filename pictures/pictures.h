@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "majorant/parametrization/maps/map_file.h"
-#include "majorant/parametrization/maps/map_options.h"
+#include "majorant/maps/map_file.h"
+#include "majorant/maps/map_options.h"
 
 namespace majorant {
 
@@ -204,7 +204,7 @@ void write_png(const std::string& path, const MapFile& map, const PngOptions& op
 //   write_page("creature.html", page);
 //
 // The page holds the control points and evaluates the Bezier triangles itself, for every pixel: a
-// texture, distortion in the words of parametrization/maps/distortion.h on fixed scales, the
+// texture, distortion in the words of maps/distortion.h on fixed scales, the
 // straight map of the same corners, what the mouse points at. It asks nobody for anything: no
 // network, no other file. docs/pictures.md says what it shows and what its data look like.
 //

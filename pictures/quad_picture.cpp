@@ -11,11 +11,11 @@
 
 #include "majorant/io/atomic_file.h"
 #include "majorant/pictures/first_view.h"
+#include "majorant/pictures/images/png_file.h"
 #include "majorant/pictures/internal/canvas.h"
 #include "majorant/pictures/internal/layout_drawing.h"
 #include "majorant/pictures/internal/legend_drawing.h"
 #include "majorant/pictures/internal/raster_scene.h"
-#include "majorant/pictures/png_file.h"
 
 namespace majorant {
 namespace {

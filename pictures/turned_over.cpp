@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "majorant/framework/parallel.h"
-#include "majorant/parametrization/maps/extreme_samples.h"
+#include "majorant/maps/extreme_samples.h"
 #include "majorant/pictures/internal/bezier_image.h"
 
 namespace majorant {

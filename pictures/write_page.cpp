@@ -5,7 +5,7 @@
 #include "embedded/map_page_js.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/map_check.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/pictures/internal/page_data.h"
 #include "majorant/pictures/page_text.h"
 #include "majorant/pictures/pictures.h"

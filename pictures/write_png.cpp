@@ -13,6 +13,7 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/map_check.h"
+#include "majorant/pictures/images/png_file.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/bezier_image.h"
 #include "majorant/pictures/internal/canvas.h"
@@ -24,7 +25,6 @@
 #include "majorant/pictures/internal/raster_scene.h"
 #include "majorant/pictures/internal/rasterizer.h"
 #include "majorant/pictures/pictures.h"
-#include "majorant/pictures/png_file.h"
 #include "majorant/pictures/turned_over.h"
 
 namespace majorant {

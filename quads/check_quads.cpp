@@ -18,7 +18,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/union_find.h"
-#include "majorant/parametrization/baking/nearest_point.h"
+#include "majorant/pictures/baking/nearest_point.h"
 #include "majorant/quads/exact_normals.h"
 #include "majorant/quads/internal/border.h"
 

@@ -94,7 +94,7 @@ inline constexpr double kCountClose = 0.05;
 // Numbers of quads, and of their half-edges, are Index.
 inline constexpr Index kMostQuads = 100'000'000;
 // The memory of a run for each quad, beside what the surface takes, in bytes: 907 from 50,000 to
-// 200,000 quads of meshes/buckle.obj.
+// 200,000 quads of examples/meshes/buckle.obj.
 inline constexpr std::size_t kBytesOfQuad = 1000;
 
 // Throws Error(Unsupported) with both figures where so many quads would take more memory than is

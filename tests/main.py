@@ -4,7 +4,7 @@
 """main.py FILE_test.py [ARGUMENT...]: runs a test script as python3 would, and says what it skipped.
 
 Each test that was not run is a line `skipped Class.test: no ...`. Where no test of the file was run, the
-last line is `skipped: no ...` and the exit code 77. scripts/skipped_tests.py reads both kinds.
+last line is `skipped: no ...` and the exit code 77. cmake/scripts/skipped_tests.py reads both kinds.
 """
 import os
 import re

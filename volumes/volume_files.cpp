@@ -11,7 +11,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/base64.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/written_mark.h"
 #include "majorant/volumes/internal/gmsh_document.h"
 #include "majorant/volumes/internal/mesh_readers.h"

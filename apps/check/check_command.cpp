@@ -17,16 +17,16 @@
 #include "apps/page_content.h"
 #include "apps/run.h"
 #include "apps/streams.h"
+#include "majorant/apps/jobs/check_map.h"
+#include "majorant/apps/jobs/quad_job.h"
+#include "majorant/apps/jobs/quad_report.h"
 #include "majorant/certify/map_proof.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/mesh_objects.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/quads/check_quads.h"
-#include "majorant/results/check_map.h"
-#include "majorant/results/quad_job.h"
-#include "majorant/results/quad_report.h"
 
 namespace majorant::app {
 namespace {

@@ -28,13 +28,13 @@
 #include "apps/process.h"
 #include "apps/run.h"
 #include "apps/streams.h"
+#include "majorant/apps/jobs/report.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/problem.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/io.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/normalized_start.h"
-#include "majorant/results/report.h"
 
 namespace majorant::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "apps/compare/methods.h"
 #include "apps/map_request.h"
 #include "apps/outputs.h"
-#include "majorant/results/report.h"
+#include "majorant/apps/jobs/report.h"
 
 namespace majorant::app {
 

@@ -9,11 +9,11 @@
 #include <new>
 
 #include "apps/plugins/plugin.h"
+#include "majorant/apps/jobs/solver_ladder.h"
 #include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/parametrization/solve/solver_rules.h"
-#include "majorant/results/solver_ladder.h"
 
 namespace majorant::app {
 namespace {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "majorant/apps/jobs/report.h"
 #include "majorant/framework/problem.h"
-#include "majorant/results/report.h"
 
 namespace majorant::app {
 

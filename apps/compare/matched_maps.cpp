@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "majorant/framework/minimizer.h"
-#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/maps/map_problem.h"
 
 namespace majorant::app {
 

@@ -14,11 +14,11 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/linear_solvers.h"
 #include "apps/parts.h"
+#include "majorant/apps/jobs/model_texture.h"
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/standard_stream.h"
-#include "majorant/results/model_texture.h"
 
 namespace majorant::app {
 namespace {

@@ -18,7 +18,7 @@
 #include "apps/output_request.h"
 #include "apps/seam_request.h"
 #include "apps/solve_request.h"
-#include "majorant/results/atlas_job.h"
+#include "majorant/apps/jobs/atlas_job.h"
 
 namespace majorant::app {
 

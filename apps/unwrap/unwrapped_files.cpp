@@ -10,12 +10,12 @@
 #include "apps/or_interrupted.h"
 #include "apps/page_content.h"
 #include "apps/seam_request.h"
+#include "majorant/apps/jobs/global_verdict.h"
+#include "majorant/apps/jobs/obj_layout.h"
 #include "majorant/certify/map_proof.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/standard_stream.h"
-#include "majorant/results/global_verdict.h"
-#include "majorant/results/obj_layout.h"
 
 namespace majorant::app {
 namespace {

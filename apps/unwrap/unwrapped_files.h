@@ -8,9 +8,9 @@
 
 #include "apps/run.h"
 #include "apps/unwrap/unwrap_request.h"
-#include "majorant/results/atlas_job.h"
-#include "majorant/results/model_texture.h"
-#include "majorant/results/object_layouts.h"
+#include "majorant/apps/jobs/atlas_job.h"
+#include "majorant/apps/jobs/model_texture.h"
+#include "majorant/apps/jobs/object_layouts.h"
 
 namespace majorant::app {
 

@@ -10,9 +10,9 @@
 // far from a minimum; `unit_seconds`: 1 fe (unit_fe.h) of the degree-1 matrix of this mesh.
 //
 // Sample runs:
-//   build/release/bench/majorant_paper_method meshes/creature.obj --degree 3
-//   build/release/bench/majorant_paper_method meshes/creature.obj --degree 2 --points 55 --direct
-//   build/release/bench/majorant_paper_method meshes/creature.obj --degree 2 --rule gauss --points 81
+//   build/release/bench/majorant_paper_method examples/meshes/creature.obj --degree 3
+//   build/release/bench/majorant_paper_method examples/meshes/creature.obj --degree 2 --points 55 --direct
+//   build/release/bench/majorant_paper_method examples/meshes/creature.obj --degree 2 --rule gauss --points 81
 #include <fmt/format.h>
 
 #include <CLI/App.hpp>
@@ -28,9 +28,9 @@
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/measure.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/measure.h"
 
 using namespace majorant;
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 

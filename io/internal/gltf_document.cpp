@@ -12,11 +12,11 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/base64.h"
 #include "majorant/io/byte_cursor.h"
+#include "majorant/io/files/input_file.h"
+#include "majorant/io/files/reading_limit.h"
 #include "majorant/io/files_below.h"
-#include "majorant/io/input_file.h"
 #include "majorant/io/internal/json_strings.h"
 #include "majorant/io/json_depth.h"
-#include "majorant/io/reading_limit.h"
 
 namespace majorant {
 namespace {

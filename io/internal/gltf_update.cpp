@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 
 namespace majorant {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

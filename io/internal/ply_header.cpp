@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/line_cursor.h"
 
 namespace majorant {

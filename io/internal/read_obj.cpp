@@ -18,7 +18,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/line_cursor.h"

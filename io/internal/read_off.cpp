@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"

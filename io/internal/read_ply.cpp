@@ -17,7 +17,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/byte_cursor.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/dropped_parts.h"
 #include "majorant/io/internal/line_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"

@@ -24,6 +24,8 @@
 #include "majorant/framework/kept_factor_memory.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/stopwatch.h"
+#include "majorant/maps/rest_shapes_of.h"
+#include "majorant/maps/smallest_rectangle.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/model_unit.h"
 #include "majorant/mesh/refusal.h"
@@ -31,8 +33,6 @@
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/atlas/internal/kept_islands.h"
 #include "majorant/parametrization/initialization/strip_unfolding.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
-#include "majorant/parametrization/maps/smallest_rectangle.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 
 namespace majorant {

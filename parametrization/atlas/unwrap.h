@@ -30,7 +30,7 @@
 
 #include "majorant/certify/moved_layout.h"
 #include "majorant/framework/run_record.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/seams/congruent_surfaces.h"

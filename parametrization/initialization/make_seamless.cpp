@@ -15,6 +15,9 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/maps/bezier_map.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/mesh/cut_graph.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/mesh_messages.h"
@@ -24,9 +27,6 @@
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/initialization/untangle.h"
-#include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
 namespace {

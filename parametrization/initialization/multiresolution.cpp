@@ -14,13 +14,13 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/framework/sigterm_gate.h"
+#include "majorant/maps/map_problem.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/internal/collapsing_mesh.h"
 #include "majorant/parametrization/initialization/internal/sweep_stages.h"
 #include "majorant/parametrization/initialization/internal/vertex_descent.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
 namespace {

@@ -21,8 +21,8 @@
 
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/stop_check.h"
+#include "majorant/maps/map_options.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/maps/map_options.h"
 
 namespace majorant {
 

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "majorant/framework/run_record.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/parametrization/fields/cross_field.h"
-#include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {
 

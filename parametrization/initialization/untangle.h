@@ -10,7 +10,7 @@
 
 #include "majorant/constraints/untangling_descent.h"
 #include "majorant/framework/run_record.h"
-#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/maps/map_problem.h"
 
 namespace majorant {
 

@@ -24,7 +24,7 @@
 
 #include "majorant/certify/moved_layout.h"
 #include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 
 namespace majorant {
 

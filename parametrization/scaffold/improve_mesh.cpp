@@ -20,8 +20,8 @@
 #include "majorant/framework/element_values.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/problem.h"
+#include "majorant/maps/quadrature_ladder.h"
 #include "majorant/mesh/half_edge_flip.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/quadrilateral.h"
 
 namespace majorant {

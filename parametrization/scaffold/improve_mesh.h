@@ -11,7 +11,7 @@
 #pragma once
 
 #include "majorant/energies/energy_factory.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/parametrization/scaffold/internal/edge_flip.h"
 
 namespace majorant {

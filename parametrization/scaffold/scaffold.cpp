@@ -12,8 +12,8 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/newton.h"
+#include "majorant/maps/quadrature_ladder.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 
 namespace majorant {

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "majorant/parametrization/maps/map_part.h"
+#include "majorant/maps/map_part.h"
 
 namespace majorant {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "majorant/framework/run_record.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/parametrization/solve/degree_solver.h"
 
 namespace majorant {

@@ -7,8 +7,8 @@
 
 #include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
+#include "majorant/maps/map_problem.h"
 #include "majorant/mesh/mesh_messages.h"
-#include "majorant/parametrization/maps/map_problem.h"
 
 namespace majorant {
 namespace {

@@ -8,8 +8,8 @@
 // their own words, or earlier.
 #pragma once
 
-#include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/map_options.h"
+#include "majorant/maps/bezier_map.h"
+#include "majorant/maps/map_options.h"
 
 namespace majorant {
 

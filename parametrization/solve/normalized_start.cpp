@@ -12,11 +12,11 @@
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/rounding.h"
+#include "majorant/maps/map_part.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/map_part.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/solve/free_scale.h"
 #include "majorant/parametrization/solve/pins.h"
 

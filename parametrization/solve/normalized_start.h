@@ -6,9 +6,9 @@
 //   BezierMap result = start.in_model_units(optimized);
 #pragma once
 
-#include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/map_options.h"
-#include "majorant/parametrization/maps/map_problem.h"
+#include "majorant/maps/bezier_map.h"
+#include "majorant/maps/map_options.h"
+#include "majorant/maps/map_problem.h"
 
 namespace majorant {
 

@@ -22,11 +22,11 @@
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/run_record.h"
-#include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/map_extension.h"
-#include "majorant/parametrization/maps/map_options.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/measure.h"
+#include "majorant/maps/bezier_map.h"
+#include "majorant/maps/map_extension.h"
+#include "majorant/maps/map_options.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/measure.h"
 
 namespace majorant {
 

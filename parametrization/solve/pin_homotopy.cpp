@@ -11,11 +11,11 @@
 #include "majorant/constraints/constraints.h"
 #include "majorant/framework/elimination.h"
 #include "majorant/framework/error.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/initialization/untangle.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
 namespace {

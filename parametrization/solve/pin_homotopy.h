@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "majorant/framework/run_record.h"
-#include "majorant/parametrization/maps/map_options.h"
+#include "majorant/maps/map_options.h"
 #include "majorant/parametrization/solve/pins.h"
 
 namespace majorant {

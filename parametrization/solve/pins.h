@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "majorant/constraints/constraints.h"
-#include "majorant/parametrization/maps/bezier_map.h"
-#include "majorant/parametrization/maps/map_options.h"
+#include "majorant/maps/bezier_map.h"
+#include "majorant/maps/map_options.h"
 
 namespace majorant {
 

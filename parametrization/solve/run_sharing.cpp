@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "majorant/maps/measure.h"
 #include "majorant/mesh/mesh_messages.h"
-#include "majorant/parametrization/maps/measure.h"
 
 namespace majorant {
 

@@ -1,6 +1,6 @@
 // How a run of parametrize() shares its map: this class is one process, which has all of it.
 // Several processes, each with a part of one map, bring their own
-// (distributed/parametrize_parts.h); the run itself reads as that of one.
+// (apps/mpi/parametrize_parts.h); the run itself reads as that of one.
 //
 //     RunSharing alone;
 //     ParametrizationResult result = parametrize_shared(alone, start, options, record);
@@ -14,7 +14,7 @@
 #include <string>
 
 #include "majorant/framework/run_record.h"
-#include "majorant/parametrization/maps/map_part.h"
+#include "majorant/maps/map_part.h"
 #include "majorant/parametrization/solve/degree_solver.h"
 #include "majorant/parametrization/solve/parametrize.h"
 

@@ -15,9 +15,9 @@
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/barrier_path.h"
 #include "majorant/framework/newton.h"
-#include "majorant/parametrization/maps/map_options.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/maps/map_options.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/quadrature_ladder.h"
 
 namespace majorant {
 

@@ -15,8 +15,8 @@
 #include <array>
 #include <vector>
 
+#include "majorant/maps/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
-#include "majorant/parametrization/maps/map_file.h"
 
 namespace majorant {
 

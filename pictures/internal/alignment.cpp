@@ -3,7 +3,7 @@
 #include "majorant/certify/moved_layout.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/layout_scale.h"
-#include "majorant/parametrization/maps/smallest_rectangle.h"
+#include "majorant/maps/smallest_rectangle.h"
 
 namespace majorant {
 namespace {

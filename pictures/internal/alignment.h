@@ -1,7 +1,7 @@
 // The layout as a picture shows it.
 #pragma once
 
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/pictures/pictures.h"
 
 namespace majorant {

@@ -1,6 +1,6 @@
 #include "majorant/pictures/internal/bezier_image.h"
 
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

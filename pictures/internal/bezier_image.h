@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "majorant/parametrization/maps/distortion.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/distortion.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 

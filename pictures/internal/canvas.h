@@ -13,9 +13,9 @@
 #include <span>
 #include <vector>
 
+#include "majorant/pictures/images/png_file.h"
 #include "majorant/pictures/internal/drawing.h"
 #include "majorant/pictures/internal/rasterizer.h"
-#include "majorant/pictures/png_file.h"
 
 namespace majorant {
 

@@ -1,7 +1,7 @@
 #include "majorant/pictures/internal/claimed_energy.h"
 
 #include "majorant/io/claims.h"
-#include "majorant/parametrization/maps/energy_text.h"
+#include "majorant/maps/energy_text.h"
 
 namespace majorant {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "majorant/energies/energy_factory.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 

@@ -7,7 +7,7 @@
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/maps/distortion.h"
+#include "majorant/maps/distortion.h"
 
 namespace majorant {
 namespace {

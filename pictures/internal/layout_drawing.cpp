@@ -14,8 +14,8 @@
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/error.h"
+#include "majorant/maps/bezier_cell.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/pictures/internal/alignment.h"
 #include "majorant/pictures/internal/letters.h"
 #include "majorant/pictures/turned_over.h"

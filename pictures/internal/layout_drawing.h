@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/pictures/internal/drawing.h"
 #include "majorant/pictures/internal/legend.h"
 #include "majorant/pictures/internal/legend_drawing.h"

@@ -12,7 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/io/layout_scale.h"
-#include "majorant/parametrization/maps/extreme_samples.h"
+#include "majorant/maps/extreme_samples.h"
 #include "majorant/pictures/internal/bezier_image.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 #include "majorant/pictures/internal/density_probe.h"

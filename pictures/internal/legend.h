@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/internal/claimed_energy.h"
 

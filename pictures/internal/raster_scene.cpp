@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "majorant/maps/bezier_cell.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
 #include "majorant/pictures/internal/bezier_image.h"
 
 namespace majorant {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/pictures/internal/rasterizer.h"
 
 namespace majorant {

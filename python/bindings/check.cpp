@@ -1,7 +1,7 @@
 // Results judged again.
 #include <string>
 
-#include "majorant/results/check_map.h"
+#include "majorant/apps/jobs/check_map.h"
 #include "map_file.h"
 #include "mesh.h"
 #include "module.h"

@@ -89,7 +89,7 @@ class PythonTerm final : public EnergyTerm {
   std::vector<Curvature> curvatures_;
 };
 
-// g + slack > 0; paths are not certified. As Inequality has it (terms/inequality.h).
+// g + slack > 0; paths are not certified. As Inequality has it (framework/terms/inequality.h).
 class PythonInequality final : public BarrierChecker, public ViolationMeasure {
  public:
   PythonInequality(std::string name, ElementDofs element_dofs, std::shared_ptr<const Kept> function,

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "majorant/certify/map_proof.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant::python {
 

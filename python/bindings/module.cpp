@@ -9,7 +9,7 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/minimizer.h"
-#include "majorant/parametrization/maps/energy_text.h"
+#include "majorant/maps/energy_text.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/solve/parametrize.h"
 

@@ -4,9 +4,9 @@
 
 #include "arrays.h"
 #include "density.h"
+#include "majorant/apps/jobs/input_points.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/energy_term.h"
-#include "majorant/results/input_points.h"
 
 namespace majorant::python {
 namespace {

@@ -16,7 +16,7 @@
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/terms/inequality.h"
+#include "majorant/framework/terms/inequality.h"
 #include "module.h"
 #include "options.h"
 #include "run.h"

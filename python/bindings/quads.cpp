@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "arrays.h"
+#include "majorant/apps/jobs/quad_job.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/results/quad_job.h"
 #include "mesh.h"
 #include "module.h"
 #include "options.h"

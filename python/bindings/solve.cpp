@@ -4,10 +4,10 @@
 #include <string>
 
 #include "arrays.h"
+#include "majorant/apps/jobs/map_job.h"
+#include "majorant/apps/jobs/solver_ladder.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/results/map_job.h"
-#include "majorant/results/solver_ladder.h"
 #include "map_file.h"
 #include "mesh.h"
 #include "module.h"

@@ -1,8 +1,8 @@
 #include "space.h"
 
 #include "arrays.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "mesh.h"
 #include "module.h"
 #include "run.h"

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/apps/jobs/atlas_job.h"
+#include "majorant/apps/jobs/map_job.h"
+#include "majorant/apps/jobs/object_layouts.h"
+#include "majorant/apps/jobs/solver_ladder.h"
 #include "majorant/framework/error.h"
-#include "majorant/results/atlas_job.h"
-#include "majorant/results/map_job.h"
-#include "majorant/results/object_layouts.h"
-#include "majorant/results/solver_ladder.h"
 #include "map_file.h"
 #include "mesh.h"
 #include "module.h"

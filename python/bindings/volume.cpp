@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "arrays.h"
+#include "majorant/apps/jobs/volume_report.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/results/volume_report.h"
 #include "majorant/volumes/volume_files.h"
 #include "module.h"
 #include "options.h"

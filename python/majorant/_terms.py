@@ -291,7 +291,7 @@ def _logarithm(room: Doubles) -> tuple[Doubles, ...]:
 
 
 class _Squares:
-    """rho(|r|^2) / 2: the formulas of terms/least_squares.h."""
+    """rho(|r|^2) / 2: the formulas of framework/terms/least_squares.h."""
 
     def __init__(self, residuals: PointFunction, loss: str | None, width: float):
         self._residuals, self._loss, self._width = residuals, loss, width

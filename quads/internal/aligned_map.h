@@ -7,8 +7,8 @@
 #pragma once
 
 #include "majorant/framework/run_record.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/bezier_map.h"
 #include "majorant/quads/internal/border.h"
 
 namespace majorant {

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "majorant/constraints/constraints.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/quads/internal/t_mesh.h"
 
 namespace majorant {

@@ -8,10 +8,10 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/rounding.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
-#include "majorant/terms/quadratic_penalty.h"
+#include "majorant/framework/terms/quadratic_penalty.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/quadrature_ladder.h"
+#include "majorant/maps/rest_shapes_of.h"
 
 namespace majorant {
 namespace {

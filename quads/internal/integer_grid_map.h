@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/grid_translations.h"
 #include "majorant/quads/internal/t_mesh.h"

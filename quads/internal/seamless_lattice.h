@@ -23,8 +23,8 @@
 #include <vector>
 
 #include "majorant/constraints/constraints.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/maps/bezier_map.h"
 
 namespace majorant {
 

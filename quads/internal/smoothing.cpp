@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/parametrization/baking/nearest_point.h"
+#include "majorant/pictures/baking/nearest_point.h"
 
 namespace majorant {
 namespace {

@@ -33,7 +33,7 @@ def where(path):
 
 
 def generated(name):
-    return os.path.join(SOURCE, 'meshes', name + '.obj')
+    return os.path.join(SOURCE, 'examples/meshes', name + '.obj')
 
 
 class Outcome:

@@ -4,7 +4,7 @@
 """How much work maps take: iterations, factorizations, energies of the line search, certificates.
 
 Fails when one of them is more than 10 % above the committed figure, tests/data/counts.json; never
-looks at the time. Meshes of meshes/ always, public ones where there are any. After a change that is
+looks at the time. Meshes of examples/meshes/ always, public ones where there are any. After a change that is
 meant to cost more, or that costs less, rewrite the figures and say why in the commit:
 
   MAJORANT_BINARY=build/release/apps/majorant MAJORANT_SOURCE_DIR=. MAJORANT_SHARED_DIR=../shared \

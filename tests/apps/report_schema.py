@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""results/report.schema.json for the tests: judges reports by the keywords that it uses, and no others.
+"""apps/jobs/report.schema.json for the tests: judges reports by the keywords that it uses, and no others.
 
     faults, seen = validated(report)   # seen: JSON pointers of the schema's keys that the report has
 """
@@ -8,7 +8,7 @@ import json
 import os
 import re
 
-with open(os.path.join(os.environ.get('MAJORANT_SOURCE_DIR', ''), 'results', 'report.schema.json')) as file:
+with open(os.path.join(os.environ.get('MAJORANT_SOURCE_DIR', ''), 'apps/jobs', 'report.schema.json')) as file:
     SCHEMA = json.load(file)
 TYPES = {'object': dict, 'array': list, 'string': str, 'integer': int, 'number': (int, float), 'boolean': bool,
          'null': type(None)}

@@ -6,7 +6,7 @@
 `check FILE`); then each file converted to each format, and each of these checked.
 
 Disks by parametrize, closed and messy meshes by unwrap, closed ones by seamless, plane ones by
-deform, from SHARED/data/public and meshes/; and small ones that are made here (family `small`):
+deform, from SHARED/data/public and examples/meshes/; and small ones that are made here (family `small`):
 soups, bow-ties, slits, one-sided bands, edges with three faces, faces that are there twice, quads.
 --random N adds N more of these, put together by chance. Exit codes 0 and 4 promise valid files. A
 run may be refused (another exit code): no problem here, but counted. A conversion may be refused
@@ -150,7 +150,7 @@ def small_meshes(count, seed):
 
 def public_meshes(options, family):
     """(name, path, flags)"""
-    folder = common.ROOT / 'meshes' if family == 'meshes' else \
+    folder = common.ROOT / 'examples/meshes' if family == 'meshes' else \
         options.shared / 'data/public' / FOLDERS.get(family, family)
     for path in sorted(folder.glob('*.obj')):
         handles = path.with_suffix('.json')

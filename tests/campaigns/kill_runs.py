@@ -135,7 +135,7 @@ def job_flags():
 
 def prepare(options, folder):
     """By verb: its input, and the seconds a run takes."""
-    mesh, result = common.ROOT / 'meshes/creature.obj', folder / 'result.vtu'
+    mesh, result = common.ROOT / 'examples/meshes/creature.obj', folder / 'result.vtu'
     done = common.parametrize(options, mesh, [result, folder / 'b.vtu'], *job_flags())
     if done.code not in (0, 4):
         sys.exit('the undisturbed run ends with %s: %s' % (done.code, done.stderr))

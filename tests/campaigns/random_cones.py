@@ -31,7 +31,7 @@ REFUSED = 1                                       # a conformal start where ther
 
 
 def find_mesh(options, name):
-    own = common.ROOT / 'meshes' / (name + '.obj')
+    own = common.ROOT / 'examples/meshes' / (name + '.obj')
     return own if own.exists() else options.shared / 'data/public/closed' / (name + '.obj')
 
 

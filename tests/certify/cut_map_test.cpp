@@ -10,8 +10,8 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/maps/measure.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/measure.h"
 
 namespace majorant {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "certify/exact_curves.h"
+#include "maps/test_maps.h"
 #include "mesh/surfaces_of_any_genus.h"
-#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {

@@ -14,9 +14,9 @@
 #include "majorant/certify/loop_winding.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/parametrization/maps/measure.h"
+#include "majorant/maps/measure.h"
+#include "maps/test_maps.h"
 #include "mesh/test_meshes.h"
-#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {

@@ -9,8 +9,8 @@
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
+#include "majorant/maps/map_file.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/map_file.h"
 #include "majorant/parametrization/tessellation/tessellate_map.h"
 
 namespace majorant {

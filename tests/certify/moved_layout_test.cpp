@@ -8,7 +8,7 @@
 
 #include "certify/valley.h"
 #include "majorant/energies/energy_factory.h"
-#include "majorant/parametrization/maps/smallest_rectangle.h"
+#include "majorant/maps/smallest_rectangle.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "mesh/surfaces_of_any_genus.h"
 

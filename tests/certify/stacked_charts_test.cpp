@@ -9,7 +9,7 @@
 
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/io.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 #include "mesh/list_edits.h"
 
 namespace majorant {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "majorant/elements/bernstein.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 
 namespace majorant::test {
 

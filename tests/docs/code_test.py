@@ -33,7 +33,7 @@ import tempfile
 import unittest
 
 SOURCE = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR'])
-sys.path.insert(0, str(SOURCE / 'scripts'))
+sys.path.insert(0, str(SOURCE / 'cmake/scripts'))
 import include_graph  # noqa: E402
 
 BUILD = pathlib.Path(os.environ['MAJORANT_BUILD_DIR'])

@@ -28,8 +28,8 @@ PAGES = [SOURCE / 'README.md', *sorted((SOURCE / 'docs').glob('*.md'))]
 MARK = '<!-- not run: '
 # First words of lines that are commands; a block that has one is to be fenced as ```sh.
 COMMAND = re.compile(r'(majorant|build/release|make|cmake|cpack|ninja|ctest|pip|python3|/usr/bin/python3|sudo|mpirun|'
-                     r'scripts/\S+|bench/\S+|apt|apt-get)(-mpi)? ')
-OWN_PATH = re.compile(r'(?<![\w./~-])(?:scripts|bench|tests|meshes|examples|docs)/[\w./]+')
+                     r'cmake/scripts/\S+|bench/\S+|apt|apt-get)(-mpi)? ')
+OWN_PATH = re.compile(r'(?<![\w./~-])(?:cmake|bench|tests|examples|docs)/[\w./]+')
 SECONDS = 400  # of one block, on a busy machine; the longest takes five
 
 
@@ -73,10 +73,10 @@ def failures(page, text):
     with tempfile.TemporaryDirectory(prefix='majorant_commands_') as name:
         folder = Path(name)
         (folder / 'home').mkdir()
-        shutil.copytree(SOURCE / 'meshes', folder / 'meshes')  # a command may write there
+        shutil.copytree(SOURCE / 'examples', folder / 'examples')  # a command may write there
         (folder / 'build').mkdir()
         (folder / 'build/release').symlink_to(BUILD)
-        for other in ('bench', 'docs', 'examples', 'scripts', 'tests'):
+        for other in ('bench', 'cmake', 'docs', 'tests'):
             (folder / other).symlink_to(SOURCE / other)
         return [failed for block in blocks(page, text) if block.language == 'sh' and reason(block) is None
                 for failed in [failure(block, folder)] if failed]
@@ -130,7 +130,7 @@ class ThisTest(unittest.TestCase):
 
     def test_commands_that_fail(self):
         for command in ('majorant parametrize helix.obj -o helix.svg', 'majorat --version', 'false; true',
-                        'meshes/cap.obj', 'echo "$UNSET_VARIABLE"'):
+                        'examples/meshes/cap.obj', 'echo "$UNSET_VARIABLE"'):
             found = failures('x.md', 'text\n\n```sh\ntrue\n%s\n```\n' % command)
             self.assertEqual(len(found), 1, command)
             self.assertTrue(found[0].startswith('x.md:3: exit code'), found)

@@ -18,7 +18,7 @@ import unittest
 
 SOURCE = os.environ['MAJORANT_SOURCE_DIR']
 sys.path.insert(0, os.path.join(SOURCE, 'tests', 'apps'))
-sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
+sys.path.insert(0, os.path.join(SOURCE, 'cmake/scripts'))
 import command_helpers as helpers  # noqa: E402
 import report_schema  # noqa: E402
 import report_table  # noqa: E402
@@ -145,7 +145,7 @@ class Reports(CommandTest):
             report = json.load(f)
         os.remove(path)
         faults, seen = report_schema.validated(report)
-        self.assertFalse(faults, '%s: a report that results/report.schema.json does not allow' % verb)
+        self.assertFalse(faults, '%s: a report that apps/jobs/report.schema.json does not allow' % verb)
         self.assertEqual(report['command'], verb)
         self.seen |= seen
         self.statuses.setdefault(report['status'], set()).add(verb)
@@ -251,7 +251,7 @@ class Reports(CommandTest):
             missing = [key for key in missing if 'parts/' not in key]
         if not self.has_petsc:
             missing = [key for key in missing if '/rung/' not in key and '/linear_solver/' not in key]
-        self.assertFalse(missing, 'keys of results/report.schema.json that no report has')
+        self.assertFalse(missing, 'keys of apps/jobs/report.schema.json that no report has')
 
     def test_what_the_schema_lacks(self):
         """A key too many, one too few and a value of another type are found, wherever they are."""
@@ -270,9 +270,9 @@ class Reports(CommandTest):
                 self.assertTrue(report_schema.validated(changed)[0], path)
 
     def test_the_page(self):
-        """Its tables are those that scripts/report_table.py makes."""
+        """Its tables are those that cmake/scripts/report_table.py makes."""
         is_now, should_be = report_table.page()
-        self.assertEqual(is_now, should_be, 'run scripts/report_table.py --write')
+        self.assertEqual(is_now, should_be, 'run cmake/scripts/report_table.py --write')
 
     def test_statuses(self):
         """Those of the schema are those that have an exit code, and internal_error, which has the last one."""

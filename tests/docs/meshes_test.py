@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""meshes/ holds what meshes/README.md says, and what meshes/generate_shapes.cpp makes, to the last digits of
-sin and cos. (The creature's generator takes half a minute to compile.)"""
+"""examples/meshes/ holds what its README.md says, and what its generate_shapes.cpp makes, to the last digits of sin
+and cos. (The creature's generator takes half a minute to compile.)"""
 import json
 import math
 import os
@@ -13,7 +13,7 @@ import unittest
 from collections import Counter
 from pathlib import Path
 
-MESHES = Path(os.environ['MAJORANT_SOURCE_DIR']) / 'meshes'
+MESHES = Path(os.environ['MAJORANT_SOURCE_DIR']) / 'examples/meshes'
 README = (MESHES / 'README.md').read_text()
 
 

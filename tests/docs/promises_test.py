@@ -9,7 +9,7 @@ import sys
 import unittest
 
 SOURCE = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR'])
-sys.path.insert(0, str(SOURCE / 'scripts'))
+sys.path.insert(0, str(SOURCE / 'cmake/scripts'))
 import include_graph  # noqa: E402
 
 

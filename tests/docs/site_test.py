@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""scripts/make_site.py makes the site without a warning, with a search and the viewer, and finds links that lead
+"""cmake/scripts/make_site.py makes the site without a warning, with a search and the viewer, and finds links that lead
 nowhere."""
 import os
 import shutil
@@ -24,13 +24,13 @@ class Site(unittest.TestCase):
         for path in SOURCE.iterdir():
             if path.name == 'docs':
                 shutil.copytree(path, self.root / path.name)
-            elif path.name == 'scripts':
+            elif path.name == 'cmake':  # with the scripts
                 shutil.copytree(path, self.root / path.name, ignore=shutil.ignore_patterns('__pycache__'))
             elif path.name not in ('build', '.git', 'out'):
                 (self.root / path.name).symlink_to(path)
 
     def make(self, *words):
-        return subprocess.run([sys.executable, self.root / 'scripts/make_site.py', *words], text=True,
+        return subprocess.run([sys.executable, self.root / 'cmake/scripts/make_site.py', *words], text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
     def test_is_made(self):

@@ -11,9 +11,9 @@
 
 #include "apps/command.h"
 #include "majorant/energies/make_energy.h"
-#include "majorant/parametrization/maps/map_file.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/maps/map_file.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace usual_names {

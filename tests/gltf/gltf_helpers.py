@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-for folder in ('apps', 'pages'):
+for folder in ('apps', 'pictures/web'):
     sys.path.insert(0, os.path.join(os.path.dirname(HERE), folder))
 
 from browser import BUILD, npm_ci  # noqa: E402

@@ -4,11 +4,11 @@
 #include "compressed_helpers.h"
 #include "counted_stop.h"
 #include "io_test_helpers.h"
-#include "majorant/io/input_file.h"
-#include "majorant/io/internal/inflate.h"
+#include "majorant/io/files/inflate.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 namespace {

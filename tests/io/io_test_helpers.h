@@ -14,8 +14,8 @@
 #include <string_view>
 
 #include "expected_error.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/bezier_cell.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 

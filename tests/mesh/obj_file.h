@@ -36,9 +36,9 @@ inline PolygonMesh obj_file(const std::string& path) {
   return mesh;
 }
 
-// A mesh of meshes/, all of them disks.
+// A mesh of examples/meshes/, all of them disks.
 inline std::shared_ptr<const SurfaceMesh> generated(const std::string& name) {
-  std::string path = MAJORANT_SOURCE_DIR "/meshes/";
+  std::string path = MAJORANT_SOURCE_DIR "/examples/meshes/";
   path += name;
   path += ".obj";
   return surface(obj_file(path));

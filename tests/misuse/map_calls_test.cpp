@@ -3,12 +3,12 @@
 #include <memory>
 
 #include "majorant/energies/make_energy.h"
+#include "majorant/maps/distortion.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/parametrization/atlas/unwrap.h"
 #include "majorant/parametrization/fields/cross_field.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/distortion.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/solve/parametrize.h"

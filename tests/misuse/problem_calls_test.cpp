@@ -9,7 +9,7 @@
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
-#include "majorant/terms/quadratic_penalty.h"
+#include "majorant/framework/terms/quadratic_penalty.h"
 #include "misuse/outcome.h"
 
 namespace majorant::misuse {

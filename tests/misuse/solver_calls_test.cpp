@@ -7,7 +7,7 @@
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
-#include "majorant/terms/inequality.h"
+#include "majorant/framework/terms/inequality.h"
 #include "misuse/outcome.h"
 
 namespace majorant::misuse {

@@ -8,8 +8,8 @@
 #include "majorant/energies/spectral.h"
 #include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/terms/local_term.h"
 #include "majorant/parametrization/solve/parametrize.h"
-#include "majorant/terms/local_term.h"
 #include "misuse/outcome.h"
 
 namespace majorant::misuse {

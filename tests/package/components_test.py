@@ -102,7 +102,7 @@ class Components(unittest.TestCase):
         flags = self.pkg_config('--cflags', '--libs', 'majorant')
         run(os.environ.get('CXX', 'c++'), '-std=c++20', '-O0', os.path.join(HERE, 'consumer', 'main.cpp'),
             '-o', program, *flags)
-        mesh, report = os.path.join(SOURCE, 'meshes/cap.obj'), os.path.join(self.folder, 'cap.json')
+        mesh, report = os.path.join(SOURCE, 'examples/meshes/cap.obj'), os.path.join(self.folder, 'cap.json')
         run(os.path.join(self.prefix, 'bin', 'majorant'), 'parametrize', mesh, os.path.join(self.folder, 'cap.vtu'),
             '--init', 'tutte', '--degree', '3', '--report', report)
         with open(report) as f:

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Configurations that are too long to build here: what they would build. scripts/try_configurations.py
+"""Configurations that are too long to build here: what they would build. cmake/scripts/try_configurations.py
 tries them built, and is tried here on what there is."""
 import json
 import os
@@ -14,7 +14,7 @@ import unittest
 
 SOURCE = os.environ['MAJORANT_SOURCE_DIR']
 BUILD = os.environ['MAJORANT_BUILD_DIR']
-sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
+sys.path.insert(0, os.path.join(SOURCE, 'cmake/scripts'))
 import try_configurations  # noqa: E402
 
 GPL = r'/(CGAL|libnest2d|polyclipping|ceres|glog|gflags|suitesparse/(?!amd|SuiteSparse_config)\w+|nlopt)[/.]'

@@ -15,7 +15,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(os.environ['MAJORANT_SOURCE_DIR'])
-sys.path.insert(0, str(SOURCE / 'scripts'))
+sys.path.insert(0, str(SOURCE / 'cmake/scripts'))
 import try_packages  # noqa: E402
 
 ROOT = os.environ.get('MAJORANT_DEBIAN_ROOT')
@@ -81,7 +81,7 @@ class InANewDebian(unittest.TestCase):
                     (path / folder.strip('/')).mkdir(parents=True, exist_ok=True)
                 elif name == 'ENTRYPOINT':
                     program = json.loads(words)
-            shutil.copy(SOURCE / 'meshes/creature.obj', path / folder.strip('/') / 'in.obj')
+            shutil.copy(SOURCE / 'examples/meshes/creature.obj', path / folder.strip('/') / 'in.obj')
             for arguments in ('in.obj out.obj', 'check out.obj --surface in.obj --certify'):
                 root.run('sh', '-c', 'cd %s && exec "$@"' % folder, '-', *program, *arguments.split())
 

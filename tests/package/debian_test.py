@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """The Debian packages: what is in them, unpacked and run; with MAJORANT_DEBIAN_ROOT=DIR also installed in
-a new Debian that is made there (scripts/try_packages.py)."""
+a new Debian that is made there (cmake/scripts/try_packages.py)."""
 import hashlib
 import os
 import shutil
@@ -14,7 +14,7 @@ from pathlib import Path
 
 SOURCE = os.environ['MAJORANT_SOURCE_DIR']
 BUILD = os.environ['MAJORANT_BUILD_DIR']
-sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
+sys.path.insert(0, os.path.join(SOURCE, 'cmake/scripts'))
 import try_packages  # noqa: E402
 
 
@@ -47,7 +47,7 @@ class WithoutTools(unittest.TestCase):
                 self.assertEqual(made, [])
 
     def test_these_are_among_the_packages_of_tests(self):
-        with open(os.path.join(SOURCE, 'scripts/packages_core.txt')) as f:
+        with open(os.path.join(SOURCE, 'cmake/scripts/packages_core.txt')) as f:
             self.assertLessEqual({'dpkg-dev', 'file'}, set(f.read().split()))
 
 
@@ -75,12 +75,12 @@ class Packages(unittest.TestCase):
                 self.assertEqual(hashlib.md5(f.read()).hexdigest(), digest, name)
         out = os.path.join(self.folder, 'out.obj')
         subprocess.check_call([os.path.join(root, 'usr/bin/majorant'), 'parametrize', '--quiet',
-                               os.path.join(SOURCE, 'meshes/cap.obj'), out])
+                               os.path.join(SOURCE, 'examples/meshes/cap.obj'), out])
         self.assertGreater(os.path.getsize(out), 1000)
 
     @unittest.skipUnless(os.environ.get('MAJORANT_DEBIAN_ROOT'), 'no MAJORANT_DEBIAN_ROOT')
     def test_in_a_new_debian(self):
-        done = subprocess.run([os.path.join(SOURCE, 'scripts/try_packages.py'), BUILD, '--root',
+        done = subprocess.run([os.path.join(SOURCE, 'cmake/scripts/try_packages.py'), BUILD, '--root',
                                os.environ['MAJORANT_DEBIAN_ROOT']], text=True, stdout=subprocess.PIPE)
         if done.returncode == try_packages.SKIPPED:
             self.skipTest(done.stdout.splitlines()[-1])

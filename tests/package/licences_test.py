@@ -15,7 +15,7 @@ import unittest
 SOURCE = os.environ['MAJORANT_SOURCE_DIR']
 BINARY = os.environ['MAJORANT_BINARY']
 BUILD = os.environ['MAJORANT_BUILD_DIR']
-sys.path.insert(0, os.path.join(SOURCE, 'scripts'))
+sys.path.insert(0, os.path.join(SOURCE, 'cmake/scripts'))
 import licence_lines  # noqa: E402
 
 # What a loaded library is called in `majorant --licenses`.
@@ -41,7 +41,7 @@ class Licences(unittest.TestCase):
         sources = list(licence_lines.sources())
         self.assertGreater(len(sources), 900)
         silent = [str(path) for path in sources if not licence_lines.has_lines(path)]
-        self.assertEqual(silent, [], 'run scripts/licence_lines.py --write')
+        self.assertEqual(silent, [], 'run cmake/scripts/licence_lines.py --write')
 
     def test_lines_are_added_where_they_belong(self):
         for name, text in (('x.cpp', 'int a;\n'), ('x.py', '#!/usr/bin/python3\n"""Doc."""\n'), ('x.js', '// What.\n'),

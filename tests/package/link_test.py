@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """A program that needs everything that installed headers declare links, whichever way it asks for the
-package: of archives, and of shared libraries made of the same objects (scripts/try_configurations.py does the
+package: of archives, and of shared libraries made of the same objects (cmake/scripts/try_configurations.py does the
 same with a build that is shared)."""
 import os
 import re

@@ -42,7 +42,7 @@ class Package(unittest.TestCase):
 
     def test_the_consumer_gets_the_value_of_the_command(self):
         for name in ('cap', 'tube'):
-            mesh = os.path.join(SOURCE, 'meshes', name + '.obj')
+            mesh = os.path.join(SOURCE, 'examples/meshes', name + '.obj')
             report = os.path.join(self.folder, 'report.json')
             self.do(BINARY, 'parametrize', '--quiet', mesh, '-o', report, '--degree', '3')
             with open(report) as f:

@@ -49,16 +49,16 @@ class SearchPaths(unittest.TestCase):
         wrong = {file: path for file in files for path in search_paths(file) if relative_entries(path)}
         self.assertEqual(wrong, {})
 
-    @unittest.skipUnless(os.path.exists(os.path.join(BUILD, 'distributed', 'majorant-mpi')), 'no majorant-mpi')
+    @unittest.skipUnless(os.path.exists(os.path.join(BUILD, 'apps', 'majorant-mpi')), 'no majorant-mpi')
     def test_an_evil_library_in_the_current_directory(self):
         with tempfile.TemporaryDirectory() as folder:
             source = os.path.join(folder, 'evil.c')
             with open(source, 'w') as f:
                 f.write('#include <stdio.h>\n__attribute__((constructor)) static void run(void)'
                         ' { fclose(fopen("PWNED", "w")); }\n')
-            for name in self.needed(os.path.join(BUILD, 'distributed', 'majorant-mpi')):
+            for name in self.needed(os.path.join(BUILD, 'apps', 'majorant-mpi')):
                 run('cc', '-shared', '-fPIC', '-Wl,-soname,' + name, '-o', os.path.join(folder, name), source)
-            done = subprocess.run([os.path.join(BUILD, 'distributed', 'majorant-mpi'), '--version'], cwd=folder,
+            done = subprocess.run([os.path.join(BUILD, 'apps', 'majorant-mpi'), '--version'], cwd=folder,
                                   env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1',
                                            OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'),
                                   text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

@@ -12,13 +12,13 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(os.environ['MAJORANT_SOURCE_DIR'])
-SCRIPT = SOURCE / 'scripts/install_packages.sh'
+SCRIPT = SOURCE / 'cmake/scripts/install_packages.sh'
 TOOLS = ('sh', 'cat', 'sed', 'dirname')
 
 
 def listed(name='packages.txt'):
     """(needed, optional) packages of a list, as they are written there."""
-    lines = re.sub('#.*', '', (SOURCE / 'scripts' / name).read_text()).split()
+    lines = re.sub('#.*', '', (SOURCE / 'cmake/scripts' / name).read_text()).split()
     return ([re.sub('/.*', '', line) for line in lines if not line.endswith('?')],
             [re.sub('[/?].*', '', line) for line in lines if line.endswith('?')])
 
@@ -54,7 +54,7 @@ class Packages(Folder):
             self.program('sudo', (words[sudo] % 'sudo') + '"$@"\n' if sudo == 'yes' else words[sudo])
 
     def install(self, *lists):
-        return self.run_shell('%s %s' % (SCRIPT, ' '.join(str(SOURCE / 'scripts' / name) for name in lists)))
+        return self.run_shell('%s %s' % (SCRIPT, ' '.join(str(SOURCE / 'cmake/scripts' / name) for name in lists)))
 
     def run_shell(self, command):
         done = subprocess.run(['/bin/sh', '-c', command], env={'PATH': str(self.bin)}, text=True,
@@ -113,7 +113,7 @@ class Packages(Folder):
         self.assertEqual(self.install(), (0, '', ''))
 
     def test_lists_name_a_package_once(self):
-        names = [name for path in (SOURCE / 'scripts').glob('packages*.txt') for part in listed(path.name)
+        names = [name for path in (SOURCE / 'cmake/scripts').glob('packages*.txt') for part in listed(path.name)
                  for name in part]
         self.assertEqual(len(names), len(set(names)))
         self.assertLessEqual({'python3-venv', 'pybind11-dev', 'python3-setuptools'}, set(listed('packages_python.txt')[0]))

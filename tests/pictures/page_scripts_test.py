@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The parts of the page that need no browser: `node --test web/test`.
+"""The parts of the page that need no browser: `node --test pictures/web/test`.
 
 Without node the exit code is 77, which ctest reports as skipped.
 """
@@ -13,7 +13,7 @@ import subprocess
 import sys
 import unittest
 
-WEB = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR']) / 'web'
+WEB = pathlib.Path(os.environ['MAJORANT_SOURCE_DIR']) / 'pictures/web'
 
 
 class PageScripts(unittest.TestCase):

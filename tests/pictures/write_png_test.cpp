@@ -5,10 +5,10 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/pictures/color_scale.h"
+#include "majorant/pictures/images/png_file.h"
 #include "majorant/pictures/internal/bezier_image.h"
 #include "majorant/pictures/internal/letters.h"
 #include "majorant/pictures/pictures.h"
-#include "majorant/pictures/png_file.h"
 #include "singular_values.h"
 
 namespace majorant {

@@ -7,7 +7,7 @@
 #include "io/io_test_helpers.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/io/xml_tree.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
+#include "majorant/maps/bezier_cell.h"
 #include "majorant/pictures/color_scale.h"
 #include "majorant/pictures/internal/letters.h"
 #include "majorant/pictures/pictures.h"

@@ -23,7 +23,7 @@ def test_there_are_ten():
 def test_runs(text, tmp_path):
     if 'matplotlib' in text:
         pytest.importorskip('matplotlib')
-    (tmp_path / 'meshes').symlink_to(helpers.MESHES)
+    (tmp_path / 'examples').symlink_to(helpers.SOURCE / 'examples')
     done = subprocess.run([sys.executable, '-W', 'error', '-c', text], cwd=tmp_path, env=helpers.environment(),
                           capture_output=True, text=True)
     assert done.returncode == 0, done.stderr

@@ -16,7 +16,7 @@ SOURCE = Path(os.environ['MAJORANT_SOURCE_DIR'])
 BUILD = Path(os.environ['MAJORANT_BUILD_DIR'])
 BINARY = os.environ['MAJORANT_BINARY']
 PACKAGE = BUILD / 'python'
-MESHES = SOURCE / 'meshes'
+MESHES = SOURCE / 'examples/meshes'
 
 
 def main(file):

@@ -30,7 +30,7 @@ def run_lines(blocks, folder):
         made.mkdir()
     for name in ('setup.py', 'pyproject.toml', 'CMakeLists.txt', 'LICENSE', 'README.md'):
         shutil.copy(helpers.SOURCE / name, source)
-    for name in ('python', 'scripts'):
+    for name in ('python', 'cmake'):
         shutil.copytree(helpers.SOURCE / name, source / name, ignore=shutil.ignore_patterns('__pycache__'))
     (source / 'build/release').symlink_to(helpers.BUILD)
     for name in ('apt-get', 'sudo'):  # nothing is installed by a test, nothing fetched
@@ -84,7 +84,7 @@ def test_what_is_installed(installed):
 
 @pytest.mark.parametrize('text', EXAMPLES)
 def test_examples_run_elsewhere(environment, installed, tmp_path, text):
-    (tmp_path / 'meshes').symlink_to(helpers.MESHES)
+    (tmp_path / 'examples').symlink_to(helpers.SOURCE / 'examples')
     said = run(text + '\nprint(majorant.__file__)', environment, tmp_path)
     assert said.splitlines()[-1] == str(installed / 'majorant/__init__.py')
 

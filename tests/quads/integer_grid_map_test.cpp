@@ -12,7 +12,7 @@
 #include "majorant/certify/inverse_map.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/quads/features.h"
 #include "majorant/quads/internal/aligned_map.h"
 #include "majorant/quads/internal/extraction.h"

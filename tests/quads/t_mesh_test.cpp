@@ -190,7 +190,7 @@ TEST(QuadMesh, FewerIrregularVerticesThanOfTheSmoothestField) {
   RepairOptions closed;
   closed.welding = Welding::EqualPlaces;
   const RepairedSurface surface =
-      repair(read_mesh(MAJORANT_SOURCE_DIR "/meshes/creature.obj"), closed);
+      repair(read_mesh(MAJORANT_SOURCE_DIR "/examples/meshes/creature.obj"), closed);
   const SurfaceMesh& mesh = *surface.mesh;
   ASSERT_EQ(mesh.topology().boundary_loops, 0);
   const auto made_with = [&](const CrossFieldOptions& field) {

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/written_mark.h"
 #include "public_data.h"
 

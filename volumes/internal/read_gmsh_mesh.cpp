@@ -10,7 +10,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/byte_cursor.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/written_mark.h"
 #include "majorant/volumes/internal/cell_collector.h"
 #include "majorant/volumes/internal/gmsh_document.h"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/volumes/internal/cell_collector.h"
 #include "majorant/volumes/internal/mesh_readers.h"
 #include "majorant/volumes/internal/mesh_source.h"

@@ -10,7 +10,7 @@
 #include <unordered_map>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/input_file.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/volumes/internal/cell_collector.h"
 #include "majorant/volumes/internal/mesh_readers.h"
 #include "majorant/volumes/internal/mesh_source.h"

@@ -10,6 +10,7 @@
 #include "majorant/certify/moved_layout.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/rounding.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
@@ -17,7 +18,6 @@
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/strip_unfolding.h"
 #include "majorant/parametrization/initialization/untangle.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
 
 namespace majorant {
 namespace {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 
 namespace majorant {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "majorant/certify/boundary_loops.h"
-#include "majorant/parametrization/maps/smallest_rectangle.h"
+#include "majorant/maps/smallest_rectangle.h"
 
 namespace majorant {
 namespace {

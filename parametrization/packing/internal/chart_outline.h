@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 
 namespace majorant {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/parametrization/maps/smallest_rectangle.h"
+#include "majorant/maps/smallest_rectangle.h"
 #include "majorant/parametrization/packing/internal/outer_polygon.h"
 
 // libnest2d is C++11, and compares angles by operators that C++20 finds ambiguous.

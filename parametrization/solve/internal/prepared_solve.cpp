@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "majorant/framework/parallel.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/parametrization/solve/internal/quadrature_levels.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 

@@ -17,9 +17,9 @@
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/side_task.h"
 #include "majorant/framework/sigterm_gate.h"
+#include "majorant/maps/map_options.h"
+#include "majorant/maps/map_problem.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/parametrization/maps/map_options.h"
-#include "majorant/parametrization/maps/map_problem.h"
 #include "majorant/parametrization/solve/solver_rules.h"
 
 namespace majorant {

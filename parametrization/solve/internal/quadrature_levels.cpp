@@ -6,7 +6,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/partition.h"
-#include "majorant/parametrization/maps/map_part.h"
+#include "majorant/maps/map_part.h"
 
 namespace majorant {
 namespace {

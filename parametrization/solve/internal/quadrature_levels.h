@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/quadrature_ladder.h"
 
 namespace majorant {
 

@@ -10,9 +10,9 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/framework/pair_order.h"
+#include "majorant/maps/bezier_cell.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
-#include "majorant/parametrization/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {

@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
-#include "majorant/parametrization/maps/corner_mesh.h"
-#include "majorant/parametrization/maps/map_file.h"
+#include "majorant/maps/corner_mesh.h"
+#include "majorant/maps/map_file.h"
 
 namespace majorant {
 

@@ -8,12 +8,12 @@
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/cholmod_solver.h"
 #include "majorant/framework/newton.h"
+#include "majorant/maps/quadrature_ladder.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/normalized_start.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "maps/test_maps.h"
 #include "mesh/test_meshes.h"
-#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {

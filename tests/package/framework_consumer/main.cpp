@@ -5,7 +5,7 @@
 
 #include "majorant/elements/quadrature.h"
 #include "majorant/framework/newton.h"
-#include "majorant/terms/local_term.h"
+#include "majorant/framework/terms/local_term.h"
 
 using namespace majorant;
 

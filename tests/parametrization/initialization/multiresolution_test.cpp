@@ -9,9 +9,9 @@
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/measure.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/measure.h"
 #include "mesh/list_edits.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
@@ -164,7 +164,7 @@ TEST(Multiresolution, IsTheSameWithAnyNumberOfThreadsAndAtAnyScale) {
     EXPECT_EQ(first.value_or(*uv), *uv);
     first = uv;
   }
-  PolygonMesh large = obj_file(std::string(MAJORANT_SOURCE_DIR) + "/meshes/creature.obj");
+  PolygonMesh large = obj_file(std::string(MAJORANT_SOURCE_DIR) + "/examples/meshes/creature.obj");
   for (Vector3& p : large.positions) p *= 1024;
   EXPECT_EQ(*multiresolution_map(*surface(large), {}, {}, small()), 1024 * *first);
 }

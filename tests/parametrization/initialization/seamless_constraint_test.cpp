@@ -11,9 +11,9 @@
 #include "majorant/framework/internal/symmetric_eigen.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/problem_parts.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
+#include "majorant/maps/quadrature_ladder.h"
+#include "maps/test_maps.h"
 #include "parametrization/initialization/seamless_cases.h"
-#include "parametrization/maps/test_maps.h"
 #include "support.h"
 
 namespace majorant {

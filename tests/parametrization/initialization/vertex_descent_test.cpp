@@ -7,9 +7,9 @@
 #include "majorant/energies/energy_factory.h"
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/problem.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/map_problem.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "random.h"
 #include "rational.h"

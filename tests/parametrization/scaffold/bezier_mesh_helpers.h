@@ -10,7 +10,7 @@
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/bernstein_space.h"
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 #include "mesh/test_meshes.h"
 
 namespace majorant {

@@ -3,7 +3,7 @@
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
-#include "parametrization/maps/test_maps.h"
+#include "maps/test_maps.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"
 
 namespace majorant {

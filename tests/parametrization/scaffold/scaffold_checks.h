@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "majorant/parametrization/maps/bezier_map.h"
+#include "majorant/maps/bezier_map.h"
 #include "majorant/parametrization/scaffold/internal/scaffold_triangulation.h"
 #include "mesh/test_meshes.h"
 #include "rational.h"

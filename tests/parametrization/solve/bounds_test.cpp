@@ -5,8 +5,8 @@
 #include "../examples/stretch_bound.h"
 #include "expected_error.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/framework/terms/inequality.h"
 #include "majorant/parametrization/solve/parametrize_by.h"
-#include "majorant/terms/inequality.h"
 #include "mesh/obj_file.h"
 #include "parametrization/solve/parametrize_expectations.h"
 
@@ -69,7 +69,8 @@ TEST(Bounds, TheConstrainedMinimumIsBracketed) {
   }
 }
 
-// Those of terms/, on single unknowns and on functions of a few: a square that is too small.
+// Those of framework/terms/, on single unknowns and on functions of a few: a square that is too
+// small.
 TEST(Bounds, OfTermsHold) {
   const auto mesh = generated("cap");
   const ParametrizationResult free = parametrize(mesh, degree(2));

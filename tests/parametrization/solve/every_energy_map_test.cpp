@@ -72,7 +72,8 @@ TEST_P(EveryEnergy, DoesNotDependOnThreads) {
 }
 
 std::shared_ptr<const SurfaceMesh> scaled(const std::string& name, double factor) {
-  PolygonMesh polygons = obj_file(std::string(MAJORANT_SOURCE_DIR) + "/meshes/" + name + ".obj");
+  PolygonMesh polygons =
+      obj_file(std::string(MAJORANT_SOURCE_DIR) + "/examples/meshes/" + name + ".obj");
   for (Vector3& p : polygons.positions) p *= factor;
   return surface(polygons);
 }

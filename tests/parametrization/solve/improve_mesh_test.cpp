@@ -8,7 +8,7 @@
 
 #include "majorant/constraints/constraints.h"
 #include "majorant/framework/error.h"
-#include "majorant/parametrization/maps/measure.h"
+#include "majorant/maps/measure.h"
 #include "majorant/parametrization/solve/parametrize.h"
 #include "parametrization/scaffold/bezier_mesh_helpers.h"
 

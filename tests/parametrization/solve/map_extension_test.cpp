@@ -5,9 +5,9 @@
 
 #include "expected_error.h"
 #include "majorant/constraints/constraints.h"
+#include "majorant/framework/terms/quadratic_penalty.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/terms/quadratic_penalty.h"
 #include "mesh/obj_file.h"
 #include "parametrization/solve/parametrize_expectations.h"
 
@@ -256,7 +256,7 @@ TEST(MapObserver, SeesMapsInModelUnitsAndEndsTheRun) {
 // Values on the way to 1e308 start elsewhere; what was added is there, too.
 TEST(MapExtension, ConstraintsHoldInEveryPhase) {
   const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(
-      read_mesh(std::string(MAJORANT_SOURCE_DIR) + "/meshes/creature.obj")));
+      read_mesh(std::string(MAJORANT_SOURCE_DIR) + "/examples/meshes/creature.obj")));
   ParametrizationOptions options = degree(2);
   options.map.energy = {{find_energy("arap")->make, 1.0}};
   double off = 0;

@@ -1,5 +1,5 @@
 // measure_map() against isometries, an independent Gauss rule and samples; the quadrature ladder.
-#include "majorant/parametrization/maps/measure.h"
+#include "majorant/maps/measure.h"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/energies/energy_factory.h"
+#include "majorant/maps/extreme_samples.h"
+#include "majorant/maps/quadrature_ladder.h"
 #include "majorant/parametrization/initialization/start.h"
-#include "majorant/parametrization/maps/extreme_samples.h"
-#include "majorant/parametrization/maps/quadrature_ladder.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "maps/test_maps.h"
 #include "mesh/obj_file.h"
 #include "mesh/test_meshes.h"
-#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {

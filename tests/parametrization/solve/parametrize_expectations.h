@@ -7,8 +7,8 @@
 
 #include "majorant/framework/cholmod_solver.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "maps/test_maps.h"
 #include "mesh/test_meshes.h"
-#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 

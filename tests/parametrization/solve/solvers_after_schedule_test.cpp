@@ -5,7 +5,7 @@
 #include "majorant/framework/first_order.h"
 #include "majorant/framework/newton.h"
 #include "majorant/io/read_mesh.h"
-#include "majorant/parametrization/maps/rest_shapes_of.h"
+#include "majorant/maps/rest_shapes_of.h"
 #include "parametrization/solve/parametrize_expectations.h"
 
 namespace majorant {
@@ -13,7 +13,7 @@ namespace {
 
 TEST(SolversAfterSchedule, AgreeOnAQuarticEnergy) {
   const auto mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_polygons(
-      read_mesh(std::string(MAJORANT_SOURCE_DIR) + "/meshes/creature.obj")));
+      read_mesh(std::string(MAJORANT_SOURCE_DIR) + "/examples/meshes/creature.obj")));
   const auto quartic = spectral("quartic", [](auto S, auto s) {
     return S * S * S * S + s * s * s * s + 2.0 / (S * S * s * s);
   });

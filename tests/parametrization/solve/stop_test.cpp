@@ -14,9 +14,9 @@
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/scaffold/improve_mesh.h"
 #include "majorant/parametrization/solve/parametrize.h"
+#include "maps/test_maps.h"
 #include "mesh/test_meshes.h"
 #include "parametrization/fields/closed_surfaces.h"
-#include "parametrization/maps/test_maps.h"
 
 namespace majorant {
 namespace {

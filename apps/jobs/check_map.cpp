@@ -1,0 +1,333 @@
+#include "majorant/apps/jobs/check_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "majorant/apps/jobs/global_verdict.h"
+#include "majorant/apps/jobs/internal/check_claims.h"
+#include "majorant/apps/jobs/write_map.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/framework/error.h"
+#include "majorant/io/io.h"
+#include "majorant/io/layout_scale.h"
+#include "majorant/maps/energy_text.h"
+#include "majorant/maps/rest_shapes_of.h"
+#include "majorant/mesh/refusal.h"
+
+namespace majorant {
+namespace {
+
+EnergySum energy_of(const Claims& claims, Findings& findings) {
+  std::optional<EnergySum> energy = find_energy_sum(claimed_energy(claims));
+  if (energy) return *std::move(energy);
+  findings.add_violation(
+      fmt::format("majorant_claims: no energy is called '{}'", claimed_energy(claims)));
+  return {{symmetric_dirichlet(), 1.0}};
+}
+
+// Measures in a file tell a scale as claims do.
+bool says_nothing_of_scale(const MapFile& file) {
+  return has_assumed_scale(file) && file.distortion.size() == 0 && file.min_det.size() == 0 &&
+         file.face_distortion.rows() == 0;
+}
+
+// Means over the faces that have an area.
+class OtherFaces {
+ public:
+  explicit OtherFaces(const SurfaceMesh& mesh) : weight_(rest_shapes(mesh).measure) {
+    for (const RestTriangle& rest : mesh.rest_triangles()) weight_[rest.face] = 0;
+  }
+  double mean(const Vec& face_value) const { return weight_.dot(face_value) / weight_.sum(); }
+
+ private:
+  Vec weight_;
+};
+
+// Times uv, at which the mean of symmetric Dirichlet is least. It is a t^2 + b / t^2 of the map t
+// times as large: a + b at 1, 4 a + b / 4 at 2, and least where t^4 = b / a.
+double best_scale(const MapFile& file, const BezierMap& map, const OtherFaces& others,
+                  const StopCheck& stop) {
+  const double first = layout_scale(file);
+  if (stop() != Directive::Continue) return first;
+  const EnergySum energy{{symmetric_dirichlet(), 1.0}};
+  const RestShapes rest = rest_shapes(map.mesh());
+  const auto mean = [&](double scale) {
+    Vec of_faces;
+    mean_density(map.with(map.shared_space(), scale * map.control_points()), rest, energy,
+                 of_faces);
+    return others.mean(of_faces);
+  };
+  const double once = mean(first), twice = mean(2 * first);
+  const double a = (4 * twice - once) / 15;
+  const double scale = first * std::pow((once - a) / a, 0.25);
+  return scale > 0 && std::isfinite(scale) ? scale : first;
+}
+
+}  // namespace
+
+std::string claimed_energy(const Claims& claims) {
+  return claims.energy.value_or("symmetric-dirichlet");
+}
+
+CheckedEnergy measure_as_claimed(const MapFile& file, const BezierMap& map, const Claims& claims,
+                                 const StopCheck& stop, Findings& findings, MapMeasures& measures) {
+  const OtherFaces others(map.mesh());
+  CheckedEnergy out;
+  out.name = claimed_energy(claims);
+  out.is_best_scale = says_nothing_of_scale(file);
+  out.scale = out.is_best_scale ? best_scale(file, map, others, stop) : claimed_scale(claims);
+  measures = measure_normalized(map, out.scale, energy_of(claims, findings), stop);
+  out.without_area = static_cast<Index>(map.mesh().rest_triangles().size());
+  if (out.without_area < map.mesh().face_count()) out.value = others.mean(measures.face_value);
+  return out;
+}
+
+std::string describe(const CheckedEnergy& energy) {
+  std::string text = energy.name;
+  const std::string scale =
+      energy.is_best_scale ? fmt::format(" at the best scale, uv times {:.6g}", energy.scale) : "";
+  if (energy.without_area == 0) return fmt::format("{} {:.9g}{}", text, energy.value, scale);
+  text += fmt::format(
+      " infinite, since {} no area",
+      energy.without_area == 1 ? "1 face has" : fmt::format("{} faces have", energy.without_area));
+  if (std::isnan(energy.value)) return text;
+  return text + fmt::format(" ({:.9g} over the others{})", energy.value, scale);
+}
+
+void add_energy(const CheckedEnergy& energy, Json& section) {
+  section["layout_scale"] = 1 / energy.scale;
+  section["scale_is_assumed"] = energy.is_best_scale;
+  section["faces_without_area"] = energy.without_area;
+  if (energy.without_area == 0) return;
+  section["value"] = nullptr;  // infinite, as the largest density and stretch
+  section["max_density"] = nullptr;
+  section["sigma_max"] = nullptr;
+  section["value_over_others"] = energy.value;
+}
+
+namespace {
+
+// Returns whether nothing says where a map is cut: files that claim nothing, and atlases of the
+// time before there was the claim `cuts`.
+bool is_untold(const MapFile& file, const Claims& claims) {
+  const bool says_nothing = !claims.version && !claims.seams;
+  return !claims.cuts && (says_nothing || file.chart.size() > 0);
+}
+
+void ask_about_cuts(const MapFile& file, const CheckRequest& request, const Claims& claims,
+                    ProofRequest& wanted) {
+  const bool is_seamless = request.seamless || claims.seams.value_or(false);
+  const CutRule none = is_seamless ? CutRule::Seams : CutRule::Nothing;
+  const CutRule free = is_seamless ? CutRule::SeamsOrFree : CutRule::Free;
+  switch (request.cuts) {
+    case CheckRequest::Cuts::Auto:
+      wanted.cuts = is_seamless || !(claims.cuts || is_untold(file, claims)) ? none : free;
+      wanted.cut_edges = claims.cuts;
+      break;
+    case CheckRequest::Cuts::None:
+      wanted.cuts = none;
+      break;
+    case CheckRequest::Cuts::Free:
+      wanted.cuts = free;
+      break;
+  }
+}
+
+ProofRequest questions(const MapFile& file, const CheckRequest& request, const Claims& claims,
+                       const StopCheck& stop) {
+  ProofRequest wanted;
+  wanted.surface = request.surface;
+  ask_about_cuts(file, request, claims, wanted);
+  const bool is_forbidden = request.certify || claims.bijective.value_or(false);
+  wanted.overlap =
+      is_forbidden ? ProofRequest::Overlap::Forbidden : ProofRequest::Overlap::Reported;
+  if (const std::string e = extension(request.name); e == ".vtu" || e == ".pvtu")
+    wanted.labels = ProofRequest::FaceLabels::Compared;
+  if (request.stacked || claims.stacks) wanted.stacks = ProofRequest::Stacks::Allowed;
+  wanted.layers = request.layers;
+  wanted.stop = stop;
+  return wanted;
+}
+
+MapProof proven(const MapFile& file, const CheckRequest& request, const Claims& claims,
+                const RunRecord& record) {
+  record.begin(Activity::Proving);
+  return {file, request.name, questions(file, request, claims, record.telling(record.stop()))};
+}
+
+// At the scale of its claims, or a scale of its own.
+Json measured_distortion(const MapFile& file) {
+  const MapDistortion measured = measure_distortion(file);
+  Json section = distortion_section({&measured}, layout_scale(file));
+  section["scale_is_assumed"] = has_assumed_scale(file);
+  return section;
+}
+
+// Returns whether the file is what a map makes of the plane, as `.msh` has it: the identity of
+// itself.
+bool is_image(const MapFile& file) {
+  const auto corners = file.cells.leftCols(3).reshaped();
+  return file.points(corners, 2).isZero(0) &&
+         file.points(corners, Eigen::seqN(0, 2)) == file.uv(corners, Eigen::all);
+}
+
+void require_surface(const MapCheck& check, const MapFile& file, const CheckRequest& request) {
+  if (check.proof.surface.answer == ProofStatus::Violated && extension(request.name) == ".msh" &&
+      is_image(file))
+    throw Refusal(
+        ErrorKind::Unsupported, request.name,
+        fmt::format("{}: this is the image of a map, in the plane: there is no surface in "
+                    "it to compare with {}; ",
+                    request.name, request.surface->file),
+        Hint::WriteSurface);
+}
+
+void add_proofs(MapCheck& check) {
+  for (const auto& [question, finding] : check.proof.findings()) {
+    if (finding->answer == ProofStatus::Violated)
+      check.findings.add_violation(fmt::format("{}: {}", question, finding->detail));
+    if (finding->answer == ProofStatus::Undecided)
+      check.findings.add_open(
+          fmt::format("{}: could not be decided: {}", question, finding->detail));
+    check.report.result["proofs"][question] = {{"answer", name_of(finding->answer)},
+                                               {"detail", finding->detail}};
+  }
+  const StackedCharts& stacks = check.proof.stacks;
+  check.report.result["stacks"] = {
+      {"stacks", stacks.stacks}, {"charts", stacks.stacked}, {"mirrored", stacks.mirrored}};
+  const CutCount& cuts = check.proof.cuts;
+  check.report.result["cuts"] = {{"seam_edges", cuts.seams},
+                                 {"other_edges", cuts.others},
+                                 {"length", cuts.length},
+                                 {"charts", cuts.charts},
+                                 {"told_from_tears", !check.has_untold_cuts}};
+}
+
+// Claimed charts lie on each other, as they are or mirrored as it is claimed, and no others do.
+void check_stacks(const MapFile& file, const StackedCharts& found, const Claims& claims,
+                  Findings& findings) {
+  std::map<Index, std::size_t> piece;  // by chart of the file
+  for (Index c = 0; c < file.chart.size(); ++c) {
+    const std::size_t of_cell = to_size(found.chart[to_size(c)]);
+    if (piece.try_emplace(file.chart[c], of_cell).first->second != of_cell)
+      return findings.add_violation(fmt::format("chart {} is in several pieces", file.chart[c]));
+  }
+  std::vector<char> is_claimed(found.stack.size(), 0);
+  for (const ClaimedStack& stack : *claims.stacks) {
+    std::optional<Index> place;
+    for (const Index chart : stack.charts) {
+      const auto known = piece.find(chart);
+      if (known == piece.end())
+        return findings.add_violation(fmt::format("there is no chart {}, of a stack", chart));
+      const std::size_t k = known->second;
+      if (found.stack[k] < 0 || found.stack[k] != place.value_or(found.stack[k]))
+        return findings.add_violation(
+            fmt::format("chart {} is claimed to lie on chart {}, and is not congruent to it, "
+                        "corner by corner",
+                        chart, stack.charts.front()));
+      place = found.stack[k];
+      is_claimed[k] = 1;
+      const bool is_mirrored =
+          std::find(stack.mirrored.begin(), stack.mirrored.end(), chart) != stack.mirrored.end();
+      if (is_mirrored != (found.is_mirrored[k] != 0))
+        return findings.add_violation(fmt::format(
+            "chart {} is {}", chart,
+            is_mirrored ? "claimed to be mirrored, and is not" : "mirrored, which is not claimed"));
+    }
+  }
+  for (std::size_t k = 0; k < is_claimed.size(); ++k)
+    if (found.stack[k] >= 0 && !is_claimed[k])
+      return findings.add_violation("charts lie on each other that are not claimed to");
+}
+
+// Returns the layer that each face is compared in. The first of charts on each other is alone in
+// its.
+std::vector<Index> layers_of(const CheckRequest& request, const StackedCharts& stacks) {
+  if (!request.layers.empty() || stacks.stacks == 0) return request.layers;
+  std::vector<Index> layers;
+  for (const Index chart : stacks.chart)
+    layers.push_back(stacks.is_first[to_size(chart)] ? -1 : chart);
+  return layers;
+}
+
+void measure_overlap(MapCheck& check, const CheckRequest& request, const StopCheck& stop) {
+  const MapProof& proof = check.proof;
+  if (!proof.map() || !proof.global || proof.global->result != ProofStatus::Violated) return;
+  if (image_of(*proof.map()) == ImageOf::CutAtSeams) return;
+  try {
+    check.overlap = overlap_extent(*proof.map(), layers_of(request, proof.stacks), stop);
+  } catch (const Stopped&) {
+    return;  // what is measured decides nothing
+  }
+  if (check.overlap)
+    check.report.result["overlap"] = {{"faces", check.overlap->faces},
+                                      {"share", check.overlap->share}};
+}
+
+// Adds measures of the map that there is, and of its claims.
+void add_measures(MapCheck& check, const MapFile& file, const CheckRequest& request,
+                  const StopCheck& stop) {
+  if (!check.proof.map()) return;
+  const BezierMap& map = *check.proof.map();
+  check.measures.emplace();
+  check.energy = measure_as_claimed(file, map, check.claims, stop, check.findings, *check.measures);
+  Json result = measures_section(map, *check.measures, check.energy.name);
+  add_energy(check.energy, result);
+  if (check.proof.global) add_global_injectivity(result, map, *check.measures, *check.proof.global);
+  if (!check.measures->cut_short && request.reported)
+    result["distortion"] = measured_distortion(file);
+  check.report.result.update(result);
+  if (check.proof.surface.answer == ProofStatus::Violated) return;  // claims are about another mesh
+  check_claims({file, map, *check.measures, check.claims, request.surface, check.proof.cuts},
+               check.findings);
+}
+
+}  // namespace
+
+MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRecord& record)
+    : claims(parse_claims(file.claims, request.name)),
+      report{.command = "check", .status = "undecided", .input = {{"file", request.name}}},
+      proof(proven(file, request, claims, record)) {
+  require_surface(*this, file, request);
+  has_untold_cuts =
+      proof.cuts.others > 0 && request.cuts == CheckRequest::Cuts::Auto && is_untold(file, claims);
+  add_proofs(*this);
+  record.begin(Activity::Measuring);
+  if (proof.stacks.mirrored == 0) {
+    add_measures(*this, file, request, record.telling(record.stop()));
+  } else {
+    add_measures(*this, turned_back(file, proof.stacks), request, record.telling(record.stop()));
+  }
+  measure_overlap(*this, request, record.stop());
+  if (claims.stacks && proof.map()) check_stacks(file, proof.stacks, claims, findings);
+  const std::vector<std::string>& list = findings.list();
+  report.status = status();
+  report.message = list.empty() ? "" : list.front();
+  report.result["findings"] = list;
+  std::vector<std::string> warnings = file.warnings;
+  if (request.surface)
+    warnings.insert(warnings.end(), request.surface->warnings.begin(),
+                    request.surface->warnings.end());
+  report.warnings = warnings;
+}
+
+std::string MapCheck::overlap_in_words() const {
+  if (!overlap || overlap->faces == 0) return {};
+  return fmt::format(", {} of {} faces lie on others, {:.3g} % of the layout", overlap->faces,
+                     proof.map()->mesh().face_count(), 100 * overlap->share);
+}
+
+std::string_view MapCheck::status() const {
+  if (findings.list().empty()) return "valid";
+  return findings.violated() ? "invalid" : "undecided";
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,32 @@
+// Numbers that rank 0 has for the whole surface, as each rank needs them for its part.
+//
+//     const Vec uv = of_vertices(part, whole_uv, 2);         // whole_uv: rank 0's, empty elsewhere
+//     const Vec back = whole_of_vertices(part, uv, 2);       // rank 0's again
+//     const std::vector<Pin> pins = points_of(part, whole_pins, Copies::All);
+#pragma once
+
+#include <vector>
+
+#include "apps/mpi/mesh_part.h"
+#include "majorant/maps/map_options.h"
+
+namespace majorant {
+
+// `width` numbers per vertex or face, of this rank's; none where rank 0 has none.
+Vec of_vertices(const MeshPart& part, const Vec& whole, Index width);
+Vec of_faces(const MeshPart& part, const Vec& whole, Index width);
+
+// The other way: `width` numbers per vertex or face of this rank's, all of them on rank 0; nothing
+// elsewhere. Copies of a vertex are the same.
+Vec whole_of_vertices(const MeshPart& part, const Vec& mine, Index width);
+Vec whole_of_faces(const MeshPart& part, const Vec& mine, Index width);
+
+// Points named by vertices of the whole surface: on every rank that has the vertex, or on its owner
+// alone.
+enum class Copies { All, Owner };
+std::vector<Pin> points_of(const MeshPart& part, const std::vector<Pin>& whole, Copies copies);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

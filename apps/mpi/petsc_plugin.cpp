@@ -1,0 +1,39 @@
+// libmajorant_petsc.so: what `majorant` loads for --linear-solver mumps and cg-hypre. What it
+// exports is the last line alone (cmake/plugin_symbols.map).
+#include <cstdlib>
+
+#include "apps/mpi/petsc_solver.h"
+#include "apps/mpi/processes.h"
+
+namespace majorant {
+namespace {
+
+// One process, which nobody started by mpirun: no daemon beside it, and no search for networks.
+// Variables that are set already win.
+void start_alone() {
+  ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  ::setenv("OMPI_MCA_pml", "ob1", 0);
+  ::setenv("OMPI_MCA_btl", "self", 0);
+}
+
+const Processes& processes(const std::vector<std::string>& petsc_words) {
+  static const Processes started = (start_alone(), Processes(petsc_words));
+  return started;
+}
+
+SolverFactory ladder(const LadderOptions& options, std::shared_ptr<LadderRecord> record,
+                     const std::vector<std::string>& petsc_words) {
+  processes(petsc_words);
+  return petsc_solver(options, std::move(record));
+}
+
+std::vector<std::string> unused_options() { return processes({}).unused_options(); }
+
+}  // namespace
+}  // namespace majorant
+
+extern "C" const majorant::PetscPlugin majorant_plugin{MAJORANT_VERSION, majorant::ladder,
+                                                       majorant::unused_options};
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

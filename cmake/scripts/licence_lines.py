@@ -1,0 +1,63 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The two lines that say the licence of a source file: names files that lack them (exit 1).
+
+    cmake/scripts/licence_lines.py             who lacks them
+    cmake/scripts/licence_lines.py --write     adds them: at the end of C++, whose heads say what a file is about
+"""
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+LINES = ('SPDX-FileCopyrightText: 2026 the majorant developers', 'SPDX-License-Identifier: BSD-3-Clause')
+AT_END = ('.cpp', '.h')
+MARKS = {'.cpp': '//', '.h': '//', '.js': '//', '.mjs': '//', '.py': '#', '.pyi': '#', '.cmake': '#', '.sh': '#'}
+LEFT_OUT = ('pictures/web/dist/',)  # bundles: .reuse/dep5
+FOLDERS_LEFT_OUT = ('build', 'out', 'node_modules', '.git', '__pycache__')
+
+
+def sources():
+    listed = subprocess.run(['git', 'ls-files', '-co', '--exclude-standard'], cwd=SOURCE, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    names = listed.stdout.splitlines()
+    if listed.returncode != 0:
+        for folder, folders, files in os.walk(SOURCE):
+            folders[:] = [f for f in folders if f not in FOLDERS_LEFT_OUT]
+            names += [os.path.relpath(os.path.join(folder, name), SOURCE) for name in files]
+    for name in names:
+        path = SOURCE / name
+        if (path.suffix in MARKS or path.name == 'CMakeLists.txt') and path.is_file() \
+                and not name.startswith(LEFT_OUT):
+            yield path
+
+
+def has_lines(path):
+    lines = path.read_text().splitlines()
+    place = lines[-2:] if path.suffix in AT_END else lines[:4]
+    # In any order: reuse reads 4096 bytes of a file, and must not get half of an identifier.
+    return sorted(line.lstrip('/# ') for line in place if 'SPDX-' in line) == sorted(LINES)
+
+
+def with_lines(text, path):
+    mark = MARKS.get(path.suffix, '#')
+    block = ''.join('%s %s\n' % (mark, line) for line in LINES)
+    if path.suffix in AT_END:
+        return text.rstrip('\n') + '\n\n' + block
+    first, _, rest = text.partition('\n') if text.startswith('#!') else ('', '', text)
+    return (first + '\n' if first else '') + block + ('\n' if rest.startswith(mark) else '') + rest
+
+
+def main():
+    missing = [path for path in sources() if not has_lines(path)]
+    for path in missing:
+        print(path.relative_to(SOURCE))
+        if '--write' in sys.argv[1:]:
+            path.write_text(with_lines(path.read_text(), path))
+    return 1 if missing and '--write' not in sys.argv[1:] else 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())

@@ -1,0 +1,242 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""What shared libraries, a build without GPL parts and one inside another project promise, tried.
+
+    cmake -S . -B build/shared -G Ninja -DBUILD_SHARED_LIBS=ON -DMAJORANT_BUILD_TESTS=OFF
+    ninja -C build/shared majorant_command
+    cmake/scripts/try_configurations.py --shared build/shared
+
+    cmake -S . -B build/gplfree -G Ninja -DMAJORANT_GPL=OFF
+    ninja -C build/gplfree majorant_command
+    cmake/scripts/try_configurations.py --gpl-free build/gplfree --default build/release
+
+    cmake/scripts/try_configurations.py --parent build/parent
+
+--shared: names and symbols of the libraries; the command before and after install; consumers by CMake and by
+pkg-config, what they are linked to; that every public name links. --gpl-free: what is loaded, which packages
+every header that was compiled comes from, what is refused; with --default DIR that maps are those of that
+build, bit by bit.
+--parent: a project with majorant in a folder of its own is configured and built there; its programs run.
+"""
+import argparse
+import functools
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SOURCE = Path(__file__).resolve().parents[2]
+CONSUMERS = SOURCE / 'tests/package'
+sys.path.insert(0, str(CONSUMERS))
+import public_names  # noqa: E402
+
+MESH = SOURCE / 'examples/meshes/cap.obj'
+ALWAYS = {'libstdc++', 'libm', 'libgcc_s', 'libc', 'linux-vdso', 'ld-linux-x86-64'}
+# Of cairo, under MPL-1.1 if one likes, and what it loads, under MIT, BSD or FreeType's licence.
+CAIRO_LIBRARIES = {'libcairo', 'libpixman-1', 'libfontconfig', 'libfreetype', 'libexpat', 'libbrotlidec',
+                   'libbrotlicommon', 'libX11', 'libXext', 'libXrender', 'libXau', 'libXdmcp', 'libxcb', 'libxcb-shm',
+                   'libxcb-render', 'libuuid', 'libbsd', 'libmd'}
+FREE_LIBRARIES = ALWAYS | CAIRO_LIBRARIES | {'libamd', 'libsuitesparseconfig', 'libmetis', 'libfmt', 'libpng16',
+                                             'libz'}
+# Packages of Debian whose headers a binary under BSD-3-Clause may be made of: BSD, MIT, Apache, BSL,
+# MPL; GCC's and the C library's own by their exceptions.
+FREE_PACKAGES = {'libeigen3-dev', 'libxsimd-dev', 'libfmt-dev', 'nlohmann-json3-dev', 'libcli11-dev', 'zlib1g-dev',
+                 'libpng-dev', 'libcairo2-dev', 'libmetis-dev', 'libc6-dev', 'linux-libc-dev', 'libcrypt-dev'}
+FREE_PATTERN = re.compile(r'lib(boost1\.\d+|stdc\+\+-\d+|gcc-\d+)-dev$')
+# Of a package with other licences, too.
+FREE_HEADERS = {'/usr/include/suitesparse/amd.h', '/usr/include/suitesparse/SuiteSparse_config.h'}
+
+
+def run(*command, **options):
+    options.setdefault('stdout', subprocess.PIPE)
+    done = subprocess.run([str(word) for word in command], text=True, stderr=subprocess.STDOUT, **options)
+    assert done.returncode == 0, '%s: exit %d\n%s' % (command, done.returncode, done.stdout)
+    return done.stdout
+
+
+def loaded(program):
+    return {Path(line.split()[0]).name.split('.so')[0]: line.split() for line in run('ldd', program).splitlines()}
+
+
+def dynamic(file, tag):
+    return re.findall(r'\(%s\).*\[(.*)\]' % tag, run('readelf', '-dW', file))
+
+
+def version():
+    return re.search(r'project\(majorant VERSION (\S+)', (SOURCE / 'CMakeLists.txt').read_text())[1]
+
+
+def soversion():
+    major, minor, _ = version().split('.')
+    return '0.' + minor if major == '0' else major
+
+
+def check_library(build, name):
+    library = build / 'lib' / ('lib%s.so' % name)
+    assert dynamic(library, 'SONAME') == ['lib%s.so.%s' % (name, soversion())], library
+    assert (library.parent / ('lib%s.so.%s' % (name, version()))).is_file()
+    symbols = run('nm', '-D', '--defined-only', '--format=posix', library).splitlines()
+    others = [line for line in symbols if not re.match(r'_Z\w*?8majorant', line)]
+    assert not others, others[:10]
+    total = len(run('nm', '--defined-only', '--extern-only', '--format=posix', *build.glob('libmajorant_*.a'))
+                .splitlines())
+    print('%s: %d symbols are visible, of %d in the archives' % (library.name, len(symbols), total))
+
+
+def check_command(program):
+    with tempfile.TemporaryDirectory() as folder:
+        run(program, 'parametrize', '--quiet', MESH, '-o', Path(folder) / 'out.obj')
+        run(program, 'check', Path(folder) / 'out.obj', '--surface', MESH)
+
+
+def check_framework_consumer(program, environment=None):
+    assert abs(float(run(program, env=environment)) - 73.5) < 1e-9
+    assert set(dynamic(program, 'NEEDED')) <= {'libmajorant_framework.so.' + soversion(), 'libstdc++.so.6',
+                                               'libm.so.6', 'libgcc_s.so.1', 'libc.so.6'}, program
+    names = set(loaded(program)) if environment is None else set()
+    assert names <= ALWAYS | {'libmajorant_framework', 'libamd', 'libmetis', 'libfmt', 'libsuitesparseconfig'}, names
+
+
+def try_shared(build):
+    for name in ('majorant_framework', 'majorant'):
+        check_library(build, name)
+    check_command(build / 'apps/majorant')
+    with tempfile.TemporaryDirectory(prefix='majorant_shared_') as folder:
+        prefix = Path(folder) / 'prefix'
+        for component in ('command', 'libraries', 'development'):
+            run('cmake', '--install', build, '--prefix', prefix, '--component', component)
+        assert not list(prefix.rglob('*.a'))
+        check_command(prefix / 'bin/majorant')
+        assert str(prefix) in loaded(prefix / 'bin/majorant')['libmajorant'][2]
+        moved = Path(folder) / 'moved'  # found from where the command is, not from where it was put
+        prefix.rename(moved)
+        check_command(moved / 'bin/majorant')
+        for name in ('consumer', 'framework_consumer'):
+            run('cmake', '-S', CONSUMERS / name, '-B', Path(folder) / name, '-DCMAKE_BUILD_TYPE=Release',
+                '-DCMAKE_PREFIX_PATH=%s' % moved,
+                *('-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON' % other
+                  for other in ('nlohmann_json', 'Ceres', 'PNG', 'ZLIB', 'fmt', 'Nest2D', 'Orderings')))
+            run('cmake', '--build', Path(folder) / name)
+        program = Path(folder) / 'consumer/consumer'
+        print('the consumer says', run(program, MESH).strip(), 'of cap.obj')
+        assert 'libmajorant.so.' + soversion() in dynamic(program, 'NEEDED')
+        check_framework_consumer(Path(folder) / 'framework_consumer/framework_consumer')
+        pkg_config(moved, Path(folder))
+        for package in (public_names.Package(moved), public_names.framework(moved)):
+            package.link_by_cmake(Path(folder) / (package.module + '_names'))
+            package.link_by_pkg_config(Path(folder) / (package.module + '_names_by_pkg_config'))
+            print('%s: %d public symbols, all linked' % (package.module, len(package.wanted)))
+
+
+def pkg_config(prefix, folder):
+    libdir = next(prefix.rglob('majorant.pc')).parent
+    environment = dict(os.environ, PKG_CONFIG_PATH=str(libdir), LD_LIBRARY_PATH=str(libdir.parent))
+    flags = run('pkg-config', '--cflags', '--libs', 'majorant-framework', env=environment).split()
+    assert [flag for flag in flags if flag.startswith('-l')] == ['-lmajorant_framework'], flags
+    assert '-lmetis' in run('pkg-config', '--static', '--libs', 'majorant-framework', env=environment)
+    flags = run('pkg-config', '--cflags', '--libs', 'majorant', env=environment).split()
+    assert [f for f in flags if f.startswith('-l')] == ['-lmajorant', '-lmajorant_framework'], flags
+    program = folder / 'by_pkg_config'
+    run('c++', '-std=c++20', '-O1', CONSUMERS / 'framework_consumer/main.cpp', '-o', program,
+        *(f for f in flags if f != '-lmajorant'), env=environment)
+    check_framework_consumer(program, environment)
+
+
+@functools.lru_cache(None)
+def owners():
+    """Of every file of /usr/include and /usr/lib/gcc, the Debian package that it came with."""
+    owned = {}
+    for path in Path('/var/lib/dpkg/info').glob('*.list'):
+        for name in path.read_text().splitlines():
+            if name.startswith(('/usr/include/', '/usr/lib/gcc/')):
+                owned[name] = path.stem.split(':')[0]
+    return owned
+
+
+def package_of(header):
+    return owners().get(header) or owners().get(os.path.realpath(header), 'no package')
+
+
+def headers_of(build):
+    """All that the compiler read, by its own account (-MD), of every object of the command."""
+    objects = {line.strip() for line in run('ninja', '-C', build, '-t', 'inputs', 'apps/majorant').splitlines()
+               if line.strip().endswith('.o')}
+    found, current = set(), None
+    for line in run('ninja', '-C', build, '-t', 'deps').splitlines():
+        if line and not line.startswith(' '):
+            current = line.split(':')[0]
+        elif line.strip() and current in objects:
+            found.add(os.path.normpath(os.path.join(build, line.strip())))
+    assert len(objects) > 150 and len(found) > 500, (len(objects), len(found))
+    return {name for name in found if not name.startswith((str(SOURCE) + '/', str(build) + '/'))}
+
+
+def check_headers(build):
+    by_package = {}
+    for header in sorted(headers_of(build)):
+        by_package.setdefault(package_of(header), []).append(header)
+    for package, headers in sorted(by_package.items()):
+        print('%5d headers of %s' % (len(headers), package))
+        if package not in FREE_PACKAGES and not FREE_PATTERN.match(package):
+            assert set(headers) <= FREE_HEADERS, '%s: %s' % (package, headers[:5])
+        # Eigen's own list of what is not under the MPL ends in this file.
+        assert not any(name.endswith('/NonMPL2.h') for name in headers)
+
+
+def try_gpl_free(build, default):
+    program = build / 'apps/majorant'
+    libraries = set(loaded(program))
+    print('loaded:', ' '.join(sorted(libraries)))
+    assert libraries <= FREE_LIBRARIES | {'libpthread'}, libraries - FREE_LIBRARIES
+    check_headers(build)
+    listed = run(program, '--licenses')
+    assert listed.startswith('As a whole: BSD-3-Clause') and 'CGAL' not in listed, listed
+    with tempfile.TemporaryDirectory() as folder:
+        for words in (['unwrap', MESH], [MESH], ['parametrize', '--bijective', MESH],
+                      ['seamless', '--bijective', SOURCE / 'examples/meshes/buckle.obj']):
+            done = subprocess.run([program, *words, '-o', folder + '/no.obj'] if len(words) > 1 else
+                                  [program, *words, folder + '/no.obj'], text=True, stderr=subprocess.PIPE)
+            assert done.returncode == 1 and done.stderr.count('\n') == 1, (words, done)
+            assert 'CGAL' in done.stderr and not os.path.exists(folder + '/no.obj'), done.stderr
+            print(done.stderr.strip())
+        run(program, 'info', MESH)
+        for name in ('cap', 'creature', 'tube'):
+            files = []
+            for who in [program] + ([default / 'apps/majorant'] if default else []):
+                files.append(Path(folder) / ('%s_%d.vtu' % (name, len(files))))
+                run(who, 'parametrize', '--quiet', SOURCE / 'examples/meshes' / (name + '.obj'), '-o', files[-1],
+                    '--degree', '3')
+                run(who, 'check', files[-1], '--surface', SOURCE / 'examples/meshes' / (name + '.obj'))
+            assert len({file.read_bytes() for file in files}) == 1, name + ': other bits'
+    print('maps are the same bits' if default else 'maps are made and proven')
+
+
+def try_parent(build):
+    run('cmake', '-S', CONSUMERS / 'parent', '-B', build, '-G', 'Ninja', '-DMAJORANT_SOURCE_DIR=%s' % SOURCE)
+    run('ninja', '-C', build, 'parent', 'framework_user')
+    value = float(run(build / 'parent', MESH))
+    print('the parent says', value, 'of cap.obj')
+    assert 4 < value < 6 and abs(float(run(build / 'framework_user')) - 73.5) < 1e-9
+    assert not {'libcholmod', 'libceres', 'libopenblas', 'libgmp'} & set(loaded(build / 'framework_user'))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('--shared', type=Path)
+    parser.add_argument('--gpl-free', type=Path)
+    parser.add_argument('--default', type=Path)
+    parser.add_argument('--parent', type=Path)
+    arguments = parser.parse_args()
+    if arguments.shared:
+        try_shared(arguments.shared.resolve())
+    if arguments.gpl_free:
+        try_gpl_free(arguments.gpl_free.resolve(), arguments.default and arguments.default.resolve())
+    if arguments.parent:
+        try_parent(arguments.parent.resolve())
+
+
+if __name__ == '__main__':
+    main()

@@ -1,0 +1,172 @@
+// Inequalities g(z) >= 0 of the unknowns of a few nodes, as terms: a barrier that ends at the
+// constrained optimum, or a penalty.
+//
+//   Cells pairs(1, 2);
+//   pairs << 0, 1;
+//   auto apart = inequality<2, 2>("apart", pairs, [](Index, const auto& z) {
+//     return (z.col(1) - z.col(0)).squaredNorm() - 0.25;
+//   });
+//   const TermId wall = builder.add(apart.barrier(), 1.0);      // for BarrierMinimizer({wall})
+//   builder.add(apart.checker());     // starts may be outside: BarrierMinimizer::of_bounds(), and
+//                                     // parametrize() (MapExtension::add())
+//   builder.add(apart.penalty(), 1e3);                          // any minimizer
+//
+// The barrier -log g keeps every accepted point inside, from a start that is inside; which way
+// there is not looked at, so a long step may pass over a gap between two feasible parts. By itself
+// it moves the minimum away from where g = 0; minimized by BarrierMinimizer
+// (framework/barrier_minimizer.h) its weight falls to 0. The penalty min(g, 0)^2 starts anywhere
+// and ends outside by about |multiplier| / (2 weight). Scale g to size about 1.
+//
+// Not for g = 0: make_least_squares() is its penalty; nor for a bound on a single unknown, where
+// Bounds is exact and faster.
+//
+// The lambda: as in local_term.h.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "majorant/framework/feasibility.h"
+#include "majorant/framework/terms/local_term.h"
+
+namespace majorant {
+
+namespace detail {
+
+// g(z) > -slack at all elements; paths are not certified.
+template <int N, int Block, class F>
+class InequalityChecker final : public BarrierChecker, public ViolationMeasure {
+ public:
+  InequalityChecker(std::string name, Cells nodes, F g, double slack = 0)
+      : name_(std::move(name)), nodes_(std::move(nodes)), g_(std::move(g)), slack_(slack) {}
+  std::string_view name() const override { return name_; }
+  Verdict check(VecIn x) const override {
+    Verdict verdict;
+    verdict.margin = std::numeric_limits<double>::infinity();
+    for (Index e = 0; e < nodes_.rows(); ++e) {
+      const double room = value(e, x) + slack_;
+      if (!(room > 0)) verdict.blocking.push_back(e);
+      verdict.margin = std::min(verdict.margin, room);
+    }
+    verdict.feasible = verdict.blocking.empty();
+    return verdict;
+  }
+  StepBound max_step(VecIn, VecIn, double s) const override { return {s, {}}; }
+  std::shared_ptr<const EnergyTerm> barrier() const override {
+    return make_term<N, Block>(name_, nodes_, [g = g_, slack = slack_](Index e, const auto& z) {
+      using std::log;
+      return -log(g(e, z) + slack);
+    });
+  }
+  std::shared_ptr<const EnergyTerm> violation(double margin) const override {
+    return make_term<N, Block>(name_, nodes_,
+                               [g = g_, wanted = margin - slack_](Index e, const auto& z) {
+                                 auto missing = wanted - g(e, z);
+                                 if (missing <= 0) missing = 0.0;
+                                 return missing * missing;
+                               });
+  }
+  // The slack is a tenth of the size of g, which is about 1, beyond what x violates.
+  std::shared_ptr<const BarrierChecker> relaxed(VecIn x) const override {
+    const double violated = std::max(0.0, slack_ - check(x).margin);
+    const double slack = std::max(slack_, violated + 0.1 * (1 + violated));
+    return std::make_shared<const InequalityChecker>(name_, nodes_, g_, slack);
+  }
+
+ private:
+  double value(Index e, VecIn x) const {
+    NodeValues<double, Block, N> z;
+    for (int k = 0; k < N; ++k) z.col(k) = x.template segment<Block>(Block * nodes_(e, k));
+    return g_(e, z);
+  }
+
+  std::string name_;
+  Cells nodes_;
+  F g_;
+  double slack_;
+};
+
+}  // namespace detail
+
+template <int N, int Block, class F>
+class Inequality {
+ public:
+  Inequality(std::string name, Cells nodes, F g)
+      : name_(std::move(name)), nodes_(std::move(nodes)), g_(std::move(g)) {}
+
+  // -log g, an element each; +inf where g <= 0.
+  std::shared_ptr<const EnergyTerm> barrier() const { return checker()->barrier(); }
+  // g > 0, with that barrier.
+  std::shared_ptr<const BarrierChecker> checker() const {
+    return std::make_shared<const detail::InequalityChecker<N, Block, F>>(name_, nodes_, g_);
+  }
+  // min(g, 0)^2.
+  std::shared_ptr<const EnergyTerm> penalty() const {
+    return make_term<N, Block>(name_, nodes_, [g = g_](Index e, const auto& z) {
+      auto violation = g(e, z);
+      if (violation >= 0) violation = 0.0;
+      return violation * violation;
+    });
+  }
+
+ private:
+  std::string name_;
+  Cells nodes_;
+  F g_;
+};
+
+// nodes: #E by N, or, with Block 1, the unknowns themselves.
+template <int N, int Block = 1, class F>
+Inequality<N, Block, F> inequality(std::string name, Cells nodes, F g) {
+  detail::require_function_of_elements<N, Block, F>();
+  return {std::move(name), std::move(nodes), std::move(g)};
+}
+
+// Bounds lower <= x <= upper on single unknowns: a barrier, and a checker that limits steps.
+//
+//   const double none = std::numeric_limits<double>::infinity();
+//   Vec lower = Vec::Zero(60), upper = Vec::Constant(60, none);
+//   const Bounds bounds(lower, upper);
+//   const TermId barrier = builder.add(bounds.barrier(), 1.0);
+//   builder.add(bounds.checker());
+//   problem = builder.build();
+//   y0 = problem.reduce(bounds.interior(x));
+//   SolveResult result = BarrierMinimizer({barrier}).minimize(problem, y0, {});
+//
+// Every accepted point is inside; BarrierMinimizer (framework/barrier_minimizer.h) ends at the
+// bounds where they hold the minimum, to its tolerance. parametrize() takes checker() as well
+// (MapExtension::add()), and leads a start inside that does not meet it. Not for unknowns that are
+// fixed: those are eliminated (constraints/constraints.h).
+
+class Bounds {
+ public:
+  // Takes a bound for each of the full unknowns, -inf or +inf where there is none. Throws
+  // Error unless lower < upper and both have the same size.
+  Bounds(Vec lower, Vec upper);
+
+  const Vec& lower() const { return lower_; }
+  const Vec& upper() const { return upper_; }
+
+  // -log(x - lower), -log(upper - x): an element for each finite bound. Supports every curvature:
+  // all are the exact one, which is positive.
+  std::shared_ptr<const EnergyTerm> barrier() const;
+  // Feasible: strictly inside. Blocking "elements" are unknowns. Steps are limited exactly, but for
+  // rounding. Its members throw InvalidArgument for another number of unknowns.
+  std::shared_ptr<const BarrierChecker> checker() const;
+  // x moved inside where it is not: at least `margin` away from a single bound, that part of the
+  // gap between two. 0 < margin <= 1/2.
+  Vec interior(Vec x, double margin = 0.1) const;
+
+ private:
+  Vec lower_, upper_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

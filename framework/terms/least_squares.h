@@ -1,0 +1,135 @@
+// Least squares from one lambda: residuals of the unknowns of a few nodes, with Gauss-Newton
+// curvature and, if wanted, a robust loss.
+//
+//   // y = a exp(b t) through samples: unknowns 0 and 1 are a and b
+//   const Vec t = Vec::LinSpaced(9, 0, 1), y = Vec::Random(9);
+//   const Cells unknowns = Cells::Ones(9, 1) * Eigen::RowVector2i(0, 1);
+//   auto fit = make_least_squares<2>("fit", unknowns, [=](Index e, const auto& z) {
+//     using std::exp;
+//     return z[0] * exp(z[1] * t[e]) - y[e];
+//   }, huber_loss(0.1));
+//
+// The energy of an element is rho(|r|^2) / 2, as in Ceres; without a loss |r|^2 / 2. The lambda
+// returns one residual, or several as std::array{...} or a vector of Eigen of fixed size; what else
+// it may do says local_term.h.
+//
+// Curvature, with J the derivative of r:
+//     Exact        rho' (J^T J + sum_i r_i hess r_i) + 2 rho'' (J^T r) (J^T r)^T
+//     Projected, Reweighted        rho' J^T J + 2 max(rho'', 0) (J^T r) (J^T r)^T
+// The second one is Gauss-Newton; where rho'' < 0 it is that of iteratively reweighted least
+// squares, as Ceres has it. It needs no eigenvalues; a Newton run blends it with the exact Hessian
+// near the minimum and ends quadratically also where residuals are large.
+//
+// Losses bound what an outlier may cost:
+//
+//   const RobustLoss loss = cauchy_loss(0.1);
+//   const auto [rho, slope, bend] = loss(9.0);   // of |r| = 3
+//
+// A loss is rho(s) with its first and second derivative, s = |r|^2 the squared residual of one
+// element, rho(s) = s where s is small; the energy is rho(|r|^2) / 2. `width` is the |r| from which
+// a residual counts as an outlier, in its units. Formulas are those of Ceres.
+//
+// Blocks of different sizes, as cameras and points, are parameter_blocks.h; damped steps, where
+// nothing holds some unknowns, framework/levenberg_marquardt.h.
+//
+// Not for energies of maps: densities (energies/make_energy.h) are several times faster.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+
+#include "majorant/framework/terms/detail/element_term.h"
+
+namespace majorant {
+
+// rho(s), rho'(s), rho''(s); empty: rho(s) = s.
+using RobustLoss = std::function<std::array<double, 3>(double s)>;
+
+// All throw Error unless width > 0.
+RobustLoss huber_loss(double width);    // linear in |r| beyond the width; convex
+RobustLoss soft_l1_loss(double width);  // the same, smooth
+RobustLoss cauchy_loss(double width);   // logarithmic; not convex, as those below
+RobustLoss arctan_loss(double width);   // bounded
+RobustLoss tukey_loss(double width);    // constant beyond the width: outliers do not count at all
+
+namespace detail {
+
+template <int N, int Block, class F>
+struct Residuals {
+  static constexpr int nodes = N, block = Block;
+  F f;
+  RobustLoss loss;
+
+  static bool supports(Curvature c) {
+    return c == Curvature::Exact || c == Curvature::Projected || c == Curvature::Reweighted;
+  }
+  double value(Index e, const NodeValues<double, Block, N>& z) const {
+    double s = 0;
+    for_each(f(e, z), [&s](double r) { s += r * r; });
+    return rho(s)[0] / 2;
+  }
+  template <class Variable>
+  Variable model(Index e, const NodeValues<Variable, Block, N>& z,
+                 BlendedCurvature curvature) const {
+    constexpr std::size_t size = N * Block;
+    const double exact =
+        curvature.model == Curvature::Reweighted ? 0 : 1 - curvature.projection_weight;
+    Variable sum;  // value |r|^2, gradient J^T r, second derivatives J^T J and what Exact adds
+    for_each(f(e, z), [&](const Variable& r) {
+      sum.v += r.v * r.v;
+      for (std::size_t i = 0; i < size; ++i) sum.d[i] += r.v * r.d[i];
+      if constexpr (Variable::order == 2)
+        for (std::size_t i = 0, k = 0; i < size; ++i)
+          for (std::size_t j = 0; j <= i; ++j, ++k)
+            sum.h[k] += r.d[i] * r.d[j] + exact * r.v * r.h[k];
+    });
+    const auto [rho0, rho1, rho2] = rho(sum.v);
+    if constexpr (Variable::order == 2) {
+      const double bend = 2 * (rho2 < 0 ? exact * rho2 : rho2);
+      for (std::size_t i = 0, k = 0; i < size; ++i)
+        for (std::size_t j = 0; j <= i; ++j, ++k)
+          sum.h[k] = rho1 * sum.h[k] + bend * sum.d[i] * sum.d[j];
+    }
+    for (double& d : sum.d) d *= rho1;
+    sum.v = rho0 / 2;
+    return sum;
+  }
+
+ private:
+  std::array<double, 3> rho(double s) const {
+    return loss ? loss(s) : std::array<double, 3>{s, 1, 0};
+  }
+  // Visits the one residual, or each of several.
+  template <class R, class Visit>
+  static void for_each(const R& residuals, const Visit& visit) {
+    if constexpr (std::is_invocable_v<Visit, const R&>)
+      visit(residuals);
+    else
+      for (std::remove_cv_t<decltype(residuals.size())> i = 0; i < residuals.size(); ++i)
+        visit(residuals[i]);
+  }
+};
+
+}  // namespace detail
+
+// nodes: #E by N, or, with Block 1, the unknowns themselves. Throws InvalidArgument where
+// they do not have N columns, and for negative ones.
+template <int N, int Block = 1, class F>
+std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nodes, F residuals,
+                                                     RobustLoss loss = {}) {
+  if constexpr (detail::require_function_of_elements<N, Block, F>()) {
+    using Model = detail::Residuals<N, Block, F>;
+    return std::make_shared<const detail::ElementTerm<Model>>(
+        std::move(name), std::move(nodes), Model{std::move(residuals), std::move(loss)});
+  } else {
+    return nullptr;
+  }
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,121 @@
+// An energy term from one lambda: any function of the unknowns of a few nodes, differentiated for
+// you.
+//
+//   Cells ends(2, 2);
+//   ends << 0, 1, 1, 2;
+//   const Vec rest{{1.0, 1.5}};
+//   auto springs = make_term<2, 3>("springs", ends, [rest](Index e, const auto& z) {
+//     const auto stretch = (z.col(1) - z.col(0)).norm() - rest[e];
+//     return stretch * stretch;
+//   });
+//   builder.add(springs, 10.0);
+//
+// The lambda gets the element's number, for data that it captures, and the unknowns z of its nodes:
+// Block by N, column i the node ends(e, i), double where the energy alone is wanted, Dual1 where
+// the gradient is, Dual2 where the Hessian is, too. It has to be generic in them, deterministic and
+// safe to call from several threads; `using std::sqrt;` and so on make functions of numbers work on
+// both (dual2.h has the list). Branches on values are fine where the energy stays continuous. It is
+// Eigen's algebra: expressions that are used twice want .eval(), and data enter as doubles.
+//
+// NaN and +inf mean that z is outside of the domain: line searches stay inside. An exception thrown
+// by the lambda ends the solve and reaches the caller of minimize().
+//
+// Where nodes of an element have different numbers of unknowns, or it needs single ones, leave
+// Block out and list unknowns instead of nodes: make_term<5>("hinge", unknowns, f), z[0] to z[4].
+//
+// Curvature: Exact, and Projected by an eigendecomposition of the N Block by N Block matrix. Not
+// for energies of maps (make_energy() is several times faster and integrates), nor for elements of
+// more than 30 unknowns: a Hessian costs 3 (N Block)^2 operations for every product in the lambda,
+// a gradient 2 N Block.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "majorant/framework/detail/packed_symmetric.h"
+#include "majorant/framework/energy_term.h"
+#include "majorant/framework/terms/detail/element_term.h"
+
+namespace majorant {
+
+namespace detail {
+
+// make_semidefinite() of two nodes. Where only their difference counts, as in springs, the blocks
+// of the Hessian are h, -h and h, and h alone is what has eigenvalues.
+template <int Block>
+void make_pair_semidefinite(double projection_weight, double* k) {
+  const auto entry = [k](int i, int j) -> double& { return k[i * (i + 1) / 2 + j]; };
+  double largest = 0, off = 0;
+  for (int i = 0; i < Block; ++i)
+    for (int j = 0; j < Block; ++j) {
+      const double h = entry(std::max(i, j), std::min(i, j));
+      largest = std::max(largest, std::abs(h));
+      off = std::max(off, std::abs(entry(Block + i, j) + h));
+      if (j <= i) off = std::max(off, std::abs(entry(Block + i, Block + j) - h));
+    }
+  if (!(off <= kZeroPivot * largest)) return make_semidefinite<2 * Block>(projection_weight, k);
+  make_semidefinite<Block>(projection_weight,
+                           k);  // the first block is the packed matrix's beginning
+  for (int i = 0; i < Block; ++i)
+    for (int j = 0; j < Block; ++j) {
+      const double h = entry(std::max(i, j), std::min(i, j));
+      entry(Block + i, j) = -h;
+      if (j <= i) entry(Block + i, Block + j) = h;
+    }
+}
+
+template <int N, int Block, class F>
+struct LocalFunction {
+  static constexpr int nodes = N, block = Block;
+  F f;
+
+  static bool supports(Curvature c) { return c == Curvature::Exact || c == Curvature::Projected; }
+  double value(Index e, const NodeValues<double, Block, N>& z) const { return f(e, z); }
+  template <class Variable>
+  Variable model(Index e, const NodeValues<Variable, Block, N>& z,
+                 BlendedCurvature curvature) const {
+    Variable result = f(e, z);
+    if constexpr (Variable::order == 2) {
+      if (!(curvature.projection_weight > 0)) return result;
+      if constexpr (N == 2)
+        make_pair_semidefinite<Block>(curvature.projection_weight, result.h.data());
+      else
+        make_semidefinite<N * Block>(curvature.projection_weight, result.h.data());
+    }
+    return result;
+  }
+};
+
+}  // namespace detail
+
+// nodes: #E by N, or, with Block 1, the unknowns themselves. f(Index e, NodeValues<T, Block, N> z)
+// -> T. Throws InvalidArgument where `nodes` does not have N columns, and for negative nodes.
+template <int N, int Block = 1, class F>
+std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) {
+  if constexpr (detail::require_function_of_elements<N, Block, F>()) {
+    using Model = detail::LocalFunction<N, Block, F>;
+    return std::make_shared<const detail::ElementTerm<Model>>(std::move(name), std::move(nodes),
+                                                              Model{std::move(f)});
+  } else {
+    return nullptr;
+  }
+}
+
+// A linear energy c.x: loads, gravity, prices.
+//
+//   Vec pull = Vec::Zero(3 * 20);
+//   pull[3 * 19 + 2] = -9.81;                          // at node 19, against z
+//   builder.add(linear_term("weight", -pull), 1.0);    // the energy of a load is -f.x
+//
+// By itself it is unbounded below: something else has to hold x.
+
+// coefficients: one for each of the full unknowns; those that are 0 cost nothing. Throws
+// Error where one is not finite. Supports every curvature: it has none.
+std::shared_ptr<const EnergyTerm> linear_term(std::string name, Vec coefficients);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,93 @@
+// Elements of blocks of unknowns that differ in size, as a camera (6) and a point (3): terms and
+// least squares of lambdas that take a vector for each block.
+//
+//   Cells first(2, 2);                       // the first unknown of each block
+//   first << 0, 12, 6, 12;                   // cameras 0 and 1, point 0 behind both
+//   auto seen = make_least_squares("seen", ParameterBlocks<6, 3>(first),
+//     [](Index, const auto& camera, const auto& point) {
+//       return (camera.template head<3>() - point).eval();
+//     });
+//
+// Vectors are columns of numbers, double or dual ones; all else is as in local_term.h and
+// least_squares.h.
+//
+// Not for blocks that all have one size: nodes say the same (make_least_squares<N, Block>).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "majorant/framework/terms/least_squares.h"
+#include "majorant/framework/terms/local_term.h"
+
+namespace majorant {
+
+template <int... Sizes>
+class ParameterBlocks {
+ public:
+  static constexpr int count = sizeof...(Sizes), size = (Sizes + ...);
+
+  // first: #E by count. Throws InvalidArgument for another number of columns.
+  explicit ParameterBlocks(const Cells& first) : unknowns_(first.rows(), size) {
+    if (first.cols() != count)
+      throw InvalidArgument("ParameterBlocks: " + std::to_string(count) +
+                            " blocks an element, the list has " + std::to_string(first.cols()) +
+                            " columns");
+    for (Index e = 0; e < first.rows(); ++e)
+      for (int k = 0, column = 0; k < count; ++k)
+        for (int i = 0; i < kSizes[k]; ++i) unknowns_(e, column++) = first(e, k) + i;
+  }
+
+  const Cells& unknowns() const { return unknowns_; }  // #E by size
+
+  // f(e, block, ...) of the unknowns z of an element.
+  template <class F, class Z>
+  static auto apply(const F& f, Index e, const Z& z) {
+    return apply(f, e, z, std::make_index_sequence<count>());
+  }
+
+ private:
+  static constexpr std::array<int, count> kSizes{Sizes...};
+  static constexpr int begin(std::size_t k) {
+    int sum = 0;
+    for (std::size_t i = 0; i < k; ++i) sum += kSizes[i];
+    return sum;
+  }
+  template <class F, class Z, std::size_t... K>
+  static auto apply(const F& f, Index e, const Z& z, std::index_sequence<K...>) {
+    using T = typename Z::Scalar;
+    return f(
+        e, Eigen::Matrix<T, kSizes[K], 1>(z.template segment<kSizes[K]>(begin(K)).transpose())...);
+  }
+
+  Cells unknowns_;
+};
+
+// f(Index e, block, ...) -> T, as make_term() has it.
+template <int... Sizes, class F>
+std::shared_ptr<const EnergyTerm> make_term(std::string name,
+                                            const ParameterBlocks<Sizes...>& blocks, F f) {
+  using Blocks = ParameterBlocks<Sizes...>;
+  return make_term<Blocks::size>(
+      std::move(name), blocks.unknowns(),
+      [f = std::move(f)](Index e, const auto& z) { return Blocks::apply(f, e, z); });
+}
+
+// residuals(Index e, block, ...), as make_least_squares() has them.
+template <int... Sizes, class F>
+std::shared_ptr<const EnergyTerm> make_least_squares(std::string name,
+                                                     const ParameterBlocks<Sizes...>& blocks,
+                                                     F residuals, RobustLoss loss = {}) {
+  using Blocks = ParameterBlocks<Sizes...>;
+  return make_least_squares<Blocks::size>(
+      std::move(name), blocks.unknowns(),
+      [f = std::move(residuals)](Index e, const auto& z) { return Blocks::apply(f, e, z); },
+      std::move(loss));
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

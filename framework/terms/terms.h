@@ -1,0 +1,24 @@
+// Terms, whole: energies of lambdas, their derivatives by dual numbers, and linear constraints made
+// soft. Not for densities of a Jacobian: energies/energies.h.
+//
+//   const auto barrier = make_term<1>("x0 > 1", Cells::Zero(1, 1), [](Index, const auto& z) {
+//     using std::log;
+//     return -log(z[0] - 1.0);
+//   });
+//
+// Its headers:
+//     local_term.h                make_term(): any function of few unknowns an element; loads
+//     least_squares.h             residuals, Gauss-Newton; robust losses
+//     parameter_blocks.h          terms of blocks of unknowns of different sizes
+//     quadratic_penalty.h         soft constraints
+//     inequality.h                g(x) > 0 for an element, and its barrier; bounds of unknowns
+#pragma once
+
+#include "majorant/framework/terms/inequality.h"
+#include "majorant/framework/terms/least_squares.h"
+#include "majorant/framework/terms/local_term.h"
+#include "majorant/framework/terms/parameter_blocks.h"
+#include "majorant/framework/terms/quadratic_penalty.h"
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,55 @@
+// The part of a map that one of several processes has: some of its faces, with their nodes.
+//
+//     spec.part = part;                                     // null: the whole map
+//     double area = whole_area(spec);                       // of all parts
+//     std::vector<Index> nodes = boundary_of(spec, space);  // not where it only meets others
+//
+// A rank's space is over its own faces; spaces of any degree over the same faces have the same
+// part. What is asked of a map (map_problem.h) names nodes of the rank's own space: pins on every
+// rank that has the vertex, handles on the one that owns it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "majorant/elements/bernstein_space.h"
+#include "majorant/framework/partition.h"
+#include "majorant/maps/bezier_map.h"
+#include "majorant/maps/map_problem.h"
+#include "majorant/maps/measure.h"
+
+namespace majorant {
+
+class MapPart {
+ public:
+  virtual ~MapPart() = default;
+  virtual const Ranks& ranks() const = 0;
+  // Returns the partition of 2 unknowns per node of a space over this rank's faces. Collective.
+  virtual std::shared_ptr<const Partition> unknowns(const BezierTriangleSpace& space) const = 0;
+  // Nodes on the boundary of the whole surface, sorted.
+  virtual std::vector<Index> boundary_nodes(const BezierTriangleSpace& space) const = 0;
+  // This rank's numbers, if any, of the vertex that holds the translations of a map that nothing
+  // else holds: the same vertex of the whole surface on every rank.
+  virtual std::vector<Index> gauge_vertex() const = 0;
+  // Returns what is not injective of the whole map, proven to that depth of bisection; empty:
+  // nothing.
+  // rest_det: as LocalInjectivity takes it. Collective.
+  virtual std::string obstacle(const BezierMap& map, const Vec& rest_det, int depth) const = 0;
+  // Measures the whole map; but face_value and min_det are of the faces here, distortion is of
+  // none. unproven: what is not proven of it; empty: nothing is amiss. Collective.
+  virtual MapMeasures measure(const BezierMap& map, const EnergySum& energy,
+                              std::string& unproven) const = 0;
+};
+
+// Returns the ranks that share the map; one process alone where it has no part.
+const Ranks& ranks_of(const MapSpecification& spec);
+
+// Returns the map with the control points of their owners: ranks may round those of a shared edge
+// differently. Collective.
+BezierMap as_owners_have_it(const MapSpecification& spec, BezierMap map);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

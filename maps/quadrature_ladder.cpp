@@ -1,0 +1,56 @@
+#include "majorant/maps/quadrature_ladder.h"
+
+#include <algorithm>
+#include <array>
+
+namespace majorant {
+namespace {
+
+// Times that corners are halved, of refined rules; chosen, not tuned.
+constexpr int kGrading = 2;
+// Guard points along an edge: bounds their number, 153; chosen, not tuned.
+constexpr int kMostGuards = 16;
+// The pieces along an edge of the rules that measure: each rule has four times the points of the
+// one before, so that two of them tell how good they are; 1,792 points in the fourth.
+constexpr std::array<int, 4> kMeasuringPieces{2, 4, 8, 16};
+// The pieces of the last of them, and how often its corners are halved: the next of these; corners
+// as much finer again.
+constexpr int kFinestPieces = 32, kFinestGrading = 4;
+
+}  // namespace
+
+QuadratureLadder optimizer_ladder(int n, int lattice_points, const QuadratureRules& rules) {
+  QuadratureLadder ladder;
+  if (n == 1) {
+    ladder.guarded = ladder.plain = {lattice_rule(1)};
+    return ladder;
+  }
+  const int m = first_pieces(n);
+  Quadrature first = composite_rule(radon_rule(), m);
+  if (lattice_points > 0) {
+    int k = 1;
+    while (k * (k + 1) / 2 < lattice_points) ++k;
+    first = lattice_rule(k);
+  }
+  ladder.plain = {first};
+  ladder.guarded = {guarded_rule(first, 1, rules.corner_guard)};
+  for (int level = 1, pieces = 2; level <= rules.refinements; ++level, pieces *= 2) {
+    ladder.plain.push_back(corner_graded_rule(radon_rule(), pieces * m, kGrading));
+    ladder.guarded.push_back(
+        guarded_rule(ladder.plain.back(), std::min(pieces * n, kMostGuards), rules.boundary_guard));
+  }
+  return ladder;
+}
+
+std::vector<Quadrature> measuring_rules(int n) {
+  if (n == 1) return {lattice_rule(1)};
+  std::vector<Quadrature> rules;
+  for (const int m : kMeasuringPieces) rules.push_back(composite_rule(radon_rule(), m));
+  rules.push_back(corner_graded_rule(radon_rule(), kFinestPieces, kFinestGrading));
+  return rules;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,110 @@
+// Baking: what a surface carries, as an image in the layout of a map.
+//
+//   const InverseMap layout(map);
+//   const SurfaceTree tree(mesh->positions(), mesh->faces());
+//   const PlaceOf place_of = nearest_places(map.mesh(), tree, 0.1);
+//   const BakedImage baked = bake(layout, {}, place_of, position_values(*mesh));
+//   const bool is_proven = baked.counts.doubly_covered == 0 && baked.counts.undecided == 0;
+//
+// Every texel whose centre lies in a chart gets the value there. Others that a bilinear filter
+// reads at a point of a chart get that of the surface as it goes on beyond the chart's border,
+// across cuts, levelled so that the filter reads at borders what is there: the two sides of a cut
+// look alike. Where a chart is so thin that it has no centre around, they get the value at the
+// middle of what is covered, of the face that covers most of it; charts without any centre have
+// texels so. What is around is filled from the nearest of these texels.
+//
+// Not for layouts outside of [0, 1]^2, of which nothing is seen: is_in_unit_square().
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "majorant/certify/inverse_map.h"
+#include "majorant/pictures/baking/chart_continuation.h"
+#include "majorant/pictures/baking/nearest_point.h"
+#include "majorant/pictures/images/raster.h"
+
+namespace majorant {
+
+// The point of the surface that carries the values for a point of the one that is baked for; none:
+// a miss. likely: the face of the last answer, or -1. From several threads at a time.
+using PlaceOf = std::function<std::optional<SurfacePlace>(const SurfacePlace& of, Index likely)>;
+
+// The same faces, of the same vertices, by their numbers in the file: by input_face() and
+// input_vertex(), at equal positions within kTenDigits. None where a face of `surface` is not in
+// `carrier`, which may be cut into triangles in another way.
+std::optional<PlaceOf> same_places(const SurfaceMesh& surface, const SurfaceMesh& carrier);
+// The nearest points that are no farther than `distance`. tree: over the input positions of the
+// carrier; it and `surface` outlive the result.
+PlaceOf nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance);
+
+// How what a surface carries goes on across the edges of its faces.
+enum class Course {
+  Picture,     // as Continuous; texels in charts give way by some codes, for cuts not to be seen
+  Continuous,  // it may be mixed: what lies beyond a chart's border is shown around it
+  OfFaces      // numbers, normals of flat faces: the nearest of the chart's own are shown around it
+};
+
+// What a surface carries: `channels` numbers at every point, written to `value`.
+struct SurfaceValues {
+  int channels = 1;
+  std::function<void(const SurfacePlace& place, float* value)> at;  // from several threads
+  float background = 0;                                             // where nothing is known
+  Course course = Course::Continuous;
+  Transfer seen = Transfer::Linear;  // of a picture: in what differences are seen
+};
+// What these refer to outlives them.
+SurfaceValues position_values(const SurfaceMesh& mesh);  // x y z of the file; NaN: nothing
+SurfaceValues normal_values(const SurfaceMesh& mesh);    // of flat faces
+// Unit normals of the corners, #F by 9, interpolated.
+SurfaceValues normal_values(Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor> corners);
+SurfaceValues face_values(const SurfaceMesh& mesh);  // polygon of the file; -1: nothing
+// A row a face, or a vertex, interpolated.
+SurfaceValues table_of_faces(RowMatrix rows);
+SurfaceValues table_of_vertices(const SurfaceMesh& mesh, RowMatrix rows);
+// The texture of a surface. Colours are linear where the decoder says so.
+SurfaceValues texture_values(const BezierMap& layout, const Raster& image, Transfer transfer,
+                             Filter filter);
+
+struct BakeOptions {
+  int width = 1024, height = 1024;
+  int padding = 16;  // texels around charts that are filled; 0: none beside what charts cover
+  int samples = 1;   // along each side of a texel
+  PixelDepth depth = PixelDepth::Eight;
+  Transfer transfer = Transfer::Linear;  // of the image
+};
+
+struct BakeCounts {
+  long texels = 0;          // of the image
+  long covered = 0;         // with their centre in a chart
+  long doubly_covered = 0;  // of these, in two places of the layout or more
+  long undecided = 0;       // of these, rounding leaves open which
+  long partly = 0;          // covered but for their centre
+  long misses = 0;          // covered or partly so, where nothing is known
+  Index charts = 0, charts_without_texels = 0;
+};
+
+struct BakedImage {
+  Raster image;
+  BakeCounts counts;
+};
+
+// Returns whether all control points of the map lie in [0, 1]^2.
+bool is_in_unit_square(const BezierMap& map);
+
+// Polls `stop`: Stopped. On the threads of the caller, the same for any number of them.
+BakedImage bake(const InverseMap& layout, const BakeOptions& options, const PlaceOf& place_of,
+                const SurfaceValues& values, const StopCheck& stop = {});
+
+// Texels along the side of a square of the surface as large as a unit: of faces with an area, by
+// area.
+struct TexelDensity {
+  double min = 0, mean = 0, max = 0;
+};
+TexelDensity texel_density(const BezierMap& map, int width, int height);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

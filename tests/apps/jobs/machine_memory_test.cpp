@@ -1,0 +1,74 @@
+#include "majorant/apps/jobs/machine_memory.h"
+
+#include <gtest/gtest.h>
+
+#include "majorant/framework/linear_solver.h"
+#include "majorant/parametrization/solve/parametrize.h"
+#include "mesh/obj_file.h"
+
+namespace majorant {
+namespace {
+
+TEST(SolverMemory, DirectWhereItFitsOrTakesLess) {
+  struct Case {
+    std::size_t direct, multigrid;
+    std::optional<std::size_t> available;
+    bool fits, multigrid_is_better;
+  };
+  for (const Case& c : {Case{100, 50, {}, true, false},   // nobody says
+                        Case{100, 50, 100, true, false},  // the fastest that fits
+                        Case{100, 50, 99, false, true},   // the other one fits
+                        Case{100, 50, 10, false, true},   // none does
+                        Case{50, 100, 10, false, false},  // none does, and direct takes less
+                        Case{100, 100, 10, false, false}}) {
+    const SolverMemory memory{c.direct, c.multigrid, c.available};
+    EXPECT_EQ(memory.fits_direct(), c.fits);
+    EXPECT_EQ(memory.prefers_multigrid(), c.multigrid_is_better);
+  }
+}
+
+// What is foretold of a degree is what the run meets there.
+TEST(FactorSize, OfADegree) {
+  const auto mesh = generated("cap");
+  for (const int degree : {2, 3}) {
+    FactorSize met;
+    ParametrizationOptions options;
+    options.map.degree = degree;
+    options.solve.linear_solver = [&](const SparsePattern& pattern, Ordering ordering) {
+      auto solver = make_direct_solver(ordering);
+      solver->analyze(pattern);
+      met = {solver->bytes(), pattern.rows.size()};
+      return solver;
+    };
+    parametrize(mesh, options);
+    const FactorSize foretold = factor_size(*mesh, degree);
+    const FactorSize at_most = factor_size_at_most(*mesh, degree);
+    EXPECT_NEAR(static_cast<double>(foretold.bytes), static_cast<double>(met.bytes),
+                0.1 * static_cast<double>(met.bytes));
+    EXPECT_NEAR(static_cast<double>(foretold.entries), static_cast<double>(met.entries),
+                0.01 * static_cast<double>(met.entries));
+    EXPECT_GE(at_most.bytes, met.bytes);
+    EXPECT_GE(at_most.entries, met.entries);
+  }
+}
+
+TEST(SolverMemory, OfAPattern) {
+  const FactorSize needed{7000000, 1000000};
+  EXPECT_EQ(solver_memory(needed, 5u).direct, needed.bytes);
+  EXPECT_EQ(solver_memory(needed, 5u).available, 5u);
+  // Measured: of 157 entries a face at degree 3 cg-hypre took 18 KB, and 35 MB besides.
+  const std::size_t little = solver_memory({}, {}).multigrid;
+  EXPECT_NEAR(static_cast<double>(little), 35e6, 1e7);
+  EXPECT_NEAR(static_cast<double>(solver_memory(needed, {}).multigrid - little), 115e6, 2e7);
+  // What the problem takes is not there any more when the factor is made.
+  EXPECT_FALSE(foreseen_memory(needed, {}).available);
+  EXPECT_EQ(foreseen_memory(needed, 5u).available, 0u);
+  const std::size_t left = foreseen_memory(needed, 100000000u).available.value_or(0);
+  EXPECT_NEAR(static_cast<double>(left), 67e6, 1e7);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

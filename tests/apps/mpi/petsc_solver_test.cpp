@@ -1,0 +1,155 @@
+// The ladder of linear solvers on matrices that it has to tell apart. Runs on any number of ranks:
+// ranks_test.py starts this program on two.
+#include "apps/mpi/petsc_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "apps/mpi/strip_matrix.h"
+
+namespace majorant {
+namespace {
+
+using test::StripMatrix;
+
+constexpr std::array kRungs{Rung::Amg, Rung::Gamg, Rung::Icc, Rung::Mumps};
+constexpr Index kWidth = 24;
+
+double even(Index, Index, bool) { return 1; }
+
+double wavy(Index i, Index j) { return std::sin(1.7 * i + 0.3) + std::cos(2.9 * j) + 0.1; }
+
+struct Solver {
+  std::shared_ptr<LadderRecord> record = std::make_shared<LadderRecord>();
+  std::shared_ptr<LinearSolver> solver;
+
+  Solver(Rung first, const StripMatrix& m) : solver(petsc_solver({first, 0}, record)()) {
+    analyze_shared(*solver, m.pattern, *m.partition);
+  }
+  const LadderRecord::Use& use(Rung rung) const {
+    return record->rungs[static_cast<std::size_t>(rung)];
+  }
+};
+
+std::string_view name(Rung rung) { return kRungNames[static_cast<std::size_t>(rung)]; }
+
+TEST(PetscSolver, EveryRungSolves) {
+  const StripMatrix m(kWidth, even, 0.01);
+  for (const Rung rung : kRungs) {
+    SCOPED_TRACE(name(rung));
+    Solver s(rung, m);
+    ASSERT_EQ(s.solver->factorize(m.values, 0.5), FactorStatus::Ok);
+    const Vec r = m.sampled(wavy);
+    Vec p;
+    const Solution solution = s.solver->solve(r, p, 1e-10);
+    EXPECT_EQ(solution.status, SolveStatus::Solved);
+    Vec shifted = m.times(p);
+    for (Index i = 0; i < p.size(); ++i)
+      if (m.partition->owns(i)) shifted[i] += 0.5 * p[i];
+    EXPECT_LE(m.partition->norm(shifted - r), 2e-10 * m.partition->norm(r));
+    EXPECT_EQ(solution.iterations == 0, rung == Rung::Mumps);
+    EXPECT_EQ(s.use(rung).falls, 0);
+  }
+}
+
+// Whatever solves: the matrix is not positive definite, and no ascent direction is an answer. Not
+// by the way to it either: with the right-hand side along a negative eigenvector, and with one that
+// hardly sees it.
+TEST(PetscSolver, EveryRungSeesAnIndefiniteMatrix) {
+  // Of the smoothest functions; the last one barely.
+  for (const double mass : {-0.5, -0.05, -1e-3}) {
+    const StripMatrix m(kWidth, even, mass);
+    for (const Rung rung : kRungs)
+      for (const auto& f : {+[](Index, Index) { return 1.0; }, +wavy}) {
+        SCOPED_TRACE(testing::Message() << name(rung) << ", mass " << mass);
+        Solver s(rung, m);
+        const FactorStatus factors = s.solver->factorize(m.values, 0);
+        if (rung == Rung::Mumps) {
+          EXPECT_EQ(factors, FactorStatus::NotPositiveDefinite);
+        }
+        if (factors == FactorStatus::Ok) {
+          Vec p;
+          const Solution solution = s.solver->solve(m.sampled(f), p, 1e-8);
+          EXPECT_EQ(solution.status, SolveStatus::Indefinite);
+        }
+        EXPECT_GT(s.record->indefinite, 0);
+        // And with a shift that mends it, the same solver solves.
+        EXPECT_EQ(s.solver->factorize(m.values, 1), FactorStatus::Ok);
+        Vec p;
+        EXPECT_EQ(s.solver->solve(m.sampled(f), p, 1e-8).status, SolveStatus::Solved);
+      }
+  }
+}
+
+// Negative curvature is what conjugate gradients say, twice, before it is believed: an answer, for
+// which nobody needs to factorize.
+TEST(PetscSolver, NegativeCurvatureIsAnAnswer) {
+  const StripMatrix m(kWidth, even, -0.5);
+  Solver s(Rung::Amg, m);
+  ASSERT_EQ(s.solver->factorize(m.values, 0), FactorStatus::Ok);
+  Vec p;
+  EXPECT_EQ(s.solver->solve(m.sampled(wavy), p, 1e-8).status, SolveStatus::Indefinite);
+  EXPECT_EQ(s.use(Rung::Amg).falls, 1);
+  EXPECT_EQ(s.use(Rung::Icc).solves, 1);
+  EXPECT_EQ(s.record->indefinite, 1);
+  // Factors of the blocks of several ranks may have no opinion.
+  if (test::ranks()->count() == 1) {
+    EXPECT_EQ(s.use(Rung::Mumps).set_ups, 0);
+  }
+}
+
+// A hierarchy of the last matrix would be one for rows where this one has columns.
+TEST(PetscSolver, MultigridIsMadeOfTheMatrixThatIsSolved) {
+  const auto rows = [](Index, Index, bool up) { return up ? 1e-2 : 1.0; };
+  const auto columns = [](Index, Index, bool up) { return up ? 1.0 : 1e-2; };
+  const StripMatrix a(kWidth, rows, 1e-4), b(kWidth, columns, 1e-4);
+  for (const Rung rung : {Rung::Gamg, Rung::Amg}) {
+    SCOPED_TRACE(name(rung));
+    const Vec r = b.sampled(wavy);
+    Vec p;
+    Solver fresh(rung, b), used(rung, a);
+    ASSERT_EQ(fresh.solver->factorize(b.values, 0), FactorStatus::Ok);
+    const int once = fresh.solver->solve(r, p, 1e-8).iterations;
+    ASSERT_EQ(used.solver->factorize(a.values, 0), FactorStatus::Ok);
+    used.solver->solve(r, p, 1e-8);
+    ASSERT_EQ(used.solver->factorize(b.values, 0), FactorStatus::Ok);
+    EXPECT_EQ(used.solver->solve(r, p, 1e-8).iterations, once);
+    EXPECT_EQ(used.use(rung).falls, 0);
+  }
+}
+
+// Stiffness that falls by a factor of 1e4 from node to node, as where a start is collapsed: what
+// multigrid makes of it may be anything, the answer is right.
+TEST(PetscSolver, CollapsedElementsAreSolvedSomewhere) {
+  const auto collapsed = [](Index i, Index j, bool up) {
+    return std::pow(10.0, 16.0 * std::sin(0.9 * i) * std::cos(1.3 * j) + (up ? 3 : 0));
+  };
+  const StripMatrix m(kWidth, collapsed, 1e-8);
+  const Vec exact = m.sampled(wavy);
+  Vec copied = exact;
+  m.partition->copy_from_owners(copied);
+  const Vec r = m.times(copied);
+  int solved = 0;
+  for (const Rung rung : kRungs) {
+    SCOPED_TRACE(name(rung));
+    Solver s(rung, m);
+    Vec p;
+    // Definite, but for rounding: a shift is what Newton's method would add.
+    if (s.solver->factorize(m.values, 0) != FactorStatus::Ok) continue;
+    const Solution solution = s.solver->solve(r, p, 1e-6);
+    if (solution.status == SolveStatus::Indefinite) continue;
+    ++solved;
+    EXPECT_EQ(solution.status, SolveStatus::Solved);
+    EXPECT_GE(m.partition->dot(r, p), 0);
+    EXPECT_LE(m.partition->norm(m.times(p) - r), 1e-5 * m.partition->norm(r));
+  }
+  EXPECT_GE(solved, 2);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
