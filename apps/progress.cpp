@@ -20,7 +20,7 @@
 
 #include "apps/process.h"
 #include "apps/streams.h"
-#include "majorant/io/byte_counts.h"
+#include "majorant/io/files/byte_counts.h"
 
 namespace majorant::app {
 namespace {

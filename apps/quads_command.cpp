@@ -18,9 +18,9 @@
 #include "majorant/apps/jobs/quad_job.h"
 #include "majorant/apps/jobs/quad_report.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/files/standard_stream.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
-#include "majorant/io/standard_stream.h"
 #include "majorant/pictures/quad_picture.h"
 
 namespace majorant::app {

@@ -12,10 +12,10 @@
 #include <system_error>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/byte_counts.h"
+#include "majorant/io/files/byte_counts.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/files/standard_stream.h"
 #include "majorant/io/files/waiting_output.h"
-#include "majorant/io/standard_stream.h"
 #include "majorant/io/temporary_file.h"
 
 namespace majorant {

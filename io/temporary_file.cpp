@@ -13,7 +13,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "majorant/io/byte_counts.h"
+#include "majorant/io/files/byte_counts.h"
 #include "majorant/io/files/waiting_output.h"
 
 namespace majorant {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/standard_stream.h"
+#include "majorant/io/files/standard_stream.h"
 
 namespace majorant::app {
 namespace {

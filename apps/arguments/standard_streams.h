@@ -9,7 +9,8 @@
 
 namespace majorant::app {
 
-// `words` with names of the streams (io/standard_stream.h) in place of each -, but for that of
+// `words` with names of the streams (io/files/standard_stream.h) in place of each -, but for that
+// of
 // --report. --format EXT says the format of both, --format IN,OUT that of each. Throws Error(Usage)
 // where --format is missing, and for an output beside `--report -`.
 std::vector<std::string> with_standard_streams(std::vector<std::string> words);

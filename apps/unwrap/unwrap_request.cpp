@@ -17,8 +17,8 @@
 #include "majorant/apps/jobs/model_texture.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/files/standard_stream.h"
 #include "majorant/io/io.h"
-#include "majorant/io/standard_stream.h"
 
 namespace majorant::app {
 namespace {

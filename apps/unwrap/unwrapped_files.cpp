@@ -14,8 +14,8 @@
 #include "majorant/apps/jobs/obj_layout.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/files/standard_stream.h"
 #include "majorant/io/io.h"
-#include "majorant/io/standard_stream.h"
 
 namespace majorant::app {
 namespace {

@@ -14,11 +14,11 @@
 #include <filesystem>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/byte_counts.h"
+#include "majorant/io/files/byte_counts.h"
 #include "majorant/io/files/inflate.h"
 #include "majorant/io/files/reading_limit.h"
+#include "majorant/io/files/standard_stream.h"
 #include "majorant/io/files/waiting_output.h"
-#include "majorant/io/standard_stream.h"
 
 namespace majorant {
 namespace {

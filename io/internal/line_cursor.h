@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/io/byte_counts.h"
+#include "majorant/io/files/byte_counts.h"
 
 namespace majorant {
 

@@ -1,5 +1,5 @@
 // The bytes of files: read, parsed, written.
-#include "majorant/io/byte_counts.h"
+#include "majorant/io/files/byte_counts.h"
 
 #include "io_test_helpers.h"
 #include "majorant/io/atomic_file.h"

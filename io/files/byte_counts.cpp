@@ -1,4 +1,4 @@
-#include "majorant/io/byte_counts.h"
+#include "majorant/io/files/byte_counts.h"
 
 #include <fmt/format.h>
 
