@@ -6,12 +6,10 @@
 
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 
-#include "apps/arguments/number_check.h"
-#include "apps/arguments/suggestion.h"
+#include "apps/check/check_request.h"
 #include "apps/command.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
@@ -31,66 +29,9 @@
 namespace majorant::app {
 namespace {
 
-struct Request {
-  CommonOptions common;
-  std::string result, surface, distortion, features;
-  std::string cuts = "auto", objects = "together";
-  std::vector<std::string> outputs;  // pages
-  double time_limit = std::numeric_limits<double>::infinity();
-  bool certify = false, seamless = false, quads = false, stacked = false;
-};
-
-Json options_of(const Request& request) {
-  return {{"surface", request.surface},     {"cuts", request.cuts},
-          {"certify", request.certify},     {"seamless", request.seamless},
-          {"stacked", request.stacked},     {"objects", request.objects},
-          {"quads", request.quads},         {"features", request.features},
-          {"strict", request.common.strict}};
-}
-
-CheckRequest::Cuts cuts_of(const std::string& word) {
-  if (word == "free") return CheckRequest::Cuts::Free;
-  return word == "none" ? CheckRequest::Cuts::None : CheckRequest::Cuts::Auto;
-}
-
-// "no overlaps, 3 charts (45 cut edges, length 3.21); proven: positive (486 cells), ...; not asked:
-// surface (--surface)".
-std::string in_words(const MapCheck& check) {
-  const MapProof& proof = check.proof;
-  // Found out whether that was asked or not.
-  std::string text = check.report.result["overlaps"].get<std::string>() + check.overlap_in_words();
-  if (const CutCount& cuts = proof.cuts; cuts.others > 0)
-    text += fmt::format(", {} ({}, length {:.4g}{})", count_text(cuts.charts, "chart"),
-                        count_text(cuts.others, "cut edge"), cuts.length,
-                        check.has_untold_cuts ? ", not told from tears" : "");
-  if (const StackedCharts& stacks = proof.stacks; stacks.stacks > 0)
-    text += fmt::format(", {} of {}, {} mirrored", count_text(stacks.stacks, "stack"),
-                        count_text(stacks.stacked, "chart"), stacks.mirrored);
-  std::string proven, open;
-  for (const auto& [question, finding] : proof.findings()) {
-    if (finding->answer == ProofStatus::Proven)
-      proven += fmt::format("{}{} ({})", proven.empty() ? "" : ", ", question, finding->detail);
-    if (finding->answer == ProofStatus::NotAsked && question == "surface")
-      open = "; not asked: surface (--surface)";
-  }
-  return fmt::format("{}; proven: {}{}", text, proven, open);
-}
-
-// One line: "FILE: valid, degree 3: ...", "FILE: invalid: ..." or "FILE: undecided: ...".
-std::string verdict_of(const Request& request, const MapFile& file, const MapCheck& check) {
-  const std::vector<std::string>& list = check.findings.list();
-  if (list.empty())
-    return fmt::format("{}: valid, degree {}: {}; {}{}", request.result, file.degree,
-                       in_words(check), describe(check.energy), seam_summary(check.report.result));
-  const bool is_torn = check.proof.continuous.answer == ProofStatus::Violated;
-  return fmt::format("{}: {}: {}{}{}", request.result, check.status(), fmt::join(list, "; "),
-                     check.overlap_in_words(),
-                     is_torn ? "; if the map is meant to be cut there, add --cuts free" : "");
-}
-
-Made made_of(const Request& request, const MapFile& file, const MapCheck& check) {
+Made made_of(const CheckVerb& request, const MapFile& file, const MapCheck& check) {
   Made made{.report = check.report};
-  made.report.options = options_of(request);
+  made.report.options = request.to_json();
   made.verdict = one_line(verdict_of(request, file, check)) + "\n";
   made.is_verdict_news = !check.findings.list().empty();
   for (const std::string& path : request.outputs)
@@ -105,7 +46,7 @@ Made made_of(const Request& request, const MapFile& file, const MapCheck& check)
 }
 
 // Formats in which a mesh can be something else than a map.
-bool may_be_quads(const Request& request) {
+bool may_be_quads(const CheckVerb& request) {
   const std::string format = format_of(request.result);
   return request.quads || (format != ".vtu" && format != ".pvtu" && format != ".msh");
 }
@@ -116,22 +57,7 @@ bool is_of_quads(const PolygonMesh& mesh) {
                      [](const auto polygon) { return polygon.size() == 4; });
 }
 
-void require_of_maps(const Request& request) {
-  const auto refuse = [&](std::string_view flag) {
-    throw Error(ErrorKind::Usage,
-                fmt::format("{}: is of maps, and {} is a mesh of quads; leave it out", flag,
-                            request.result));
-  };
-  if (request.seamless) refuse("--seamless");
-  if (request.certify) refuse("--certify");
-  if (request.stacked) refuse("--stacked");
-  if (request.objects != "together") refuse("--objects");
-  if (request.cuts != "auto") refuse("--cuts");
-  if (!request.distortion.empty()) refuse("--distortion");
-  if (!request.outputs.empty()) refuse("-o");
-}
-
-Made quads_verdict(const Request& request, const PolygonMesh& quads, const PolygonMesh* polygons,
+Made quads_verdict(const CheckVerb& request, const PolygonMesh& quads, const PolygonMesh* polygons,
                    Run& run) {
   Stopwatch watch;
   run.record().begin(Activity::Proving);
@@ -150,7 +76,7 @@ Made quads_verdict(const Request& request, const PolygonMesh& quads, const Polyg
   Made made{.report = {.status = check.is_valid() ? "valid" : "invalid",
                        .message = describe(check, with),
                        .input = {{"file", request.result}},
-                       .options = options_of(request),
+                       .options = request.to_json(),
                        .result = {{"quads", quads_section(check, with, features)}},
                        .warnings = quads.warnings,
                        .seconds = {{"check", watch.restart()}}}};
@@ -162,7 +88,8 @@ Made quads_verdict(const Request& request, const PolygonMesh& quads, const Polyg
 }
 
 // Returns the object of each cell, where objects have layouts of their own.
-std::vector<Index> layers_of(const Request& request, const PolygonMesh* mesh, const MapFile& file) {
+std::vector<Index> layers_of(const CheckVerb& request, const PolygonMesh* mesh,
+                             const MapFile& file) {
   if (request.objects == "together") return {};
   if (mesh != nullptr) return object_of_cells(objects_of(*mesh), file);
   std::optional<std::vector<Index>> claimed = claimed_object_of_cells(file, request.result);
@@ -180,7 +107,7 @@ struct Checked {
   std::optional<MapCheck> check;
 };
 
-Made verdict(const Request& request, Checked& c, Run& run) {
+Made verdict(const CheckVerb& request, Checked& c, Run& run) {
   const auto read = [&](const std::string& path, const auto& reader) {
     return run.read(path, [&] { return reader(path, run.stop(), request.common.strictness()); });
   };
@@ -199,7 +126,7 @@ Made verdict(const Request& request, Checked& c, Run& run) {
   if (c.mesh && (request.quads || is_of_quads(*c.mesh))) {
     if (!request.features.empty() && request.surface.empty())
       throw Error(ErrorKind::Usage, "--features: are those of --surface; give both");
-    require_of_maps(request);
+    request.require_of_quads();
     say_warnings(c.mesh->warnings);
     read_surface();
     return quads_verdict(request, *c.mesh, c.surface ? &*c.surface : nullptr, run);
@@ -217,7 +144,7 @@ Made verdict(const Request& request, Checked& c, Run& run) {
   c.check.emplace(c.file,
                   CheckRequest{.name = request.result,
                                .surface = c.surface ? &*c.surface : nullptr,
-                               .cuts = cuts_of(request.cuts),
+                               .cuts = request.cut_rule(),
                                .certify = request.certify,
                                .seamless = request.seamless,
                                .stacked = request.stacked,
@@ -228,7 +155,7 @@ Made verdict(const Request& request, Checked& c, Run& run) {
   return made_of(request, c.file, *c.check);
 }
 
-int check(const Request& request) {
+int check(const CheckVerb& request) {
   const RunPlan plan{.command = "check",
                      .common = request.common,
                      .inputs = {request.result, request.surface, feature_file(request.features)},
@@ -243,55 +170,9 @@ int check(const Request& request) {
 }  // namespace
 
 void add_check(CLI::App& app, Action* run) {
-  auto request = std::make_shared<Request>();
+  auto request = std::make_shared<CheckVerb>();
   CLI::App& verb = *app.add_subcommand("check", "measure a finished map and test its claims");
-  Request& r = *request;
-  constexpr double kAnySeconds = std::numeric_limits<double>::infinity();
-  add_options(verb, OptionGroup::Files,
-              {{"result",
-                &r.result,
-                "result: .vtu, .msh, or .obj, .ply, .glb or .gltf with texture coordinates",
-                {.required = true}},
-               {"--surface", &r.surface, "the mesh it should be a map of", {.type = "FILE"}},
-               {"-o,--output",
-                &r.outputs,
-                "the map and what is wrong with it as a page: .html, repeatable",
-                {.type = "FILE"}}});
-  add_options(
-      verb, OptionGroup::Map,
-      {{"--cuts",
-        &r.cuts,
-        "inner edges whose sides differ: none: violations; free: counted; auto (default): "
-        "violations but where the file says that it is cut, and counted where it says nothing",
-        {.check = one_of({"auto", "none", "free"})}},
-       {"--seamless", &r.seamless,
-        "the map is seamless, its seams are no cuts (implied where the file claims it)"},
-       {"--stacked", &r.stacked,
-        "charts may lie exactly on others, mirrored ones, too: counted, no overlaps (implied where "
-        "the file claims it)"},
-       {"--objects",
-        &r.objects,
-        "separate: each object of an OBJ (o), mesh of a glTF or object that a VTU claims has a "
-        "layout of its own, which may lie on those of others; together (default): there is one",
-        {.check = one_of({"together", "separate"}), .excludes = {"--stacked"}}},
-       {"--time-limit",
-        &r.time_limit,
-        "seconds; what is not decided by then is said to be undecided",
-        {.check = non_negative_number(kAnySeconds)}}});
-  add_options(verb, OptionGroup::Files, {distortion_option(&r.distortion)});
-  add_options(
-      verb, OptionGroup::Map,
-      {{"--quads", &r.quads,
-        "a mesh of quads (implied where a file has nothing but quads, and no texture coordinates): "
-        "oriented manifold, none folded; with --surface none turned, Euler characteristic and "
-        "border of the surface"},
-       {"--features",
-        &r.features,
-        "of meshes of quads: feature lines of --surface that edges of quads must cover, as `quads` "
-        "has them",
-        {.type = "DEG|FILE|none"}},
-       {"--certify", &r.certify, "prove global injectivity as well"}});
-  request->common.add_to(verb);
+  request->add_to(verb);
   verb.footer("Example: majorant check bunny.vtu --surface bunny.obj --report check.json");
   verb.callback([request, run] { *run = [request] { return check(*request); }; });
 }

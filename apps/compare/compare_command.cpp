@@ -17,9 +17,9 @@
 #include "apps/compare/compare_request.h"
 #include "apps/compare/comparison_table.h"
 #include "apps/compare/linear_solver_run.h"
-#include "apps/compare/matched_maps.h"
 #include "apps/compare/methods.h"
 #include "apps/compare/race.h"
+#include "apps/compare/two_results.h"
 #include "apps/compare/write_comparison.h"
 #include "apps/energy_option.h"
 #include "apps/map_request.h"
@@ -165,56 +165,6 @@ int compare(const CompareRequest& request) {
                      .max_iterations = request.max_iterations,
                      .with_result = {Activity::Solving, Activity::Writing}};
   return run_verb(plan, [&](Run& run) { return compared(request, run); });
-}
-
-// Pages hold a number a control point; the claims say what the file is.
-MapPage page_of(const std::string& path, const MapFile& map) {
-  MapPage page;
-  page.title = page_title(path);
-  page.map = map;
-  page.points = claimed_points(parse_claims(map.claims, path), map);
-  return page;
-}
-
-// compare A.vtu B.vtu -o AB.html -o AB.svg.
-int compare_results(const CompareRequest& request) {
-  const std::vector<std::string> extensions{".html", ".svg"};
-  if (const std::string e = extension(request.other); e == ".csv" || e == ".html" || e == ".json")
-    throw Error(
-        ErrorKind::Usage,
-        fmt::format("{0}: the second word is a result to compare; write -o {0}", request.other));
-  require_some_output(request.outputs, extensions);
-  request.formats.require_effect(request.outputs);
-  const RunPlan plan{.command = "compare",
-                     .common = request.common,
-                     .inputs = {request.map.input, request.other},
-                     .outputs = {{request.outputs, extensions}},
-                     .stages = {}};
-  return run_verb(plan, [&](Run& run) {
-    const auto read = [&](const std::string& path) {
-      return run.read(path,
-                      [&] { return read_map(path, run.stop(), request.common.strictness()); });
-    };
-    const MapFile map = read(request.map.input);
-    const auto page = std::make_shared<MapPage>(page_of(request.map.input, map));
-    page->quantity = request.formats.svg.quantity;
-    page->color_range = request.formats.svg.color_range;
-    page->other = std::make_shared<MapPage>(page_of(
-        request.other, matched_to(map, request.map.input, read(request.other), request.other)));
-    Made made{.report = {.status = "done",
-                         .input = {{"file", request.map.input}},
-                         .options = {{"other", request.other}}}};
-    for (const std::string& path : request.outputs)
-      made.files.push_back({path, [&request, path, page] {
-                              if (extension(path) == ".html") return write_page(path, *page);
-                              const auto captioned = [](const MapPage& of) {
-                                return CaptionedMap{of.map, of.title, of.points};
-                              };
-                              write_svg(path, MapPair{captioned(*page), captioned(*page->other)},
-                                        request.formats.svg);
-                            }});
-    return made;
-  });
 }
 
 }  // namespace

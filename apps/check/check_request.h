@@ -1,0 +1,36 @@
+// The options of `majorant check`, and its verdict in words.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "apps/command.h"
+#include "majorant/apps/jobs/check_map.h"
+#include "majorant/apps/jobs/report.h"
+
+namespace majorant::app {
+
+struct CheckVerb {
+  CommonOptions common;
+  std::string result, surface, distortion, features;
+  std::string cuts = "auto", objects = "together";
+  std::vector<std::string> outputs;  // pages
+  double time_limit = std::numeric_limits<double>::infinity();
+  bool certify = false, seamless = false, quads = false, stacked = false;
+
+  void add_to(CLI::App& verb);
+  // Throws Error(Usage) for what is of maps alone, where the file is a mesh of quads.
+  void require_of_quads() const;
+  CheckRequest::Cuts cut_rule() const;
+  Json to_json() const;  // for reports
+};
+
+// One line: "FILE: valid, degree 3: ...", "FILE: invalid: ..." or "FILE: undecided: ...".
+std::string verdict_of(const CheckVerb& request, const MapFile& file, const MapCheck& check);
+
+}  // namespace majorant::app
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
