@@ -34,6 +34,13 @@ const std::atomic<bool>* stop_on_signals(const CommonOptions& common) {
   return interruption_flag();
 }
 
+// Returns whether a file of the run shows its result, and does not hold it.
+bool is_drawing(const RunPlan& plan, const std::string& path) {
+  const std::string format = extension(path);
+  if (plan.images_are_results) return false;
+  return format == ".png" || format == ".svg" || format == ".html";
+}
+
 // "reading", for "interrupted while reading in.obj".
 std::string_view doing(Activity activity) {
   if (activity == Activity::Starting) return "making the start of";
@@ -44,35 +51,43 @@ std::string_view doing(Activity activity) {
 }  // namespace
 
 // Passes what a run tells on to its progress, and looks from a thread of its own at its stop:
-// kPatience after that the process ends if nothing could be written.
+// kPatience after that the process ends where nothing that matters would be lost.
 class Run::Watch final : public RunObserver {
  public:
+  // Says how a run ends that was stopped: writes the report and the line, returns the exit code.
+  using Ending = std::function<int(Directive)>;
+
   Watch(const RunPlan& plan, Progress& progress) : plan_(plan), progress_(progress) {}
   ~Watch() override { end(); }
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  // fail: writes the report of a failure and returns the exit code.
-  void start(StopCheck stop, std::function<int(const Failure&)> fail) {
+  // without_result: the ending during activities that leave nothing to be written.
+  void start(StopCheck stop, Ending without_result) {
     stop_ = std::move(stop);
-    fail_ = std::move(fail);
+    without_result_ = std::move(without_result);
     try {
       thread_ = std::jthread([this](const std::stop_token& ended) { look(ended); });
     } catch (const std::system_error&) {  // no room for a thread: the work itself polls
     }
   }
-  // From here on the run ends by itself. Does not return where the process is being ended.
+  // The process may end from here on, as `ending` says; empty: it may not. Does not return where
+  // the process is being ended.
+  void allow(Ending ending) {
+    const std::lock_guard lock(mutex_);
+    ending_ = std::move(ending);
+  }
   void end() {
-    State expected = State::Running;
-    if (!state_.compare_exchange_strong(expected, State::Over) && expected == State::Ending)
-      for (;;) ::pause();
+    allow({});
     thread_.request_stop();
     if (thread_.joinable() && thread_.get_id() != std::this_thread::get_id()) thread_.join();
   }
+  Activity activity() const { return activity_.load(); }
 
   void begin(Activity activity) override {
     const auto& kept = plan_.with_result;
-    has_result_.store(std::find(kept.begin(), kept.end(), activity) != kept.end());
+    const bool has_result = std::find(kept.begin(), kept.end(), activity) != kept.end();
+    allow(has_result ? Ending() : without_result_);
     activity_.store(activity);
     progress_.begin(activity);
   }
@@ -87,8 +102,6 @@ class Run::Watch final : public RunObserver {
   }
 
  private:
-  // Over: the run ends by itself. Ending: this ends the process.
-  enum class State { Running, Over, Ending };
   static constexpr std::chrono::milliseconds kPeriod{50};
 
   void look(const std::stop_token& ended) {
@@ -100,30 +113,21 @@ class Run::Watch final : public RunObserver {
       if (why == Directive::Continue) continue;
       if (!since) since = Clock::now();
       const double waited = std::chrono::duration<double>(Clock::now() - *since).count();
-      if (has_result_.load() || waited < kPatience) continue;
-      State expected = State::Running;
-      if (state_.compare_exchange_strong(expected, State::Ending)) end_process(why);
-      return;
+      if (!ending_ || waited < kPatience) continue;
+      const int code = ending_(why);  // the run waits for the mutex, if it comes to it
+      remove_temporary_files();
+      ::_exit(code);
     }
-  }
-  void end_process(Directive why) {
-    const std::string message = fmt::format("{} while {} {}", Stopped(why).what(),
-                                            doing(activity_.load()), plan_.inputs.front());
-    const int code = fail_({kInvalid, std::string(status_name(stopped_status(why))), message,
-                            message + "; nothing is written"});
-    remove_temporary_files();
-    ::_exit(code);
   }
 
   const RunPlan& plan_;
   Progress& progress_;
   StopCheck stop_;
-  std::function<int(const Failure&)> fail_;
-  std::atomic<State> state_{State::Running};
-  std::atomic<bool> has_result_{false};
+  Ending without_result_;
   std::atomic<Activity> activity_{Activity::Reading};
-  std::mutex mutex_;
+  std::mutex mutex_;  // of what follows
   std::condition_variable_any changed_;
+  Ending ending_;
   std::jthread thread_;
 };
 
@@ -137,8 +141,13 @@ Run::Run(const RunPlan& plan)
     require_writable(plan.common, plan.outputs, plan.inputs, record_.start_stop());
   });
   set_output_stop(record_.stop());
+  watch_->start(record_.stop(), [this](Directive why) {
+    const std::string message =
+        fmt::format("{} while {} {}", Stopped(why).what(), doing(watch_->activity()), input());
+    return fail({kInvalid, std::string(status_name(stopped_status(why))), message,
+                 message + "; nothing is written"});
+  });
   record_.begin(Activity::Reading);
-  watch_->start(record_.stop(), [this](const Failure& failure) { return fail(failure); });
 }
 
 Run::~Run() = default;
@@ -161,13 +170,14 @@ int Run::conclude(const std::function<Made(Run&)>& make) {
     progress_.reset();
     return fail(failure_of(std::current_exception()));
   }
-  watch_->end();
+  watch_->allow({});
   return write(std::move(made));
 }
 
 int Run::write(Made made) {
   const double before = seconds();
   WrittenFiles written;
+  const ExitCode code = made.code.value_or(exit_code(made.report.status));
   const auto& stages = plan_.stages;
   if (!made.files.empty() &&
       std::find(stages.begin(), stages.end(), Activity::Writing) != stages.end())
@@ -180,13 +190,32 @@ int Run::write(Made made) {
     say("majorant: {}; writing {}{}\n", Stopped(why).what(), fmt::join(paths, ", "),
         faces.is_number() ? fmt::format(" ({} faces)", faces.get<Index>()) : "");
   }
-  for (const MadeFile& file : made.files) {
-    written.write(file.path, file.write);
-    if (written.has(file.path))
-      for (const std::string& path : file.beside) written.add(path);
+  // After a stop what holds the result comes before what shows it, which may be left out then.
+  if (record_.directive() != Directive::Continue)
+    std::stable_partition(made.files.begin(), made.files.end(),
+                          [&](const MadeFile& file) { return !is_drawing(plan_, file.path); });
+  const auto last_data =
+      std::find_if(made.files.rbegin(), made.files.rend(), [&](const auto& file) {
+        return !is_drawing(plan_, file.path);
+      }).base();
+  for (auto file = made.files.begin(); file != made.files.end(); ++file) {
+    if (file >= last_data)
+      watch_->allow([&, path = file->path](Directive why) {
+        WrittenFiles all = written;
+        all.write(path, [&] {
+          throw Error(ErrorKind::Usage,
+                      fmt::format("{} while drawing {}", Stopped(why).what(), path));
+        });
+        write_reports(made.report, all);
+        return all.conclude(code);
+      });
+    written.write(file->path, file->write);
+    watch_->allow({});
+    if (written.has(file->path))
+      for (const std::string& path : file->beside) written.add(path);
   }
+  watch_->end();
   made.report.seconds["write"] = seconds() - before;
-  const ExitCode code = made.code.value_or(exit_code(made.report.status));
   write_reports(made.report, written);
   progress_->finish();
   say_all(made, written);
