@@ -114,7 +114,8 @@ int bake_files(BakeRequest request) {
                  request.names_file() ? request.input_of_values() : std::string()},
       .outputs = {{request.outputs, writable_images()}, {request.labels(), {".json"}, false}},
       .stages = {Activity::Reading, Activity::Measuring, Activity::Writing},
-      .time_limit = request.time_limit};
+      .time_limit = request.time_limit,
+      .images_are_results = true};
   return run_verb(plan, [&](Run& run) { return baked(request, job, run); });
 }
 

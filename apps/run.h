@@ -12,9 +12,8 @@
 //     });
 //   }
 //
-// The first SIGINT, SIGTERM or SIGHUP and the time limit stop a run. It ends within kPatience:
-// where the work has not noticed by then, and there is nothing to be written, the process ends
-// here.
+// The first SIGINT, SIGTERM or SIGHUP and the time limit stop a run. It ends within kPatience, but
+// for writing what holds a result: where the work has not noticed by then, the process ends here.
 #pragma once
 
 #include <functional>
@@ -47,6 +46,9 @@ struct RunPlan {
   int max_iterations = 0;
   // The activities in which there is, or may be, a result that is written after a stop.
   std::vector<Activity> with_result = {Activity::Writing};
+  // A .png holds the result; else pictures and pages show it, and are left out where a stop comes
+  // while they are drawn.
+  bool images_are_results = false;
 };
 
 // A file to be written. Files that fail leave the others.
