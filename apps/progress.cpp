@@ -78,6 +78,8 @@ double rounded_estimate(double seconds) {
   return std::max(1.0, std::round(seconds / unit)) * unit;
 }
 
+}  // namespace
+
 // What ByteCounts has, at a moment.
 struct Bytes {
   std::uint64_t to_read = byte_counts().to_read, read = byte_counts().read;
@@ -250,8 +252,6 @@ class Log {
   bool is_announced_ = false;  // something of the activity
   bool is_open_ = false;       // nothing is held back any more
 };
-
-}  // namespace
 
 class Progress::Display {
  public:
