@@ -315,10 +315,19 @@ class MapProof::Judge {
       }
     if (has_numbers && file_.input_face.size() > 0)
       labels.assign(file_.input_face.begin(), file_.input_face.end());
-    SurfaceMatch match = match_surface(cells, *request_.surface, labels, file_.points_rounding);
+    const std::vector<char> unmapped = unmapped_polygons();
+    const auto left = static_cast<Index>(std::count(unmapped.begin(), unmapped.end(), 1));
+    if (request_.unmapped && left != *request_.unmapped) {
+      proof_.surface = {ProofStatus::Violated,
+                        fmt::format("{} without cells instead of {}", count_text(left, "face"),
+                                    *request_.unmapped)};
+      return;
+    }
+    SurfaceMatch match =
+        match_surface(cells, *request_.surface, labels, file_.points_rounding, unmapped);
     if (!match.defect.empty())
       match = match_repaired(cells, *request_.surface, labels, request_.orientation,
-                             file_.points_rounding)
+                             file_.points_rounding, unmapped)
                   .value_or(match);
     if (!match.defect.empty()) {
       proof_.surface = {ProofStatus::Violated, match.defect};
@@ -327,6 +336,36 @@ class MapProof::Judge {
     proof_.surface = {ProofStatus::Proven, count_text(match.same + match.changed, "face")};
     if (match.changed > 0)
       proof_.surface.detail += fmt::format(", {} of them in other triangles", match.changed);
+    if (left > 0) proof_.surface.detail += fmt::format(", {} more are not mapped", left);
+  }
+
+  // Returns flags by polygon of the surface, none where all are to have cells.
+  std::vector<char> unmapped_polygons() const {
+    if (request_.coverage == ProofRequest::Coverage::Whole) return {};
+    const IndexLists& polygons = request_.surface->polygons;
+    std::vector<char> flags(polygons.size(), 0);
+    if (request_.labels == ProofRequest::FaceLabels::Compared) {
+      std::fill(flags.begin(), flags.end(), 1);
+      for (const Index face : file_.input_face)
+        if (to_size(face) < flags.size()) flags[face] = 0;
+      return flags;
+    }
+    std::map<std::vector<Index>, Index> left;  // by vertices, the smallest one first
+    for (const auto& polygon : file_.unmapped) ++left[from_smallest(polygon)];
+    for (std::size_t p = 0; p < flags.size() && !left.empty(); ++p)
+      if (const auto entry = left.find(from_smallest(polygons[p])); entry != left.end()) {
+        flags[p] = 1;
+        if (--entry->second == 0) left.erase(entry);
+      }
+    return flags;
+  }
+
+  template <class Polygon>
+  static std::vector<Index> from_smallest(const Polygon& polygon) {
+    std::vector<Index> vertices(polygon.begin(), polygon.end());
+    std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()),
+                vertices.end());
+    return vertices;
   }
 
   void judge_cuts() {

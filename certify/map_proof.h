@@ -62,6 +62,11 @@ struct ProofRequest {
   // The layer of each cell, or empty: charts of different layers may lie on each other, those of
   // one layer not, whatever `stacks` says. A chart that is in two layers counts as two.
   std::vector<Index> layers = {};
+  // Partial: the polygons that have cells are covered, others have none: those that no cell names,
+  // or, where labels are ignored, those that the file has without cells (MapFile::unmapped).
+  enum class Coverage { Whole, Partial } coverage = Coverage::Whole;
+  // Of Partial: the number of polygons without cells, where it is known.
+  std::optional<Index> unmapped = {};
   // Compared: vertices and input_face of the file must be those of the surface. A .vtu has a cell
   // for every face and names it; an .obj may have pieces of faces, with vertices of their own, and
   // its labels are ignored.
@@ -95,7 +100,7 @@ class MapProof {
   // Returns the first that is not Proven, "positive: cell 7: ..."; empty when all are.
   std::string first_defect() const;
 
-  Finding surface;     // the cells are the faces of the surface
+  Finding surface;     // the cells are the faces of the surface, or of the part that is covered
   Finding flat;        // the surface's control points are those of flat triangles
   Finding positive;    // det J > 0 on every closed cell
   Finding continuous;  // no cut but as the request allows

@@ -46,6 +46,7 @@ MapFile joined(const std::vector<MapFile>& charts) {
   all.distortion = stacked(charts, &MapFile::distortion);
   all.min_det = stacked(charts, &MapFile::min_det);
   all.face_distortion = stacked(charts, &MapFile::face_distortion);
+  for (const MapFile& chart : charts) all.is_complete &= chart.is_complete;
   all.chart.resize(all.cells.rows());
   Eigen::Index cell = 0;
   Index point = 0;
@@ -71,6 +72,31 @@ MapFile joined(const std::vector<MapFile>& charts) {
   reorder(all.face_distortion, order);
   reorder(all.chart, order);
   return all;
+}
+
+MapFile with_cells(const MapFile& map, const std::vector<Index>& cells) {
+  std::vector<Index> number(to_size(static_cast<Index>(map.points.rows())), -1), points;
+  MapFile part = map;
+  reorder(part.cells, cells);
+  reorder(part.input_face, cells);
+  reorder(part.distortion, cells);
+  reorder(part.min_det, cells);
+  reorder(part.face_distortion, cells);
+  reorder(part.chart, cells);
+  reorder(part.seam_edges, cells);
+  for (const Index p : part.cells.reshaped()) number[p] = 0;
+  for (std::size_t p = 0; p < number.size(); ++p)
+    if (number[p] == 0) {
+      number[p] = static_cast<Index>(points.size());
+      points.push_back(static_cast<Index>(p));
+    }
+  for (Index& p : part.cells.reshaped()) p = number[p];
+  reorder(part.points, points);
+  reorder(part.uv, points);
+  reorder(part.uv_rounding, points);
+  reorder(part.input_vertex, points);
+  reorder(part.cone, points);
+  return part;
 }
 
 }  // namespace majorant

@@ -88,11 +88,16 @@ FileVerification certification_of_objects(std::string path, ProofRequest wanted)
     if (format_of(path) == ".vtu") {
       const MapFile file = read_map(temporary);
       layered.layers = claimed_object_of_cells(file, path).value_or(std::vector<Index>());
+      if (!file.is_complete) {
+        layered.coverage = ProofRequest::Coverage::Partial;
+        layered.labels = ProofRequest::FaceLabels::Compared;
+      }
       return prove(file, path, layered);
     }
     const PolygonMesh mesh = read_mesh(temporary, {}, Strictness::Texcoords);
     const MapFile file = to_map_file(mesh);
     layered.layers = object_of_cells(objects_of(mesh), file);
+    if (!file.is_complete) layered.coverage = ProofRequest::Coverage::Partial;
     prove(file, path, layered);
   });
 }

@@ -198,6 +198,7 @@ Claims parse_claims(const std::string& text, const std::string& file) {
   entries.read("seams", as_bool, claims.seams);
   entries.read("bijective", as_bool, claims.bijective);
   entries.read("other_triangles", as_bool, claims.other_triangles);
+  entries.read("complete", as_bool, claims.complete);
   entries.read("aligned", as_alignment, claims.aligned);
   entries.read("normalized", as_normalization, claims.normalized);
   entries.read("layout_scale", as_positive, claims.layout_scale);

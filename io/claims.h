@@ -58,7 +58,9 @@ struct Claims {
   std::optional<ClaimedStart> init;
   std::optional<bool> seams, bijective;
   std::optional<bool> other_triangles;  // edges were flipped inside flat parts
-  std::optional<Vector2> aligned;       // the direction, of length 1, that was turned to (1, 0)
+  // False: a run was stopped before all charts had a map, and faces without one have no cells.
+  std::optional<bool> complete;
+  std::optional<Vector2> aligned;  // the direction, of length 1, that was turned to (1, 0)
   std::optional<ClaimedNormalization> normalized;
   std::optional<double> layout_scale;  // uv units per unit of the surface, positive
   std::optional<std::vector<ClaimedPin>> pins;

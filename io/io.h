@@ -227,6 +227,8 @@ bool drops_tangents(const PolygonMesh& input);
 // has them; `chart` says which cell belongs to which, numbered on where one has several. No claims.
 // Throws InvalidArgument for different degrees, or none.
 MapFile joined(const std::vector<MapFile>& charts);
+// The map with these cells alone, in this order, and their points.
+MapFile with_cells(const MapFile& map, const std::vector<Index>& cells);
 
 // Distortion of the map that a file holds, and as a table.
 //

@@ -60,6 +60,15 @@ void require_sound(const std::string& path, const MapFile& map) {
   throw Error(ErrorKind::Invalid, fmt::format("cannot write {}: {}", path, defect));
 }
 
+void require_complete(const std::string& path, const MapFile& map) {
+  if (map.is_complete) return;
+  throw Error(
+      ErrorKind::Unsupported,
+      fmt::format("cannot write {}: the run was stopped before all charts had a map, and the "
+                  "format cannot say which faces have none; write .obj or .vtu",
+                  path));
+}
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -14,6 +14,9 @@ std::string map_defect(const MapFile& map);
 
 // For writers. Throws Error(Invalid, "cannot write PATH: ...") unless map_defect(map) is empty.
 void require_sound(const std::string& path, const MapFile& map);
+// For writers of formats whose faces all have texture coordinates. Throws Error(Unsupported) with
+// the formats that do unless the map is complete.
+void require_complete(const std::string& path, const MapFile& map);
 
 }  // namespace majorant
 

@@ -131,6 +131,7 @@ class MshText {
 void write_msh(const std::string& path, const MapFile& map, MshContent content,
                const FileVerification& verify) {
   require_sound(path, map);
+  if (content == MshContent::Surface) require_complete(path, map);
   require_lagrange_degree(path, map);
   const Points2 uv = lagrange_nodes(map);
   Points3 nodes = map.points;  // of flat triangles control points are values, too

@@ -151,6 +151,7 @@ class PlainFile {
 std::string gltf_bytes(const std::string& path, const MapFile& map, const PolygonMesh* input,
                        const TessellationOptions& options) {
   require_sound(path, map);
+  if (input != nullptr) require_complete(path, map);
   try {
     std::vector<PolygonOrigin> origins;
     const PolygonMesh mesh = tessellate_map(map, input, options, &origins);

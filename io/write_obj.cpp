@@ -196,7 +196,9 @@ void write_obj(const std::string& path, const MapFile& map, const PolygonMesh* i
         line = materials->repointed(line);
       }
     }
-    text = obj_text(mesh, cone_comments(map));
+    const bool is_partial = !map.is_complete && input != nullptr;
+    text = obj_text(mesh, (is_partial ? fmt::format("# {}\n", kPartialLayoutComment) : "") +
+                              cone_comments(map));
   } catch (const Error& error) {
     throw Error(error.kind(), fmt::format("cannot write {}: {}", path, error.what()));
   }

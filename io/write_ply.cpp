@@ -117,6 +117,7 @@ class PlyText {
 void write_ply(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const TessellationOptions& options, const FileVerification& verify) {
   require_sound(path, map);
+  if (input != nullptr) require_complete(path, map);
   std::string text;
   try {
     text = PlyText(tessellate_map(map, input, options)).text(cones_of(map));

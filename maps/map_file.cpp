@@ -100,6 +100,7 @@ MapFile to_map_file(const PolygonMesh& textured) {
   MapFile file;
   file.warnings = textured.warnings;
   file.points_rounding = textured.position_rounding;
+  file.is_complete = !textured.has_partial_layout;
   std::vector<std::pair<Index, Index>> corners;  // of the cells: (vertex, texture coordinate)
   std::vector<Index> faces;
   corners.reserve(textured.polygons.indices().size());
@@ -107,6 +108,10 @@ MapFile to_map_file(const PolygonMesh& textured) {
   for (std::size_t p = 0; p < textured.polygons.size(); ++p) {
     const auto& polygon = textured.polygons[p];
     const auto& texture = textured.polygon_texcoords[p];
+    if (texture.empty() && textured.has_partial_layout) {
+      file.unmapped.push_back(polygon);
+      continue;
+    }
     if (texture.size() != polygon.size())
       throw Error(ErrorKind::Unreadable,
                   fmt::format("{}: face {} has no texture coordinates", textured.file, p + 1));

@@ -42,6 +42,11 @@ struct MapFile {
   // #F by 6, columns as kFaceDistortionNames, at layout_scale(); may be empty.
   FaceDistortion face_distortion;
   std::vector<std::string> warnings;  // what a reader left out, as in PolygonMesh; never written
+  // Whether cells are all that the map is to have: false for the layout of a run that was stopped
+  // before all charts had a map. Then, of files that have them (OBJ), the polygons without cells,
+  // by their vertices.
+  bool is_complete = true;
+  IndexLists unmapped = {};
 };
 
 // Measures (distortion, min_det, face_distortion) and claims are left empty, cone and seam_edges
@@ -50,7 +55,8 @@ MapFile to_map_file(const BezierMap& map);
 // A mesh with texture coordinates as a map of degree 1: one point per (v, vt) pair; input_vertex
 // and input_face are the file's own. Polygons are triangulated, so that the triangles are positive
 // in the plane if the polygon has such a triangulation. Throws Refusal(Unsupported) for a mesh
-// without any texture coordinates, Error(Unreadable) where a face has none.
+// without any texture coordinates, Error(Unreadable) where a face has none, unless the layout is
+// said to be partial.
 MapFile to_map_file(const PolygonMesh& textured);
 
 // u, v per node of a space over the file's cells, out of its points: points that are one node must

@@ -40,6 +40,8 @@ struct PolygonMesh {
                                            // from texcoords; empty: not at all
   IndexLists polygon_texcoords;            // #P lists parallel to polygons, or empty; a polygon
                                            // without vt has an empty list
+  bool has_partial_layout = false;         // polygons without vt are those that a run which was
+                                           // stopped has not mapped: the file says so
 
   // Contents that an OBJ writer gives back unchanged; from OBJ, colours from PLY too.
   std::vector<Vector3>

@@ -86,6 +86,32 @@ MapFile as_input(const MapFile& file, const PolygonMesh& polygons) {
   return with_corner_vertices(file, polygons).value_or(file);
 }
 
+// Returns flags by polygon of the input: those with a face that has no map.
+std::vector<char> unmapped_polygons(const AtlasJob& job) {
+  std::vector<char> flags(job.polygons->polygons.size(), 0);
+  for (const Index face : job.atlas.unmapped.faces)
+    flags[to_size(job.surface.mesh->input_face(face))] = 1;
+  return flags;
+}
+
+// Without cells of polygons that have a map in part: files say of whole polygons that they have
+// one.
+MapFile of_whole_polygons(const AtlasJob& job, const MapFile& file) {
+  const std::vector<char> unmapped = unmapped_polygons(job);
+  std::vector<Index> cells;
+  for (Index c = 0; c < file.cells.rows(); ++c)
+    if (!unmapped[to_size(file.input_face[c])]) cells.push_back(c);
+  return cells.size() == to_size(static_cast<Index>(file.cells.rows())) ? file
+                                                                        : with_cells(file, cells);
+}
+
+// Returns whether the file has a cell for every face of the charts: values of these are its own.
+bool has_all_faces(const Atlas& atlas, const MapFile& file) {
+  std::size_t faces = 0;
+  for (const Chart& chart : atlas.charts) faces += chart.faces.size();
+  return to_size(static_cast<Index>(file.cells.rows())) == faces;
+}
+
 std::string claims(const AtlasJob& job, const MapFile& file) {
   Json claims{{"version", MAJORANT_VERSION},
               {"degree", job.options.chart.map.degree},
@@ -101,7 +127,8 @@ std::string claims(const AtlasJob& job, const MapFile& file) {
               {"cuts", unshared_edges(as_input(file, *job.polygons), job.polygons->file)},
               {"options", job.options_json}};
   if (job.options.stacking != Stacking::None) claims["stacks"] = stacks_section(job.atlas);
-  if (!is_measured_anew(job)) claims.erase("value");
+  if (!job.atlas.is_complete()) claims["complete"] = false;
+  if (!is_measured_anew(job) || !has_all_faces(job.atlas, file)) claims.erase("value");
   if (job.energy.empty()) {  // nobody else could tell
     claims.erase("energy");
     claims.erase("value");
@@ -177,6 +204,7 @@ Json result_section(const AtlasJob& job) {
               {"min_det_bound", min_det},
               {"layout_scale", 1 / scale_of(job)},
               {"charts", atlas.charts.size()},
+              {"complete", atlas.is_complete()},
               {"stretch_l2", stretch.l2},
               {"stretch_max", stretch.max}};
   result.update(overlap_section(job.boundary, ImageOf::Charts, all));
@@ -303,6 +331,10 @@ MapFile atlas_file(const AtlasJob& job, FaceDistortion* table) {
                                : chart.measures.distortion.faces;
   }
   MapFile file = joined(charts);
+  if (!job.atlas.is_complete()) {
+    file = of_whole_polygons(job, file);
+    file.is_complete = false;
+  }
   file.claims = claims(job, file);
   if (table) *table = file.face_distortion;
   file.face_distortion =
@@ -315,6 +347,11 @@ ProofRequest promise(const AtlasJob& job, const std::string& path) {
   promise.surface = job.polygons.get();
   promise.labels = labels_in(path);
   promise.cuts = CutRule::Free;
+  if (!job.atlas.is_complete()) {
+    const std::vector<char> unmapped = unmapped_polygons(job);
+    promise.coverage = ProofRequest::Coverage::Partial;
+    promise.unmapped = static_cast<Index>(std::count(unmapped.begin(), unmapped.end(), 1));
+  }
   if (job.atlas.packing) promise.overlap = ProofRequest::Overlap::Forbidden;
   if (job.options.stacking != Stacking::None) promise.stacks = ProofRequest::Stacks::Allowed;
   return promise;

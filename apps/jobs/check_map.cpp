@@ -148,6 +148,7 @@ ProofRequest questions(const MapFile& file, const CheckRequest& request, const C
       is_forbidden ? ProofRequest::Overlap::Forbidden : ProofRequest::Overlap::Reported;
   if (const std::string e = extension(request.name); e == ".vtu" || e == ".pvtu")
     wanted.labels = ProofRequest::FaceLabels::Compared;
+  if (!file.is_complete) wanted.coverage = ProofRequest::Coverage::Partial;
   if (request.stacked || claims.stacks) wanted.stacks = ProofRequest::Stacks::Allowed;
   wanted.layers = request.layers;
   wanted.stop = stop;

@@ -16,6 +16,7 @@
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files_below.h"
 #include "majorant/io/gltf_texture.h"
+#include "majorant/io/map_check.h"
 #include "majorant/io/material_lines.h"
 #include "majorant/io/written_mark.h"
 #include "majorant/pictures/images/image_file.h"
@@ -227,6 +228,7 @@ PolygonMesh with_material_file(PolygonMesh polygons, const std::string& obj) {
 
 void write_textured(const std::string& path, const LayoutOfModel& layout, const PolygonMesh& old,
                     ModelTexture texture, const StopCheck& stop) {
+  require_complete(path, layout.map);
   const std::string image = texture_file(path);
   std::optional<BakeJob> job;
   std::string png;

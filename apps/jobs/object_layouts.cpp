@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <exception>
 #include <utility>
 
 namespace majorant {
@@ -23,6 +24,12 @@ void add_seconds(const Json& of_object, Json& all) {
 
 }  // namespace
 
+void UnwrappedObjects::add(Status of_object, const std::string& why) {
+  if (worse_of(status, of_object) == status) return;
+  status = of_object;
+  message = why;
+}
+
 UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
                                 const std::function<void(PolygonMesh, AtlasJob&)>& unwrap) {
   UnwrappedObjects all;
@@ -35,13 +42,21 @@ UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
         "{}{}{}", polygons.file, polygons.file.empty() ? "" : ": ",
         name.empty() ? fmt::format("object {}", k + 1) : fmt::format("object '{}'", name));
     AtlasJob job(record);
-    unwrap(object.mesh, job);
-    const Status status = job.atlas.status();
-    if (worse_of(all.status, status) != all.status) {
-      all.status = status;
-      all.message = job.atlas.message();
+    try {
+      if (!all.layouts.empty()) record.start_stop().poll();
+      unwrap(object.mesh, job);
+    } catch (const std::exception&) {
+      const Directive why = record.start_stop()();
+      if (all.layouts.empty() || why == Directive::Continue) throw;
+      all.add(stopped_status(why), fmt::format("{} of {} objects have no map yet",
+                                               objects.count() - k, objects.count()));
+      all.is_complete = all.layouts.back().map.is_complete = false;
+      break;
     }
     const Json report = to_json(atlas_report(job));
+    const Status status = job.atlas.status();
+    all.add(status, job.atlas.message());
+    all.is_complete &= job.atlas.is_complete();
     all.sections.push_back(object_section(name, report));
     add_seconds(report["seconds"], all.seconds);
     all.options_json = job.options_json;
@@ -77,7 +92,9 @@ MapFile map_of_objects(std::vector<ObjectLayout> layouts) {
         {{"name", layout.name}, {"charts", map.chart.size() > 0 ? map.chart.maxCoeff() + 1 : 1}});
   }
   MapFile file = joined(maps);
-  file.claims = json_text({{"version", MAJORANT_VERSION}, {"objects", objects}});
+  Json claims{{"version", MAJORANT_VERSION}, {"objects", objects}};
+  if (!file.is_complete) claims["complete"] = false;
+  file.claims = json_text(claims);
   return file;
 }
 

@@ -34,11 +34,15 @@ struct UnwrappedObjects {
   Json sections = Json::array();  // {"name", "status", "input", "repairs", "result", "charts"} each
   Json options_json;              // of the jobs, for reports
   Json seconds = Json::object();  // by stage, of all objects together
+  bool is_complete = true;        // every chart of every object has a map
   Status status = Status::Converged;  // the worst of the objects
   std::string message;                // of the first that ended so
+
+  void add(Status of_object, const std::string& why);  // to status and message
 };
 // One object after the other. unwrap: opens, solves, places and proves the job of a mesh, whose
-// name says which object of the file it is.
+// name says which object of the file it is. Where the run is stopped after there are layouts, these
+// are all, and not complete.
 UnwrappedObjects unwrap_objects(const PolygonMesh& polygons, RunRecord& record,
                                 const std::function<void(PolygonMesh, AtlasJob&)>& unwrap);
 

@@ -95,11 +95,13 @@ class Triangle {
 class FaceMatcher {
  public:
   FaceMatcher(const SurfaceMesh& cells, const PolygonMesh& surface, const RepairedSurface& repaired,
-              const std::vector<Index>& face_of_cell, double rounding)
+              const std::vector<Index>& face_of_cell, double rounding,
+              const std::vector<char>& unmapped)
       : cells_(cells),
         surface_(surface),
         repaired_(repaired),
         face_of_cell_(face_of_cell),
+        unmapped_(unmapped),
         close_(match_tolerance(box_of(surface)) + rounding),
         place_(weld(surface, 0)) {}
 
@@ -116,6 +118,7 @@ class FaceMatcher {
     std::vector<Index> left;  // polygons without cells of their own, yet
     for (std::size_t p = 0; p < count; ++p) {
       const auto polygon = static_cast<Index>(p);
+      if (!unmapped_.empty() && unmapped_[p]) continue;
       if (take_faces(polygon, faces_of[p]) || take_triangulation(polygon, faces_of[p]))
         ++match.same;
       else
@@ -397,6 +400,7 @@ class FaceMatcher {
   const PolygonMesh& surface_;
   const RepairedSurface& repaired_;
   const std::vector<Index>& face_of_cell_;
+  const std::vector<char>& unmapped_;  // polygons without cells
   double close_;
   std::vector<Index> place_;     // by vertex of the surface: the first one exactly there
   std::vector<Index> place_of_;  // by vertex of the cells: the same, or kNew
@@ -409,12 +413,13 @@ class FaceMatcher {
 
 std::optional<SurfaceMatch> match_repaired(const SurfaceMesh& cells, const PolygonMesh& surface,
                                            const std::vector<Index>& face_of_cell,
-                                           Orientation orientation, double rounding) {
+                                           Orientation orientation, double rounding,
+                                           const std::vector<char>& unmapped) {
   if (surface.polygons.empty()) return {};
   const RepairedSurface repaired =
       repair(surface, {.orientation = orientation, .numerics = Numerics::AsGiven});
   if (!takes_apart(repaired)) return {};
-  return FaceMatcher(cells, surface, repaired, face_of_cell, rounding).run();
+  return FaceMatcher(cells, surface, repaired, face_of_cell, rounding, unmapped).run();
 }
 
 }  // namespace majorant

@@ -24,11 +24,12 @@ namespace majorant {
 // count; others are new. face_of_cell: #F, what the file says, the polygon of each, or empty; where
 // it says so, there are no new vertices and no pieces. orientation: as repair() takes it. Nothing
 // where repair() neither splits, turns, cuts nor welds: match_surface() is the judge of these.
-// Positions and rounding as there.
+// Positions, rounding and unmapped as there.
 std::optional<SurfaceMatch> match_repaired(const SurfaceMesh& cells, const PolygonMesh& surface,
                                            const std::vector<Index>& face_of_cell,
                                            Orientation orientation = Orientation::MadeConsistent,
-                                           double rounding = 0);
+                                           double rounding = 0,
+                                           const std::vector<char>& unmapped = {});
 
 }  // namespace majorant
 

@@ -63,12 +63,14 @@ class Groups {
 class Matcher {
  public:
   Matcher(const SurfaceMesh& cells, const PolygonMesh& surface,
-          const std::vector<Index>& face_of_cell, double rounding)
+          const std::vector<Index>& face_of_cell, double rounding,
+          const std::vector<char>& unmapped)
       : cells_(cells),
         surface_(surface),
         face_of_cell_(face_of_cell),
         rounding_(rounding),
-        sides_(sides_of(surface)),
+        unmapped_(unmapped),
+        sides_(sides_of(surface, unmapped)),
         face_left_(to_size(cells.half_edge_count()), kUnknown) {}
 
   SurfaceMatch run() {
@@ -92,10 +94,11 @@ class Matcher {
   static constexpr Index kUnknown = -2, kOutside = -1;  // of face_left_
   static constexpr Index kPiece = 4096;                 // vertices a task: some 0.3 ms
 
-  static std::vector<Side> sides_of(const PolygonMesh& surface) {
+  static std::vector<Side> sides_of(const PolygonMesh& surface, const std::vector<char>& unmapped) {
     std::vector<Side> sides;
     sides.reserve(surface.polygons.indices().size());
     for (std::size_t p = 0; p < surface.polygons.size(); ++p) {
+      if (!unmapped.empty() && unmapped[p]) continue;
       const auto& polygon = surface.polygons[p];
       for (std::size_t k = 0; k < polygon.size(); ++k)
         sides.push_back(
@@ -114,7 +117,7 @@ class Matcher {
 
   void find_size() {
     used_.assign(surface_.positions.size(), 0);
-    for (const Index v : surface_.polygons.indices()) used_[v] = 1;
+    for (const Side& side : sides_) used_[side.from] = 1;
     const Eigen::AlignedBox3d box = box_of(surface_);
     size_ = box.sizes().maxCoeff();
     close_ = match_tolerance(box) + rounding_;
@@ -284,7 +287,8 @@ class Matcher {
     }
     const auto count = static_cast<Index>(surface_.polygons.size());
     for (Index p = 0; p < count; ++p)
-      if (cells_of[faces.find(p)] == kNone) refuse_match("face {} is mapped by no cell", p);
+      if (is_mapped(p) && cells_of[faces.find(p)] == kNone)
+        refuse_match("face {} is mapped by no cell", p);
     for (Index c = 0; c < cells_.face_count(); ++c)
       if (faces_of[cells.find(c)] == kNone)
         refuse_match("cell {} belongs to no face", cells_.input_face(c));
@@ -293,8 +297,10 @@ class Matcher {
     const Groups of_cells(count, cells_.face_count(),
                           [&](Index c) { return faces_of[cells.find(c)]; });
     for (Index p = 0; p < count; ++p)
-      if (!of_faces[p].empty()) compare({of_faces[p], of_cells[p]});
+      if (is_mapped(p) && !of_faces[p].empty()) compare({of_faces[p], of_cells[p]});
   }
+
+  bool is_mapped(Index p) const { return unmapped_.empty() || !unmapped_[p]; }
 
   void compare(const Patch& patch) {
     for (const Index c : patch.cells) {
@@ -399,6 +405,7 @@ class Matcher {
   const PolygonMesh& surface_;
   const std::vector<Index>& face_of_cell_;
   double rounding_;                             // of the cells
+  const std::vector<char>& unmapped_;           // faces of the surface without cells
   double size_ = 0, close_ = 0;                 // of the surface; what counts as the same place
   std::vector<char> used_;                      // vertices of the surface with a face
   std::vector<Side> sides_;                     // of the surface, polygon by polygon
@@ -410,26 +417,29 @@ class Matcher {
 };
 
 // Returns the surface as SurfaceMesh takes it.
-PolygonMesh triangulated(const PolygonMesh& surface) {
+PolygonMesh triangulated(const PolygonMesh& surface, const std::vector<char>& unmapped) {
   PolygonMesh out;
   out.positions = surface.positions;
-  for (const auto& triangle : triangulate(surface, Crossing::Fanned, {}).triangles)
-    out.polygons.push_back(triangle);
+  const TriangleList list = triangulate(surface, Crossing::Fanned, {});
+  for (std::size_t f = 0; f < list.triangles.size(); ++f)
+    if (unmapped.empty() || !unmapped[list.polygon[f]]) out.polygons.push_back(list.triangles[f]);
   return out;
 }
 
 }  // namespace
 
 SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
-                           const std::vector<Index>& face_of_cell, double rounding) {
+                           const std::vector<Index>& face_of_cell, double rounding,
+                           const std::vector<char>& unmapped) {
   try {
-    return Matcher(cells, surface, face_of_cell, rounding).run();
+    return Matcher(cells, surface, face_of_cell, rounding, unmapped).run();
   } catch (const Mismatch& mismatch) {
     const bool has_polygons = std::any_of(surface.polygons.begin(), surface.polygons.end(),
                                           [](const auto& p) { return p.size() > 3; });
     if (!has_polygons || !face_of_cell.empty()) return {mismatch.line};
     // Pieces of the triangles of a polygon that is not flat.
-    const SurfaceMatch triangles = match_surface(cells, triangulated(surface), {}, rounding);
+    const SurfaceMatch triangles =
+        match_surface(cells, triangulated(surface, unmapped), {}, rounding);
     return triangles.defect.empty() ? triangles : SurfaceMatch{mismatch.line};
   }
 }

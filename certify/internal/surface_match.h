@@ -30,8 +30,10 @@ struct SurfaceMatch {
 // cells: vertices of the surface have its numbers as input_vertex(); others are new. face_of_cell:
 // what the file says, the face each cell belongs to, or empty; where it says so, there are no new
 // vertices. Positions may be off by 1e-9 of the surface's size, and by `rounding` of the cells.
+// unmapped: flags of faces of the surface that have no cells, as if they were not there, or empty.
 SurfaceMatch match_surface(const SurfaceMesh& cells, const PolygonMesh& surface,
-                           const std::vector<Index>& face_of_cell = {}, double rounding = 0);
+                           const std::vector<Index>& face_of_cell = {}, double rounding = 0,
+                           const std::vector<char>& unmapped = {});
 
 }  // namespace majorant
 

@@ -1,4 +1,5 @@
-// The cones of a map with seams, for writers of formats that know them as comments only.
+// What comments say of a map, for formats that know it as comments only: the cones of one with
+// seams, and that charts of a layout are missing.
 #pragma once
 
 #include <map>
@@ -18,6 +19,10 @@ inline constexpr std::string_view kConesComment =
 std::string cone_comment(Index vertex, int quarter_turns);
 // True where a text is one of these.
 bool is_cone_comment(std::string_view text);
+
+// The comment of a layout that lacks charts, since the run was stopped.
+inline constexpr std::string_view kPartialLayoutComment =
+    "partial layout: faces without texture coordinates are not mapped yet";
 
 }  // namespace majorant
 

@@ -129,6 +129,7 @@ class ObjReader {
     move_behind(mesh_.polygon_lines, next.mesh_.polygon_lines);
     mesh_.polygons.append(next.mesh_.polygons);
     mesh_.polygon_texcoords.append(next.mesh_.polygon_texcoords);
+    mesh_.has_partial_layout |= next.mesh_.has_partial_layout;
     mesh_.polygon_normals.append(next.mesh_.polygon_normals);
     for (std::size_t k = 0; k < spaces_.size(); ++k) {
       spaces_[k].count += next.spaces_[k].count;
@@ -178,11 +179,14 @@ class ObjReader {
     vertices_before_.push_back(static_cast<Index>(mesh_.positions.size()));
   }
 
-  // Those of the writer, its mark and cones, belong to the file that was.
+  // Those of the writer, its mark, cones and missing charts, belong to the file that was.
   void keep_comments() {
     for (const std::string_view comment : comments_) {
-      const std::string_view text = comment.substr(std::min<std::size_t>(2, comment.size()));
-      if (!comment.starts_with("# ") || !(is_cone_comment(text) || is_written_mark(text)))
+      const std::string_view text =
+          comment.starts_with("# ") ? comment.substr(2) : std::string_view();
+      if (text == kPartialLayoutComment)
+        mesh_.has_partial_layout = true;
+      else if (!is_cone_comment(text) && !is_written_mark(text))
         add_directive(std::string(comment));
     }
     comments_.clear();

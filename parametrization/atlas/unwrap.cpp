@@ -201,12 +201,14 @@ class Unwrapping {
     } else {
       solve_charts(all);
       keep_limit();
-      divide();
+      if (!leave_unmapped()) divide();
+      leave_unmapped();
     }
     kept.reset();
     scale_charts();
-    if (options_.packing && atlas_.status() != Status::Failed) place_charts();
-    if (atlas_.packing && options_.least_fill > 0 && may_cut(options_) && is_of_one_scale())
+    if (options_.packing && atlas_.status() != Status::Failed) place_charts_in_any_case();
+    if (atlas_.packing && atlas_.is_complete() && options_.least_fill > 0 && may_cut(options_) &&
+        is_of_one_scale())
       fill_square();
     const double left = record_.seconds() - started - seconds_.cut - seconds_.map - seconds_.pack;
     seconds_.recut = std::max(0.0, left);
@@ -216,6 +218,12 @@ class Unwrapping {
 
  private:
   using Flags = std::vector<char>;
+  // The charts as they are, for a way back.
+  struct Work {
+    std::vector<Task> tasks;
+    std::vector<Chart> charts;
+    SurfaceCuts cuts;
+  };
 
   void make_tasks() {
     std::vector<Index> surface_vertex;
@@ -298,26 +306,63 @@ class Unwrapping {
   }
 
   // Cuts charts that stretch more than they may and maps them again, until none is left that can
-  // be or a limit is reached; those that have no map in any case.
+  // be or a limit is reached; those that have no map as long as a start may be made.
   void keep_limit() {
+    try {
+      cut_bad_charts();
+    } catch (const Stopped&) {
+    }
+    const Status why = why_over();
+    for (std::size_t k = 0; k < tasks_.size(); ++k)
+      if (Chart& chart = atlas_.charts[k]; chart.status != Status::Failed && may_be_cut(k))
+        chart.status = why;
+    sort_charts();
+  }
+
+  // Stopped.
+  void cut_bad_charts() {
     for (;;) {
       const bool is_over = !may_go_on();
       std::vector<std::size_t> bad;
       for (std::size_t k = 0; k < tasks_.size(); ++k)
         if (may_be_cut(k) && (!is_over || atlas_.charts[k].status == Status::Failed))
           bad.push_back(k);
-      if (bad.empty()) break;
+      if (bad.empty()) return;
+      if (is_over) record_.start_stop().poll();
       if (const std::vector<std::size_t> sewn = sew(bad); !sewn.empty())
         solve_charts(sewn);
       else if (is_over)
-        solve_charts(cut_charts(bad, cuts_of(bad, {})));
+        solve_charts(cut_charts(bad, cuts_of(bad, record_.start_stop())));
       else
-        recut(bad, [&](const StopCheck& stop) { return cuts_of(bad, stop); });
+        recut(
+            bad, [&](const StopCheck& stop) { return cuts_of(bad, stop); }, work());
     }
-    const Status why = why_over();
-    for (std::size_t k = 0; k < tasks_.size(); ++k)
-      if (may_be_cut(k)) atlas_.charts[k].status = why;
-    sort_charts();
+  }
+
+  // Takes charts out that the run was stopped before it had a map of; whether there are some.
+  // Throws Stopped where no chart has one.
+  bool leave_unmapped() {
+    const Directive why = record_.start_stop()();
+    if (why == Directive::Continue) return false;
+    std::vector<Task> tasks;
+    std::vector<Chart> charts;
+    UnmappedCharts& unmapped = atlas_.unmapped;
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      if (atlas_.charts[k].map && atlas_.charts[k].status != Status::Failed) {
+        tasks.push_back(std::move(tasks_[k]));
+        charts.push_back(std::move(atlas_.charts[k]));
+        continue;
+      }
+      const std::vector<Index>& faces = tasks_[k].faces;
+      unmapped.faces.insert(unmapped.faces.end(), faces.begin(), faces.end());
+      ++unmapped.count;
+    }
+    if (charts.empty()) throw Stopped(why);
+    std::sort(unmapped.faces.begin(), unmapped.faces.end());
+    if (unmapped.count > 0) unmapped.status = stopped_status(why);
+    tasks_ = std::move(tasks);
+    atlas_.charts = std::move(charts);
+    return !atlas_.is_complete();
   }
 
   // Whether there may be another pass; where not, why.
@@ -432,12 +477,10 @@ class Unwrapping {
   }
 
   // Replaces these by what they are cut into, and maps that. Where a limit of the run is reached on
-  // the way, all is as before, better than starts of what it was cut into: false.
+  // the way, all is as before, better than starts of what it was cut into: false. before: work().
   bool recut(const std::vector<std::size_t>& which,
-             const std::function<std::vector<Flags>(const StopCheck&)>& cuts_of_these) {
-    const std::vector<Task> tasks = tasks_;
-    const std::vector<Chart> charts = atlas_.charts;
-    const SurfaceCuts cuts = atlas_.cuts;
+             const std::function<std::vector<Flags>(const StopCheck&)>& cuts_of_these,
+             const Work& before) {
     record_.begin_pass(kMostPasses - ++pass_);
     record_.begin(Activity::Cutting);
     record_.announce(fmt::format("cutting again: {} of {} chart{}", which.size(), tasks_.size(),
@@ -450,10 +493,15 @@ class Unwrapping {
     } catch (const Stopped&) {
     }
     if (record_.directive() == Directive::Continue) return true;
-    tasks_ = tasks;
-    atlas_.charts = charts;
-    atlas_.cuts = cuts;
+    go_back_to(before);
     return false;
+  }
+
+  Work work() const { return {tasks_, atlas_.charts, atlas_.cuts}; }
+  void go_back_to(const Work& before) {
+    tasks_ = before.tasks;
+    atlas_.charts = before.charts;
+    atlas_.cuts = before.cuts;
   }
 
   // Replaces these by what they are cut into; the numbers of the new ones.
@@ -529,11 +577,21 @@ class Unwrapping {
 
   bool divide(const std::vector<std::size_t>& which) {
     if (!may_go_on()) return false;
-    const bool is_done = recut(which, [&](const StopCheck&) {
+    const Work before = work();
+    const auto cuts = [&](const StopCheck&) {
       return alike(which, [&](std::size_t k) { return tasks_[k].division->cut; });
-    });
+    };
+    const bool is_done = recut(which, cuts, before);
     keep_limit();
-    return is_done;
+    if (record_.start_stop()() == Directive::Continue) return is_done;
+    if (lacks_maps()) go_back_to(before);
+    return false;
+  }
+
+  bool lacks_maps() const {
+    return std::any_of(atlas_.charts.begin(), atlas_.charts.end(), [](const Chart& chart) {
+      return !chart.map || chart.status == Status::Failed;
+    });
   }
 
   bool may_be_divided(std::size_t k) const {
@@ -758,6 +816,10 @@ class Unwrapping {
   // starting: told the share of its start, where that takes long.
   void solve_chart(std::size_t k, RunObserver* observer, StopCheck::Tell starting) {
     const Task& task = tasks_[k];
+    if (record_.start_stop()() != Directive::Continue) {  // before there is a map
+      atlas_.charts[k].map.reset();
+      return;
+    }
     RunRecord record = record_.part(observer, std::move(starting));
     ChartHints hints;
     hints.parent = task.parent;
@@ -821,7 +883,7 @@ class Unwrapping {
         const std::vector<std::size_t> next = fullest_next();
         if (next.empty()) break;
         if (!divide(next)) return why_over();
-        place_charts();
+        place_charts(PackOptions::Effort::Smallest, record_.start_stop());
         after_layout();
       }
     } catch (const Stopped& stop) {
@@ -884,11 +946,22 @@ class Unwrapping {
     return lowest;
   }
 
-  void place_charts() {
+  // In a hurry where the run is to end before they have their places.
+  void place_charts_in_any_case() {
+    try {
+      place_charts(PackOptions::Effort::Smallest, record_.start_stop());
+    } catch (const Stopped&) {
+      place_charts(PackOptions::Effort::Quick, {});
+    }
+  }
+
+  void place_charts(PackOptions::Effort effort, const StopCheck& stop) {
     const AddedSeconds time(seconds_.pack);
+    stop.poll();
     record_.begin(Activity::Packing);
     PackOptions packing = *options_.packing;
     packing.fixed.clear();
+    packing.effort = effort;
     require_pinned_apart(maps_of(atlas_));
     const std::vector<std::size_t> lowest = choose_places();
     std::vector<BezierMap> maps;
@@ -896,7 +969,7 @@ class Unwrapping {
       maps.push_back(*atlas_.charts[k].map);
       packing.fixed.push_back(!atlas_.charts[k].pins.empty());
     }
-    Packing packed = pack(maps, packing, record_.telling(record_.start_stop()));
+    Packing packed = pack(maps, packing, record_.telling(stop));
     for (std::size_t i = 0; i < lowest.size(); ++i) {
       Chart& chart = atlas_.charts[lowest[i]];
       chart.map = packed.charts[i];
@@ -989,9 +1062,11 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
   for (ComponentCuts& component : atlas.cuts.components) component.length *= unit;
   if (atlas.packing) to_model_units(unit, *atlas.packing);
   const std::vector<SurfacePiece> pieces = surface.cut_along(atlas.cuts.is_cut, nullptr).split();
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
+  auto piece = pieces.begin();
+  for (std::size_t k = 0; k < atlas.charts.size(); ++k) {
     Chart& chart = atlas.charts[k];
-    chart.map = on_mesh(*chart.map, pieces[k].mesh, unit, chart.pins);
+    while (piece->face.front() != chart.faces.front()) ++piece;  // it has no map
+    chart.map = on_mesh(*chart.map, piece->mesh, unit, chart.pins);
     if (atlas.packing) atlas.packing->charts[k] = *chart.map;
     scale_points(unit, chart.pins);
     Stretch& s = chart.stretch;
@@ -1069,7 +1144,7 @@ Status worse_of(Status a, Status b) {
 }
 
 Status Atlas::status() const {
-  Status worst = Status::Converged;
+  Status worst = unmapped.status;
   for (const Chart& chart : charts) worst = worse_of(worst, chart.status);
   return worst;
 }
@@ -1078,6 +1153,9 @@ std::string Atlas::message() const {
   const Status worst = status();
   for (const Chart& chart : charts)
     if (chart.status == worst && worst != Status::Converged) return chart.message;
+  if (!is_complete())
+    return fmt::format("{} of {} charts have no map yet", unmapped.count,
+                       unmapped.count + static_cast<Index>(charts.size()));
   return {};
 }
 

@@ -15,7 +15,9 @@
 // in any order. Where charts are cut and mapped again, that is another pass.
 //
 // Every chart has a valid map in the end: where a solve does not end with one, the chart keeps the
-// best valid map there was, the start if need be, and its status says so.
+// best valid map there was, the start if need be, and its status says so. In a run that was stopped
+// some charts may have no map yet: Atlas::unmapped has them, and the others are a layout of their
+// own.
 //
 // Not for the best map of one disk: parametrize().
 #pragma once
@@ -142,9 +144,17 @@ struct AtlasSeconds {
   double pack = 0;
 };
 
+// The charts that have no map, since the run was stopped before.
+struct UnmappedCharts {
+  std::vector<Index> faces;           // of the surface, ascending
+  Index count = 0;                    // of charts
+  Status status = Status::Converged;  // TimeLimit or Interrupted where there are some
+};
+
 struct Atlas {
-  SurfaceCuts cuts;
-  std::vector<Chart> charts;       // in the order of their first faces
+  SurfaceCuts cuts;           // of all charts
+  std::vector<Chart> charts;  // those with a map, in the order of their first faces
+  UnmappedCharts unmapped;
   std::optional<Packing> packing;  // of their maps, which are in place
   AtlasSeconds seconds = {};
   // Why the division of charts ended (least_charts, least_fill). Converged: there are so many, and
@@ -152,7 +162,9 @@ struct Atlas {
   // are packed on the way to a fill.
   Status division = Status::Converged;
 
-  // The worst of the charts: Converged only if all are.
+  // Returns whether every chart has a map.
+  bool is_complete() const { return unmapped.count == 0; }
+  // The worst of the charts, those without a map among them: Converged only if all are.
   Status status() const;
   // Of the first chart that ended so; empty where all converged.
   std::string message() const;
@@ -164,7 +176,7 @@ struct Atlas {
 // surface: any number of components (repair.h). Throws Error(Usage) as parametrize() for options,
 // Error as choose_cuts(), Error(Infeasible) for a chart whose pins cannot be met and for a pin
 // or handle with a target whose vertex has several places, on a seam or where sheets were split;
-// Stopped before there is a cut.
+// Stopped before there is a map of any chart.
 Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
              RunRecord& record);
 

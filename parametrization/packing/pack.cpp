@@ -189,7 +189,7 @@ class Packer {
     add(PackMethod::Skyline, smallest_square(job, skyline,
                                              {kFirstWidth * std::sqrt(job.area / job.tiles),
                                               kSkylineFactor, kSkylineTries}));
-    if (candidates.empty()) return candidates;
+    if (candidates.empty() || options_.effort == PackOptions::Effort::Quick) return candidates;
     told_.advance(kBoxesArranged);
     const double of_boxes = candidates[0].placements.side;
     const int cells = charts_.size() > kFew ? kFineCells : kCoarseCells;

@@ -50,6 +50,7 @@ struct InputFaces {
   // Those of a polygon follow each other: of polygon p first[p] to first[p + 1] - 1.
   std::vector<Index> first;
   std::vector<std::array<std::size_t, 3>> corners;  // of its polygon, by cell
+  bool is_complete = true;                          // MapFile::is_complete
 };
 
 // The cells of a map that are taken as they are, each one piece: MapPieces where nothing is cut.
@@ -98,7 +99,7 @@ std::size_t corner_at(const MapFile& map, Index point, const PolygonMesh& input,
 
 // Gives the mesh of the cells the vertices of the input.
 InputFaces find_input(const MapFile& map, const PolygonMesh& input, CornerMesh& coarse) {
-  InputFaces faces{std::vector<Index>(input.polygons.size() + 1, 0), {}};
+  InputFaces faces{std::vector<Index>(input.polygons.size() + 1, 0), {}, map.is_complete};
   const auto count = static_cast<Index>(coarse.cell.size());
   faces.corners.resize(coarse.cell.size());
   for (Index c = 0; c < count; ++c) {
@@ -141,6 +142,7 @@ class PolygonTransfer {
       lists->reserve(input_.polygons.size(), input_.polygons.indices().size());
     result_.positions = pieces_.positions();
     result_.texcoords = pieces_.texcoords();
+    result_.has_partial_layout = !faces_.is_complete;
     result_.normals = input_.normals;
     if (!input_.colors.empty()) add_colors();
     auto directive = input_.directives.begin();
@@ -177,6 +179,8 @@ class PolygonTransfer {
   }
 
   void add_face(std::size_t face) {
+    if (!faces_.is_complete && faces_.first[face] == faces_.first[face + 1])
+      return add_unmapped(face);
     std::vector<Index> texcoords = texcoords_of_corners(face);
     if (texcoords.empty()) {
       for (Index c = faces_.first[face]; c < faces_.first[face + 1]; ++c) add_pieces(face, c);
@@ -196,6 +200,13 @@ class PolygonTransfer {
     keep(input_.polygons[face], result_.polygons);
     keep(texcoords, result_.polygon_texcoords);
     if (has_normals()) keep(input_.polygon_normals[face], result_.polygon_normals);
+  }
+
+  void add_unmapped(std::size_t face) {
+    if (origins_) origins_->push_back({static_cast<Index>(face), all_corners(face)});
+    result_.polygons.push_back(input_.polygons[face]);
+    result_.polygon_texcoords.push_back({});
+    if (has_normals()) result_.polygon_normals.push_back(input_.polygon_normals[face]);
   }
 
   std::vector<PlaceOnPolygon> all_corners(std::size_t face) const {

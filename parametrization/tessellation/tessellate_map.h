@@ -47,7 +47,8 @@ struct PolygonOrigin {
 // and colours. A polygon stays as it is where none of its cells is cut, no cut of the surface
 // crosses it and its image is a simple polygon; otherwise its triangles take its place, in the
 // order of cells. Normals and colours at new vertices are interpolated. A polygon whose cells run
-// backwards around it (the map has its other side up) is written as they run. Without `input`
+// backwards around it (the map has its other side up) is written as they run. Polygons without
+// cells, of a map that is not complete, stay without texture coordinates. Without `input`
 // (null): the triangles of mesh_from_map in their order.
 //
 // Texture coordinates: one per corner point of the map in the order of the map's points, then those

@@ -67,6 +67,31 @@ TEST(SurfaceMatch, TinySurfaces) {
   }
 }
 
+// Faces that are said to have no cells are not missed, and none may lie in them.
+TEST(SurfaceMatch, FacesThatAreNotMapped) {
+  for (const PolygonMesh& surface : {triangles(0.1), quads(0.1)}) {
+    PolygonMesh cells = triangles(0.1);
+    const bool is_quads = surface.polygons.size() == 4;
+    std::vector<char> unmapped(surface.polygons.size(), 0);
+    unmapped[1] = 1;
+    const auto match_part = [&](const PolygonMesh& part) {
+      return match_surface(SurfaceMesh::from_polygons(part, {}, Components::Any), surface, {}, 0,
+                           unmapped);
+    };
+    EXPECT_NE(match_part(cells).defect, "");
+    IndexLists left;
+    for (std::size_t c = 0; c < cells.polygons.size(); ++c)
+      if (is_quads ? c / 2 != 1 : c != 1) left.push_back(cells.polygons[c]);
+    cells.polygons = left;
+    EXPECT_NE(match(cells, surface).defect, "");
+    EXPECT_EQ(match_part(cells).defect, "");
+    IndexLists fewer;
+    for (std::size_t c = 0; c + 1 < left.size(); ++c) fewer.push_back(left[c]);
+    cells.polygons = fewer;
+    EXPECT_NE(match_part(cells).defect, "");
+  }
+}
+
 TEST(SurfaceMatch, TheSameFacesInAnyOrder) {
   const PolygonMesh surface = triangles(0.1);
   PolygonMesh cells = surface;

@@ -160,6 +160,17 @@ ChartSolver::ChartSolver(std::shared_ptr<const SurfaceMesh> mesh,
     : mesh_(std::move(mesh)), options_(options), hints_(std::move(hints)) {}
 
 Chart ChartSolver::solve(RunRecord& record) {
+  try {
+    return solve_within_limits(record);
+  } catch (const Stopped& stop) {
+    Chart chart;
+    chart.status = stopped_status(stop.why());
+    chart.trace = record.trace();
+    return chart;
+  }
+}
+
+Chart ChartSolver::solve_within_limits(RunRecord& record) {
   chart_.pins = options_.map.pins;
   if (hints_.texture == TextureStart::Tried) try_texture(record);
   const bool is_left = !is_done_ && hints_.overlaps == UnfoldedOverlaps::LeftToCuts &&
@@ -206,9 +217,9 @@ void ChartSolver::try_tutte(RunRecord& record) {
   is_overlapping_ = false;
   if (try_many_resolutions(MapInjectivity::Local, record)) return;
   // Where the minimum overlaps itself, Tutte's map leads to the same.
-  if (!is_overlapping_ && attempt(tutte(), MapInjectivity::Local, record)) return;
+  if (!is_overlapping_ && attempt(tutte(record), MapInjectivity::Local, record)) return;
   if (try_unfolded(record) || try_many_resolutions(MapInjectivity::Global, record)) return;
-  attempt(tutte(), MapInjectivity::Global, record);
+  attempt(tutte(record), MapInjectivity::Global, record);
 }
 
 // Where that is another start than Tutte's map.
@@ -258,9 +269,9 @@ bool ChartSolver::try_unfolded(RunRecord& record) {
   return true;
 }
 
-// Made even where the run is to end: every chart needs a map. That of a face without an area alone
-// is the triangle that stands for it.
-const Vec& ChartSolver::tutte() {
+// Made even where the time limit is reached, for as long as starts may take. That of a face without
+// an area alone is the triangle that stands for it. Stopped.
+const Vec& ChartSolver::tutte(const RunRecord& record) {
   const auto& rest = mesh_->rest_triangles();
   if (!tutte_ && mesh_->face_count() == 1 && !rest.empty()) {
     tutte_.emplace(6);
@@ -269,7 +280,7 @@ const Vec& ChartSolver::tutte() {
   }
   MapOptions asked;
   asked.start = StartMethod::Tutte;
-  if (!tutte_) tutte_ = initial_map(*mesh_, asked);
+  if (!tutte_) tutte_ = initial_map(*mesh_, asked, record.start_stop());
   return *tutte_;
 }
 
@@ -306,10 +317,11 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
 }
 
 void ChartSolver::keep_start(const RunRecord& record) {
+  if (!chart_.pins.empty()) record.start_stop().poll();  // what was not tried may meet them
   if (!chart_.pins.empty())
     throw Error(ErrorKind::Infeasible,
                 message_prefix(*mesh_) + "no map without overlaps that meets the pins was found");
-  BezierMap map = BezierMap::linear(mesh_, tutte());
+  BezierMap map = BezierMap::linear(mesh_, tutte(record));
   while (map.degree() < options_.map.degree) map = map.elevated();
   chart_.measures = measure_map(map, options_.map.energy, record.stop());
   const Directive why = record.directive();

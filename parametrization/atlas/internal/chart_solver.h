@@ -2,7 +2,7 @@
 //
 //   ChartSolver solver(mesh, options, {.texture = TextureStart::Tried});
 //   RunRecord record;
-//   Chart chart = solver.solve(record);    // chart.map is there, and proven injective
+//   Chart chart = solver.solve(record);    // chart.map is proven injective
 //
 // The attempts at a chart, until the image is proven to be free of overlaps and its faces are
 // larger than rounding, start from: the file's texture coordinates (untangled if need be), the
@@ -47,7 +47,8 @@ class ChartSolver {
   ChartSolver(std::shared_ptr<const SurfaceMesh> mesh, const ParametrizationOptions& options,
               ChartHints hints);
 
-  // All but `faces`. Throws Error(Infeasible) where pins cannot be met, Error(Usage) for options.
+  // All but `faces`; without a map where the start_stop() of the record ends it before there is
+  // one. Throws Error(Infeasible) where pins cannot be met, Error(Usage) for options.
   Chart solve(RunRecord& record);
 
  private:
@@ -59,9 +60,10 @@ class ChartSolver {
   bool overlaps_unfolded() const;
   bool attempt(const Vec& start, MapInjectivity injectivity, RunRecord& record);
   void keep_start(const RunRecord& record);
+  Chart solve_within_limits(RunRecord& record);
   void name_start(ChartStart start);
   void to_area_of_surface();
-  const Vec& tutte();
+  const Vec& tutte(const RunRecord& record);
 
   std::shared_ptr<const SurfaceMesh> mesh_;
   const ParametrizationOptions& options_;

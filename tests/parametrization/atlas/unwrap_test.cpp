@@ -235,6 +235,58 @@ TEST(Unwrap, AStopLeavesAValidLayout) {
   expect_layout(atlas, *surface);
 }
 
+// Stopped at every possible moment: nothing, or charts with maps that are a layout and the others
+// by name.
+TEST(Unwrap, AStopLeavesTheChartsThatHaveAMap) {
+  PolygonMesh mesh = grid(2, bumpy);
+  for (int k = 1; k < 5; ++k) mesh = together(mesh, moved(grid(2, bumpy), {0, 0, 3.0 * k}));
+  const std::shared_ptr<const SurfaceMesh> surface = repair(mesh).mesh;
+  CountedStop never;
+  RunRecord whole(never.check());
+  const Atlas all = unwrap(surface, of_degree(1), whole);
+  EXPECT_TRUE(all.is_complete());
+  int without = 0, partial = 0;
+  for (long k = 1; k <= never.asked(); k += std::max(1L, never.asked() / 60)) {
+    const CountedStop stop(k);
+    RunRecord record(stop.check());
+    Atlas atlas;
+    try {
+      atlas = unwrap(surface, of_degree(1), record);
+    } catch (const Stopped&) {
+      ++without;
+      continue;
+    }
+    std::multiset<Index> faces(atlas.unmapped.faces.begin(), atlas.unmapped.faces.end());
+    for (const Chart& chart : atlas.charts) {
+      ASSERT_TRUE(chart.map);
+      EXPECT_EQ(check_boundary(*chart.map).result, ProofStatus::Proven);
+      faces.insert(chart.faces.begin(), chart.faces.end());
+    }
+    EXPECT_EQ(faces.size(), to_size(surface->face_count()));
+    EXPECT_EQ(std::set<Index>(faces.begin(), faces.end()).size(), faces.size());
+    ASSERT_TRUE(atlas.packing);
+    const double gap = 4.0 / 1024 * atlas.packing->side;
+    EXPECT_GE(proven_distance(maps_of(atlas), gap), gap);
+    if (atlas.is_complete()) continue;
+    ++partial;
+    EXPECT_EQ(atlas.status(), Status::Interrupted);
+    EXPECT_EQ(to_size(atlas.unmapped.count) + atlas.charts.size(), all.charts.size());
+    EXPECT_GT(atlas.unmapped.count, 0);
+    EXPECT_TRUE(std::isfinite(atlas.value()));
+  }
+  EXPECT_GT(without, 0);
+  EXPECT_GT(partial, 0);
+}
+
+// A chart that was pinned and never tried is no chart that does not meet its pins.
+TEST(Unwrap, AStopIsNoRefusalOfPins) {
+  UnwrapOptions options = of_degree(1);
+  options.chart.map.pins = {{0, Vector2(0, 0)}, {8, Vector2(3, 3)}};
+  const CountedStop stop(1);
+  RunRecord record(stop.check());
+  EXPECT_THROW(unwrap(repair(grid(2, bumpy)).mesh, options, record), Stopped);
+}
+
 TEST(Unwrap, PinsHoldTheirChart) {
   const PolygonMesh mesh = together(grid(4, bumpy), moved(grid(3, bumpy), {0, 0, 9}));
   UnwrapOptions options = of_degree(1);
