@@ -90,10 +90,13 @@ class DirectSolver final : public LinearSolver {
     analysed_ = pattern;
   }
   FactorStatus factorize(const Vec& values, double shift) override {
+    return factorize_until({}, values, shift);
+  }
+  FactorStatus factorize_until(const StopCheck& stop, const Vec& values, double shift) override {
     require_size("LinearSolver::factorize: values", values.size(), nonzeros_);
     analysed_.reset();
-    return !factor_ || factor_->factorize(values, shift) ? FactorStatus::Ok
-                                                         : FactorStatus::NotPositiveDefinite;
+    const bool is_positive = !factor_ || factor_->factorize(values, shift, stop);
+    return is_positive ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite;
   }
   Solution solve(const Vec& r, Vec& p, double) override {
     require_size("LinearSolver::solve: r", r.size(), size_);

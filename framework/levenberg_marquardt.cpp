@@ -88,7 +88,7 @@ class DampedStepper final : public Stepper {
         damped_[pattern.diagonal_slot(c)] += lambda_ * diagonal_[c];
       r.shift = lambda_;
       Stopwatch watch;
-      const FactorStatus status = solver_->factorize(damped_, 0);
+      const FactorStatus status = solver_->factorize_until(stop_, damped_, 0);
       ++r.factorizations;
       r.seconds.factorize += watch.restart();
       if (status == FactorStatus::Ok) {

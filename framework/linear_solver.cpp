@@ -28,6 +28,10 @@ double product(const LinearSolver::SparseColumn& column, const Vec& with) {
 
 }  // namespace
 
+FactorStatus LinearSolver::factorize_until(const StopCheck&, const Vec& values, double shift) {
+  return factorize(values, shift);
+}
+
 Eigen::MatrixXd LinearSolver::inverse_products(Index size, const std::vector<SparseColumn>& columns,
                                                const StopCheck& stop) {
   const auto count = static_cast<Index>(columns.size());
@@ -59,7 +63,7 @@ ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern
                                        const Vec& values, double smallest_shift,
                                        const StopCheck& stop) {
   require_size("factorize_shifted: values", values.size(), pattern.nonzeros());
-  const auto attempt = [&](double shift) { return solver.factorize(values, shift); };
+  const auto attempt = [&](double shift) { return solver.factorize_until(stop, values, shift); };
   return try_shifts(attempt, pattern.size > 0 ? mean_diagonal(pattern, values) : 0, smallest_shift,
                     stop);
 }

@@ -108,6 +108,9 @@ class LinearSolver {
   virtual std::size_t bytes() const { return 0; }
   // The choices of the analysis, for reports: "supernodal, METIS, 1.2e6 nonzeros".
   virtual std::string description() const = 0;
+  // factorize() that polls `stop` between pieces of the work: Stopped, and factorize() comes again
+  // before the next solve(). Solvers that cannot end on the way do not ask.
+  virtual FactorStatus factorize_until(const StopCheck& stop, const Vec& values, double shift);
 };
 
 // Makes a solver, or hands out one that is kept for minimizers that follow each other: it knows the

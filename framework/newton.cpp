@@ -194,7 +194,7 @@ double NewtonStepper::mean_diagonal() const {
 // Solves with hessian_ and gradient_ as they are.
 FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record) {
   Stopwatch watch;
-  const FactorStatus factors = solver_->factorize(hessian_, shift);
+  const FactorStatus factors = solver_->factorize_until(stop_, hessian_, shift);
   record.seconds.factorize += watch.restart();
   if (factors != FactorStatus::Ok) return factors;
   last_tolerance_ = tolerance();

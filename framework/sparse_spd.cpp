@@ -17,11 +17,11 @@ SparsePattern pattern_of(Index size, Index block, const std::vector<SparseSpd::E
 }  // namespace
 
 SparseSpd::SparseSpd(Index size, Index block, const std::vector<Entry>& entries,
-                     const std::string& otherwise, Ordering ordering)
+                     const std::string& otherwise, Ordering ordering, const StopCheck& stop)
     : pattern_(std::make_unique<const SparsePattern>(pattern_of(size, block, entries))) {
   Vec values = Vec::Zero(pattern_->nonzeros());
   for (const Entry& e : entries) values[pattern_->slot(e.row, e.column)] += e.value;
-  factorize(values, otherwise, ordering, {});
+  factorize(values, otherwise, ordering, stop);
 }
 
 SparseSpd::SparseSpd(SparsePattern pattern, const Vec& values, const std::string& otherwise,
@@ -32,10 +32,11 @@ SparseSpd::SparseSpd(SparsePattern pattern, const Vec& values, const std::string
 
 void SparseSpd::factorize(const Vec& values, const std::string& otherwise, Ordering ordering,
                           const StopCheck& stop) {
+  stop.poll();
   solver_ = make_direct_solver(ordering);
   solver_->analyze(*pattern_);
   stop.poll();
-  if (solver_->factorize(values, 0.0) != FactorStatus::Ok)
+  if (solver_->factorize_until(stop, values, 0.0) != FactorStatus::Ok)
     throw Error(ErrorKind::Infeasible, otherwise);
 }
 

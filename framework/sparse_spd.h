@@ -27,9 +27,10 @@ class SparseSpd {
   };
   // block: neighbouring unknowns that are ordered together, 1 or 2 of them. ordering: Metis where
   // many solves of a large system come. Throws Error(Infeasible, otherwise) when the matrix is not
-  // positive definite.
+  // positive definite; Stopped.
   SparseSpd(Index size, Index block, const std::vector<Entry>& entries,
-            const std::string& otherwise, Ordering ordering = Ordering::Amd);
+            const std::string& otherwise, Ordering ordering = Ordering::Amd,
+            const StopCheck& stop = {});
   // values: parallel to pattern.rows. Stopped.
   SparseSpd(SparsePattern pattern, const Vec& values, const std::string& otherwise,
             const StopCheck& stop = {});

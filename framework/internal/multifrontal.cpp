@@ -25,6 +25,9 @@ constexpr double kTaskPart = 1.0 / 2;
 // Unknowns that a task permutes: fewer are not worth waking a thread for.
 constexpr Index kPermuted = 16384;
 
+// Fronts of a task from one poll to the next: most fronts of a mesh take some 10 microseconds.
+constexpr Index kFrontsPerPoll = 16;
+
 // The part of what is asked for that is taken besides where what there was is too small: patterns
 // that change from step to step, as those around an image do, grow by a few in a hundred. What is
 // not touched costs nothing.
@@ -217,7 +220,7 @@ std::size_t MultifrontalFactor::packed_size() const {
   return to_size(ColumnSlabs::kColumns) * (most_rows_ + to_size(FrontKernels::kTile));
 }
 
-bool MultifrontalFactor::factorize(const Vec& values, double shift) {
+bool MultifrontalFactor::factorize(const Vec& values, double shift, const StopCheck& stop) {
   if (!has_memory_) allocate();
   // Fronts above all tasks have no use for their part before the updates of tasks wait for them.
   if (is_large_)
@@ -226,14 +229,18 @@ bool MultifrontalFactor::factorize(const Vec& values, double shift) {
   std::atomic<bool> positive{true};
   const auto factorize_task = [&](Index t, int thread) {
     const Scratch own = scratch(thread, 1);
-    for (Index f = tasks_[t].first; f < tasks_[t].last && positive; ++f)
+    for (Index f = tasks_[t].first; f < tasks_[t].last && positive; ++f) {
+      if (f % kFrontsPerPoll == 0) stop.poll();
       if (!factorize_front(f, work, own)) positive = false;
+    }
   };
   parallel_tasks(static_cast<Index>(tasks_.size()), factorize_task, threads_);
   const Scratch all = scratch(0, threads_);
   if (is_large_) release_pages(all.stack, to_size(threads_) * stack_size_);
-  for (const Index f : above_)
+  for (const Index f : above_) {
+    stop.poll();
     if (positive && !factorize_front(f, work, all)) positive = false;
+  }
   if (is_large_) release_pages(memory_.updates.values.get(), updates_size());
   return positive;
 }

@@ -25,6 +25,7 @@
 #include "majorant/framework/available_resources.h"
 #include "majorant/framework/internal/assembly_tree.h"
 #include "majorant/framework/internal/front_kernels.h"
+#include "majorant/framework/stop_check.h"
 
 namespace majorant {
 
@@ -59,8 +60,9 @@ class MultifrontalFactor {
   // Returns the bytes of all that factorize() allocates: the factor, updates that wait, scratch.
   std::size_t bytes() const;
 
-  // H + shift * I; values parallel to the pattern's rows. False: not positive definite.
-  bool factorize(const Vec& values, double shift);
+  // H + shift * I; values parallel to the pattern's rows. False: not positive definite. Polls
+  // between fronts: Stopped, and there is no factor.
+  bool factorize(const Vec& values, double shift, const StopCheck& stop = {});
   void solve(const Vec& r, Vec& p);
   // The first half of solve(): y with (P^T L) y = r, as many zeros as the fronts of r leave.
   void half_solve(const Vec& r, Vec& y);

@@ -43,8 +43,8 @@ bool Preconditioner::factorize(VecIn y, const StopCheck& stop) {
                               ? mean_diagonal(problem.pattern(), hessian_, partition_of(problem))
                               : 0;
   const ShiftedFactorization f =
-      try_shifts([&](double shift) { return solver_->factorize(hessian_, shift); }, diagonal,
-                 kMetricShift, stop);
+      try_shifts([&](double shift) { return solver_->factorize_until(stop, hessian_, shift); },
+                 diagonal, kMetricShift, stop);
   shift_ = f.shift;
   factorizations_ = f.factorizations;
   failed_factorizations_ = f.failed();

@@ -497,13 +497,13 @@ Vec fixed_angles(const SurfaceMesh& mesh, const FieldGeometry& geometry,
 class PowerSystem {
  public:
   PowerSystem(const SurfaceMesh& mesh, const FieldGeometry& geometry, const Vec& fixed,
-              double mass_weight)
+              double mass_weight, const StopCheck& stop)
       : fixed_(fixed),
         mass_(geometry.face_area / mesh.area()),
         row_(to_size(mesh.face_count()), -1) {
     for (Index f = 0; f < mesh.face_count(); ++f)
       if (fixed[f] == kNotAligned) row_[f] = free_++;
-    assemble(mesh, geometry, mass_weight);
+    assemble(mesh, geometry, mass_weight, stop);
   }
 
   bool has_fixed() const { return free_ < static_cast<Index>(row_.size()); }
@@ -524,7 +524,8 @@ class PowerSystem {
   const Vec& mass() const { return mass_; }  // #F, sums to 1
 
  private:
-  void assemble(const SurfaceMesh& mesh, const FieldGeometry& geometry, double mass_weight) {
+  void assemble(const SurfaceMesh& mesh, const FieldGeometry& geometry, double mass_weight,
+                const StopCheck& stop) {
     rhs_ = Vec::Zero(2 * free_);
     std::vector<SparseSpd::Entry> entries;
     for (Index f = 0; f < mesh.face_count(); ++f)
@@ -549,7 +550,7 @@ class PowerSystem {
         entries.push_back({2 * r + 1, 2 * c + 1, -w * turn.real()});
       }
     }
-    if (free_ > 0) system_ = field_system(2 * free_, 2, entries);
+    if (free_ > 0) system_ = field_system(2 * free_, 2, entries, Ordering::Amd, stop);
   }
 
   const Vec& fixed_;
@@ -671,7 +672,8 @@ ConedField coned_field(const SurfaceMesh& mesh, const FieldGeometry& geometry,
   const Vec fixed = fixed_angles(mesh, geometry, options.aligned);
   // Masses are parts of the area and edge weights have no unit, so eigenvalues are in 1 / area.
   const double pull = options.curvature_weight * options.curvature_weight;
-  std::optional<PowerSystem> system(std::in_place, mesh, geometry, fixed, std::max(pull, kShift));
+  std::optional<PowerSystem> system(std::in_place, mesh, geometry, fixed, std::max(pull, kShift),
+                                    options.stop);
   const std::vector<Complex> curvature = principal_directions(mesh, geometry);
   const bool is_free = pull == 0 && !system->has_fixed();
   std::vector<Complex> z;

@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <limits>
 
+#include "counted_stop.h"
 #include "framework/random_matrix.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/cholmod_solver.h"
@@ -11,6 +12,8 @@
 #include "majorant/framework/internal/front_kernels.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/pattern_of_pairs.h"
 
 namespace majorant {
 namespace {
@@ -24,6 +27,54 @@ class DirectSolver : public testing::TestWithParam<Ordering> {
  protected:
   std::unique_ptr<LinearSolver> make() const { return make_direct_solver(GetParam()); }
 };
+
+// The Laplacian of a square grid and the identity.
+Matrix grid_matrix(Index side) {
+  const Index size = side * side;
+  Matrix m;
+  const auto for_each_edge = [&](const auto& use) {
+    for (Index k = 0; k < size; ++k) {
+      if (k % side + 1 < side) use(k, k + 1);
+      if (k + side < size) use(k, k + side);
+    }
+  };
+  m.pattern = pattern_of_pairs(size, 1, [&](const auto& add) {
+    for (Index k = 0; k < size; ++k) add(k, k);
+    for_each_edge(add);
+  });
+  m.values = Vec::Zero(m.pattern.nonzeros());
+  m.dense = Eigen::MatrixXd::Zero(size, size);
+  const auto add = [&](Index a, Index b, double value) {
+    m.values[m.pattern.slot(a, b)] += value;
+    m.dense(a, b) += value;
+    if (a != b) m.dense(b, a) += value;
+  };
+  for (Index k = 0; k < size; ++k) add(k, k, 1);
+  for_each_edge([&](Index a, Index b) {
+    add(a, a, 1);
+    add(b, b, 1);
+    add(a, b, -1);
+  });
+  return m;
+}
+
+// A factorization ends within some fronts of a stop, and the next one is as if there was none.
+TEST_P(DirectSolver, StopsBetweenFronts) {
+  Random random(1);
+  const Matrix m = grid_matrix(40);
+  const auto solver = make();
+  solver->analyze(m.pattern);
+  const CountedStop never;
+  ASSERT_EQ(solver->factorize_until(never.check(), m.values, 0), FactorStatus::Ok);
+  EXPECT_GE(never.asked(), 1600 / 16 / 10);  // fronts have some ten columns
+  for (long k = 1; k <= never.asked(); ++k) {
+    const CountedStop stop(k);
+    EXPECT_THROW(solver->factorize_until(stop.check(), m.values, 0), Stopped);
+    EXPECT_LE(stop.asked_after(), ThreadCount::current());
+  }
+  ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok);
+  expect_solves(*solver, m.dense, random);
+}
 
 using Factor = CholmodOptions::Factor;
 

@@ -58,11 +58,11 @@ Vector3 edge_vector(const SurfaceMesh& mesh, Index half_edge) {
 }
 
 SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries,
-                       Ordering ordering) {
+                       Ordering ordering, const StopCheck& stop) {
   return SparseSpd(size, block, entries,
                    "the matrix of a cross field cannot be factorized; check the mesh for nearly "
                    "degenerate faces",
-                   ordering);
+                   ordering, stop);
 }
 
 }  // namespace majorant

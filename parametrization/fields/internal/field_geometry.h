@@ -31,9 +31,9 @@ struct FieldGeometry {
 // Direction of half-edge h in space, unit length.
 Vector3 edge_vector(const SurfaceMesh& mesh, Index half_edge);
 
-// A system of a field's smoothness. Throws Error(Infeasible) when the mesh spoils it.
+// A system of a field's smoothness. Throws Error(Infeasible) when the mesh spoils it; Stopped.
 SparseSpd field_system(Index size, Index block, const std::vector<SparseSpd::Entry>& entries,
-                       Ordering ordering = Ordering::Amd);
+                       Ordering ordering = Ordering::Amd, const StopCheck& stop = {});
 
 }  // namespace majorant
 
