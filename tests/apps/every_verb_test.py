@@ -401,18 +401,36 @@ class EveryVerb(CommandTest):
         self.for_each(check, [(verb,) for verb in VERBS if EXAMPLES[verb].has_limit], jobs='large')
 
     # -------------------------------------------------------------- pipes
+    def end_waiting(self, cell, number, limit=2):
+        """A run that waits, and is ended by a signal or its time limit."""
+        cell.start(cell.words(more=['--quiet', *(['--time-limit', str(limit)] if number is None else [])]))
+        since = time.monotonic() + limit
+        if number is not None:
+            cell.wait_until_it_waits()
+            since = time.monotonic()
+            cell.send(number)
+        _, done = cell.finish()
+        self.check_waited(since)
+        return done
+
+    def check_waited(self, since):
+        """Who waited ended in time on the clock, which counts more slowly where others have the machine."""
+        waited = time.monotonic() - since
+        if waited > PATIENCE + ALLOWANCE:
+            begun, before = time.monotonic(), os.times()
+            majorant('--version')
+            used = os.times()
+            spent = used.children_user + used.children_system - before.children_user - before.children_system
+            slowness = (time.monotonic() - begun) / max(spent, 0.01)
+            self.assertLess(waited, (PATIENCE + ALLOWANCE) * max(1, slowness))
+
     def test_inputs_that_nobody_writes(self):
         def check(example, name, number):
             cell = Cell(self, example)
             os.unlink(cell.path(name))
             os.mkfifo(cell.path(name))
             cell.untouched.remove(name)
-            limit = ['--time-limit', '1'] if number is None else []
-            cell.start(cell.words(more=['--quiet', *limit]))
-            if number is not None:
-                cell.wait_until_it_waits()
-                cell.send(number)
-            _, done = cell.finish()
+            done = self.end_waiting(cell, number)
             self.assertEqual(done.code, INVALID, done.err)
             if number:
                 cell.check_one_line(done, 'interrupted while reading %s; nothing is written\n' % name)
@@ -430,12 +448,7 @@ class EveryVerb(CommandTest):
             name = example.writes()[0]
             os.mkfifo(cell.path(name))
             cell.others.add(name)
-            limit = ['--time-limit', '2'] if number is None else []
-            cell.start(cell.words(more=['--quiet', *limit]))
-            if number is not None:
-                cell.wait_until_it_waits()
-                cell.send(number)
-            _, done = cell.finish()
+            done = self.end_waiting(cell, number)
             self.assertEqual(done.code, USAGE, done.err)
             rest = set(example.outputs + [example.report]) - {name}
             cell.check_one_line(done, name, 'nobody reads it',
