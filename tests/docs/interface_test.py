@@ -189,7 +189,6 @@ class Reports(CommandTest):
             [(0, 0), (1, -0.1), (2, 0), (1, 1)])))  # a face without area
         self.report('compare', disk, '--degree', 1, '--methods', 'newton,lbfgs')
         self.report('compare', disk, '--degree', 1, '--linear-solvers', 'direct,eigen')
-        self.report('compare', result, result, '-o', self.path('both.html'))
         self.report('convert', result, self.path('c.obj'))
         self.report('convert', result, self.path('image.msh'))
         self.report('parametrize', helpers.generated('buckle'), self.path('b.vtu'), '--seams', 'auto',
