@@ -216,7 +216,8 @@ class Reports(CommandTest):
         """Every verb without its input; an input that is not supported; outputs that cannot be written."""
         none, mesh = self.path('none.obj'), helpers.generated('cap')
         more = {'bake': ['--from', none, '-o', self.path('n.png')], 'compare': ['--degree', 1], 'info': [], 'check': [],
-                'mesh check': [], 'mesh optimize': ['-o', self.path('n.msh')]}
+                'deform': ['--handles', none, '-o', self.path('n.obj')], 'mesh check': [],
+                'mesh optimize': ['-o', self.path('n.msh')]}
         for verb in VERBS:
             inputs = [self.path('none.msh') if verb.startswith('mesh') else none]
             self.report(verb, *inputs, *more.get(verb, ['-o', self.path('n.obj')]), code=UNREADABLE)
