@@ -25,7 +25,7 @@ struct BakeRequest {
 
   // The file or the word that says what is baked.
   std::string input_of_values() const { return image.empty() ? attribute : image; }
-  // What OLD itself shows, where nothing else is named.
+  // Returns whether OLD's own textures are baked, since nothing else is named.
   bool is_of_model() const { return image.empty() && attribute.empty(); }
   bool names_file() const;
 

@@ -95,7 +95,7 @@ std::vector<std::string> left_out_of(const std::string& path, const MapFile& map
   return what;
 }
 
-// What pictures show in magenta.
+// A line about cells that pictures show in magenta, or none.
 std::vector<std::string> turned_over_in_words(const ConvertRequest& request, const MapFile& map) {
   const auto is_picture = [](const std::string& path) {
     return extension(path) == ".svg" || extension(path) == ".png";

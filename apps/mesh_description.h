@@ -1,4 +1,4 @@
-// What `majorant info` says of a mesh: its size and topology, its defects, the verb that maps it.
+// The description of a mesh by `majorant info`: its size and topology, its defects, the verb that maps it.
 //
 //   const MeshDescription found = describe_mesh(read_mesh("bunny.obj"), {.plan = true});
 //   std::cout << found.text;
@@ -16,7 +16,7 @@
 
 namespace majorant::app {
 
-// The same in words, a line each, and as a report.
+// A description in words, a line each, and as a report.
 struct MeshDescription {
   std::string text;
   RunReport report{.status = "done", .result = Json::object()};

@@ -24,7 +24,7 @@ void prepare_process();
 
 // Set by the first of the signals above. Outlives everything.
 const std::atomic<bool>* interruption_flag();
-// Whether the first of them is answered with a line on stderr, at once.
+// Says whether the first of them is answered with a line on stderr, at once.
 void acknowledge_signals(bool answered);
 
 // While one lives the process gets no more memory than is free when it begins (reading_limit.h):

@@ -80,14 +80,14 @@ double rounded_estimate(double seconds) {
 
 }  // namespace
 
-// What ByteCounts has, at a moment.
+// A snapshot of ByteCounts.
 struct Bytes {
   std::uint64_t to_read = byte_counts().to_read, read = byte_counts().read;
   std::uint64_t to_parse = byte_counts().to_parse, parsed = byte_counts().parsed;
   std::uint64_t written = byte_counts().written;
 };
 
-// Where a run is.
+// The activity of a run, its share and its seconds.
 class Standing {
  public:
   explicit Standing(std::vector<Activity> stages) : stages_(std::move(stages)) {}
@@ -164,10 +164,10 @@ class Standing {
     before_ = Bytes();
   }
 
-  // What was told, or how far files are that are read (or read back) and parsed.
+  // The share that was told, or that of the bytes of files that are read and parsed.
   std::optional<double> share(const Bytes& now) const {
     if (const double told = told_.load(); told > kNoShare) return std::clamp(told, 0.0, 1.0);
-    // What is announced comes once files are parsed.
+    // Announcements come once files are parsed.
     return activity_ == Activity::Reading && part_.empty() ? parsed_share(now) : std::nullopt;
   }
   std::optional<double> parsed_share(const Bytes& now) const {

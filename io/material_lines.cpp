@@ -16,7 +16,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
 }
 
-// What follows the values of an option: two of -mm, one to three numbers of -o, -s and -t, one of
+// The number of values of an option: two of -mm, one to three numbers of -o, -s and -t, one of
 // others.
 std::string_view behind_values(std::string_view option, std::string_view rest) {
   constexpr int kMostNumbers = 3;

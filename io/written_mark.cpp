@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kName = "majorant", kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kHead = std::size_t{1} << 16, kMostJson = std::size_t{16} << 20;  // bytes
 
-// What stands around the mark of a format of text.
+// The text around the mark of a format.
 struct MarkFrame {
   std::string_view format, before, after;
 };
@@ -58,7 +58,7 @@ std::size_t behind_word(std::string_view text, std::size_t from) {
   return std::min(text.find_first_of(kSpace, begin), text.size());
 }
 
-// Where the mark of a format begins, in a file or its first bytes.
+// Returns where the mark of a format begins, in a file or its first bytes.
 std::size_t place_of_mark(std::string_view format, std::string_view text) {
   const std::size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   if (format == ".ply") return behind_line(text, behind_line(text, begin));

@@ -51,7 +51,7 @@ CLI::Validator checked_by(std::function<std::string(const std::string&)> fault);
 
 // Words that several options take. Each returns none for what it is not.
 std::optional<double> number_in(const std::string& word);
-// As many finite numbers as there are commas and one more; empty where a part is no number.
+// The finite numbers between commas; empty where a part is no number.
 std::vector<double> numbers_in(const std::string& word);
 // "X,Y,Z", finite, not 0,0,0.
 std::optional<std::array<double, 3>> direction_in(const std::string& word);

@@ -26,7 +26,7 @@ struct LinearSolverRun {
   double residual = 0;           // |H p + g| / |g|
 };
 
-// As --linear-solver has them, and "eigen".
+// The names of --linear-solver, and "eigen".
 std::vector<std::string> linear_solver_names();
 // Measures one of them; where it cannot be had, or fails, its message says why.
 LinearSolverRun measure_linear_solver(const std::string& name, const Problem& problem,

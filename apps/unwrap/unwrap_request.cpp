@@ -28,7 +28,7 @@ constexpr const char* kNoWeld = "no";
 constexpr const char* kAutomaticCharts = "auto";
 constexpr const char* kOneChart = "one";
 
-// What --preset sets, where nothing else is said.
+// The values that --preset sets where their own options are absent.
 struct Preset {
   std::string_view name;
   std::optional<double> max_stretch;
@@ -294,7 +294,7 @@ void choose_scale(UnwrapVerb& request) {
                             tiled));
 }
 
-// What --keep-shape leaves without effect.
+// Refuses options that --keep-shape leaves without effect.
 void require_islands(const UnwrapVerb& request) {
   if (!request.unwrap.layout.keep_shape) return;
   if (request.unwrap.seams.seams != "uv")

@@ -34,7 +34,7 @@ PolygonMesh marked_polygons(const UnwrapRun& run, const std::string& path, const
   return run.request.unwrap.layout.groups ? with_chart_groups(std::move(mesh), chart) : mesh;
 }
 
-// What an OBJ does not hold of the input since tiles have materials of their own.
+// The parts of the input that an OBJ loses because tiles have materials of their own.
 std::vector<std::string> replaced(const UnwrapRun& run) {
   const std::vector<std::string> materials = material_of_polygons(*run.job.polygons);
   const bool has_some = std::any_of(materials.begin(), materials.end(),
@@ -134,7 +134,7 @@ std::string_view why_undivided(Status division, std::string_view nothing) {
   }
 }
 
-// What was repaired, and what was asked of the layout and could not be had.
+// Lines about repairs, and about requests that the layout does not meet.
 std::vector<std::string> remarks(const AtlasJob& job) {
   std::vector<std::string> lines;
   const std::string& input = job.polygons->file;

@@ -173,7 +173,7 @@ std::string read_whole_file(const std::string& path, const StopCheck& stop) {
   content.reserve(file.size() + 1);
   file.for_each_block(stop, [&](std::string_view block) {
     const std::size_t size = content.size() + block.size();
-    // Where it grows it is there twice, for a moment.
+    // A growing string is there twice for a moment.
     if (size > content.capacity()) limit.require(size + content.size());
     content += block;
     return true;

@@ -179,7 +179,7 @@ class ObjReader {
     vertices_before_.push_back(static_cast<Index>(mesh_.positions.size()));
   }
 
-  // Those of the writer, its mark, cones and missing charts, belong to the file that was.
+  // Comments of the writer, its mark, cones and missing charts, belong to the file that was.
   void keep_comments() {
     for (const std::string_view comment : comments_) {
       const std::string_view text =

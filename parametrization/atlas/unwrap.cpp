@@ -365,7 +365,7 @@ class Unwrapping {
     return !atlas_.is_complete();
   }
 
-  // Whether there may be another pass; where not, why.
+  // Returns whether there may be another pass; why_over() says why not.
   bool may_go_on() const {
     return record_.directive() == Directive::Continue && pass_ < kMostPasses;
   }

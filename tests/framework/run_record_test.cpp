@@ -101,7 +101,7 @@ TEST(RunRecord, RanksStopTogether) {
   });
 }
 
-// What an observer is told, in words.
+// The calls that an observer gets, in words.
 class Listener final : public RunObserver {
  public:
   std::vector<std::string> told;

@@ -128,7 +128,7 @@ TEST_F(FilesReadBy, DataOfGltfAcrossBlocks) {
     }
 }
 
-// What readers refuse is named, not opened.
+// Files that readers refuse are named, not opened.
 TEST_F(FilesReadBy, OutsideOfTheFolder) {
   write("a.mtl", "map_Kd wood.png\n");
   write("wood.png", "x");
@@ -190,7 +190,7 @@ TEST_F(FilesReadBy, PiecesOfAPvtu) {
   EXPECT_EQ(of("a.pvtu"), (Names{"a_0.vtu", "in/a & b.vtu"}));
 }
 
-// As they can be opened from there.
+// Paths that can be opened from there.
 TEST_F(FilesReadBy, RelativePaths) {
   write("in/a.mtl", "");
   write("in/a.obj", "mtllib a.mtl\n");

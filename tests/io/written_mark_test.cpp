@@ -57,7 +57,7 @@ TEST(WrittenMark, IsInEveryMapThatIsWritten) {
   }
 }
 
-// Which are seen first where they can be.
+// Names that are seen first where they can be.
 TEST(WrittenMark, StandsWhereReadersTakeComments) {
   const TemporaryFolder folder;
   const MapFile map = to_map_file(cube_map(1));

@@ -94,7 +94,7 @@ TEST_F(PartialLayout, IsWrittenProvenAndSaid) {
     whole.unmapped.reset();
     EXPECT_THROW(certification(out, whole, extension(out) == ".msh" ? &file : nullptr)(out), Error);
   }
-  // As `check` judges it, which knows the file alone.
+  // The judgement of `check`, which knows the file alone.
   for (const char* const name : {"a.obj", "a.vtu"}) {
     const MapFile read = read_map(path(name));
     EXPECT_FALSE(read.is_complete);
