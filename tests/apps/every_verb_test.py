@@ -599,7 +599,6 @@ class EveryVerb(CommandTest):
                               for output in EXAMPLES[verb].outputs + [EXAMPLES[verb].report]
                               if os.path.splitext(name)[1] == os.path.splitext(output)[1]])
 
-    @unittest.expectedFailure
     def test_output_is_named_by_an_input(self):
         """A material library and its texture."""
         def check(example, name, output, target):

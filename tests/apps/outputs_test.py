@@ -47,7 +47,7 @@ class Streams(CommandTest):
 
     def test_existing_files_are_replaced(self):
         self.write('out.vtu', 'old')
-        self.run_ok('parametrize', '--quiet', generated('cap'), self.path('out.vtu'), '--degree', '1')
+        self.run_ok('parametrize', '--quiet', generated('cap'), self.path('out.vtu'), '--degree', '1', '--force')
         self.assertTrue(self.read('out.vtu').startswith(b'<?xml'))
         self.assertEqual(self.files(), ['out.vtu'])
 
