@@ -1,4 +1,5 @@
-// The end of a run that has no result: the exit code, the word of the report's status, and the line.
+// The end of a run that has no result: the exit code, the word of the report's status, and the
+// line.
 //
 //   try {
 //     ...

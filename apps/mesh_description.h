@@ -1,4 +1,5 @@
-// The description of a mesh by `majorant info`: its size and topology, its defects, the verb that maps it.
+// The description of a mesh by `majorant info`: its size and topology, its defects, the verb that
+// maps it.
 //
 //   const MeshDescription found = describe_mesh(read_mesh("bunny.obj"), {.plan = true});
 //   std::cout << found.text;

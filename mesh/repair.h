@@ -134,8 +134,8 @@ struct RepairedSurface {
   Index coincident_left = 0;
 };
 
-// Throws Error(Unsupported) for a mesh without faces, and for RepairOptions::weld where it is longer
-// than the shortest edge of most faces, which would be torn apart; Stopped. O(n log n).
+// Throws Error(Unsupported) for a mesh without faces, and for RepairOptions::weld where it is
+// longer than the shortest edge of most faces, which would be torn apart; Stopped. O(n log n).
 RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options = {},
                        const StopCheck& stop = {});
 

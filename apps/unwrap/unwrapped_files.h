@@ -21,8 +21,8 @@ struct UnwrapRun {
   std::optional<ModelTexture> texture = {};  // to be baked
   const std::string* baked = nullptr;        // the output that it moves to, or null
 };
-// Returns the files and lines of a job that is solved, in place and proven. The result refers to `run`
-// and `clock`.
+// Returns the files and lines of a job that is solved, in place and proven. The result refers to
+// `run` and `clock`.
 Made made_of(const UnwrapRun& run, const Run& clock, bool is_reported);
 
 // A layout for each object of a file.
