@@ -34,7 +34,8 @@ def type_of(rule):
         return '%s, or null' % type_of(rule['anyOf'][0])
     part = target(rule)
     if part:
-        return link(part) + (', or null' if 'null' in part.get('type', '') else '') if 'title' in part else type_of(part)
+        may_be_null = 'null' in part.get('type', '')
+        return link(part) + (', or null' if may_be_null else '') if 'title' in part else type_of(part)
     if 'const' in rule:
         return json.dumps(rule['const'])
     if 'enum' in rule:

@@ -230,8 +230,8 @@ class Reports(CommandTest):
         """majorant-mpi, on one rank."""
         mesh, report, kept = helpers.generated('cap'), self.path('mpi.json'), self.path('kept.ckpt')
         for words in (['--checkpoint', kept, '--every', '1'], ['--resume', kept]):
-            done = alone('parametrize', mesh, '-o', self.path('parts.pvtu'), '--degree', '2', '--force', '--quiet', *words,
-                         '--report', report)
+            done = alone('parametrize', mesh, '-o', self.path('parts.pvtu'), '--degree', '2', '--force', '--quiet',
+                         *words, '--report', report)
             self.assertEqual(done.code, 0, done.err)
             self.judged('parametrize', report)
 
