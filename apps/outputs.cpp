@@ -140,8 +140,11 @@ std::vector<ReadFile> files_read(const std::vector<std::string>& inputs, const S
   for (const std::string& input : inputs) {
     if (input.empty()) continue;
     add(input, input);
-    const auto search = [&] { return files_read_by(input, stop); };
-    for (const std::string& file : within_memory(input, search)) add(file, input);
+    try {
+      const auto search = [&] { return files_read_by(input, stop); };
+      for (const std::string& file : within_memory(input, search)) add(file, input);
+    } catch (const Error&) {  // too large for the memory: the reader says so, with figures
+    }
   }
   return files;
 }

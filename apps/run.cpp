@@ -21,6 +21,9 @@
 namespace majorant::app {
 namespace {
 
+// Seconds after a stop that a picture may still take: an output that nobody reads says so before.
+constexpr double kDrawingPatience = Run::kPatience + 0.5;
+
 // Runs without stages show no progress.
 CommonOptions progress_options(const RunPlan& plan) {
   CommonOptions options = plan.common;
@@ -71,11 +74,12 @@ class Run::Watch final : public RunObserver {
     } catch (const std::system_error&) {  // no room for a thread: the work itself polls
     }
   }
-  // The process may end from here on, as `ending` says; empty: it may not. Does not return where
-  // the process is being ended.
-  void allow(Ending ending) {
+  // The process may end from here on, as `ending` says, so many seconds after a stop; empty: it may
+  // not. Does not return where the process is being ended.
+  void allow(Ending ending, double patience = kPatience) {
     const std::lock_guard lock(mutex_);
     ending_ = std::move(ending);
+    patience_ = patience;
   }
   void end() {
     allow({});
@@ -113,7 +117,7 @@ class Run::Watch final : public RunObserver {
       if (why == Directive::Continue) continue;
       if (!since) since = Clock::now();
       const double waited = std::chrono::duration<double>(Clock::now() - *since).count();
-      if (!ending_ || waited < kPatience) continue;
+      if (!ending_ || waited < patience_) continue;
       const int code = ending_(why);  // the run waits for the mutex, if it comes to it
       remove_temporary_files();
       ::_exit(code);
@@ -128,6 +132,7 @@ class Run::Watch final : public RunObserver {
   std::mutex mutex_;  // of what follows
   std::condition_variable_any changed_;
   Ending ending_;
+  double patience_ = kPatience;
   std::jthread thread_;
 };
 
@@ -200,15 +205,17 @@ int Run::write(Made made) {
       }).base();
   for (auto file = made.files.begin(); file != made.files.end(); ++file) {
     if (file >= last_data)
-      watch_->allow([&, path = file->path](Directive why) {
-        WrittenFiles all = written;
-        all.write(path, [&] {
-          throw Error(ErrorKind::Usage,
-                      fmt::format("{} while drawing {}", Stopped(why).what(), path));
-        });
-        write_reports(made.report, all);
-        return all.conclude(code);
-      });
+      watch_->allow(
+          [&, path = file->path](Directive why) {
+            WrittenFiles all = written;
+            all.write(path, [&] {
+              throw Error(ErrorKind::Usage,
+                          fmt::format("{} while drawing {}", Stopped(why).what(), path));
+            });
+            write_reports(made.report, all);
+            return all.conclude(code);
+          },
+          kDrawingPatience);
     written.write(file->path, file->write);
     watch_->allow({});
     if (written.has(file->path))

@@ -144,8 +144,9 @@ class Values(BakeTest):
         lines[first:first] = ['mtllib old.mtl', 'usemtl a']
         lines.insert(first + 2 + len(self.faces) // 2, 'usemtl b')  # the upper half of the grid
         model = self.write('model.obj', '\n'.join(lines) + '\n')
-        self.run_ok('bake', self.old, '--from', model, '-o', self.path('a.png'))
-        found = self.array('a.png')
+        self.refused(USAGE, 'bake', self.old, '--from', model, '-o', self.path('a.png'), says=['a.png', '--force'])
+        self.run_ok('bake', self.old, '--from', model, '-o', self.path('c.png'))
+        found = self.array('c.png')
         self.assertEqual(found.shape, (16, 32, 3))
         self.assertTrue((found[1:7] == 200).all() and (found[9:15] == 40).all())
 

@@ -169,6 +169,9 @@ class Unreadable(CommandTest):
             with self.subTest(file=name):
                 self.refused(UNREADABLE, 'parametrize', path, '-o', self.path('out.vtu'),
                              '--report', self.path('report.json'), says=name)
+                with open(self.path('report.json')) as f:
+                    self.assertEqual(json.load(f)['status'], 'unreadable')
+                os.remove(self.path('report.json'))
                 self.refused(UNREADABLE, 'info', path, says=name)
                 self.assertEqual(self.files(), before)
 
@@ -250,6 +253,9 @@ class Unsupported(CommandTest):
                 self.refused(UNSUPPORTED, 'parametrize', path, '-o', self.path('out.vtu'), '-o',
                              self.path('out.obj'), '--report', self.path('report.json'),
                              says=[name + '.obj', says])
+                with open(self.path('report.json')) as f:
+                    self.assertEqual(json.load(f)['status'], 'unsupported')
+                os.remove(self.path('report.json'))
                 self.assertEqual(self.files(), before)
                 # `info` explains the same and is no failure.
                 outcome = self.run_ok('info', path)
