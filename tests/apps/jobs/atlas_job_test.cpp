@@ -14,6 +14,7 @@
 #include "majorant/apps/jobs/write_map.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/read_mesh.h"
+#include "mesh/joined_meshes.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
 
@@ -79,8 +80,8 @@ class PartialLayout : public ::testing::Test {
 };
 
 TEST_F(PartialLayout, IsWrittenProvenAndSaid) {
-  EXPECT_EQ(atlas_report(job_)["result"]["complete"], false);
-  EXPECT_EQ(atlas_report(job_)["status"], "interrupted");
+  EXPECT_EQ(atlas_report(job_).result["complete"], false);
+  EXPECT_EQ(atlas_report(job_).status, "interrupted");
   const MapFile file = atlas_file(job_);
   for (const char* const name : {"a.obj", "a.vtu", "a.msh"}) {
     const std::string out = path(name);

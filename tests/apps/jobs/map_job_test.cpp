@@ -59,9 +59,9 @@ TEST(MapJob, WhatIsMovedIsProvenAndTold) {
   EXPECT_EQ(scale_of(job), job.placement->size);
   EXPECT_NEAR(job.result.map->control_uv().maxCoeff(), 1, 1e-12);
   EXPECT_NEAR(job.result.measures.value, value, 1e-9);
-  const Json report = map_report(job);
-  EXPECT_EQ(report["command"], "parametrize");
-  EXPECT_EQ(report["result"]["start"], "tutte");
+  const RunReport report = map_report(job);
+  EXPECT_EQ(report.command, "parametrize");
+  EXPECT_EQ(report.result["start"], "tutte");
 }
 
 // parametrize() has proven what must not overlap; the proof is made again only of a map that moved.

@@ -16,6 +16,7 @@
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/seams/congruent_surfaces.h"
+#include "mesh/joined_meshes.h"
 #include "mesh/list_edits.h"
 #include "mesh/surfaces_of_any_genus.h"
 #include "mesh/test_meshes.h"
@@ -92,19 +93,6 @@ TEST(Unwrap, KeepsTheLimitOfTinyMeshes) {
   const Atlas tiny = unwrapped(mesh, options);
   EXPECT_EQ(tiny.charts.size(), charts);
   for (const Chart& chart : tiny.charts) EXPECT_LE(measure_stretch(*chart.map).l2, 1.004 + 1e-12);
-}
-
-PolygonMesh moved(PolygonMesh mesh, const Vector3& by) {
-  for (Vector3& p : mesh.positions) p += by;
-  return mesh;
-}
-
-PolygonMesh together(PolygonMesh a, const PolygonMesh& b) {
-  const auto first = static_cast<Index>(a.positions.size());
-  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  append_lists(a.polygons, b.polygons, first);
-  a.polygon_lines.clear();
-  return a;
 }
 
 // A cylinder of radius 1 / (2 pi) and length 1, open at both ends, n squares around.
