@@ -2,6 +2,7 @@
 #pragma once
 
 #include "majorant/mesh/polygon_mesh.h"
+#include "mesh/list_edits.h"
 
 namespace majorant {
 
