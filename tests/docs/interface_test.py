@@ -167,7 +167,7 @@ class Reports(CommandTest):
         self.report('parametrize', disk, self.path('b.vtu'), '--time-limit', 0, code=LIMIT)
         self.report('parametrize', disk, self.path('b.html'), '--snapshots', 2)
         self.report('unwrap', helpers.generated('buckle'), self.path('b.obj'), '--normalize')
-        self.report('unwrap', disk, self.path('b.obj'), '--time-limit', 0, code=INVALID)
+        self.report('unwrap', disk, self.path('b.obj'), '--time-limit', 0, code=LIMIT)
         self.report('unwrap', self.write('flipped.obj', helpers.obj_text(
             points, [faces[0][::-1], *faces[1:]])), self.path('b.obj'), '--no-pack')
         self.report('unwrap', self.write('soup.obj', helpers.obj_text(
