@@ -72,6 +72,9 @@ void append_clock(Text& text, double seconds) {
   if (all < 3600) append(text, "{}:{:02}", all / 60, all % 60);
 }
 
+// The beginning of the share of a start in the announcement of a part: "chart 1 of 2, start 20 %".
+constexpr std::string_view kStartShare = ", start ";
+
 // An estimate does not pretend to be exact.
 double rounded_estimate(double seconds) {
   const double unit = seconds < 10 ? 1 : seconds < 60 ? 5 : seconds < 600 ? 10 : 60;
@@ -124,6 +127,7 @@ class Standing {
   // After a chart there is room for the energy on 80 columns without the degree that most have.
   void note(const TraceEntry& e) {
     if (!cuts()) part_.clear();
+    part_ = part_.substr(0, part_.find(kStartShare));  // the start is over
     step_ = cuts() && e.degree == 1 ? without_degree(e) : line(e);
   }
 

@@ -24,6 +24,13 @@ namespace {
 // Seconds after a stop that a picture may still take: an output that nobody reads says so before.
 constexpr double kDrawingPatience = Run::kPatience + 0.5;
 
+// The end of the patience with a picture that is begun now.
+std::chrono::steady_clock::time_point drawing_until() {
+  const std::chrono::duration<double> patience(kDrawingPatience);
+  return std::chrono::steady_clock::now() +
+         std::chrono::duration_cast<std::chrono::steady_clock::duration>(patience);
+}
+
 // Runs without stages show no progress.
 CommonOptions progress_options(const RunPlan& plan) {
   CommonOptions options = plan.common;
@@ -59,6 +66,7 @@ class Run::Watch final : public RunObserver {
  public:
   // Says how a run ends that was stopped: writes the report and the line, returns the exit code.
   using Ending = std::function<int(Directive)>;
+  using Clock = std::chrono::steady_clock;
 
   Watch(const RunPlan& plan, Progress& progress) : plan_(plan), progress_(progress) {}
   ~Watch() override { end(); }
@@ -74,12 +82,13 @@ class Run::Watch final : public RunObserver {
     } catch (const std::system_error&) {  // no room for a thread: the work itself polls
     }
   }
-  // The process may end from here on, as `ending` says, so many seconds after a stop; empty: it may
-  // not. Does not return where the process is being ended.
-  void allow(Ending ending, double patience = kPatience) {
+  // The process may end from here on, as `ending` says, so many seconds after a stop, but not
+  // before `earliest`; empty: it may not. Does not return where the process is being ended.
+  void allow(Ending ending, double patience = kPatience, Clock::time_point earliest = {}) {
     const std::lock_guard lock(mutex_);
     ending_ = std::move(ending);
     patience_ = patience;
+    earliest_ = earliest;
   }
   void end() {
     allow({});
@@ -109,7 +118,6 @@ class Run::Watch final : public RunObserver {
   static constexpr std::chrono::milliseconds kPeriod{50};
 
   void look(const std::stop_token& ended) {
-    using Clock = std::chrono::steady_clock;
     std::unique_lock lock(mutex_);
     std::optional<Clock::time_point> since;
     while (!changed_.wait_for(lock, ended, kPeriod, [&] { return ended.stop_requested(); })) {
@@ -117,7 +125,7 @@ class Run::Watch final : public RunObserver {
       if (why == Directive::Continue) continue;
       if (!since) since = Clock::now();
       const double waited = std::chrono::duration<double>(Clock::now() - *since).count();
-      if (!ending_ || waited < patience_) continue;
+      if (!ending_ || waited < patience_ || Clock::now() < earliest_) continue;
       const int code = ending_(why);  // the run waits for the mutex, if it comes to it
       remove_temporary_files();
       ::_exit(code);
@@ -133,6 +141,7 @@ class Run::Watch final : public RunObserver {
   std::condition_variable_any changed_;
   Ending ending_;
   double patience_ = kPatience;
+  Clock::time_point earliest_;
   std::jthread thread_;
 };
 
@@ -215,7 +224,7 @@ int Run::write(Made made) {
             write_reports(made.report, all);
             return all.conclude(code);
           },
-          kDrawingPatience);
+          kDrawingPatience, drawing_until());
     written.write(file->path, file->write);
     watch_->allow({});
     if (written.has(file->path))

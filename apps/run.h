@@ -2,15 +2,14 @@
 // written, the report, the lines on stderr and the exit code. A verb says what it reads and writes
 // (RunPlan) and makes a result (Made); the rest is here.
 //
-//   int info(const InfoRequest& request) {
-//     const RunPlan plan{.command = "info", .common = request.common, .inputs = {request.input}};
-//     return run_verb(plan, [&](Run& run) {
-//       const PolygonMesh mesh = run.read(request.input, [&] { return read_mesh(request.input); });
-//       Made made{.report = {.status = "done"}};
-//       made.verdict = fmt::format("{} polygons\n", mesh.polygons.size());
-//       return made;
-//     });
-//   }
+//   CommonOptions common;
+//   const RunPlan plan{.command = "info", .common = common, .inputs = {"bunny.obj"}};
+//   const int code = run_verb(plan, [&](Run& run) {
+//     const PolygonMesh mesh = run.read("bunny.obj", [&] { return read_mesh("bunny.obj"); });
+//     Made made{.report = {.status = "done"}};
+//     made.verdict = std::to_string(mesh.polygons.size()) + " polygons\n";
+//     return made;
+//   });
 //
 // The first SIGINT, SIGTERM or SIGHUP and the time limit stop a run. It ends within kPatience, but
 // for writing what holds a result: where the work has not noticed by then, the process ends here.

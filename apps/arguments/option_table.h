@@ -2,9 +2,10 @@
 //
 //   double padding = 4;
 //   bool no_pack = false;
+//   const OptionRules excluding{.excludes = {"--padding"}};
 //   add_options(verb, OptionGroup::Charts,
 //               {{"--padding", &padding, "pixels between charts", {.check = positive_number()}},
-//                {"--no-pack", &no_pack, "leave charts where they are", {.excludes = {"--padding"}}}});
+//                {"--no-pack", &no_pack, "leave charts where they are", excluding}});
 //
 // A row whose value is a bool is a flag. A list may be given several times. A row with a function
 // calls it with the word that was given; of a flag that is "true".

@@ -1,5 +1,7 @@
 // One method on the problem of a comparison, every point of its way measured.
 //
+//   const Contest contest;
+//   Comparison comparison;
 //   warm_up(contest);
 //   comparison.runs.push_back(race(*find_method("newton"), contest, 60));
 #pragma once

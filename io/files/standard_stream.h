@@ -1,7 +1,7 @@
 // Standard input and output under names that say their format: /dev/stdin.obj, /dev/stdout.vtu.
 //
 //   const PolygonMesh mesh = read_mesh(standard_input("obj"));
-//   write_obj(standard_output("obj"), map, &mesh);
+//   const std::string flat = standard_output(".vtu");   // /dev/stdout.vtu
 #pragma once
 
 #include <string>

@@ -1,3 +1,4 @@
+// Terms on single unknowns and on functions of a few, as Python makes them.
 #include "terms.h"
 
 #include <pybind11/stl.h>
