@@ -213,9 +213,10 @@ void require_writable(const CommonOptions& common, const std::vector<OutputNames
       const NamedFile file{path, identify_file(path)};
       require_other_file(file, taken);
       require_not_read(file, read);
-      if (!common.force) require_own_mesh(path);
       taken.push_back(file);
     }
+  if (common.force) return;
+  for (const NamedFile& file : taken) require_own_mesh(file.path);
 }
 
 void WrittenFiles::write(const std::string& path, const std::function<void()>& write) {

@@ -125,13 +125,17 @@ class InputFile {
 template <class Added>
 void inflate_blocks(const std::string& path, const InputFile& file, const ReadingLimit& limit,
                     const StopCheck& stop, std::string& content, const Added& added) {
+  constexpr std::size_t kPiece = 1024;  // bytes, which stand for a thousand times as many at most
   GunzipStream stream(limit);
   const bool is_whole = file.for_each_block(stop, [&](std::string_view block) {
-    if (!stream.append(block, content))
-      throw Error(
-          ErrorKind::Unreadable,
-          path + ": damaged, or no gzip file; if it is not compressed, name it without .gz");
-    return added();
+    for (; !block.empty(); block.remove_prefix(std::min(kPiece, block.size()))) {
+      if (!stream.append(block.substr(0, kPiece), content))
+        throw Error(
+            ErrorKind::Unreadable,
+            path + ": damaged, or no gzip file; if it is not compressed, name it without .gz");
+      if (!added()) return false;
+    }
+    return true;
   });
   if (is_whole && !stream.complete())
     throw Error(ErrorKind::Unreadable,

@@ -168,7 +168,7 @@ class CurvedFiles(CommandTest):
         self.solve('-o', self.path('map.vtu'), '--degree', '4')
         for name, how in (('a.msh', []), ('a.ply', ['--refine', '4']), ('l.vtu', ['--vtu', 'lagrange'])):
             self.write(name, 'old')
-            process = subprocess.run([BINARY, 'convert', self.path('map.vtu'), '-o', self.path(name), *how],
+            process = subprocess.run([BINARY, 'convert', self.path('map.vtu'), '-o', self.path(name), '--force', *how],
                                      stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                      stderr=subprocess.PIPE, text=True, preexec_fn=lower,
                                      timeout=300)

@@ -120,7 +120,7 @@ class EachOnItsOwn(CommandTest):
         """Of three files only the largest fails; nothing is left of it, an old one stays."""
         out, small, report = self.write('big.vtu', 'old'), self.path('a.svg'), self.path('r.json')
         job = ('parametrize', generated('cap'), '-o', out, '-o', small, '--report', report,
-               '--degree', '8', '--max-iterations', '2')
+               '--degree', '8', '--max-iterations', '2', '--force')
         limit = 400000
         outcome = limited(limit, *job)
         self.assertEqual(outcome.code, USAGE, outcome.err)
@@ -214,7 +214,7 @@ class Names(CommandTest):
         run(OK, 'convert', out, '-o', self.byte_path(b'c\xe9.obj'), '--report', report)
         run(OK, 'compare', mesh, '--degree', '1', '--methods', 'newton', '--max-iterations', '2',
             '-o', self.byte_path(b'h\xe9.html'), '--report', report)
-        self.assertIn('\ufffd', message()['title'])
+        self.assertIn('\ufffd', message()['result']['title'])
         self.assertIn(b'x\xe9.obj', run(UNREADABLE, 'info', self.byte_path(b'x\xe9.obj')).stderr)
 
 
@@ -228,7 +228,7 @@ class Infeasible(CommandTest):
         for flags in (['--quiet'], []):
             outcome = majorant('parametrize', generated('wavy_disk'), '-o', self.path('old.vtu'), '-o',
                                self.path('new.obj'), '-o', self.path('t.csv'), '--handles', handles,
-                               '--degree', '2', *flags)
+                               '--degree', '2', '--force', *flags)
             self.assertEqual(outcome.code, UNSUPPORTED, outcome.err)
             self.assertEqual(len(outcome.err.splitlines()), 1, outcome.err)
             self.assertEqual(self.files(), before)
