@@ -47,24 +47,30 @@ std::string wrong_angle(const std::string& seams) {
                      angle);
 }
 
+// The message about what is neither a word, nor an angle, nor a file; of angles sharp_angle() says
+// it.
+std::string wrong_seams(const std::string& seams) {
+  if (is_sharp(seams)) return {};
+  const std::string fault = wrong_angle(seams);
+  return fault.empty() ? word_or_file({"auto", "uv", std::string(kSharp)})(seams) : fault;
+}
+
 }  // namespace
 
 void SeamRequest::add_to(CLI::App& verb) {
-  add_options(
-      verb, OptionGroup::Charts,
-      {{"--seams",
-        &seams,
-        "where to cut: auto; uv, the islands of the file's texture coordinates; "
-        "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
-        "FILE {\"edges\": [[0, 1], ...]}",
-        {.type = "auto|uv|sharp[=DEG]|FILE",
-         .check = checked_by(wrong_angle) & word_or_file({"auto", "uv", std::string(kSharp)})}},
-       {"--max-stretch",
-        &max_stretch,
-        fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "
-                    "({:g})",
-                    CutOptions().max_stretch),
-        {.check = positive_number()}}});
+  add_options(verb, OptionGroup::Charts,
+              {{"--seams",
+                &seams,
+                "where to cut: auto; uv, the islands of the file's texture coordinates; "
+                "sharp[=DEGREES], edges between faces that meet at that angle or more; or a JSON "
+                "FILE {\"edges\": [[0, 1], ...]}",
+                {.type = "auto|uv|sharp[=DEG]|FILE", .check = checked_by(wrong_seams)}},
+               {"--max-stretch",
+                &max_stretch,
+                fmt::format("auto, sharp: mean stretch up to which a chart is left uncut, > 1 "
+                            "({:g})",
+                            CutOptions().max_stretch),
+                {.check = positive_number()}}});
 }
 
 std::string SeamRequest::file() const {

@@ -102,7 +102,7 @@ class Names(EnergyTest):
             self.assertIn('\n  %s ' % name, text)
 
     def test_what_is_called_no_energy(self):
-        for bad in ('dirichlet', '', 'asap+', '+asap', 'mips++asap', 'Mips', 'mips,asap',
+        for bad in ('dirichlet', 'asap+', '+asap', 'mips++asap', 'Mips', 'mips,asap',
                     '2*', 'asap-mips', '2*3*mips', 'mips + nothing'):
             with self.subTest(energy=bad):
                 outcome = self.refuse(USAGE, '--energy', bad, says="'%s'" % bad)

@@ -86,7 +86,7 @@ TEST(SurfaceMatch, FacesThatAreNotMapped) {
     EXPECT_NE(match(cells, surface).defect, "");
     EXPECT_EQ(match_part(cells).defect, "");
     IndexLists fewer;
-    for (std::size_t c = 0; c + 1 < left.size(); ++c) fewer.push_back(left[c]);
+    fewer.push_back(left[0]);
     cells.polygons = fewer;
     EXPECT_NE(match_part(cells).defect, "");
   }
