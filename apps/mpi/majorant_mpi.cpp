@@ -326,6 +326,7 @@ void require_possible(const Request& request) {
          "the scaffold is not distributed");
   refuse(request.solve.snapshots > 0, "--snapshots", "pages hold whole maps");
   refuse(request.map.boundary_angles, "--boundary-angles", "sums at the boundary are not shared");
+  refuse(!request.common.format.empty(), "--format", "files are read and written by name");
   refuse(request.map.seamless, "--seamless", "seams tie points of several ranks");
   refuse(request.map.init == "multiresolution", "--init multiresolution",
          "its levels need the whole surface");

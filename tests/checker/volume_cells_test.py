@@ -60,7 +60,7 @@ class Certificates(unittest.TestCase):
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
             self.assertIn(done.returncode, (0, 5), done.stderr)
             with open(report) as f:
-                found = {e['element']: e for e in json.load(f)['mesh']['worst']}
+                found = {e['element']: e for e in json.load(f)['result']['mesh']['worst']}
         self.assertEqual(len(found), COUNT)
         tally = {1: 0, -1: 0, 0: 0}
         for k, nodes in enumerate(all_nodes):
