@@ -40,7 +40,7 @@ struct RunPlan {
   const CommonOptions& common;
   std::vector<std::string> inputs;        // files that are read, the run's input first; "": none
   std::vector<OutputNames> outputs = {};  // without the report of `common`
-  std::vector<Activity> stages;           // that the progress shows; none: it shows nothing
+  std::vector<Activity> stages = {};      // that the progress shows; none: it shows nothing
   double time_limit = std::numeric_limits<double>::infinity();  // seconds
   int max_iterations = 0;
   // The activities in which there is, or may be, a result that is written after a stop.

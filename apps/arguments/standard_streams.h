@@ -1,6 +1,7 @@
 // The word - on the command line: standard input as an input, standard output as an output.
 //
-//   const std::vector<std::string> words = with_standard_streams({"-", "-o", "-", "--format", "obj"});
+//   const std::vector<std::string> words =
+//       with_standard_streams({"-", "-o", "-", "--format", "obj"});
 //   // "/dev/stdin.obj", "-o", "/dev/stdout.obj", "--format", "obj"
 #pragma once
 
