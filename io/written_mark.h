@@ -1,7 +1,8 @@
 // The mark of mesh files that majorant writes. A later run replaces a file that has it without
 // being asked; files of others are theirs.
 //
-//     # majorant 0.1.0                                OBJ, MTL: the first line; MFEM, Medit: below the version
+//     # majorant 0.1.0                                OBJ, MTL: the first line;
+//                                                     MFEM, Medit: below the version
 //     comment majorant 0.1.0                          PLY: below the format
 //     $Comments, majorant 0.1.0, $EndComments         MSH: the section behind $MeshFormat
 //     <!-- majorant 0.1.0 -->                         VTU, PVTU: above the root element

@@ -89,8 +89,9 @@ class Completion(unittest.TestCase):
         quoted = ' '.join("'%s'" % word for word in words)
         script = ('source "$1"; COMP_WORDS=(%s); COMP_CWORD=%d; _majorant; printf "%%s\\n" "${COMPREPLY[@]}"'
                   % (quoted, len(words) - 1))
-        out = subprocess.run(['bash', '-c', script, '-', os.path.join(FOLDER, 'majorant.bash')], check=True,
-                             text=True, stdout=subprocess.PIPE).stdout
+        with tempfile.TemporaryDirectory() as empty:  # where no names of files are offered
+            out = subprocess.run(['bash', '-c', script, '-', os.path.abspath(os.path.join(FOLDER, 'majorant.bash'))],
+                                 check=True, text=True, stdout=subprocess.PIPE, cwd=empty).stdout
         return out.split()
 
     def test_verbs_and_flags(self):
