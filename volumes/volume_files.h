@@ -6,10 +6,10 @@
 //   write_volume_mesh("moved.msh", mesh);     // the same file, but for that point
 //
 // In the format that was read, what is written is the file with the moved coordinates in their
-// places, and the mark of io/written_mark.h: version, encoding, numbers, order, tags and sections
-// that nothing is known of are those of the input, and what nobody moved comes back bit by bit. A
-// .msh may be written in another version or encoding; every mesh whose nodes the format has a place
-// for as .msh and .vtu.
+// places, and a line that names majorant as its writer: version, encoding, numbers, order, tags and
+// sections that nothing is known of are those of the input, and what nobody moved comes back bit by
+// bit. A .msh may be written in another version or encoding; every mesh whose nodes the format has
+// a place for as .msh and .vtu.
 //
 // Not for surfaces and their maps: io/io.h.
 #pragma once

@@ -63,7 +63,7 @@ class Package(unittest.TestCase):
         invalid, least = self.do(os.path.join(self.build, 'volumes'), mesh).split()
         self.assertEqual(int(invalid), expected['input']['invalid'])
         self.assertGreater(int(invalid), 0)
-        self.assertAlmostEqual(float(least) / expected['mesh']['min_scaled_jacobian'], 1, delta=1e-9)
+        self.assertAlmostEqual(float(least) / expected['result']['mesh']['min_scaled_jacobian'], 1, delta=1e-9)
 
     def test_errors_cross_the_border(self):
         done = subprocess.run([os.path.join(self.build, 'consumer'), '/nonexistent/mesh.obj'], text=True,
