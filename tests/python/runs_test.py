@@ -57,7 +57,7 @@ def test_callback_ends_a_run():
     assert steps[0].energy == pytest.approx(r.report['result']['value'], rel=1e-4)
     with pytest.raises(majorant.StoppedError):
         majorant.unwrap(*helpers.grid(60), degree=2, callback=lambda step: True)
-    r = majorant.unwrap(*helpers.grid(60), degree=2, callback=lambda step: step.iteration >= 2, pack=False)
+    r = majorant.unwrap(*helpers.grid(60), degree=2, callback=lambda step: step.level == 0, pack=False)
     assert r.status == 'interrupted' and majorant.check(r)
 
 
