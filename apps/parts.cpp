@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/read_mesh.h"
 #include "majorant/pictures/images/image_file.h"
 
 namespace majorant::app {
 namespace {
 
-enum class In { Every, Gpl, Exr };  // which builds
+enum class In { Every, Gpl, Exr, Draco, Meshopt };  // which builds
 
 struct Part {
   std::string_view name, licence, use;
@@ -29,6 +30,8 @@ constexpr Part kParts[] = {
     {"libpng", "Libpng", "pictures"},
     {"libjpeg-turbo", "IJG, BSD-3-Clause, Zlib", "pictures to bake"},
     {"OpenEXR, with its Iex and IlmThread, and Imath", "BSD-3-Clause", "pictures to bake", In::Exr},
+    {"Draco", "Apache-2.0", "compressed glTF", In::Draco},
+    {"meshoptimizer", "MIT", "compressed glTF", In::Meshopt},
     {"cairo, pixman", "MPL-1.1 or LGPL-2.1, MIT", "pictures"},
     {"DejaVu Sans", "Bitstream-Vera", "the letters of pictures"},
     {"FreeType, Fontconfig, Expat, Brotli, X11 (libX11, libxcb and their parts), libuuid, libbsd, "
@@ -51,7 +54,19 @@ constexpr Part kParts[] = {
 };
 
 bool is_in(const Part& part) {
-  return part.in == In::Every || (part.in == In::Gpl ? MAJORANT_GPL != 0 : has_exr());
+  switch (part.in) {
+    case In::Every:
+      return true;
+    case In::Gpl:
+      return has_gpl_parts();
+    case In::Exr:
+      return has_exr();
+    case In::Draco:
+      return has_draco();
+    case In::Meshopt:
+      return has_meshopt();
+  }
+  return false;
 }
 
 }  // namespace

@@ -30,7 +30,8 @@
 // Strictness refuses: texture coordinates and normals that are no finite numbers, and those of a
 // face of which a corner has an index of none (the whole face is then without); colours (the vertex
 // is then without); a slash behind the last index of a corner; points and lines of vertices that
-// are not there; one line more than the header announces.
+// are not there; one line more than the header announces. An OFF or a text PLY that ends behind a
+// whole line of a face before all faces that its header announces is read with these.
 //
 // Not for arrays in memory: SurfaceMesh::from_arrays().
 #pragma once
@@ -50,6 +51,9 @@ bool is_mesh_name(const std::string& path);
 // for others.
 std::string foreign_format(const std::string& path);
 
+bool has_draco();    // whether this build reads glTF that Draco compressed
+bool has_meshopt();  // whether this build reads glTF that meshoptimizer compressed
+
 // The parts of a mesh file that must not be broken.
 enum class Strictness {
   Shape,       // coordinates and faces
@@ -60,8 +64,8 @@ enum class Strictness {
 // Throws Error(Unreadable, "file:line: what is wrong; remedy") for an unknown extension, a missing
 // file, or content that breaks the rules above; Error(Unsupported) for a foreign_format; Stopped.
 // A glTF file is damaged (Unreadable) where it announces more than it has or nodes are their own
-// ancestors; compressed geometry and images, unknown extensions that it requires, and files that it
-// names elsewhere are Unsupported.
+// ancestors; images as KTX2, geometry that this build cannot decode, unknown extensions that it
+// requires, and files that it names elsewhere are Unsupported.
 PolygonMesh read_mesh(const std::string& path, const StopCheck& stop = {},
                       Strictness strictness = Strictness::Shape);
 

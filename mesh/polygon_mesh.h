@@ -52,6 +52,8 @@ struct PolygonMesh {
       directives;  // (polygon it precedes, line); "v 8": here the file has 8 vertices
   std::shared_ptr<const GltfScene> gltf;  // of a glTF file all that there is, for its writer
 
+  Index faces_missing = 0;  // of those that the file's header announces
+
   // Parts of the file that a reader left out, a sentence each that begins with file and line, for
   // the program to say.
   std::vector<std::string> warnings;

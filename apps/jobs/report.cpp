@@ -48,15 +48,17 @@ Json input_section(const PolygonMesh& polygons, const SurfaceMesh& mesh) {
         fmt::format("{} triangulated into {}",
                     count_text(static_cast<Index>(polygons.polygons.size()), "polygon"),
                     count_text(mesh.face_count(), "face")));
-  return {{"file", polygons.file},
-          {"vertices", t.vertices},
-          {"faces", t.faces},
-          {"components", t.components},
-          {"boundary_loops", t.boundary_loops},
-          {"euler_characteristic", t.euler_characteristic()},
-          {"area", mesh.area()},
-          {"repairs", repairs},
-          {"warnings", polygons.warnings}};
+  Json section{{"file", polygons.file},
+               {"vertices", t.vertices},
+               {"faces", t.faces},
+               {"components", t.components},
+               {"boundary_loops", t.boundary_loops},
+               {"euler_characteristic", t.euler_characteristic()},
+               {"area", mesh.area()},
+               {"repairs", repairs},
+               {"warnings", polygons.warnings}};
+  if (polygons.faces_missing > 0) section["faces_missing"] = polygons.faces_missing;
+  return section;
 }
 
 Json cones_section(const BezierMap& map) {

@@ -17,6 +17,8 @@ const char* consequence(DroppedPart part) {
       return "the face is read without normals";
     case DroppedPart::Slash:
       return "read without it";
+    case DroppedPart::Faces:
+      return "the file ends there and is read without the others";
     case DroppedPart::Texcoord:
     case DroppedPart::Normal:
     case DroppedPart::Color:

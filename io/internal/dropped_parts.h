@@ -29,6 +29,7 @@ enum class DroppedPart {
   Slash,    // behind the last index of a corner
   Element,  // points and lines of an OBJ
   Line,     // one more than a header announces
+  Faces,    // fewer than a header announces
 };
 
 class DroppedParts {
@@ -59,7 +60,7 @@ class DroppedParts {
   void begin(DroppedPart part, Entry& entry, std::string problem) const;
 
   Strictness strictness_;
-  std::array<Entry, static_cast<std::size_t>(DroppedPart::Line) + 1> entries_;
+  std::array<Entry, static_cast<std::size_t>(DroppedPart::Faces) + 1> entries_;
 };
 
 // Empties those of `lists` that name one of `values` that is not there or not finite, after

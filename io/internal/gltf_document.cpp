@@ -15,8 +15,10 @@
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files/reading_limit.h"
 #include "majorant/io/files_below.h"
+#include "majorant/io/internal/gltf_compression.h"
 #include "majorant/io/internal/json_strings.h"
 #include "majorant/io/json_depth.h"
+#include "majorant/io/read_mesh.h"
 
 namespace majorant {
 namespace {
@@ -27,15 +29,20 @@ constexpr std::string_view kMagic = "glTF";
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kLargestStride = 252;
 
+// decoding: how a library is called that decodes it; none: nothing does.
 struct Compression {
-  std::string_view extension, name;
+  std::string_view extension, name, decoding;
 };
 constexpr std::array<Compression, 4> kCompressions = {{
-    {"KHR_draco_mesh_compression", "Draco compression"},
-    {"EXT_meshopt_compression", "meshopt compression"},
-    {"KHR_meshopt_compression", "meshopt compression"},
-    {"KHR_texture_basisu", "KTX2 textures"},
+    {kDraco, "Draco compression", "Draco (libdraco-dev)"},
+    {kMeshopt, "meshopt compression", "meshoptimizer (libmeshoptimizer-dev)"},
+    {"KHR_meshopt_compression", "meshopt compression", ""},
+    {"KHR_texture_basisu", "KTX2 textures", ""},
 }};
+
+bool is_decoded(std::string_view extension) {
+  return (extension == kDraco && has_draco()) || (extension == kMeshopt && has_meshopt());
+}
 
 // Extensions that may be required: geometry is what it is without them, or read as they say.
 constexpr std::array<std::string_view, 8> kUnderstood = {
@@ -158,6 +165,7 @@ GltfDocument::GltfDocument(const std::string& path, const std::string& content,
   require_supported();
   require_sound_lists();
   load_buffers(stop);
+  decode_geometry();
   std::size_t ignored = 0;
   for (std::size_t k = 0; k < list("bufferViews").size(); ++k) view(k, ignored);
   for (std::size_t k = 0; k < list("accessors").size(); ++k) layout(k, "accessors");
@@ -219,11 +227,15 @@ void GltfDocument::require_supported() const {
       if (!entry.is_string()) damaged(fmt::format("{} has an entry that is no name", key));
       const auto name = entry.get<std::string>();
       for (const Compression& known : kCompressions)
-        if (name == known.extension)
-          refuse(path_, fmt::format("{} ({}) is not read; export the model without it", known.name,
-                                    known.extension));
+        if (name == known.extension && !is_decoded(name))
+          refuse(path_, fmt::format("{} ({}) is not read{}; export the model without it",
+                                    known.name, known.extension,
+                                    known.decoding.empty()
+                                        ? ""
+                                        : fmt::format(", since this majorant was built without {}",
+                                                      known.decoding)));
       const bool is_understood =
-          name.starts_with(kMaterials) ||
+          is_decoded(name) || name.starts_with(kMaterials) ||
           std::find(kUnderstood.begin(), kUnderstood.end(), name) != kUnderstood.end();
       if (std::string_view(key) == "extensionsRequired" && !is_understood)
         refuse(path_, fmt::format("it requires the extension {}, which is not read; export the "
@@ -312,6 +324,9 @@ void GltfDocument::load_buffers(const StopCheck& stop) {
       const auto [place, is_new] = known.try_emplace(uri, buffers_.size());
       bytes = is_new ? bytes_of(uri, "buffers", stop) : buffers_[place->second];
       if (is_new) given_ += bytes.size();
+    } else if (is_meshopt_fallback(entry)) {
+      limit.require(held + size);
+      bytes.assign(size, '\0');
     } else if (buffers_.empty() && has_binary_) {
       bytes = std::move(binary_);
     } else if (size > 0) {
@@ -326,6 +341,22 @@ void GltfDocument::load_buffers(const StopCheck& stop) {
     bytes.resize(size);
     buffers_.push_back(std::move(bytes));
   }
+}
+
+void GltfDocument::decode_geometry() {
+  const ReadingLimit limit(path_);
+  std::size_t held = given_;
+  for (const std::string& bytes : buffers_) held += bytes.size();
+  const GltfDecoding decoding{
+      .damaged = [this](const std::string& problem) { damaged(problem); },
+      .reserve =
+          [&](std::size_t bytes) {
+            held += bytes;
+            limit.require(held);
+          },
+  };
+  decode_meshopt(json_, buffers_, decoding);
+  decode_draco(json_, buffers_, decoding);
 }
 
 std::string_view GltfDocument::view(std::size_t k, std::size_t& stride) const {

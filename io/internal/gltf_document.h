@@ -1,5 +1,5 @@
-// A glTF 2.0 file: its JSON, kept as it is, and the binary data that it names, every access
-// checked. Of "glTF 2.0 Specification" (Khronos): 3.6 binary data, 4 GLB.
+// A glTF 2.0 file: its JSON and the binary data that it names, every access checked. Compressed
+// geometry is decoded (gltf_compression.h); all else of the JSON is kept as it is. Of "glTF 2.0 Specification" (Khronos): 3.6 binary data, 4 GLB.
 //
 //   const GltfDocument document("cup.glb", read_whole_file("cup.glb"), {});
 //   const GltfElements places = document.elements(0, "POSITION");
@@ -84,6 +84,7 @@ class GltfDocument {
   void require_supported() const;
   void require_sound_lists() const;
   void load_buffers(const StopCheck& stop);
+  void decode_geometry();
   std::string bytes_of(const std::string& uri, const char* name, const StopCheck& stop) const;
   std::string_view view(std::size_t k, std::size_t& stride) const;
   struct Layout {

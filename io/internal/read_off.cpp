@@ -26,6 +26,7 @@ class OffReader {
             Strictness strictness)
       : cursor_(path, text, Continuation::None, stop),
         size_(static_cast<long long>(text.size())),
+        ends_with_line_(text.ends_with('\n')),
         dropped_(strictness) {
     mesh_.file = path;
   }
@@ -34,8 +35,8 @@ class OffReader {
     read_header();
     choose_layout();
     for (long long i = 0; i < vertices_; ++i) read_vertex(i);
-    for (long long i = 0; i < faces_; ++i) read_face(i);
-    read_end();
+    for (long long i = 0; i < faces_ && has_face(i); ++i) read_face(i);
+    if (mesh_.faces_missing == 0) read_end();
     require_complete(mesh_);
     dropped_.conclude(mesh_);
     return std::move(mesh_);
@@ -163,6 +164,19 @@ class OffReader {
     mesh_.positions.push_back(position);
   }
 
+  // Returns whether face i follows. Where the file ends behind a whole line of a face, the header
+  // counts too many of them.
+  bool has_face(long long i) {
+    if (i == 0 || !ends_with_line_) return true;
+    LineCursor ahead = cursor_;
+    if (!ahead.at_end_of_line() || ahead.next_line()) return true;
+    mesh_.faces_missing = static_cast<Index>(faces_ - i);
+    dropped_.add(DroppedPart::Faces, [&] {
+      return here(fmt::format("{} of the {} faces that the header announces", i, faces_));
+    });
+    return false;
+  }
+
   void read_face(long long i) {
     begin_record("faces", i, faces_);
     const long line = cursor_.line();
@@ -196,6 +210,7 @@ class OffReader {
 
   LineCursor cursor_;
   long long size_;
+  bool ends_with_line_;
   long long vertices_ = 0, faces_ = 0;
   int attributes_ = 0;  // numbers that follow the coordinates of a vertex
   Layout layout_ = Layout::Stream;

@@ -34,8 +34,17 @@ namespace {
 class AsciiPlySource {
  public:
   AsciiPlySource(const std::string& path, std::string_view text, long first_line)
-      : cursor_(path, text, Continuation::None), first_line_(first_line), path_(path) {}
+      : cursor_(path, text, Continuation::None),
+        first_line_(first_line),
+        ends_with_line_(text.ends_with('\n')),
+        path_(path) {}
 
+  // Returns whether the text ends behind a whole record.
+  bool is_at_end() const {
+    if (!ends_with_line_) return false;
+    LineCursor ahead = cursor_;
+    return ahead.at_end_of_line() && !ahead.next_line();
+  }
   void begin_record() {
     if (!cursor_.next_line()) fail("a record is missing; the file is truncated");
   }
@@ -71,6 +80,7 @@ class AsciiPlySource {
  private:
   LineCursor cursor_;
   long first_line_;
+  bool ends_with_line_;
   const std::string& path_;
 };
 
@@ -79,6 +89,7 @@ class BinaryPlySource {
   BinaryPlySource(const std::string& path, std::string_view bytes, ByteOrder order)
       : cursor_(path, bytes, order), path_(path), size_(bytes.size()), parsed_(bytes.size()) {}
 
+  bool is_at_end() const { return false; }  // bytes do not tell the end of a record
   void begin_record() {
     if (++records_ % StopCheck::kPeriod == 0) parsed_.reach(size_ - cursor_.remaining());
   }
@@ -173,8 +184,9 @@ class PlyReader {
   }
 
   PolygonMesh read(const PlyHeader& header) {
-    for (const PlyElement& element : header.elements) read_element(element);
-    source_.finish(dropped_);
+    for (const PlyElement& element : header.elements)
+      read_element(element, &element == &header.elements.back());
+    if (mesh_.faces_missing == 0) source_.finish(dropped_);
     require_indices();
     require_complete(mesh_);
     if (std::any_of(wedge_uv_.begin(), wedge_uv_.end(),
@@ -203,7 +215,7 @@ class PlyReader {
     if (mesh_.texcoords.empty()) mesh_.polygon_texcoords.clear();
   }
 
-  void read_element(const PlyElement& element) {
+  void read_element(const PlyElement& element, bool is_last) {
     if (element.properties.empty() || element.count == 0) return;
     source_.require_count(element.count, element.least_size());
     const bool is_vertex = element.name == "vertex";
@@ -215,11 +227,19 @@ class PlyReader {
     PlyRecord record;
     for (record_ = 0; record_ < element.count; ++record_) {
       stop_.poll_at(static_cast<std::size_t>(record_));
+      if (is_face && is_last && record_ > 0 && source_.is_at_end()) return miss_faces(element);
       read_record(element, record);
       if (is_vertex) add_vertex(record);
       if (is_face) add_face(record);
       if (is_strip) add_strips(record);
     }
+  }
+
+  // Notes that the file ends before all faces that its header announces.
+  void miss_faces(const PlyElement& element) {
+    mesh_.faces_missing = static_cast<Index>(element.count - record_);
+    drop(DroppedPart::Faces, element.name,
+         fmt::format("{} of the {} faces that the header announces", record_, element.count));
   }
 
   std::size_t require_property(const PlyElement& element,

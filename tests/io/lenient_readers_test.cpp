@@ -39,6 +39,31 @@ TEST(LenientReaders, OffIsAStream) {
   }
 }
 
+// Headers that count more faces than there are: what is there is whole, and read.
+TEST(LenientReaders, FewerFacesThanAnnounced) {
+  const std::string off = "OFF\n4 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 "
+      "0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+  const TemporaryFolder folder;
+  for (const auto& [name, content] : {std::pair("a.off", off), std::pair("a.ply", ply)}) {
+    const PolygonMesh mesh = read(name, content);
+    EXPECT_EQ(mesh.polygons, (Polygons{{0, 1, 2}, {0, 2, 3}})) << name;
+    EXPECT_EQ(mesh.faces_missing, 2) << name;
+    ASSERT_EQ(mesh.warnings.size(), 1u) << name;
+    EXPECT_NE(mesh.warnings[0].find("2 of the 4 faces"), std::string::npos) << mesh.warnings[0];
+    const std::string path = folder.write(name, content);
+    error_message(ErrorKind::Unreadable,
+                  [&] { read_mesh(path, StopCheck(), Strictness::Everything); });
+    for (const std::size_t cut : {1, 2, 3, 9}) {  // within a line of a face, or without any
+      const std::string truncated =
+          folder.write(name, content.substr(0, content.size() - (cut == 9 ? 18 : cut)));
+      error_message(ErrorKind::Unreadable, [&] { read_mesh(truncated); });
+    }
+  }
+}
+
 TEST(LenientReaders, OffSaysTheLineOfAFace) {
   const PolygonMesh mesh = read("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0\n1 2 3\n0 1 2\n");
   EXPECT_EQ(mesh.polygon_lines, (std::vector<long>{6, 7}));

@@ -23,7 +23,7 @@ NAMES = {
     'libamd': 'AMD', 'libsuitesparseconfig': 'AMD', 'libmetis': 'METIS', 'libfmt': 'fmt', 'libpng16': 'libpng',
     'libjpeg': 'libjpeg-turbo', 'libOpenEXR-3_1': 'OpenEXR', 'libIex-3_1': 'Iex', 'libIlmThread-3_1': 'IlmThread',
     'libImath-3_1': 'Imath', 'libOpenEXRCore-3_1': 'OpenEXR',
-    'libz': 'zlib', 'libgomp': "GCC's runtime", 'libstdc++': "GCC's runtime", 'libgcc_s': "GCC's runtime",
+    'libdraco': 'Draco', 'libmeshoptimizer': 'meshoptimizer', 'libz': 'zlib', 'libgomp': "GCC's runtime", 'libstdc++': "GCC's runtime", 'libgcc_s': "GCC's runtime",
     'libpolyclipping': 'Clipper', 'libnlopt_cxx': 'NLopt', 'libnlopt': 'NLopt', 'libceres': 'Ceres',
     'libcholmod': 'SuiteSparse', 'libspqr': 'SuiteSparse', 'libcxsparse': 'SuiteSparse', 'libcolamd': 'SuiteSparse',
     'libccolamd': 'SuiteSparse', 'libcamd': 'SuiteSparse', 'libglog': 'glog', 'libgflags': 'glog',
