@@ -29,11 +29,12 @@ inline constexpr Curvature kCurvatures[] = {Curvature::Projected, Curvature::Maj
 // A model and how much of it: where the projection takes away a part -l of an eigenvalue l < 0 of
 // the exact Hessian at a quadrature point, this takes away projection_weight times that, so that
 //     H = H_exact + projection_weight (H_projected - H_exact).
-// A projection_weight of 0 is the exact Hessian, 1 the projected one; in between H may be
-// indefinite. Other models have no such part: they are what they are.
+// A projection_weight of 0 is the exact Hessian, 1 the projected one, 2 that of the absolute values
+// of the eigenvalues; below 1 H may be indefinite. Other models have no such part: they are what
+// they are.
 struct BlendedCurvature {
   Curvature model = Curvature::Projected;
-  double projection_weight = 1;  // in [0, 1]; 0 for Exact, 1 for all but Projected
+  double projection_weight = 1;  // in [0, 2]; 0 for Exact, 1 for all but Projected
 
   // Implicit: wherever a blend is asked for, a model will do.
   [[gnu::always_inline]] constexpr BlendedCurvature(Curvature whole)

@@ -113,9 +113,9 @@ double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, 
                             const StopCheck& stop) {
   require_size("Evaluator::linearize: y", y.size(), problem_.size());
   require_curvature("Evaluator::linearize", problem_, curvature.model);
-  if (!(curvature.projection_weight >= 0 && curvature.projection_weight <= 1))
+  if (!(curvature.projection_weight >= 0 && curvature.projection_weight <= 2))
     throw InvalidArgument(
-        "Evaluator::linearize: the projection weight of a curvature must lie in 0..1");
+        "Evaluator::linearize: the projection weight of a curvature must lie in 0..2");
   const AddedSeconds time(counters_.linearize_seconds);
   ++counters_.linearizations;
   hessian_values.setZero(problem_.pattern().nonzeros());

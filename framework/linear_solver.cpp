@@ -69,10 +69,11 @@ ShiftedFactorization factorize_shifted(LinearSolver& solver, const SparsePattern
 }
 
 ShiftedFactorization try_shifts(const std::function<FactorStatus(double shift)>& attempt,
-                                double diagonal, double smallest_shift, const StopCheck& stop) {
+                                double diagonal, double smallest_shift, const StopCheck& stop,
+                                double first) {
   ShiftedFactorization result;
   if (!std::isfinite(diagonal)) return result;
-  double shift = 0;
+  double shift = first * diagonal;
   for (int k = 0; k < kMostShifts; ++k) {
     stop.poll();
     ++result.factorizations;

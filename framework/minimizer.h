@@ -82,6 +82,11 @@ class Minimizer {
 //     the message of a stall names what shortened the idle steps (StepLimit): the feasible set, the
 //       energy's domain, or neither, where the energy does not fall as its derivatives promise
 //     unbounded: an energy below -1e100 max(1, |E_0|): Failed, a minimum does not exist
+//     vanished: |E_{k-1}| and -g.p are at most s, and the energy does not fall as -g.p promises:
+//       Converged. E_{k-1} stands for max(|E_{k-1}|, s) in all of these rules, where
+//         s = 1e-14 max(energy_scale, |E_j| of the last ten iterations),
+//       about what cancellation leaves of terms of that size: an energy that is 0 at its minimum
+//       has no scale of its own there
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 struct StoppingRules {
   // Tuned by bench/tune.py stopping.relative_decrease.
@@ -111,8 +116,12 @@ struct StoppingRules {
   int stall_iterations = 3;
   // Tuned by bench/tune.py stopping.stall_step.
   double stall_step = 1e-3;
-  // Tuned by bench/tune.py stopping.fallback_step.
-  double fallback_step = 0.1;
+  // 0: the result of a stall is the last point, which has the least energy. Maps take another one
+  // (parametrization/solve/solver_rules.h).
+  double fallback_step = 0;
+  // The size that energies of this kind have, where the start does not show it: a descent that goes
+  // on from a minimum of 0.
+  double energy_scale = 0;
   // Bounds the cost of a solve that nobody watches; parametrize() has no such limit.
   int max_iterations = 1000;
 };
@@ -145,6 +154,9 @@ class StoppingTest {
   // NaN or numbers of steps below 1 (max_iterations: 0).
   StoppingTest(const StoppingRules& rules, double energy);
 
+  // The least energy that decrements and decreases are relative to.
+  double smallest_scale() const;
+
   // The stop where the iterations are used up.
   std::optional<Stop> before_step() const;
 
@@ -160,7 +172,8 @@ class StoppingTest {
   double remaining(std::ptrdiff_t window) const;
 
   StoppingRules rules_;
-  double smallest_scale_;  // an energy that vanishes at its minimum has no relative scale there
+  double start_;                 // |E_0|
+  std::deque<double> energies_;  // |E| of the last points
   int steps_ = 0, idle_ = 0;
   int held_ = 0;                       // of idle_: a certified step below stall_step
   StepLimit limit_ = StepLimit::None;  // of the idle steps

@@ -33,6 +33,8 @@ constexpr double kMisleading = 0.1;
 // The multiple of a rotation's negative curvature that is added; 1 would leave the Hessian
 // singular.
 constexpr double kRotationShift = 1.5;
+// The factor of a shift with which a step was much too short, and the largest that is tried.
+constexpr double kRaisedShift = 10, kLargestShift = 10;
 // The values that t of a blend rises to when it was too small: by about a factor of 5, so that two
 // failures lead from the exact Hessian to one that is mostly projected.
 constexpr double kRaised[] = {0.1, 0.5, 1};
@@ -76,6 +78,11 @@ class NewtonStepper::LaggedFactor {
   int steps_ = 0;  // that the factor may still serve
 };
 
+double rotation_shift(const Vec& y, const Vec& gradient, const Partition& partition) {
+  const double size = partition.squared_norm(y);
+  return size > 0 ? kRotationShift * std::max(0.0, -partition.dot(y, gradient)) / size : 0.0;
+}
+
 NewtonStepper::~NewtonStepper() = default;
 
 NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
@@ -85,8 +92,18 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
       lagged_(std::make_unique<LaggedFactor>(options_.lagged)) {
   require_curvature(problem);
   require_in("NewtonOptions: forcing.largest", options_.forcing.largest, 0, 1);
+  if (!(options_.projection >= 1 && options_.projection <= 2))
+    throw InvalidArgument(fmt::format("NewtonOptions: projection is {:g}, it must lie in [1, 2]",
+                                      options_.projection));
+  if (options_.projection != 1 && options_.curvature != Curvature::Projected)
+    throw InvalidArgument(
+        "NewtonOptions: projection is that of Curvature::Projected, no other has one");
   require_at_least("NewtonOptions: lagged.history", options_.lagged.history, 0);
   require_at_least("NewtonOptions: lagged.steps", options_.lagged.steps, 0);
+  require_in("NewtonOptions: shifts.least", options_.shifts.least, 0, 1);
+  require_in("NewtonOptions: shifts.short_step", options_.shifts.short_step, 0, 1);
+  require_in("NewtonOptions: shifts.fall", options_.shifts.fall, 0, 1);
+  require_at_least("NewtonOptions: shifts.wait", options_.shifts.wait, 0);
   analyze();
 }
 
@@ -106,6 +123,9 @@ void NewtonStepper::reset(const Problem& problem) {
   evaluator_.reset(problem);
   relative_decrement_ = std::numeric_limits<double>::infinity();
   last_gradient_norm_ = 0;
+  shift_ = 0;
+  shift_wait_ = next_wait_ = 0;
+  is_raised_ = false;
   lagged_->drop();
   if (!same) analyze();
 }
@@ -130,9 +150,16 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   const double before = energy;
   const Vec from = y;
   move_along(p_, 1.0, y, energy, step);
+  learn_shift(step);
+  while (is_raised_ && (step.outcome == Outcome::Blocked || step.outcome == Outcome::NoDecrease)) {
+    if (!solve_whole(y, r)) break;
+    hessian_ = Vec();
+    move_along(p_, 1.0, y, energy, step);
+    learn_shift(step);
+  }
   last_gradient_norm_ = r.gradient_norm;
   if (step.outcome == Outcome::Breakdown) return;
-  relative_decrement_ = relative_to(before, r.newton_decrement);
+  relative_decrement_ = relative(before, r.newton_decrement);
   learn_weight(step);
   // An iterative solver has no factor to keep: its solves are what costs.
   if (step.outcome == Outcome::Moved && r.solver_iterations == 0)
@@ -151,7 +178,7 @@ bool NewtonStepper::lagged_step(Vec& y, double& energy, Step& step) {
   const double before = energy;
   move_along(p_, 1.0, y, energy, step);
   if (step.outcome != Outcome::Moved) return false;
-  relative_decrement_ = relative_to(before, r.newton_decrement);
+  relative_decrement_ = relative(before, r.newton_decrement);
   lagged_->judge(r);
   return true;
 }
@@ -207,20 +234,17 @@ FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record)
   return FactorStatus::Ok;
 }
 
-// Where the energy is invariant under rotations about the origin, the exact Hessian's curvature
-// along an infinitesimal rotation is y.g / |y|^2 (differentiate the gradient along it): a shift by
-// half as much again, when it is negative, vanishes at the minimum and makes up for it. Close to
-// the minimum a small one stays, or rounding errors of the gradient would turn the map.
+// Close to the minimum a small shift stays, or rounding errors of the gradient would move y along
+// whatever the energy does not see.
 bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
   const BlendedCurvature blend = BlendedCurvature::projected(projection_weight_);
   evaluator_.linearize(y, blend, gradient_, hessian_, stop_);
   record.seconds.assemble += watch.restart();
   const Partition& partition = partition_of(evaluator_.problem());
-  const double size = partition.squared_norm(y);
-  record.shift = size > 0 ? (1 - projection_weight_) * kRotationShift *
-                                std::max(0.0, -partition.dot(y, gradient_)) / size
-                          : 0.0;
+  record.shift = options_.blend.shift
+                     ? (1 - projection_weight_) * options_.blend.shift(y, gradient_, partition)
+                     : 0.0;
   if (projection_weight_ == 0 && relative_decrement_ <= kPolish)
     record.shift = std::max(record.shift, kPolishShift * mean_diagonal());
   stop_.poll();
@@ -234,19 +258,55 @@ bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
 
 bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
-  const BlendedCurvature whole = options_.curvature;
+  const BlendedCurvature whole = options_.curvature == Curvature::Projected
+                                     ? BlendedCurvature::projected(options_.projection)
+                                     : BlendedCurvature(options_.curvature);
   evaluator_.linearize(y, whole, gradient_, hessian_, stop_);
   record.curvature = whole.model;
   record.projection_weight = whole.projection_weight;
   record.seconds.assemble += watch.restart();
   if (!partition_of(evaluator_.problem()).all_finite(gradient_)) return false;
+  const double diagonal = mean_diagonal(), first = first_shift();
   const ShiftedFactorization f =
-      try_shifts([&](double shift) { return solve_shifted(shift, record); }, mean_diagonal(),
-                 kSmallestShift, stop_);
+      try_shifts([&](double shift) { return solve_shifted(shift, record); }, diagonal,
+                 options_.shifts.least, stop_, first);
+  if (first == 0 && f.failed() > 0) {
+    shift_wait_ = next_wait_ = std::max(options_.shifts.wait, 2 * next_wait_);
+  } else if (first == 0) {
+    next_wait_ = 0;
+  }
+  shift_ = diagonal > 0 ? f.shift / diagonal : 0;
   record.shift = f.shift;
   record.factorizations += f.factorizations;
   record.failed_factorizations += f.failed();
   return f.status == FactorStatus::Ok;
+}
+
+// The relative shift that a step without a blend begins with.
+double NewtonStepper::first_shift() {
+  const ShiftRules& rules = options_.shifts;
+  const bool waits = shift_wait_ > 0;
+  if (waits) --shift_wait_;
+  if (is_raised_) return shift_;
+  if (rules.fall == 0) return 0;
+  const double first = rules.fall * shift_;
+  if (first >= rules.least) return first;
+  return waits ? rules.least : 0;
+}
+
+// A direction that is cut to almost nothing is that of a Hessian which is nearly singular, or whose
+// model holds next to y alone.
+void NewtonStepper::learn_shift(Step& step) {
+  const ShiftRules& rules = options_.shifts;
+  const bool is_whole = step.record.projection_weight >= 1 || !blends();
+  const bool is_cut = step.outcome == Outcome::Blocked || step.outcome == Outcome::NoDecrease ||
+                      (step.outcome == Outcome::Moved && step.record.step < rules.short_step);
+  is_raised_ = rules.short_step > 0 && is_whole && is_cut && shift_ < kLargestShift &&
+               relative(step.energy_before, step.record.newton_decrement) > LineSearch::kResolution;
+  step.is_direction_too_long = is_raised_;
+  if (!is_raised_) return;
+  const double missing = step.outcome == Outcome::Moved ? rules.short_step / step.record.step : 0;
+  shift_ = std::max(rules.least, std::max(kRaisedShift, missing) * shift_);
 }
 
 // Chooses the next blend.

@@ -35,6 +35,29 @@ struct BlendRules {
   // blend.short_step, blend.whole_steps.
   double short_step = 0.26;
   int whole_steps = 2;
+  // A shift of H, times 1 - t, from y and the gradient there; empty: none. rotation_shift() is one.
+  std::function<double(const Vec& y, const Vec& gradient, const Partition&)> shift = {};
+};
+
+// Makes up for the negative curvature that the exact Hessian of an energy invariant under rotations
+// about the origin has along them away from a minimum: it is y.g / |y|^2 (differentiate the
+// gradient along a rotation). Half as much again, and 0 at a minimum.
+double rotation_shift(const Vec& y, const Vec& gradient, const Partition& partition);
+
+// Shifts of a Hessian that is not positive definite, or so nearly singular that its direction is
+// much too long [NW06, 3.4]. Relative to the mean of |H_ii|.
+struct ShiftRules {
+  // The first shift above 0, a tenth of the next. The direction of a singular Hessian is wrong by
+  // rounding over the shift: 1e-7 of it here.
+  double least = 1e-9;
+  // After a step that is shorter, as a part of its direction, the next one has a larger shift, by
+  // the factor that is missing, or 10; 0: it has not.
+  double short_step = 1e-3;
+  // The part of the last step's shift that a step begins with; 0: it begins without any.
+  double fall = 1.0 / 3;
+  // Steps that begin with `least` after a factorization without a shift has failed; twice as many
+  // each time that it does.
+  int wait = 4;
 };
 
 // Steps on a lagged factor: instead of a factorization of its own a step may take the last one's
@@ -70,7 +93,12 @@ struct ForcingRules {
 
 struct NewtonOptions {
   Curvature curvature = Curvature::Projected;
+  // The weight of the projection far from a minimum, for Curvature::Projected: 1 sets negative
+  // eigenvalues to 0, 2 to their absolute values. The latter keeps directions short where a
+  // projected Hessian is nearly singular.
+  double projection = 1;
   BlendRules blend = {};
+  ShiftRules shifts = {};
   LaggedFactorRules lagged = {};
   ForcingRules forcing = {};
   StoppingRules stopping = {};
@@ -105,6 +133,8 @@ class NewtonStepper final : public Stepper {
   bool find_direction(const Vec& y, IterationRecord& record);
   bool solve_blend(const Vec& y, IterationRecord& record);
   bool solve_whole(const Vec& y, IterationRecord& record);
+  double first_shift();
+  void learn_shift(Step& step);
   FactorStatus solve_shifted(double shift, IterationRecord& record);
   double tolerance() const;
   double mean_diagonal() const;
@@ -119,6 +149,9 @@ class NewtonStepper final : public Stepper {
   double projection_weight_ = 1;                                         // t of the next blend
   int hold_ = 0;                                                         // steps that it stays
   int whole_steps_ = 0;                                                  // to come before it
+  double shift_ = 0;                    // of the last step without a blend, relative
+  int shift_wait_ = 0, next_wait_ = 0;  // steps until none is tried again
+  bool is_raised_ = false;              // shift_ is what the next step begins with
   class LaggedFactor;
   std::unique_ptr<LaggedFactor> lagged_;
 };

@@ -103,6 +103,7 @@ struct StepResult {
   IterationRecord record;       // record.energy is the energy after the step
   std::vector<Index> blocking;  // StepBound::blocking of the line search
   StepLimit limit = StepLimit::None;
+  bool is_direction_too_long = false;  // the next one is shorter: bounds of this one say nothing
   Directive why = Directive::Continue;
   std::string why_none;  // of a Breakdown, where somebody looked into it: a sentence
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -89,6 +90,10 @@ Stepper::Step Stepper::step(Vec& y, double& energy) {
   return step;
 }
 
+double Stepper::relative(double energy, double part) const {
+  return relative_to(std::max(std::abs(energy), smallest_scale_), part);
+}
+
 void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   step.outcome = Outcome::Breakdown;
@@ -96,7 +101,7 @@ void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Ste
   r.gradient_norm = partition.norm(gradient_);
   r.newton_decrement = -partition.dot(gradient_, p);
   if (!partition.all_finite(p) || !(r.newton_decrement >= 0)) return;
-  if (relative_to(energy, r.newton_decrement) <= decrement_rule_) {
+  if (relative(energy, r.newton_decrement) <= decrement_rule_) {
     step.outcome = Outcome::AtMinimum;
     return;
   }
@@ -110,7 +115,7 @@ void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Ste
   if (result == LineSearch::Result::Accepted) {
     step.outcome = Outcome::Moved;
     r.step = search.step();
-    r.relative_decrease = relative_to(energy, energy - search.energy());
+    r.relative_decrease = relative(energy, energy - search.energy());
     r.energy = energy = search.energy();
     y += r.step * p;
   } else {
@@ -162,6 +167,7 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
   descent.set_fallback();
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
+    smallest_scale_ = test.smallest_scale();
     Step step = this->step(result.y, descent.energy);
     Descent::Answer answer;
     if (step.outcome != Outcome::Stopped) {
@@ -185,6 +191,7 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
       break;
     }
   }
+  smallest_scale_ = 0;
   if (stop->at_fallback) descent.return_to_fallback();
   result.status = stop->status;
   result.message = std::move(stop->message);

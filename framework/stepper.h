@@ -88,6 +88,9 @@ class Stepper {
   // ascent, applies the decrement rule, searches the line from the trial step `first`, moves y.
   void move_along(const Vec& p, double first, Vec& y, double& energy, Step& step);
 
+  // Part of an energy: of |E|, or StoppingTest::smallest_scale() of the descent that runs.
+  double relative(double energy, double part) const;
+
   Evaluator evaluator_;
   StopCheck stop_;
   Vec gradient_;
@@ -95,6 +98,7 @@ class Stepper {
  private:
   LineSearchOptions line_search_;
   double decrement_rule_;
+  double smallest_scale_ = 0;
 };
 
 // True where result.y may be a start; fills result.energy then, else status Infeasible, message and

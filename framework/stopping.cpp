@@ -10,9 +10,14 @@
 namespace majorant {
 namespace {
 
-// The smallest scale of an energy, relative to that of the start: about what cancellation leaves of
-// terms of its size, 100 unit roundoffs.
+// The smallest scale of an energy, relative to those of the last points: about what cancellation
+// leaves of terms of that size, 100 unit roundoffs. A start beside a pole of the energy must not
+// count for long.
 constexpr double kSmallestScale = 1e-14;
+constexpr std::size_t kScaleWindow = 10;
+// The part of -g.p that a step gains at least where the energy is more than rounding: a quadratic
+// gains half of it.
+constexpr double kVisible = 0.1;
 // Times the start's energy, or 1: an energy so far below 0 has no minimum. No sum of terms that has
 // one begins to cancel there; the squares of what is below leave the range of doubles.
 constexpr double kUnbounded = 1e100;
@@ -73,8 +78,13 @@ StoppingRules brief_rules(int steps, double relative_decrease) {
 }
 
 StoppingTest::StoppingTest(const StoppingRules& rules, double energy)
-    : rules_(rules), smallest_scale_(kSmallestScale * std::abs(energy)) {
+    : rules_(rules), start_(std::abs(energy)), energies_{start_} {
   require_valid(rules_);
+}
+
+double StoppingTest::smallest_scale() const {
+  return kSmallestScale *
+         std::max(rules_.energy_scale, *std::max_element(energies_.begin(), energies_.end()));
 }
 
 std::optional<Stop> StoppingTest::before_step() const {
@@ -86,10 +96,12 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   ++steps_;
   Advice advice;
   const IterationRecord& r = step.record;
-  const double scale = std::max(std::abs(step.energy_before), smallest_scale_);
+  const double smallest = smallest_scale(), before = std::abs(step.energy_before);
+  const double scale = std::max(before, smallest);
+  const bool is_rounding = before <= smallest && r.newton_decrement <= smallest;
   const double near =
       std::max(rules_.stall_decrement, rules_.tail_factor * rules_.relative_decrease);
-  const bool near_minimum = r.newton_decrement <= near * scale;
+  const bool near_minimum = is_rounding || r.newton_decrement <= near * scale;
   if (step.outcome != StepResult::Outcome::Moved) {
     const bool held = step.outcome == StepResult::Outcome::Blocked ||
                       step.outcome == StepResult::Outcome::NoDecrease;
@@ -99,8 +111,14 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
                                      : Stop{Status::Stalled, stalled_at(step.limit)});
     return advice;
   }
-  if (r.energy < -kUnbounded * std::max(1.0, smallest_scale_ / kSmallestScale)) {
+  if (r.energy < -kUnbounded * std::max(1.0, start_)) {
     advice.stop = Stop{Status::Failed, unbounded_below(r.energy)};
+    return advice;
+  }
+  energies_.push_back(std::abs(r.energy));
+  if (energies_.size() > kScaleWindow) energies_.pop_front();
+  if (is_rounding && r.relative_decrease * scale < kVisible * r.newton_decrement) {
+    advice.stop = Stop{Status::Converged, "the energy vanishes"};
     return advice;
   }
   remember(step, since);
@@ -115,7 +133,7 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
     return advice;
   }
   advice.polish = in_tail && in_tail_ == 1;
-  const bool held = r.step_bound < rules_.stall_step;
+  const bool held = r.step_bound < rules_.stall_step && !step.is_direction_too_long;
   idle_ = small || held ? idle_ + 1 : 0;
   held_ = idle_ == 0 ? 0 : held_ + held;
   limit_ = idle_ == 0 ? StepLimit::None : std::max(limit_, held ? StepLimit::Checker : step.limit);
@@ -126,7 +144,7 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
       advice.stop =
           Stop{Status::Converged, promises ? near_minimum_at(limit_) : "relative decrease"};
     else
-      advice.stop = Stop{Status::Stalled, stalled_at(limit_), true};
+      advice.stop = Stop{Status::Stalled, stalled_at(limit_), rules_.fallback_step > 0};
   }
   advice.fallback = idle_ == 0 && r.step_bound >= rules_.fallback_step;
   return advice;

@@ -19,7 +19,7 @@
 #include "majorant/energies/untangling.h"
 #include "majorant/framework/constraint.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/newton.h"
+#include "majorant/maps/newton_of_maps.h"
 #include "majorant/volumes/internal/control_net.h"
 #include "majorant/volumes/internal/held_points.h"
 #include "majorant/volumes/internal/node_orders.h"
@@ -304,7 +304,7 @@ class VolumeOptimizer {
       const Problem problem_here = problem(depth, weights_);
       result_.unknowns = problem_here.size();
       const Vec start = problem_here.reduce(x_);
-      NewtonOptions newton;
+      NewtonOptions newton = newton_of_maps();
       newton.stop = record_.stop();
       newton.stopping.relative_decrease = options_.tolerance;
       newton.stopping.max_iterations =

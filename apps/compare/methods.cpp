@@ -11,7 +11,7 @@
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/first_order.h"
-#include "majorant/framework/newton.h"
+#include "majorant/maps/newton_of_maps.h"
 
 namespace majorant::app {
 namespace {
@@ -81,7 +81,7 @@ Method newton(
                                                        c.energy, curvature_name(curvature));
   };
   return {std::move(name), std::move(summary), obstacle, [=](const Contest& c) {
-            NewtonOptions options;
+            NewtonOptions options = newton_of_maps();
             options.curvature = curvature;
             options.blend.below = blend_below;
             options.linear_solver = linear_solver;

@@ -13,9 +13,11 @@
 
 namespace majorant {
 
-// diagonal: the matrix's mean_diagonal(), 0 where it has no rows.
+// diagonal: the matrix's mean_diagonal(), 0 where it has no rows. first: the shift, relative to it,
+// that the series begins with.
 ShiftedFactorization try_shifts(const std::function<FactorStatus(double shift)>& attempt,
-                                double diagonal, double smallest_shift, const StopCheck& stop);
+                                double diagonal, double smallest_shift, const StopCheck& stop,
+                                double first = 0);
 
 }  // namespace majorant
 

@@ -13,7 +13,7 @@
 #include "majorant/constraints/cut_surface.h"
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/newton.h"
+#include "majorant/maps/newton_of_maps.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/maps/bezier_map.h"
 #include "majorant/maps/map_problem.h"
@@ -136,7 +136,7 @@ BezierMap integrate_field(const SurfaceMesh& mesh, const CutField& along, const 
   builder.add(FixedPoints::at(gauge_vertices(spec, map.space()), map.control_points()));
   const Problem problem = builder.build();
   // Quadratic: one Newton step, and a second one against rounding.
-  NewtonOptions options;
+  NewtonOptions options = newton_of_maps();
   options.curvature = Curvature::Exact;
   NewtonStepper stepper(problem, options);
   const SolveResult solved = stepper.minimize(Vec::Zero(problem.size()), brief_rules(2, 0));

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/framework/newton.h"
+#include "majorant/maps/newton_of_maps.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/framework/sigterm_gate.h"
@@ -199,7 +199,7 @@ class Multiresolution {
   }
 
   NewtonOptions newton_options() const {
-    NewtonOptions options;
+    NewtonOptions options = newton_of_maps();
     options.stop = stop_;
     options.linear_solver = few_factorizations;
     return options;

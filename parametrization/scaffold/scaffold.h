@@ -18,7 +18,7 @@
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/rest_shapes.h"
 #include "majorant/energies/energy_factory.h"
-#include "majorant/framework/newton.h"
+#include "majorant/maps/newton_of_maps.h"
 #include "majorant/parametrization/scaffold/internal/edge_flip.h"
 
 namespace majorant {
@@ -53,7 +53,7 @@ class Scaffold {
   FlipCounts flip();
   // Newton steps on the shape of the scaffold, image and frame fixed, fewer when options.stop says
   // so. depth: of the certificates.
-  void relax(int steps, int depth, const NewtonOptions& options = {});
+  void relax(int steps, int depth, const NewtonOptions& options = newton_of_maps());
   // Encloses the frame in a larger one where the image comes close to it; whether it did.
   bool grow();
   // Around the same image in a space of one degree more.

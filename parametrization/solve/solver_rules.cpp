@@ -34,7 +34,7 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
 
 NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
                              Ordering ordering, const SolverFactory& linear_solver) {
-  NewtonOptions options;
+  NewtonOptions options = newton_of_maps();
   options.stopping = rules.stopping;
   options.line_search = rules.line_search;
   options.blend = rules.blend;

@@ -14,9 +14,9 @@
 
 #include "majorant/elements/element_space.h"
 #include "majorant/framework/barrier_path.h"
-#include "majorant/framework/newton.h"
 #include "majorant/maps/map_options.h"
 #include "majorant/maps/map_problem.h"
+#include "majorant/maps/newton_of_maps.h"
 #include "majorant/maps/quadrature_ladder.h"
 
 namespace majorant {
@@ -109,9 +109,10 @@ struct BoundRules {
 };
 
 struct SolverRules {
-  StoppingRules stopping;  // all but relative_decrease and max_iterations, which are asked for
+  // All but relative_decrease and max_iterations, which are options of a solve.
+  StoppingRules stopping = stopping_of_maps();
   LineSearchOptions line_search;
-  BlendRules blend;
+  BlendRules blend = blend_of_maps();
   // They have most of what any such values gain, at every degree.
   LaggedFactorRules lagged{.below = 1e-4};
   QuadratureRules quadrature;

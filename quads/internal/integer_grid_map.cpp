@@ -6,10 +6,10 @@
 
 #include "majorant/constraints/local_injectivity.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/newton.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/framework/terms/quadratic_penalty.h"
 #include "majorant/maps/map_problem.h"
+#include "majorant/maps/newton_of_maps.h"
 #include "majorant/maps/quadrature_ladder.h"
 #include "majorant/maps/rest_shapes_of.h"
 
@@ -41,16 +41,22 @@ class GridSolver {
                           added.add(std::make_shared<const QuadraticPenalty>(grid), 1);
                         })),
         held_(problem(spec, [&](MapExtension& added) { added.add(grid); })),
-        stepper_(pulled_.problem, {.stop = stop}) {}
+        stepper_(pulled_.problem, options_until(stop)) {}
 
   const BezierMap& map() const { return map_; }
+
+  static NewtonOptions options_until(const StopCheck& stop) {
+    NewtonOptions options = newton_of_maps();
+    options.stop = stop;
+    return options;
+  }
 
   // By springs of this stiffness.
   void pull(double stiffness) {
     TermState springs;
     springs.weight = stiffness / area_;
     const Problem stiffer = pulled_.problem.with({{pulled_.added.front(), springs}});
-    StoppingRules roughly;
+    StoppingRules roughly = stopping_of_maps();
     roughly.relative_decrease = kRoughSolve;
     roughly.max_iterations = kRoughSteps;
     stepper_.reset(stiffer);
@@ -65,8 +71,8 @@ class GridSolver {
     const Vec to = held_.problem.expand(held_.problem.reduce(from));
     if (injectivity_->max_step(from, to - from, 1).step < 1 || !injectivity_->check(to).feasible)
       return false;
-    NewtonStepper last(held_.problem, {.stop = stop_});
-    const SolveResult solved = last.minimize(held_.problem.reduce(to), {});
+    NewtonStepper last(held_.problem, options_until(stop_));
+    const SolveResult solved = last.minimize(held_.problem.reduce(to), stopping_of_maps());
     stop_.poll();
     if (solved.status == Status::Infeasible) return false;
     become(held_.problem.expand(solved.y));

@@ -1,0 +1,46 @@
+// Rules of Newton's method that were tuned on maps, whose energies are means over the surface and
+// do not see rotations, and whose barriers keep Hessians away from singular ones.
+//
+//   NewtonOptions options = newton_of_maps();
+//   options.stop = stop;
+//
+// Not for other energies: NewtonOptions' own.
+#pragma once
+
+#include "majorant/framework/newton.h"
+
+namespace majorant {
+
+// A mean density is of the size of 1. Where a certificate holds steps back to less than a tenth,
+// the map is led into a corner, from which ways out of a stall do not start well: the point before
+// is the result.
+inline StoppingRules stopping_of_maps() {
+  StoppingRules rules;
+  rules.fallback_step = 0.1;  // tuned by bench/tune.py stopping.fallback_step
+  rules.energy_scale = 1;
+  return rules;
+}
+
+inline BlendRules blend_of_maps() {
+  BlendRules rules;
+  rules.shift = rotation_shift;
+  return rules;
+}
+
+// Each step begins without a shift: an indefinite Hessian is that of a blend, which fails first.
+inline ShiftRules shifts_of_maps() {
+  return {.least = kSmallestShift, .short_step = 0, .fall = 0, .wait = 0};
+}
+
+inline NewtonOptions newton_of_maps() {
+  NewtonOptions options;
+  options.blend = blend_of_maps();
+  options.shifts = shifts_of_maps();
+  options.stopping = stopping_of_maps();
+  return options;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
