@@ -22,6 +22,10 @@
 
 namespace majorant {
 
+// Whether the exact Hessian at a point is positive definite, but for what is 1e-8 of its mean
+// diagonal: there is a minimum then, else a saddle. Not where a term has no exact Hessian.
+enum class Definite { NotTested, Yes, No };
+
 struct SolveResult {
   Status status = Status::Failed;
   std::string message;
@@ -29,7 +33,8 @@ struct SolveResult {
   double energy = 0;
   double newton_decrement = 0;  // of the last step, an energy
   std::vector<IterationRecord> iterations;
-  std::vector<Index> blocking;  // elements that limited the last step
+  std::vector<Index> blocking;              // elements that limited the last step
+  Definite definite = Definite::NotTested;  // where Newton's method converged
 };
 
 class Minimizer {

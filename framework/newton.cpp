@@ -33,6 +33,9 @@ constexpr double kMisleading = 0.1;
 // The multiple of a rotation's negative curvature that is added; 1 would leave the Hessian
 // singular.
 constexpr double kRotationShift = 1.5;
+// The shift, of the mean diagonal, with which the Hessian of a minimum is definite: rounding errors
+// of entries and of their factorization are far below.
+constexpr double kSaddle = 1e-8;
 // The factor of a shift with which a step was much too short, and the largest that is tried.
 constexpr double kRaisedShift = 10, kLargestShift = 10;
 // The values that t of a blend rises to when it was too small: by about a factor of 5, so that two
@@ -78,6 +81,19 @@ class NewtonStepper::LaggedFactor {
   int steps_ = 0;  // that the factor may still serve
 };
 
+namespace {
+
+void require_rules(const BlendRules& rules) {
+  require_in("NewtonOptions: blend.fall", rules.fall, 0, 1);
+  require_in("NewtonOptions: blend.least", rules.least, 0, 1);
+  require_at_least("NewtonOptions: blend.below", rules.below, 0);
+  require_at_least("NewtonOptions: blend.hold", rules.hold, 0);
+  require_at_least("NewtonOptions: blend.short_step", rules.short_step, 0);
+  require_at_least("NewtonOptions: blend.whole_steps", rules.whole_steps, 0);
+}
+
+}  // namespace
+
 double rotation_shift(const Vec& y, const Vec& gradient, const Partition& partition) {
   const double size = partition.squared_norm(y);
   return size > 0 ? kRotationShift * std::max(0.0, -partition.dot(y, gradient)) / size : 0.0;
@@ -100,6 +116,7 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
         "NewtonOptions: projection is that of Curvature::Projected, no other has one");
   require_at_least("NewtonOptions: lagged.history", options_.lagged.history, 0);
   require_at_least("NewtonOptions: lagged.steps", options_.lagged.steps, 0);
+  require_rules(options_.blend);
   require_in("NewtonOptions: shifts.least", options_.shifts.least, 0, 1);
   require_in("NewtonOptions: shifts.short_step", options_.shifts.short_step, 0, 1);
   require_in("NewtonOptions: shifts.fall", options_.shifts.fall, 0, 1);
@@ -336,9 +353,28 @@ void NewtonStepper::raise_weight(double failed) {
   hold_ = options_.blend.hold;
 }
 
+Definite NewtonStepper::definite_at(const Vec& y) {
+  if (!evaluator_.problem().supports(Curvature::Exact)) return Definite::NotTested;
+  try {
+    evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_, stop_);
+    lagged_->drop();
+    IterationRecord unused;
+    const FactorStatus status = solve_shifted(kSaddle * mean_diagonal(), unused);
+    return status == FactorStatus::Ok ? Definite::Yes : Definite::No;
+  } catch (const Stopped&) {
+    return Definite::NotTested;
+  }
+}
+
 SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
   NewtonStepper stepper(problem, options_);
-  return stepper.minimize(std::move(y0), options_.stopping, observer);
+  SolveResult result = stepper.minimize(std::move(y0), options_.stopping, observer);
+  if (options_.tests_minimum && result.status == Status::Converged && result.y.size() > 0) {
+    result.definite = stepper.definite_at(result.y);
+    if (result.definite == Definite::No)
+      result.message += ", at a saddle: the exact Hessian is indefinite there";
+  }
+  return result;
 }
 
 }  // namespace majorant

@@ -104,6 +104,8 @@ struct NewtonOptions {
   StoppingRules stopping = {};
   LineSearchOptions line_search = {};
   SolverFactory linear_solver = [] { return make_direct_solver(); };
+  // NewtonMinimizer tests where it has converged (SolveResult::definite).
+  bool tests_minimum = true;
   // LinearSolver::hint_near_null_space() of a problem, told before its analysis; empty: nothing is.
   std::function<Eigen::MatrixXd(const Problem&)> near_null_space = {};
   StopCheck stop = {};  // ends a step between batches of elements, factorizations, trials
@@ -122,6 +124,9 @@ class NewtonStepper final : public Stepper {
 
   // The next step tries the exact Hessian, whatever happened before.
   void polish() override;
+
+  // Costs an exact Hessian and a factorization.
+  Definite definite_at(const Vec& y);
 
  private:
   void advance(Vec& y, double& energy, Step& step) override;

@@ -101,6 +101,10 @@ void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Ste
   r.gradient_norm = partition.norm(gradient_);
   r.newton_decrement = -partition.dot(gradient_, p);
   if (!partition.all_finite(p) || !(r.newton_decrement >= 0)) return;
+  if (r.gradient_norm > 0 && partition.squared_norm(p) == 0 && p.size() > 0) {
+    step.why_none = "the linear solver answers 0, and the gradient is not 0";
+    return;
+  }
   if (relative(energy, r.newton_decrement) <= decrement_rule_) {
     step.outcome = Outcome::AtMinimum;
     return;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace majorant {
@@ -15,7 +16,8 @@ void require_in(std::string_view what, double value, double least, double limit)
 
 void require_valid(const LineSearchOptions& options) {
   require_in("LineSearchOptions: armijo", options.armijo, 0, 1);
-  require_in("LineSearchOptions: boundary_fraction", options.boundary_fraction, 0, 1);
+  require_in("LineSearchOptions: boundary_fraction", options.boundary_fraction,
+             std::numeric_limits<double>::min(), 1);
   require_at_least("LineSearchOptions: largest_growth", options.largest_growth, 1);
   require_at_least("LineSearchOptions: most_improvements", options.most_improvements, 0);
   require_at_least("LineSearchOptions: barrier_decrement", options.barrier_decrement, 0);
@@ -28,6 +30,10 @@ void require_valid(const StoppingRules& rules) {
     if (std::isnan(value)) throw InvalidArgument(fmt::format("StoppingRules: {} is nan", name));
   };
   number("relative_decrease", rules.relative_decrease);
+  if (rules.relative_decrease < 0 && rules.relative_decrease != kAnyDecrease)
+    throw InvalidArgument(fmt::format(
+        "StoppingRules: relative_decrease is {:g}, it must not be negative, or be kAnyDecrease",
+        rules.relative_decrease));
   number("tail_factor", rules.tail_factor);
   number("last_factor", rules.last_factor);
   number("plateau_factor", rules.plateau_factor);

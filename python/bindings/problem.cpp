@@ -110,10 +110,16 @@ std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& n
   return [] { return make_direct_solver(); };
 }
 
+// Eigenvalues of Curvature::Projected by absolute value.
+constexpr std::string_view kAbsolute = "absolute";
+
 template <class Options>
 Options filled(Options options, const py::dict& keywords, const StopCheck& stop) {
   const auto tolerance = keyword<std::optional<double>>(keywords, "tolerance");
-  options.curvature = curvature_named(keyword<std::string>(keywords, "curvature"));
+  const auto curvature = keyword<std::string>(keywords, "curvature");
+  options.curvature = curvature_named(curvature == kAbsolute ? "projected" : curvature);
+  if constexpr (std::is_same_v<Options, NewtonOptions>)
+    options.projection = curvature == kAbsolute ? 2 : 1;
   options.stopping.max_iterations = keyword<int>(keywords, "max_iterations");
   if (tolerance) options.stopping.relative_decrease = *tolerance;
   options.linear_solver = solver_named(keyword<std::string>(keywords, "linear_solver"));

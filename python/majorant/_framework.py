@@ -236,7 +236,8 @@ class Problem:
         unknowns, whose damping is 'shift' of the iterations; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
         'ceres-nlcg', to compare with: those have no curvature and no linear_solver, and conjugate
         gradients end far from ill-conditioned minima (and tell stderr of their restarts).
-        linear_solver: 'direct' or 'eigen'. tolerance: relative decrease of the energy in one
+        curvature: as for `hessian`, and for 'newton' 'absolute', the projected one with negative
+        eigenvalues by absolute value instead of 0. linear_solver: 'direct' or 'eigen'. tolerance: relative decrease of the energy in one
         iteration to stop at; None: the method's own. callback(record, x), after every iteration:
         something true ends the run.
 
@@ -252,7 +253,7 @@ class Problem:
         limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
         keywords = {
             'method': _options.choice('method', method, _METHODS),
-            'curvature': _curvature(curvature),
+            'curvature': _curvature(curvature, *(('absolute',) if method == 'newton' else ())),
             'linear_solver': _options.choice('linear_solver', linear_solver, ('direct', 'eigen')),
             'tolerance': None if tolerance is None else _options.number('tolerance', tolerance, 0, zero=True),
             'max_iterations': _options.integer('max_iterations', max_iterations, 0, 2**31 - 1),
@@ -264,9 +265,9 @@ class Problem:
                                              _options.callback(callback)))
 
 
-def _curvature(name: Any) -> str:
+def _curvature(name: Any, *more: str) -> str:
     return _options.choice('curvature', name, ('projected', 'majorizer', 'paper-majorizer', 'exact',
-                                               'reweighted'))
+                                               'reweighted', *more))
 
 
 def _limits(name: str, value: Any, size: int) -> Doubles:

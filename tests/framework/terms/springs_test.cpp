@@ -167,6 +167,22 @@ TEST(Newton, ShiftsAreRemembered) {
   EXPECT_LE(factorizations, 2 * static_cast<int>(r.iterations.size()) + 8);
 }
 
+TEST(Newton, SaddlesAreSaid) {
+  Cells both(1, 2);
+  both << 0, 1;
+  const auto saddle = make_term<2>("saddle", both, [](Index, const auto& z) {
+    return z[0] * z[0] - z[1] * z[1] + z[1] * z[1] * z[1] * z[1];
+  });
+  const Problem problem = ProblemBuilder(2).add(saddle, 1).build();
+  const SolveResult at_saddle = NewtonMinimizer().minimize(problem, Vec{{1, 0}}, {});
+  EXPECT_EQ(at_saddle.status, Status::Converged);
+  EXPECT_EQ(at_saddle.definite, Definite::No);
+  EXPECT_NE(at_saddle.message.find("saddle"), std::string::npos) << at_saddle.message;
+  const SolveResult at_minimum = NewtonMinimizer().minimize(problem, Vec{{1, 0.3}}, {});
+  EXPECT_EQ(at_minimum.definite, Definite::Yes) << at_minimum.message;
+  EXPECT_NEAR(at_minimum.energy, -0.25, 1e-9);
+}
+
 TEST(Newton, ProjectionsThatAreNone) {
   const Problem problem = rope().build();
   for (const double projection : {0.5, 2.5, std::nan("")}) {
@@ -178,6 +194,40 @@ TEST(Newton, ProjectionsThatAreNone) {
   options.projection = 2;
   options.curvature = Curvature::Exact;
   EXPECT_THROW(NewtonStepper(problem, options), InvalidArgument);
+  for (const auto change : {+[](NewtonOptions& o) { o.blend.fall = 2; },
+                            +[](NewtonOptions& o) { o.blend.below = std::nan(""); },
+                            +[](NewtonOptions& o) { o.line_search.boundary_fraction = 0; },
+                            +[](NewtonOptions& o) { o.shifts.least = -1; },
+                            +[](NewtonOptions& o) { o.shifts.fall = 1; }}) {
+    NewtonOptions wrong;
+    change(wrong);
+    EXPECT_THROW(NewtonStepper(problem, wrong), InvalidArgument);
+  }
+  NewtonOptions negative;
+  negative.stopping.relative_decrease = -1;
+  EXPECT_THROW(NewtonMinimizer(negative).minimize(problem, problem.reduce(straight()), {}),
+               InvalidArgument);
+}
+
+class SolverThatAnswersZero final : public LinearSolver {
+ public:
+  void analyze(const SparsePattern&) override {}
+  FactorStatus factorize(const Vec&, double) override { return FactorStatus::Ok; }
+  Solution solve(const Vec& b, Vec& p, double) override {
+    p = Vec::Zero(b.size());
+    return {};
+  }
+  std::string description() const override { return "zero"; }
+};
+
+TEST(Newton, ADirectionOfZeroIsNoMinimum) {
+  NewtonOptions options;
+  options.linear_solver = [] { return std::make_shared<SolverThatAnswersZero>(); };
+  const Problem problem = rope().build();
+  const SolveResult r =
+      NewtonMinimizer(options).minimize(problem, problem.reduce(rough(0.1, 1)), {});
+  EXPECT_EQ(r.status, Status::Failed);
+  EXPECT_NE(r.message.find("answers 0"), std::string::npos) << r.message;
 }
 
 }  // namespace
