@@ -87,8 +87,8 @@ class Minimizer {
 //     the message of a stall names what shortened the idle steps (StepLimit): the feasible set, the
 //       energy's domain, or neither, where the energy does not fall as its derivatives promise
 //     unbounded: an energy below -1e100 max(1, |E_0|): Failed, a minimum does not exist
-//     vanished: |E_{k-1}| and -g.p are at most s, and the energy does not fall as -g.p promises:
-//       Converged. E_{k-1} stands for max(|E_{k-1}|, s) in all of these rules, where
+//     vanished: |E_{k-1}| and -g.p are at most s, and the energy does not fall as -g.p promises, or
+//       -g.p is at most s / 100: Converged. E_{k-1} stands for max(|E_{k-1}|, s) in all of these rules, where
 //         s = 1e-14 max(energy_scale, |E_j| of the last ten iterations),
 //       about what cancellation leaves of terms of that size: an energy that is 0 at its minimum
 //       has no scale of its own there

@@ -18,6 +18,9 @@ constexpr std::size_t kScaleWindow = 10;
 // The part of -g.p that a step gains at least where the energy is more than rounding: a quadratic
 // gains half of it.
 constexpr double kVisible = 0.1;
+// The part of the smallest scale that a promise is below where it is less than a roundoff of the
+// terms: the step that it was made for is the last.
+constexpr double kRoundoff = 0.01;
 // Times the start's energy, or 1: an energy so far below 0 has no minimum. No sum of terms that has
 // one begins to cancel there; the squares of what is below leave the range of doubles.
 constexpr double kUnbounded = 1e100;
@@ -117,7 +120,8 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   }
   energies_.push_back(std::abs(r.energy));
   if (energies_.size() > kScaleWindow) energies_.pop_front();
-  if (is_rounding && r.relative_decrease * scale < kVisible * r.newton_decrement) {
+  if (is_rounding && (r.newton_decrement <= kRoundoff * smallest ||
+                      r.relative_decrease * scale < kVisible * r.newton_decrement)) {
     advice.stop = Stop{Status::Converged, "the energy vanishes"};
     return advice;
   }
