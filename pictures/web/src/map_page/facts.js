@@ -17,7 +17,13 @@ const resultNames = [
   ['seam_length_relative', 'seam length'], ['fill', 'square filled'],
 ];
 
-const failing = (map) => count(map.faults.length, ...(map.isOfElements
+// A page of elements shows some of the mesh: the report says how many there are, and how many fail.
+const elementsOf = ({facts}) => facts.result?.mesh;
+const failingCount = (map) => {
+  const elements = elementsOf(map);
+  return elements ? elements.checked - elements.valid : map.faults.length;
+};
+const failing = (map) => count(failingCount(map), ...(map.isOfElements
     ? ['element fails', 'elements fail'] : ['face fails', 'faces fail']));
 
 const wordsOf = (status) => String(status ?? 'status').replaceAll('_', ' ');
@@ -31,7 +37,7 @@ export function summaryOf(map, frame, other = null) {
     return [`iteration ${readable(iteration)}, ${degreeName(degree)}`,
             count(map.faceCount, 'face'), `energy ${readable(energy, 6)}`].join(' \u00b7 ');
   }
-  const parts = [map.isOfElements ? count(new Set(map.chart).size, 'element')
+  const parts = [map.isOfElements ? count(elementsOf(map)?.checked ?? new Set(map.chart).size, 'element')
                                   : `${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
   const energy = map.claims.energy;
   const value = facts.result?.value ?? map.claims.value;
@@ -39,7 +45,7 @@ export function summaryOf(map, frame, other = null) {
   else if (energy) parts.push(energy);
   if (facts.status) parts.push(wordsOf(facts.status));
   if (facts.result?.overlaps) parts.push(String(facts.result.overlaps));
-  if (map.faults.length > 0) parts.push(failing(map));
+  if (failingCount(map) > 0) parts.push(failing(map));
   return parts.join(' \u00b7 ');
 }
 
@@ -148,6 +154,8 @@ export function listFaults(app) {
       }, nameOf(app.map, face)), ` ${text.replace(/^element \d+ /, '')}`));
   section.append(element('h2', {}, failing(app.map)),
                  element('ul', {}, ...items));
-  if (faults.length > kListed)
-    section.append(element('p', {className: 'note'}, `The first ${kListed} are listed.`));
+  const listed = Math.min(faults.length, kListed);
+  if (listed < failingCount(app.map))
+    section.append(element('p', {className: 'note'}, elementsOf(app.map)
+        ? `The worst ${listed} are listed, as --list says.` : `The first ${listed} are listed.`));
 }
