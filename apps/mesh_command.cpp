@@ -37,9 +37,11 @@ std::string verdict_of(const MeshCheckRequest& request, const VolumeMesh& mesh,
   const Extremes all = extremes_of(check);
   const std::string faults = faults_in_words(mesh, check);
   std::string text = one_line(fmt::format(
-      "{}: {}: {}{}; {}; min det J in [{:.4g}, {:.4g}], scaled Jacobian at least {:.4g}, {:.4g} in "
+      "{}: {}: {}{}{}; {}; min det J in [{:.4g}, {:.4g}], scaled Jacobian at least {:.4g}, {:.4g} "
+      "in "
       "the mean\n",
       request.input, status_of(check), faults, faults.empty() ? "det J > 0 all over" : "",
+      periodic_in_words(check),
       elements_in_words(mesh) + (check.is_surface ? ", against their straight normals" : ""),
       all.low, all.high, check.least_scaled_jacobian(), check.mean_scaled_jacobian()));
   return check.is_valid() ? text : text + bad_elements_in_words(mesh, check, request.listed);
@@ -48,9 +50,14 @@ std::string verdict_of(const MeshCheckRequest& request, const VolumeMesh& mesh,
 // The elements that are not proven to be valid as a .vtu; those that are listed as a page, or
 // marked in a picture of all.
 void write_elements(const std::string& path, const MeshCheckRequest& request,
-                    const VolumeMesh& mesh, const VolumeCheck& check) {
-  if (path.ends_with(".png"))
-    return write_space_png(path, picture_of_elements(mesh, check, request.listed));
+                    const VolumeMesh& mesh, const VolumeCheck& check, const StopCheck& stop) {
+  if (path.ends_with(".png")) {
+    try {
+      return write_space_png(path, picture_of_elements(mesh, check, request.listed, stop), stop);
+    } catch (const Stopped& stopped) {  // as any drawing is left out that a stop comes before
+      throw Error(ErrorKind::Usage, fmt::format("{} while drawing {}", stopped.what(), path));
+    }
+  }
   if (!is_page(path)) {
     std::vector<const CheckedCell*> bad;
     for (const CheckedCell& cell : check.cells)
@@ -83,7 +90,8 @@ Made verdict(const MeshCheckRequest& request, CheckedMesh& c, Run& run) {
   made.verdict = verdict_of(request, c.mesh, c.check);
   made.is_verdict_news = !c.check.is_valid();
   for (const std::string& path : request.outputs)
-    made.files.push_back({path, [&, path] { write_elements(path, request, c.mesh, c.check); }});
+    made.files.push_back(
+        {path, [&, path] { write_elements(path, request, c.mesh, c.check, run.stop()); }});
   return made;
 }
 

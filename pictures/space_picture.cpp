@@ -16,7 +16,8 @@ namespace {
 constexpr double kWidth = 1000, kHeight = 800, kMargin = 40;  // pixels
 constexpr double kTitle = 22, kText = 18;                     // heights of letters
 constexpr double kLegendWidth = 300, kLegendHeight = 14;
-constexpr double kAmbient = 0.7;  // of the light; the rest comes from the eye
+constexpr std::size_t kItemsAtOnce = 4096;  // painted between two polls, some 10 ms
+constexpr double kAmbient = 0.7;            // of the light; the rest comes from the eye
 constexpr Color kInk{51, 51, 51}, kMarked{190, 0, 30};
 
 // Pixels of points of space.
@@ -120,7 +121,7 @@ void paint_legend(const SpacePicture& picture, std::vector<DrawingItem>& items) 
 
 }  // namespace
 
-void write_space_png(const std::string& path, const SpacePicture& picture) {
+void write_space_png(const std::string& path, const SpacePicture& picture, const StopCheck& stop) {
   const View view(picture);
   std::vector<double> depth;
   for (const SpaceTriangle& triangle : picture.triangles)
@@ -130,12 +131,18 @@ void write_space_png(const std::string& path, const SpacePicture& picture) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return depth[i] < depth[j]; });
+  Canvas canvas({static_cast<int>(kWidth), static_cast<int>(kHeight)}, 1, Paper::White);
   std::vector<DrawingItem> items;
-  for (const std::size_t k : order) paint(picture.triangles[k], view, items);
+  for (const std::size_t k : order) {
+    paint(picture.triangles[k], view, items);
+    if (items.size() < kItemsAtOnce) continue;
+    stop.poll();
+    canvas.paint(items);
+    items.clear();
+  }
   for (const SpaceMark& mark : picture.marks) paint(mark, view, items);
   items.push_back(Label{.at = {kMargin, kMargin}, .text = picture.title, .size = kTitle});
   paint_legend(picture, items);
-  Canvas canvas({static_cast<int>(kWidth), static_cast<int>(kHeight)}, 1, Paper::White);
   canvas.paint(items);
   write_file_atomically(path, encode_png(canvas.image()));
 }

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
 #include "majorant/pictures/color_scale.h"
 
@@ -47,7 +48,8 @@ struct SpacePicture {
 };
 
 // 1000 by 800 pixels. Throws Error(Unwritable).
-void write_space_png(const std::string& path, const SpacePicture& picture);
+void write_space_png(const std::string& path, const SpacePicture& picture,
+                     const StopCheck& stop = {});
 
 }  // namespace majorant
 

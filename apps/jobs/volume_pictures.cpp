@@ -130,14 +130,18 @@ EdgeUses edge_uses(const SideLattice& side) {
 
 class CutAway {
  public:
-  CutAway(const VolumeMesh& mesh, const VolumeCheck& check) : mesh_(mesh), check_(check) {
+  CutAway(const VolumeMesh& mesh, const VolumeCheck& check, const StopCheck& stop)
+      : mesh_(mesh), check_(check), stop_(stop) {
     legend();
   }
 
   SpacePicture make(int marked) {
     const std::vector<const CheckedCell*> worst = check_.worst(to_size(marked));
     add_sides(cut_place());
-    for (const CheckedCell* cell : worst) mark(*cell);
+    for (const CheckedCell* cell : worst) {
+      stop_.poll();
+      mark(*cell);
+    }
     return std::move(picture_);
   }
 
@@ -188,21 +192,28 @@ class CutAway {
     return middle_of(check_.worst(1).front()->name).x();
   }
 
-  // The sides that only one of the elements has that stay.
+  // The sides that only one of the elements has that stay. Sides are known by the places of their
+  // corners: those that are equal up to a translation are two.
   void add_sides(double cut) {
-    std::map<std::vector<Index>, std::pair<SideLattice, Color>> seen;
+    std::map<std::vector<std::array<double, 3>>, std::pair<SideLattice, Color>> seen;
     for (const CheckedCell& cell : check_.cells) {
+      stop_.poll();
       if (middle_of(cell.name).x() > cut) continue;
       for (SideLattice& side : sides_of(cell.name)) {
-        std::vector<Index> key;
-        for (const int corner : side.corners)
-          key.push_back(block_of(cell.name).vertex(cell.name.cell, corner));
+        std::vector<std::array<double, 3>> key;
+        for (const int corner : side.corners) {
+          const Index row = block_of(cell.name).nodes(cell.name.cell, corner);
+          key.push_back({mesh_.points(row, 0), mesh_.points(row, 1), mesh_.points(row, 2)});
+        }
         std::sort(key.begin(), key.end());
         if (seen.erase(key) == 0)
           seen.emplace(std::move(key), std::pair(std::move(side), color_of(cell)));
       }
     }
-    for (const auto& [key, side] : seen) add_side(side.first, side.second);
+    for (const auto& [key, side] : seen) {
+      stop_.poll();
+      add_side(side.first, side.second);
+    }
   }
 
   void add_side(const SideLattice& side, Color color) {
@@ -230,6 +241,7 @@ class CutAway {
 
   const VolumeMesh& mesh_;
   const VolumeCheck& check_;
+  const StopCheck& stop_;
   const ColorScale scale_ = color_scale(Quantity::Angle, {});
   SpacePicture picture_;
 };
@@ -242,8 +254,9 @@ MapPage page_of_elements(const VolumeMesh& mesh, const std::vector<const Checked
   return page.take();
 }
 
-SpacePicture picture_of_elements(const VolumeMesh& mesh, const VolumeCheck& check, int marked) {
-  return CutAway(mesh, check).make(marked);
+SpacePicture picture_of_elements(const VolumeMesh& mesh, const VolumeCheck& check, int marked,
+                                 const StopCheck& stop) {
+  return CutAway(mesh, check, stop).make(marked);
 }
 
 }  // namespace majorant

@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "majorant/framework/stop_check.h"
 #include "majorant/pictures/pictures.h"
 #include "majorant/pictures/space_picture.h"
 #include "majorant/volumes/check_volume_mesh.h"
@@ -24,7 +25,9 @@ MapPage page_of_elements(const VolumeMesh& mesh, const std::vector<const Checked
 // The elements behind the plane through the worst one, coloured by their scaled Jacobian, and the
 // worst ones, `marked` at most, drawn over them with their numbers. Of a mesh of triangles or quads
 // nothing is cut away.
-SpacePicture picture_of_elements(const VolumeMesh& mesh, const VolumeCheck& check, int marked);
+// Throws Stopped.
+SpacePicture picture_of_elements(const VolumeMesh& mesh, const VolumeCheck& check, int marked,
+                                 const StopCheck& stop = {});
 
 }  // namespace majorant
 
