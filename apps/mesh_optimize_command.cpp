@@ -15,19 +15,24 @@
 #include "majorant/apps/jobs/volume_report.h"
 #include "majorant/energies/solid_energies.h"
 #include "majorant/volumes/optimize_volume_mesh.h"
+#include "majorant/volumes/turned_cells.h"
 #include "majorant/volumes/volume_files.h"
 
 namespace majorant::app {
 namespace {
 
 // "part.msh: converged: 384 tetrahedra of degree 2; 25 were not valid, none is left; energy ..."
+// turned: elements that were turned before.
 std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mesh,
-                       const VolumeResult& result) {
+                       const VolumeResult& result, Index turned) {
   const VolumeCheck &before = result.before, &after = result.after;
   const auto count = static_cast<Index>(before.cells.size());
   const Index bad = count - before.count(ProofStatus::Proven);
   std::string text =
       fmt::format("{}: {}: {}", request.input, status_name(result.status), elements_in_words(mesh));
+  if (turned > 0)
+    text += fmt::format("; {} {} turned around, {} nodes are listed the other way round now",
+                        turned, turned == 1 ? "was" : "were", turned == 1 ? "its" : "their");
   if (!result.is_valid()) {
     const char* remedy = request.boundary == "free" || result.status != Status::Infeasible ? ""
                          : result.impossible.empty() ? "; --boundary free moves the boundary, too"
@@ -47,7 +52,10 @@ std::string summary_of(const MeshOptimizeRequest& request, const VolumeMesh& mes
       text += ", --energy amips-exponential weighs the worst elements most";
     if (request.target != "initial") text += ", --target initial keeps nearer to what elements are";
   }
-  text += fmt::format("; {} nodes moved", result.moved_nodes);
+  text += fmt::format("; {} node{} moved{}", result.moved_nodes, result.moved_nodes == 1 ? "" : "s",
+                      result.moved_nodes == 0
+                          ? ""
+                          : fmt::format(", by {:.4g} at most", result.largest_displacement));
   return text;
 }
 
@@ -81,16 +89,22 @@ Made optimized(const MeshOptimizeRequest& request, VolumeMesh& mesh, Run& run) {
   const VolumeOptions options = run.make("reading " + request.size_file(),
                                          [&] { return request.options(mesh, run.start_stop()); });
   const double before = run.seconds();
+  const std::vector<CellName> turned = run.make("turning elements of " + request.input, [&] {
+    std::vector<CellName> cells = turned_cells(mesh, run.start_stop());
+    mesh = with_cells_turned(mesh, cells, run.start_stop());
+    return cells;
+  });
   const VolumeResult result = run.make("optimizing " + request.input, [&] {
     return within_memory(request.input,
                          [&] { return optimize_volume_mesh(mesh, options, run.record()); });
   });
   mesh.points = result.points;  // those that are written, or that failed
   Made made{.report = optimized_mesh_report(mesh, result, run.record(), request.listed)};
+  made.report.input["turned"] = turned.size();
   made.report.seconds["optimize"] = run.seconds() - before;
   made.report.options = request.to_json();
   made.report.result["energy"] = request.energy;
-  const std::string text = summary_of(request, mesh, result);
+  const std::string text = summary_of(request, mesh, result, static_cast<Index>(turned.size()));
   if (result.is_valid()) {
     made.files.push_back({request.output, [&] { write(request, mesh); }});
     made.summary = [text](const WrittenFiles&) { return std::vector<std::string>{text}; };

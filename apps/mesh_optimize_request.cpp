@@ -72,7 +72,8 @@ void MeshOptimizeRequest::add_to(CLI::App& verb) {
   add_options(verb, OptionGroup::Constraints,
               {{"--boundary",
                 &boundary,
-                "fixed; slide: planes move in themselves, their edges along themselves; free",
+                "fixed; slide: planes move in themselves, their edges along themselves, nodes of "
+                "curved sides along these; free: nodes of invalid elements and their neighbours",
                 {.check = one_of({"fixed", "slide", "free"})}}});
   add_options(verb, OptionGroup::Solver,
               {{"--tolerance",

@@ -4,8 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <utility>
@@ -94,20 +97,116 @@ class SideCheck {
   SideCheck(const VolumeMesh& mesh, VolumeCheck& check) : mesh_(mesh), check_(check) {}
 
   void run(const StopCheck& stop) {
+    for (const CheckedCell& cell : check_.cells) {
+      if (first_.size() <= to_size(cell.name.block)) first_.resize(to_size(cell.name.block) + 1);
+      if (cell.name.cell == 0)
+        first_[to_size(cell.name.block)] = static_cast<std::size_t>(&cell - check_.cells.data());
+    }
+    find_repeated();
+    stop.poll();
     const std::vector<CellSide> sides = sides_of(mesh_);
     stop.poll();
     for_each_side(sides, [&](std::span<const CellSide> cells) { judge(cells); });
   }
 
  private:
+  using Place = std::array<double, 3>;
+
+  // Finds cells of one type whose nodes are in the same places, in any order that keeps the sign of
+  // det J; on a surface, where the two sides of a sheet may be cells, one that runs the same way
+  // round.
+  void find_repeated() {
+    std::vector<std::pair<std::uint64_t, std::size_t>> hashes;
+    for (std::size_t k = 0; k < check_.cells.size(); ++k)
+      hashes.emplace_back(hash_of(check_.cells[k].name), k);
+    std::sort(hashes.begin(), hashes.end());
+    for (auto first = hashes.begin(); first != hashes.end();) {
+      const auto last =
+          std::find_if(first, hashes.end(), [&](const auto& h) { return h.first != first->first; });
+      // A cell is compared with the first of its hash: equal ones are named once each.
+      for (auto other = first + 1; first != last && other != last; ++other) {
+        const CellName a = check_.cells[first->second].name, b = check_.cells[other->second].name;
+        if (are_same(a, b)) check_.repeated.push_back({a, b});
+      }
+      first = last;
+    }
+  }
+
+  Place place_of_node(CellName name, Index k) const {
+    const Index row = block_of(name).nodes(name.cell, k);
+    return {mesh_.points(row, 0) + 0.0, mesh_.points(row, 1) + 0.0, mesh_.points(row, 2) + 0.0};
+  }
+
+  // Returns a hash of the places of the corners in any order, as doubles in which -0 is 0.
+  std::uint64_t hash_of(CellName name) const {
+    std::uint64_t sum = 0;
+    for (Index k = 0; k < corner_count(block_of(name).type.shape); ++k) {
+      std::uint64_t hash = 0;
+      for (const double x : place_of_node(name, k))
+        hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15ULL;
+      sum += hash ^ (hash >> 29);
+    }
+    return sum;
+  }
+
+  std::vector<Place> places_of(CellName name) const {
+    std::vector<Place> places;
+    for (Index k = 0; k < static_cast<Index>(block_of(name).nodes.cols()); ++k)
+      places.push_back(place_of_node(name, k));
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
+  bool are_same(CellName a, CellName b) const {
+    if (block_of(a).type != block_of(b).type || places_of(a) != places_of(b)) return false;
+    if (check_.is_surface) return is_positive_in(a, b);
+    // A node that moved may lay a cell over its neighbour, from the other side: det J has two
+    // signs.
+    const DeterminantRange &x = range_of(a), &y = range_of(b);
+    return !(x.low > 0 && y.largest < 0) && !(x.largest < 0 && y.low > 0);
+  }
+
+  // True where the corners of the two follow each other the same way round.
+  bool is_positive_in(CellName a, CellName b) const {
+    const Index corners = corner_count(block_of(a).type.shape);
+    for (Index k = 0; k < corners; ++k)
+      if (place_of_node(b, k) == place_of_node(a, 0))
+        return place_of_node(b, (k + 1) % corners) == place_of_node(a, 1);
+    return false;
+  }
+
   const CellBlock& block_of(CellName name) const { return mesh_.blocks[to_size(name.block)]; }
 
   void judge(std::span<const CellSide> cells) {
     const CellSide& first = cells.front();
     if (cells.size() == 1) ++check_.boundary_sides;
     if (cells.size() > 2) check_.crowded.push_back(first.name);
-    if (cells.size() == 2 && !agree(first, cells[1]))
-      check_.disagreements.push_back({first.name, cells[1].name});
+    if (cells.size() != 2) return;
+    const CellSide& second = cells[1];
+    const SideSense sense = sense_of(mesh_, first, second);
+    if (sense == SideSense::Twisted || !agree(first, second)) {
+      if (sense == SideSense::Apart && are_translated(mesh_, first, second))
+        ++check_.periodic_sides;
+      else
+        check_.disagreements.push_back({first.name, second.name});
+    } else if (sense == SideSense::Together && !check_.is_surface && have_one_sign(first, second) &&
+               !are_same(first.name, second.name)) {
+      check_.overlapping.push_back({first.name, second.name});
+    }
+  }
+
+  // True where det J of both is known to be positive, or to be negative: cells on one side of a
+  // side that they run round the same way. Where one is turned around they lie on both.
+  bool have_one_sign(const CellSide& a, const CellSide& b) const {
+    const DeterminantRange &x = range_of(a.name), &y = range_of(b.name);
+    const auto is_positive = [](const DeterminantRange& range) {
+      return range.positive == ProofStatus::Proven;
+    };
+    return (is_positive(x) && is_positive(y)) || (x.largest < 0 && y.largest < 0);
+  }
+
+  const DeterminantRange& range_of(CellName name) const {
+    return check_.cells[first_[to_size(name.block)] + to_size(name.cell)].range;
   }
 
   bool agree(const CellSide& a, const CellSide& b) const {
@@ -124,6 +223,7 @@ class SideCheck {
 
   const VolumeMesh& mesh_;
   VolumeCheck& check_;
+  std::vector<std::size_t> first_;  // the place in check_.cells where those of a block begin
 };
 
 }  // namespace
@@ -140,8 +240,11 @@ Index VolumeCheck::inverted() const {
 }
 
 bool VolumeCheck::is_valid() const {
-  return count(ProofStatus::Proven) == static_cast<Index>(cells.size()) && disagreements.empty() &&
-         crowded.empty();
+  return count(ProofStatus::Proven) == static_cast<Index>(cells.size()) && sides_fit();
+}
+
+bool VolumeCheck::sides_fit() const {
+  return disagreements.empty() && crowded.empty() && overlapping.empty() && repeated.empty();
 }
 
 double VolumeCheck::least_scaled_jacobian() const {

@@ -9,7 +9,7 @@
 // component of the normal of the curved cell along it, which at quads is that of the diagonals.
 //
 // Not for maps of surfaces, which have cuts and may overlap: MapProof (certify/map_proof.h).
-// Nothing is said of cells that overlap without sharing a side.
+// Nothing is said of cells that overlap without sharing a side, but where they are the same.
 #pragma once
 
 #include <vector>
@@ -38,15 +38,22 @@ struct VolumeCheck {
   std::vector<CheckedCell> cells;  // in the order of blocks
   std::vector<Disagreement> disagreements;
   std::vector<CellName> crowded;  // cells of a side that more than two have, one for each side
-  Index boundary_sides = 0;       // of one cell
-  bool is_surface = false;        // of triangles and quads in space
+  // Cells of a common side that lie on one side of it, both with det J > 0 or both with det J < 0:
+  // they overlap. Of volumes and of the plane.
+  std::vector<Disagreement> overlapping;
+  std::vector<Disagreement> repeated;  // cells with the same nodes, or nodes in the same places
+  Index boundary_sides = 0;            // of one cell
+  Index periodic_sides = 0;            // of two cells, equal up to a translation
+  bool is_surface = false;             // of triangles and quads in space
 
   Index count(ProofStatus status) const;
   Index invalid() const { return count(ProofStatus::Violated); }
   Index undecided() const { return count(ProofStatus::Undecided); }
   // Cells with det J < 0 at all of their points: turned around.
   Index inverted() const;
-  bool is_valid() const;
+  // True where no side and no pair of cells is named above.
+  bool sides_fit() const;
+  bool is_valid() const;  // that, and all cells are proven
   double least_scaled_jacobian() const;
   double mean_scaled_jacobian() const;
   // At most so many, those that are not proven first, each kind by the scaled Jacobian.

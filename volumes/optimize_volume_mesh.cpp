@@ -9,6 +9,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -39,6 +40,9 @@ constexpr int kHeldSteps = 200;
 // The same where some of the boundary is let go of: gmsh's models that come free so take 2.
 constexpr int kReleasedSteps = 20;
 
+// The least part of the way from the start that is tried where rounded nodes are not valid.
+constexpr double kLeastWrittenPart = 1.0 / 64;
+
 // Scaled Jacobians are told apart above this.
 constexpr double kSameScaledJacobian = 1e-3;
 // How many times as much elements weigh that became worse than the worst one was, and how often. Of
@@ -46,6 +50,11 @@ constexpr double kSameScaledJacobian = 1e-3;
 // models of gmsh, all of which end above the input within three rounds.
 constexpr double kHeavier = 10;
 constexpr int kMostRounds = 4;
+
+// Rounds in which nodes slide along curved sides, at most; the least part of a round's way that is
+// tried; and the relative decrease of the energy below which no other round follows.
+constexpr int kMostSlidingRounds = 20;
+constexpr double kLeastSlidingPart = 1.0 / 64, kSlidingDecrease = 1e-4;
 
 EnergyFactory untangling_energy(int dim) {
   return dim == 3 ? energy_factory(SolidUntanglingDensity(1))
@@ -107,7 +116,11 @@ class VolumeOptimizer {
     const std::vector<CellSide> sides = sides_of(mesh_);
     net_.emplace(mesh_, sides);
     x_ = net_->control_points();
-    held_.emplace(mesh_, sides, *net_, x_, options_.boundary);
+    boundary_ = options_.boundary;
+    if (boundary_ == VolumeBoundary::Free && result_.before.is_valid())
+      boundary_ = VolumeBoundary::Fixed;
+    held_.emplace(mesh_, sides, *net_, x_, boundary_);
+    if (boundary_ == VolumeBoundary::Free) held_->hold_all_but(faulty_and_neighbours(sides));
     result_.held_sides = held_->sides();
     result_.curved_sides = held_->curved_sides();
     result_.impossible = held_->impossible_cells(mesh_);
@@ -124,6 +137,7 @@ class VolumeOptimizer {
       depth = proven_depth();
     }
     if (!depth) return not_untangled();
+    solve_start_ = x_;
     result_.initial_value = mean_energy();
     optimize(*depth);
     finish();
@@ -144,7 +158,7 @@ class VolumeOptimizer {
           fmt::format("all {} elements are turned around, det J < 0 all over them; reverse the "
                       "order of their corners, or mirror the mesh",
                       check.cells.size()));
-    if (!check.disagreements.empty() || !check.crowded.empty())
+    if (!check.sides_fit())
       refuse(
           "its elements do not fit together, mesh check says where; only what is the same in "
           "both elements of a side can be moved");
@@ -195,14 +209,35 @@ class VolumeOptimizer {
     return is_affine ? rule : guarded_rule(rule, space.degree(), kLatticePart);
   }
 
+  // The cells that are not proven to be valid, and those that share a side with one.
+  std::vector<CellName> faulty_and_neighbours(const std::vector<CellSide>& sides) const {
+    const auto key = [](CellName name) { return std::pair(name.block, name.cell); };
+    std::set<std::pair<Index, Index>> faulty, all;
+    for (const CheckedCell& cell : result_.before.cells)
+      if (cell.range.positive != ProofStatus::Proven) faulty.insert(key(cell.name));
+    all = faulty;
+    for_each_side(sides, [&](std::span<const CellSide> cells) {
+      const bool is_any_faulty = std::any_of(cells.begin(), cells.end(), [&](const CellSide& side) {
+        return faulty.count(key(side.name)) > 0;
+      });
+      for (const CellSide& side : cells)
+        if (is_any_faulty) all.insert(key(side.name));
+    });
+    std::vector<CellName> out;
+    for (const auto& [block, cell] : all) out.push_back({block, cell});
+    return out;
+  }
+
   // A free boundary is held at first, but where that makes elements impossible: it keeps the shape,
   // and the size, so that eps may be large, and most meshes are tangled inside alone. A curved mesh
   // that does not come free is untangled as a straight one, as far as nothing is held, and from
   // there once more.
   void untangle() {
     record_.announce("untangling");
-    if (options_.boundary == VolumeBoundary::Free) {
-      HeldPoints border(mesh_, sides_of(mesh_), *net_, x_, VolumeBoundary::Fixed);
+    if (boundary_ == VolumeBoundary::Free) {
+      const std::vector<CellSide> sides = sides_of(mesh_);
+      HeldPoints border(mesh_, sides, *net_, x_, VolumeBoundary::Fixed);
+      border.hold_all_but(faulty_and_neighbours(sides));
       int steps = kHeldSteps;
       for (auto forced = border.impossible_cells(mesh_); !forced.empty();
            forced = border.impossible_cells(mesh_)) {
@@ -226,7 +261,7 @@ class VolumeOptimizer {
   }
 
   UntangledPoint descended(VecIn x, const StraightPoints* straight) {
-    const bool is_free = options_.boundary == VolumeBoundary::Free;
+    const bool is_free = boundary_ == VolumeBoundary::Free;
     return descended(x, *held_, straight, {.first_eps = is_free ? kFirstEps : kFirstEpsHeld});
   }
 
@@ -274,8 +309,8 @@ class VolumeOptimizer {
   }
 
   // The mean of the energy over the elements, each as it weighs, in the set that proofs of that
-  // depth hold.
-  Problem problem(int depth, const std::vector<Vec>& weights) const {
+  // depth hold. held: what stays, or null.
+  Problem problem(int depth, const std::vector<Vec>& weights, const HeldPoints* held) const {
     EnergySum energy = options_.energy;
     if (energy.empty())
       energy = {{find_volume_energy("symmetric-dirichlet", net_->dim())->make, 1.0}};
@@ -287,13 +322,49 @@ class VolumeOptimizer {
         builder.add(summand.make(net_->parts()[k].space, rest, {rule_of(*net_->parts()[k].space)}),
                     summand.weight / measure_);
       }
-    builder.add(*held_);
+    if (held != nullptr) builder.add(*held);
     for (auto& checker : checkers(depth)) builder.add(std::move(checker));
     return builder.build();
   }
 
-  // Optimizes by proofs of that depth first, then by the deepest where these hold steps back.
+  // Optimizes, where curved sides slide round by round: first in their tangents, then nodes go back
+  // to the sides as they were, the whole way or the part of it that leaves all elements valid and
+  // the energy lower.
   void optimize(int first) {
+    if (!held_->has_sliding()) return optimize_linear(first);
+    double value = value_at(x_);
+    for (int round = 0; round < kMostSlidingRounds; ++round) {
+      const Vec before = x_;
+      held_->let_slide(x_);
+      optimize_linear(first);
+      if (x_ == before) break;
+      const RowMatrix from = net_->node_places(before), to = net_->node_places(x_);
+      x_ = before;
+      double next_value = value;
+      for (double part = 1; part >= kLeastSlidingPart; part /= 2) {
+        RowMatrix nodes = from + part * (to - from);
+        held_->put_back(nodes);
+        const Vec next = before + net_->control_change(nodes - from);
+        if (!judge(checkers(ProofDepth::kDeepest), next).feasible) continue;
+        next_value = value_at(next);
+        if (!(next_value < value)) continue;
+        x_ = next;
+        break;
+      }
+      const bool is_lower = next_value < value - kSlidingDecrease * std::abs(value);
+      value = std::min(value, next_value);
+      if (!is_lower || result_.status != Status::Converged) break;
+    }
+  }
+
+  // The mean of the energy at control points that need not be where points are held.
+  double value_at(VecIn x) const {
+    const Problem all = problem(ProofDepth::kStart, weights_, nullptr);
+    return Evaluator(all).value(all.reduce(x));
+  }
+
+  // Optimizes by proofs of that depth first, then by the deepest where these hold steps back.
+  void optimize_linear(int first) {
     record_.begin(Activity::Solving);
     StepObserver noted([&](const TraceEntry& row, const Vec&) {
       TraceEntry entry = row;
@@ -301,7 +372,7 @@ class VolumeOptimizer {
       return record_.note(std::move(entry));
     });
     for (int depth = first;; depth = ProofDepth::kDeepest) {
-      const Problem problem_here = problem(depth, weights_);
+      const Problem problem_here = problem(depth, weights_, &*held_);
       result_.unknowns = problem_here.size();
       const Vec start = problem_here.reduce(x_);
       NewtonOptions newton = newton_of_maps();
@@ -318,9 +389,26 @@ class VolumeOptimizer {
     }
   }
 
+  // Elements that are valid with control points may not be with nodes that are rounded to doubles:
+  // then part of the way from where the solve began is gone.
   void finish() {
-    result_.value = mean_energy();
     move_points();
+    const Vec whole = x_;
+    for (double part = 0.5; !result_.after.is_valid() && part >= kLeastWrittenPart; part /= 2) {
+      x_ = solve_start_ + part * (whole - solve_start_);
+      if (held_->has_sliding()) {
+        const RowMatrix from = net_->node_places(x_);
+        RowMatrix nodes = from;
+        held_->put_back(nodes);
+        x_ += net_->control_change(nodes - from);
+      }
+      move_points();
+    }
+    if (!result_.after.is_valid()) {
+      x_ = solve_start_;
+      move_points();
+    }
+    result_.value = mean_energy();
     if (result_.after.is_valid()) return;
     result_.status = Status::Infeasible;
     result_.message = "the nodes, rounded to doubles, are not proven to be valid";
@@ -329,7 +417,7 @@ class VolumeOptimizer {
   double mean_energy() const {
     std::vector<Vec> ones;
     for (const Vec& weights : weights_) ones.push_back(Vec::Ones(weights.size()));
-    const Problem plain = problem(ProofDepth::kStart, ones);
+    const Problem plain = problem(ProofDepth::kStart, ones, nullptr);
     return Evaluator(plain).value(plain.reduce(x_));
   }
 
@@ -376,8 +464,13 @@ class VolumeOptimizer {
     VolumeMesh moved = mesh_;
     moved.points = net_->nodes(start_, x_, held_->held());
     result_.moved_nodes = 0;
-    for (Index k = 0; k < moved.points.rows(); ++k)
-      if (moved.points.row(k) != mesh_.points.row(k)) ++result_.moved_nodes;
+    result_.largest_displacement = 0;
+    for (Index k = 0; k < moved.points.rows(); ++k) {
+      if (moved.points.row(k) == mesh_.points.row(k)) continue;
+      ++result_.moved_nodes;
+      result_.largest_displacement = std::max(
+          result_.largest_displacement, (moved.points.row(k) - mesh_.points.row(k)).stableNorm());
+    }
     result_.after = check_volume_mesh(moved, record_.telling({}));
     result_.points = std::move(moved.points);
   }
@@ -386,12 +479,15 @@ class VolumeOptimizer {
   const VolumeOptions& options_;
   RunRecord& record_;
   VolumeResult result_;
+  VolumeBoundary boundary_ = VolumeBoundary::Fixed;
   std::optional<ControlNet> net_;
   std::optional<HeldPoints> held_;
   std::vector<RestShapes> targets_;
   std::vector<Vec> weights_;  // of the elements of each part
   double measure_ = 0;
-  Vec start_, x_;  // control points: of the mesh, and where they are now
+  // Control points: of the mesh, where all elements were valid before the energy was minimized, and
+  // where they are now.
+  Vec start_, solve_start_, x_;
 };
 
 }  // namespace

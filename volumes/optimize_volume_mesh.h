@@ -35,8 +35,12 @@ enum class VolumeTarget {
 
 enum class VolumeBoundary {
   Fixed,  // nothing of it moves
-  Slide,  // planes move in themselves, their edges along themselves; what is curved stays
-  Free,   // all of it moves
+  // Planes move in themselves, their edges along themselves, nodes of curved sides alone along the
+  // sides around them, where these go into each other without a corner.
+  Slide,
+  // Only nodes of cells that are not valid move, and of cells that share a side with one, of the
+  // boundary or not. Of a mesh that is valid: as Fixed.
+  Free,
 };
 
 struct VolumeOptions {
@@ -59,6 +63,7 @@ struct VolumeResult {
   VolumeCheck before, after;         // of the mesh as it was, and with these points
   std::vector<CellName> impossible;  // whose fixed nodes make det J <= 0 somewhere
   Index unknowns = 0, moved_nodes = 0;
+  double largest_displacement = 0;         // of a node
   Index held_sides = 0, curved_sides = 0;  // sides that do not move; of Slide: in no plane
   double initial_value = 0, value = 0;     // means of the density; the first after untangling
   int untangling_iterations = 0;

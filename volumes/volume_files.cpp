@@ -153,7 +153,12 @@ VolumeMesh read_volume_mesh(const std::string& path, const StopCheck& stop) {
     refuse_mesh(
         path, fmt::format("meshes of volumes are read from .msh, .mesh and .vtu, not {}", format));
   }
-  std::string content = read_whole_file(path, stop);
+  return read_volume_content(path, read_whole_file(path, stop), stop);
+}
+
+VolumeMesh read_volume_content(const std::string& path, std::string content,
+                               const StopCheck& stop) {
+  const std::string format = format_of(path);
   if (format == ".msh") return read_gmsh_mesh(path, std::move(content), stop);
   if (format == ".vtu") return read_vtk_mesh(path, std::move(content), stop);
   require_text(path, content);

@@ -12,12 +12,14 @@
 // * volume_files.h: read and written as .msh, .mesh, .vtu
 // * determinant_range.h: bounds of det J of one element
 // * check_volume_mesh.h: the verdict on all of them, and on the sides that they share
+// * turned_cells.h: cells that are listed the wrong way round, and how to turn them
 // * optimize_volume_mesh.h: untangled and optimized, by energies of one's own too
 #pragma once
 
 #include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/volumes/determinant_range.h"
 #include "majorant/volumes/optimize_volume_mesh.h"
+#include "majorant/volumes/turned_cells.h"
 #include "majorant/volumes/volume_files.h"
 #include "majorant/volumes/volume_mesh.h"
 

@@ -23,8 +23,7 @@ std::string name_of(const VolumeMesh& mesh, CellName name) {
 }
 
 const char* status_of(const VolumeCheck& check) {
-  if (check.invalid() > 0 || !check.disagreements.empty() || !check.crowded.empty())
-    return "invalid";
+  if (check.invalid() > 0 || !check.sides_fit()) return "invalid";
   return check.undecided() > 0 ? "undecided" : "valid";
 }
 
@@ -33,7 +32,9 @@ std::string faults_in_words(const VolumeMesh& mesh, const VolumeCheck& check) {
   const auto count = static_cast<Index>(check.cells.size());
   if (check.inverted() == count)
     faults.push_back(
-        fmt::format("all {} elements are turned around, det J < 0 all over them", count));
+        fmt::format("all {} elements are turned around, det J < 0 all over them; mesh optimize "
+                    "turns them",
+                    count));
   else if (check.invalid() > 0)
     faults.push_back(fmt::format(
         "{} of {} elements have det J <= 0 somewhere{}", check.invalid(), count,
@@ -51,7 +52,27 @@ std::string faults_in_words(const VolumeMesh& mesh, const VolumeCheck& check) {
     faults.push_back(fmt::format(
         "{} side{} more than two elements, first of {}", check.crowded.size(),
         check.crowded.size() == 1 ? " has" : "s have", name_of(mesh, check.crowded.front())));
+  if (!check.repeated.empty()) {
+    const Disagreement& first = check.repeated.front();
+    faults.push_back(fmt::format("{} element{} listed twice, first {}, which is {}",
+                                 check.repeated.size(),
+                                 check.repeated.size() == 1 ? " is" : "s are",
+                                 name_of(mesh, first.second), name_of(mesh, first.first)));
+  }
+  if (!check.overlapping.empty()) {
+    const Disagreement& first = check.overlapping.front();
+    faults.push_back(
+        fmt::format("{} shared side{} both elements on one side, which overlap, first {} and {}",
+                    check.overlapping.size(), check.overlapping.size() == 1 ? " has" : "s have",
+                    name_of(mesh, first.first), name_of(mesh, first.second)));
+  }
   return fmt::format("{}", fmt::join(faults, "; "));
+}
+
+std::string periodic_in_words(const VolumeCheck& check) {
+  if (check.periodic_sides == 0) return "";
+  return fmt::format("; {} shared side{} the same up to a translation (a periodic mesh)",
+                     check.periodic_sides, check.periodic_sides == 1 ? " is" : "s are");
 }
 
 Extremes extremes_of(const VolumeCheck& check) {
@@ -111,16 +132,20 @@ Json mesh_section(const VolumeMesh& mesh, const VolumeCheck& check, int listed) 
     elements[std::string(plural_of(block.type.shape))] += block.size();
     if (dimension(block.type.shape) == mesh.dimension()) orders.insert(block.type.degree);
   }
-  Json worst = Json::array(), disagreements = Json::array();
+  Json worst = Json::array();
   for (const CheckedCell* cell : check.worst(to_size(listed)))
     worst.push_back(element_section(mesh, *cell));
   const auto number = [&](CellName name) {
     return mesh.blocks[to_size(name.block)].numbers[to_size(name.cell)];
   };
-  for (const Disagreement& d : check.disagreements) {
-    if (disagreements.size() == to_size(listed)) break;
-    disagreements.push_back({number(d.first), number(d.second)});
-  }
+  const auto pairs = [&](const std::vector<Disagreement>& of) {
+    Json list = Json::array();
+    for (const Disagreement& d : of) {
+      if (list.size() == to_size(listed)) break;
+      list.push_back({number(d.first), number(d.second)});
+    }
+    return list;
+  };
   const Extremes all = extremes_of(check);
   return {{"elements", elements},
           {"orders", orders},
@@ -131,13 +156,18 @@ Json mesh_section(const VolumeMesh& mesh, const VolumeCheck& check, int listed) 
           {"inverted", check.inverted()},
           {"disagreeing_sides", check.disagreements.size()},
           {"crowded_sides", check.crowded.size()},
+          {"overlapping_sides", check.overlapping.size()},
+          {"repeated_elements", check.repeated.size()},
+          {"periodic_sides", check.periodic_sides},
           {"boundary_sides", check.boundary_sides},
           {"min_det", {all.low, all.high}},
           {"max_det", all.largest},
           {"min_scaled_jacobian", check.least_scaled_jacobian()},
           {"mean_scaled_jacobian", check.mean_scaled_jacobian()},
           {"worst", worst},
-          {"disagreements", disagreements}};
+          {"disagreements", pairs(check.disagreements)},
+          {"overlapping", pairs(check.overlapping)},
+          {"repeated", pairs(check.repeated)}};
 }
 
 RunReport volume_check_report(const VolumeMesh& mesh, const VolumeCheck& check, int listed) {
@@ -153,6 +183,7 @@ RunReport optimized_mesh_report(const VolumeMesh& mesh, const VolumeResult& resu
                                 const RunRecord& record, int listed) {
   Json section = mesh_section(mesh, result.after, listed);
   section["moved_nodes"] = result.moved_nodes;
+  section["largest_displacement"] = result.largest_displacement;
   section["held_sides"] = result.held_sides;
   section["curved_sides"] = result.curved_sides;
   section["impossible"] = Json::array();

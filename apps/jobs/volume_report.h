@@ -19,6 +19,9 @@ std::string name_of(const VolumeMesh& mesh, CellName name);
 const char* status_of(const VolumeCheck& check);  // "valid", "invalid", "undecided"
 // What is wrong, in words; empty where nothing is.
 std::string faults_in_words(const VolumeMesh& mesh, const VolumeCheck& check);
+// "; 6 shared sides are the same up to a translation (a periodic mesh)"; empty where there are
+// none.
+std::string periodic_in_words(const VolumeCheck& check);
 
 struct Extremes {
   double low = std::numeric_limits<double>::infinity(), high = low, largest = -low;
@@ -34,7 +37,8 @@ std::string bad_elements_in_words(const VolumeMesh& mesh, const VolumeCheck& che
 
 // The report of a check. Input of it: the file as the mesh names it.
 RunReport volume_check_report(const VolumeMesh& mesh, const VolumeCheck& check, int listed);
-// The report of a mesh that was optimized, but for its options.
+// The report of a mesh that was optimized, but for its options and the number of elements that were
+// turned before, "turned" of its input.
 RunReport optimized_mesh_report(const VolumeMesh& mesh, const VolumeResult& result,
                                 const RunRecord& record, int listed);
 

@@ -11,6 +11,7 @@
 #include "majorant/apps/jobs/volume_report.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/volumes/turned_cells.h"
 #include "majorant/volumes/volume_files.h"
 #include "module.h"
 #include "options.h"
@@ -96,14 +97,19 @@ py::tuple optimize_volume(const SharedVolume& mesh, const py::dict& keywords,
   Run run(keyword<double>(keywords, "time_limit"), keyword<int>(keywords, "max_iterations"),
           callback);
   const int threads = keyword<int>(keywords, "threads");
+  auto moved_mesh = std::make_shared<VolumeMesh>();
+  std::size_t turned = 0;
   VolumeResult result = run([&] {
     const ThreadCount count(threads);
-    return optimize_volume_mesh(*mesh, options, run.record());
+    const std::vector<CellName> cells = turned_cells(*mesh, run.stop());
+    turned = cells.size();
+    *moved_mesh = with_cells_turned(*mesh, cells, run.stop());
+    return optimize_volume_mesh(*moved_mesh, options, run.record());
   });
-  const bool is_valid = result.is_valid();
-  const std::string report =
-      json_text(to_json(optimized_mesh_report(*mesh, result, run.record(), kListed)));
-  return py::make_tuple(moved(std::move(result.points)), is_valid, report);
+  moved_mesh->points = std::move(result.points);
+  RunReport report = optimized_mesh_report(*moved_mesh, result, run.record(), kListed);
+  report.input["turned"] = turned;
+  return py::make_tuple(moved_mesh, result.is_valid(), json_text(to_json(report)));
 }
 
 // version: "2.2", "4.1" or empty, that of the file; encoding: "binary" or empty, that of the file.

@@ -115,6 +115,8 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
         better, report = majorant.optimize(mesh, 'mips', boundary='slide')
         report['result']['mesh']['min_scaled_jacobian']
 
+    Elements that are listed the wrong way round are turned first: report['input']['turned'] counts them.
+
     energy: a name or a sum, as `--energy` of `majorant mesh optimize`. target: 'ideal', 'initial', or 'size' with
     sizes, edge lengths, one or one for each element. boundary: 'fixed', 'slide', 'free'. Limits and callback as for
     `parametrize`; report['status'] says what ended the run. docs/volumes.md has all of it.
@@ -141,13 +143,13 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
         'time_limit': _limit(time_limit),
         'threads': _options.integer('threads', threads, 0, 1024),
     }
-    points, is_valid, text = _core.optimize_volume(mesh._volume, keywords, _options.callback(callback))
+    better, is_valid, text = _core.optimize_volume(mesh._volume, keywords, _options.callback(callback))
     report = json.loads(text)
     if not is_valid:
         failed = report['result']['mesh']['impossible'] or [element['element'] for element in report['result']['mesh']['worst']
                                                   if element['verdict'] != 'valid']
         raise InvalidError(f'{report["message"]}: elements {", ".join(map(str, failed[:10]))}')
-    return mesh.with_points(points), report
+    return VolumeMesh._of(better), report
 
 
 def _limit(seconds: float | None) -> float:

@@ -134,6 +134,16 @@ class Verdicts(CommandTest):
         done = self.run_ok('mesh', 'check', path, code=INVALID)
         self.assertIn(': invalid: 1 of 2 elements have det J <= 0 somewhere, 1 of them everywhere; ', done.out)
         self.assertRegex(done.out, r'\n  element 2 \(tetrahedra, region 8\): min det J in \[-2, -2\] at ')
+        # Two elements on one side of their triangle, and one that is listed twice.
+        for cell, says in (('3 2 4 6 8', '1 shared side has both elements on one side, which overlap, first 1 and 2'),
+                           ('2 3 1 4 8', '1 element is listed twice, first 2, which is 1')):
+            c = self.write('c.mesh', TETRAHEDRA.replace('Vertices 5', 'Vertices 6').replace(
+                '1 1 1 0\n', '1 1 1 0\n0 0.1 0.1 0\n').replace('2 3 4 5 8', cell))
+            done = self.run_ok('mesh', 'check', c, '--report', self.path('r.json'), code=INVALID)
+            self.assertIn(': invalid: %s; ' % says, done.out)
+            with open(self.path('r.json')) as f:
+                mesh = json.load(f)['result']['mesh']
+            self.assertEqual((mesh['invalid'], mesh['overlapping'] + mesh['repeated']), (0, [[1, 2]]))
         both = self.write('b.mesh', TETRAHEDRA.replace('2 3 4 5 8', '3 2 4 5 8').replace('1 2 3 4 7', '2 1 3 4 7'))
         self.assertIn('all 2 elements are turned around', self.run_ok('mesh', 'check', both, code=INVALID).out)
 

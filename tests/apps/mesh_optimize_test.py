@@ -136,12 +136,46 @@ class Optimized(CommandTest):
         self.assertLess(len(let_go), 27)
         self.run_ok('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--boundary', 'free')
 
+    def test_turned_elements(self):
+        """Listed clockwise: two of nine quads, and a mirrored cube. They are turned first, counted, and written so."""
+        quads = [(i + 4 * j + 1, i + 4 * j + 2, i + 4 * j + 6, i + 4 * j + 5) for j in range(3) for i in range(3)]
+        for k in (4, 7):
+            quads[k] = quads[k][::-1]
+        path = self.write('a.msh', '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n16\n' +
+                          ''.join('%d %d %d 0\n' % (1 + i + 4 * j, i, j) for j in range(4) for i in range(4)) +
+                          '$EndNodes\n$Elements\n9\n' +
+                          ''.join('%d 3 2 1 1 %d %d %d %d\n' % (k + 1, *quad) for k, quad in enumerate(quads)) +
+                          '$EndElements\n')
+        mirrored = self.write('m.mesh', medit(2, lambda i, j, k: (-float(i), float(j), float(k))))
+        for source, count, out in ((path, 2, 'b.msh'), (mirrored, 48, 'b.mesh')):
+            with self.subTest(source=source):
+                self.run_ok('mesh', 'check', source, code=INVALID)
+                done = majorant('mesh', 'optimize', source, '-o', self.path(out), '--report', self.path('r.json'))
+                self.assertEqual(done.code, OK, done.err)
+                self.assertIn('; %d were turned around, their nodes are listed the other way round now' % count, done.err)
+                with open(self.path('r.json')) as f:
+                    report = json.load(f)
+                self.assertEqual((report['input']['turned'], report['input']['invalid']), (count, 0))
+                self.run_ok('mesh', 'check', self.path(out))
+
+    def test_the_largest_displacement(self):
+        path = self.write('a.mesh', tangled())
+        done = majorant('mesh', 'optimize', path, '-o', self.path('b.mesh'), '--report', self.path('r.json'))
+        with open(self.path('r.json')) as f:
+            way = json.load(f)['result']['mesh']['largest_displacement']
+        points = [[[float(x) for x in line.split()[:3]] for line in
+                   without_mark(self.read(name)).decode().splitlines()[3:67]] for name in ('a.mesh', 'b.mesh')]
+        largest = max(sum((a - b) ** 2 for a, b in zip(p, q)) ** 0.5 for p, q in zip(*points))
+        self.assertAlmostEqual(way, largest, 9)
+        self.assertIn(' nodes moved, by %.4g at most' % way, done.err)
+
     def test_refusals(self):
         path = self.write('a.mesh', tangled())
         out = ('-o', self.path('b.mesh'))
         surface = self.write('s.mesh', 'MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n'
                                        '1 1 1 0\nTriangles 2\n1 2 3 0\n2 4 3 0\nEnd\n')
-        mirrored = self.write('m.mesh', medit(1, lambda i, j, k: (-float(i), float(j), float(k))))
+        twice = self.write('t.mesh', 'MeshVersionFormatted 2\nDimension 2\nVertices 3\n0 0 0\n1 0 0\n0 1 0\n'
+                                     'Triangles 2\n1 2 3 0\n2 3 1 0\nEnd\n')
         triangle = self.write('q.msh', '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n'
                                      '$EndNodes\n$Elements\n1\n1 2 2 0 1 1 2 3\n$EndElements\n')
         few = self.write('few.txt', '1 2 3')
@@ -161,7 +195,7 @@ class Optimized(CommandTest):
                 (UNREADABLE, (path, *out, '--target', 'size=' + wrong), 'positive'),
                 (UNREADABLE, (self.write('c.mesh', tangled()[:300]), *out), 'c.mesh'),
                 (UNSUPPORTED, (surface, *out), 'surface in space'),
-                (UNSUPPORTED, (mirrored, *out), 'turned around')):
+                (UNSUPPORTED, (twice, *out), 'do not fit together')):
             with self.subTest(says=says):
                 done = majorant('mesh', 'optimize', *words)
                 self.assertEqual(done.code, code, done.err)

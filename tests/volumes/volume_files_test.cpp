@@ -149,6 +149,89 @@ TEST_F(VolumeFiles, WhatIsWrongIsFound) {
   EXPECT_TRUE(check_volume_mesh(read_volume_mesh(write("joined.mesh", joined))).is_valid());
 }
 
+// Cells on one side of a side that they share; a cell that is listed twice, under other nodes, too.
+TEST_F(VolumeFiles, CellsOnOneSideAndCellsTwiceAreFound) {
+  const auto check = [&](const std::string& name, const std::string& points,
+                         const std::string& cells) {
+    return check_volume_mesh(read_volume_mesh(
+        write(name, "MeshVersionFormatted 2\nDimension 3\nVertices " + points + cells + "End\n")));
+  };
+  const std::string solid = "6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0.2 0.2 0.3 0\n0 0 -1 0\n";
+  const VolumeCheck inside = check("a.mesh", solid, "Tetrahedra 2\n1 2 3 4 0\n1 2 3 5 0\n");
+  EXPECT_EQ(inside.invalid(), 0);
+  ASSERT_EQ(inside.overlapping.size(), 1u);
+  EXPECT_FALSE(inside.is_valid());
+  EXPECT_TRUE(check("b.mesh", solid, "Tetrahedra 2\n1 2 3 4 0\n2 1 3 6 0\n").is_valid());
+  // Turned around, the second lies on the other side and is invalid by itself.
+  const VolumeCheck turned = check("c.mesh", solid, "Tetrahedra 2\n1 2 3 4 0\n1 2 3 6 0\n");
+  EXPECT_EQ(turned.inverted(), 1);
+  EXPECT_TRUE(turned.sides_fit());
+  const VolumeCheck twice = check("d.mesh", solid, "Tetrahedra 2\n1 2 3 4 0\n2 3 1 4 0\n");
+  ASSERT_EQ(twice.repeated.size(), 1u);
+  EXPECT_TRUE(twice.overlapping.empty());
+  EXPECT_FALSE(twice.is_valid());
+  const std::string copied =
+      "8\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n-0 0 0 0\n1 0 0 0\n0 1 0 "
+      "0\n0 0 1 0\n";
+  EXPECT_EQ(check("e.mesh", copied, "Tetrahedra 2\n1 2 3 4 0\n5 6 7 8 0\n").repeated.size(), 1u);
+  const std::string flat = "4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0.2 0.3 0 0\n";
+  const VolumeCheck plane = check("f.mesh", flat, "Triangles 2\n1 2 3 0\n1 2 4 0\n");
+  EXPECT_EQ(plane.invalid(), 0);
+  EXPECT_EQ(plane.overlapping.size(), 1u);
+  // On a surface in space the two sides of a sheet, and bands with one side alone, are cells.
+  const std::string bent = "4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0.2 0.3 1 0\n";
+  EXPECT_TRUE(check("g.mesh", bent, "Triangles 3\n1 2 3 0\n1 3 2 0\n3 2 4 0\n").repeated.empty());
+  EXPECT_EQ(check("h.mesh", bent, "Triangles 3\n1 2 3 0\n2 3 1 0\n3 2 4 0\n").repeated.size(), 1u);
+}
+
+// The mesh is three by three squares with nodes of their own, joined at the ends of rows: sides
+// there are equal up to a translation. A square that is pushed aside has none.
+TEST_F(VolumeFiles, PeriodicMeshesAreCheckedAsSuch) {
+  const auto file = [&](double pushed) {
+    std::string text = "MFEM mesh v1.0\ndimension\n2\nelements\n9\n", nodes;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) {
+        const int next = (i + 1) % 3, above = (j + 1) % 3;
+        text += "1 3 " + std::to_string(3 * j + i) + " " + std::to_string(3 * j + next) + " " +
+                std::to_string(3 * above + next) + " " + std::to_string(3 * above + i) + "\n";
+        for (int k = 0; k < 4; ++k)
+          nodes += std::to_string(i + k % 2 + (i == 1 && j == 1 ? pushed : 0)) + " " +
+                   std::to_string(j + k / 2) + "\n";
+      }
+    return text +
+           "boundary\n0\nvertices\n9\nnodes\nFiniteElementSpace\nFiniteElementCollection: "
+           "L2_T1_2D_P1\nVDim: 2\nOrdering: 1\n\n" +
+           nodes;
+  };
+  const VolumeCheck periodic = check_volume_mesh(read_volume_mesh(write("a.mesh", file(0))));
+  EXPECT_TRUE(periodic.is_valid());
+  EXPECT_EQ(periodic.periodic_sides, 6);
+  EXPECT_EQ(periodic.boundary_sides, 0);
+  for (const double pushed : {0.25, -0.25, 1e-3}) {
+    const VolumeCheck torn = check_volume_mesh(read_volume_mesh(write("a.mesh", file(pushed))));
+    EXPECT_EQ(torn.disagreements.size(), 4u) << pushed;
+    EXPECT_EQ(torn.periodic_sides, 6) << pushed;
+  }
+}
+
+// v1.2 has an end, v1.3 also named sets of attributes.
+TEST_F(VolumeFiles, NewerVersionsOfMfem) {
+  std::string text = kMfem;
+  text.replace(text.find("v1.0"), 4, "v1.2");
+  EXPECT_THROW(read_volume_mesh(write("a.mesh", text)), Error);  // no mfem_mesh_end
+  for (const char* const end : {"mfem_mesh_end\n", "mfem_serial_mesh_end\ncommunication_groups\n"})
+    expect_written_back(write("a.mesh", text + end));
+  text.replace(text.find("v1.2"), 4, "v1.3");
+  text.insert(text.find("boundary"),
+              "attribute_sets\n2\n\"the \\\"base\\\" 3\" 2\n1 2\nall\n1\n1\n");
+  text.insert(text.find("vertices"), "bdr_attribute_sets\n0\n");
+  const std::string path = write("a.mesh", text + "mfem_mesh_end\n");
+  expect_written_back(path);
+  EXPECT_TRUE(check_volume_mesh(read_volume_mesh(path)).is_valid());
+  text.replace(text.find("v1.3"), 4, "v1.1");
+  EXPECT_THROW(read_volume_mesh(write("a.mesh", text)), Error);
+}
+
 TEST_F(VolumeFiles, SurfacesInSpaceAreSeenFromTheirStraightCells) {
   // A triangle of degree 2 that stands upright, its edges bulging out of its plane.
   const std::string bulging =

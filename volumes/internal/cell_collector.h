@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "majorant/volumes/internal/mesh_source.h"
 #include "majorant/volumes/volume_mesh.h"
 
 namespace majorant {
@@ -12,13 +13,17 @@ namespace majorant {
 class CellCollector {
  public:
   // nodes: in the order of the file, node k of which is order[k] in VTK's. corners: in VTK's order;
-  // empty where the first nodes are what cells share.
+  // empty where the first nodes are what cells share. place: where the file lists the nodes.
   void add(const CellType& type, const std::vector<int>& order, std::span<const Index> nodes,
-           std::int64_t number, int region, std::span<const Index> corners = {}) {
+           std::int64_t number, int region, std::size_t place,
+           std::span<const Index> corners = {}) {
     if (last_ == nullptr || last_type_ != type) {
       last_ = &found_[type];
       last_type_ = type;
-      if (last_->place == 0) last_->place = found_.size();
+      if (last_->place == 0) {
+        last_->place = found_.size();
+        last_->lists.order = order;
+      }
     }
     const std::size_t begin = last_->nodes.size();
     last_->nodes.resize(begin + nodes.size());
@@ -27,6 +32,14 @@ class CellCollector {
     last_->vertices.insert(last_->vertices.end(), corners.begin(), corners.end());
     last_->numbers.push_back(number);
     last_->regions.push_back(region);
+    last_->lists.begins.push_back(place);
+  }
+
+  // Returns where the file lists the nodes of the cells. Call it before take(), whose order it has.
+  std::vector<NodeLists::OfBlock> lists() const {
+    std::vector<NodeLists::OfBlock> out(found_.size());
+    for (const auto& [type, cells] : found_) out[cells.place - 1] = cells.lists;
+    return out;
   }
 
   // In the order in which types came.
@@ -52,6 +65,7 @@ class CellCollector {
     std::vector<Index> nodes, vertices;
     std::vector<std::int64_t> numbers;
     std::vector<int> regions;
+    NodeLists::OfBlock lists;
   };
   std::map<CellType, Collected> found_;
   Collected* last_ = nullptr;

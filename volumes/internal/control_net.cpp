@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <cmath>
 #include <utility>
 
 #include "majorant/framework/error.h"
@@ -44,6 +45,7 @@ ControlNet::ControlNet(const VolumeMesh& mesh, const std::vector<CellSide>& side
   for_each_side(sides, [&](std::span<const CellSide> cells) {
     const std::vector<SideNode> first = nodes_of(mesh, cells.front());
     for (const CellSide& other : cells.subspan(1)) {
+      if (are_translated(mesh, cells.front(), other)) continue;
       const std::vector<SideNode> second = nodes_of(mesh, other);
       for (std::size_t k = 0; k < first.size(); ++k) same.join(first[k].second, second[k].second);
     }
@@ -68,7 +70,28 @@ ControlNet::ControlNet(const VolumeMesh& mesh, const std::vector<CellSide>& side
     parts_.push_back({static_cast<Index>(b),
                       std::make_shared<const NumberedSpace>(ReferenceCell::of(block.type).element(),
                                                             std::move(numbering))});
+    // Weights that are 0 are left with the rounding of the inverse.
+    constexpr double kZero = 1e-13;
+    RowMatrix values = ReferenceCell::of(block.type).control_points().inverse();
+    values = values.unaryExpr([](double w) { return std::abs(w) < kZero ? 0 : w; });
+    values_.push_back(std::move(values));
   }
+  place_of_.resize(to_size(count_));
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const Cells& cells = parts_[p].space->cells();
+    for (Index e = 0; e < cells.rows(); ++e)
+      for (Index k = 0; k < cells.cols(); ++k) place_of_[to_size(cells(e, k))] = {p, e, k};
+  }
+}
+
+std::vector<std::pair<Index, double>> ControlNet::weights_of_node(Index point) const {
+  const Place& place = place_of_[to_size(point)];
+  const RowMatrix& values = values_[place.part];
+  const Cells& cells = parts_[place.part].space->cells();
+  std::vector<std::pair<Index, double>> out;
+  for (Index k = 0; k < cells.cols(); ++k)
+    if (values(place.node, k) != 0) out.emplace_back(cells(place.cell, k), values(place.node, k));
+  return out;
 }
 
 Vec ControlNet::control_points() const {
@@ -90,33 +113,55 @@ Vec ControlNet::control_points() const {
   return x;
 }
 
-Points3 ControlNet::nodes(VecIn start, VecIn x, const std::vector<char>& held) const {
-  std::vector<char> is_kept(to_size(count_), 0);
-  RowMatrix moved = RowMatrix::Zero(count_, dim_), control;
+RowMatrix ControlNet::node_places(VecIn x) const {
+  RowMatrix out = RowMatrix::Zero(count_, dim_);
+  for (Index point = 0; point < count_; ++point)
+    for (const auto& [of, weight] : weights_of_node(point))
+      out.row(point) += weight * x.segment(dim_ * of, dim_).transpose();
+  return out;
+}
+
+Vec ControlNet::control_change(const RowMatrix& node_change) const {
+  Vec out = Vec::Zero(dim_ * count_);
+  RowMatrix nodes;
   for (const Part& part : parts_) {
-    const CellType& type = mesh_.blocks[to_size(part.block)].type;
+    const RowMatrix& matrix =
+        ReferenceCell::of(mesh_.blocks[to_size(part.block)].type).control_points();
     const Cells& cells = part.space->cells();
-    const RowMatrix values = ReferenceCell::of(type).control_points().inverse();
-    control.resize(cells.cols(), dim_);
+    nodes.resize(cells.cols(), dim_);
     for (Index e = 0; e < cells.rows(); ++e) {
+      for (Index k = 0; k < cells.cols(); ++k) nodes.row(k) = node_change.row(cells(e, k));
+      if (nodes.isZero(0)) continue;
+      const RowMatrix control = matrix * nodes;
       for (Index k = 0; k < cells.cols(); ++k)
-        control.row(k) = x.segment(dim_ * cells(e, k), dim_).transpose();
-      const RowMatrix nodes = values * control;
+        out.segment(dim_ * cells(e, k), dim_) = control.row(k).transpose();
+    }
+  }
+  return out;
+}
+
+Points3 ControlNet::nodes(VecIn start, VecIn x, const std::vector<char>& held) const {
+  RowMatrix moved(count_, dim_);
+  std::vector<char> is_kept(held.begin(), held.end());
+  for (Index point = 0; point < count_; ++point) {
+    const std::vector<std::pair<Index, double>> weights = weights_of_node(point);
+    for (int d = 0; d < dim_; ++d) {
+      double sum = 0;
       bool is_same = true;
-      for (Index k = 0; k < cells.cols(); ++k) {
-        const Index at = dim_ * cells(e, k);
-        is_same = is_same && x.segment(at, dim_) == start.segment(at, dim_);
-        moved.row(cells(e, k)) = nodes.row(k);
+      for (const auto& [of, weight] : weights) {
+        sum += weight * x[dim_ * of + d];
+        is_same = is_same && x[dim_ * of + d] == start[dim_ * of + d];
       }
-      for (Index k = 0; is_same && k < cells.cols(); ++k) is_kept[to_size(cells(e, k))] = 1;
+      moved(point, d) = sum;
+      if (is_same) is_kept[to_size(dim_ * point + d)] = 1;
     }
   }
   Points3 out = mesh_.points;
   for (Index row = 0; row < out.rows(); ++row) {
     const Index point = point_of_[row];
-    if (point < 0 || is_kept[to_size(point)] != 0) continue;
+    if (point < 0) continue;
     for (int d = 0; d < dim_; ++d)
-      if (held[to_size(dim_ * point + d)] == 0) out(row, d) = moved(point, d);
+      if (is_kept[to_size(dim_ * point + d)] == 0) out(row, d) = moved(point, d);
   }
   return out;
 }

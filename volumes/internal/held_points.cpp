@@ -84,8 +84,7 @@ class HeldPoints::Planes {
   bool add(const CellSide& side) {
     const std::vector<SideNode> nodes = nodes_of(mesh_, side);
     const std::optional<Vector3> normal = normal_of(nodes);
-    const auto named = region_.find(side.key);
-    const int region = named == region_.end() ? 0 : named->second;
+    const int region = region_of_side(side);
     for (const SideNode& node : nodes) {
       OfPoint& at = of_point_[to_size(net_.point_of(node.second))];
       at.is_held = at.is_held || !normal || (at.is_on_side && at.region != region);
@@ -118,6 +117,12 @@ class HeldPoints::Planes {
       at.oblique = std::move(oblique);
       if (at.planes() >= net_.dim()) at.is_held = true;
     }
+  }
+
+  // The region of the cell of fewer dimensions on a side; 0: there is none.
+  int region_of_side(const CellSide& side) const {
+    const auto named = region_.find(side.key);
+    return named == region_.end() ? 0 : named->second;
   }
 
   bool is_held(Index point) const { return of_point_[to_size(point)].is_held; }
@@ -199,12 +204,35 @@ HeldPoints::HeldPoints(const VolumeMesh& mesh, const std::vector<CellSide>& side
                        const ControlNet& net, VecIn x, VolumeBoundary boundary)
     : net_(net), x_(x), held_(to_size(net.dim() * net.count()), 0) {
   if (boundary != VolumeBoundary::Free) hold_boundary(mesh, sides, boundary);
+  hold_periodic(mesh, sides);
   hold_pieces();
+}
+
+// The two sides of a pair would have to move alike.
+void HeldPoints::hold_periodic(const VolumeMesh& mesh, const std::vector<CellSide>& sides) {
+  for_each_side(sides, [&](std::span<const CellSide> cells) {
+    if (cells.size() != 2 || !are_translated(mesh, cells[0], cells[1])) return;
+    for (const CellSide& side : cells)
+      for (const SideNode& node : nodes_of(mesh, side)) hold(net_.point_of(node.second));
+  });
+}
+
+void HeldPoints::hold_all_but(const std::vector<CellName>& cells) {
+  std::vector<char> may_move(to_size(net_.count()), 0);
+  for (const ControlNet::Part& part : net_.parts())
+    for (const CellName& name : cells)
+      if (name.block == part.block)
+        for (const Index point : part.space->cells().row(name.cell)) may_move[to_size(point)] = 1;
+  for (Index point = 0; point < net_.count(); ++point)
+    if (may_move[to_size(point)] == 0) hold(point);
 }
 
 void HeldPoints::hold_boundary(const VolumeMesh& mesh, const std::vector<CellSide>& sides,
                                VolumeBoundary boundary) {
   Planes planes(mesh, net_);
+  std::vector<CellSide> all;
+  std::vector<char> is_curved;
+  std::vector<int> regions;
   for_each_side(sides, [&](std::span<const CellSide> cells) {
     const bool is_inner = cells.size() > 1 &&
                           region_of(mesh, cells.front().name) == region_of(mesh, cells.back().name);
@@ -212,8 +240,12 @@ void HeldPoints::hold_boundary(const VolumeMesh& mesh, const std::vector<CellSid
     ++sides_;
     if (boundary == VolumeBoundary::Fixed) {
       for (const SideNode& node : nodes_of(mesh, cells.front())) hold(net_.point_of(node.second));
-    } else if (!planes.add(cells.front())) {
-      ++curved_sides_;
+    } else {
+      const bool is_flat = planes.add(cells.front());
+      if (!is_flat) ++curved_sides_;
+      all.push_back(cells.front());
+      is_curved.push_back(is_flat ? 0 : 1);
+      regions.push_back(planes.region_of_side(cells.front()));
     }
   });
   planes.finish();
@@ -236,6 +268,39 @@ void HeldPoints::hold_boundary(const VolumeMesh& mesh, const std::vector<CellSid
       if (planes.is_axis(point, d)) held_[to_size(net_.dim() * point + d)] = 1;
     for (const Vector3& normal : planes.oblique(point)) rows_.push_back({point, normal});
   }
+  if (curved_sides_ == 0) return;
+  curved_.emplace(mesh, net_, x_, all, is_curved, regions);
+  std::vector<char> is_named(to_size(net_.count()), 0);  // by curves and points
+  for (const CellBlock& block : mesh.blocks) {
+    if (dimension(block.type.shape) >= net_.dim() - 1) continue;
+    for (Index k = 0; k < block.nodes.size(); ++k)
+      if (const Index point = net_.point_of(block.nodes.data()[k]); point >= 0)
+        is_named[to_size(point)] = 1;
+  }
+  for (Index point = 0; point < net_.count(); ++point)
+    if (curved_->slides(point) && is_named[to_size(point)] == 0) sliding_.push_back(point);
+}
+
+void HeldPoints::let_slide(VecIn x) {
+  x_ = x;
+  std::erase_if(rows_, [](const PlaneRow& row) { return row.is_of_node; });
+  const RowMatrix nodes = net_.node_places(x_);
+  for (const Index point : sliding_) {
+    for (int d = 0; d < net_.dim(); ++d) held_[to_size(net_.dim() * point + d)] = 0;
+    Vector3 at = Vector3::Zero();
+    at.head(net_.dim()) = nodes.row(point).transpose();
+    rows_.push_back({point, curved_->nearest(point, at).normal, true});
+  }
+  std::stable_sort(rows_.begin(), rows_.end(),
+                   [](const PlaneRow& a, const PlaneRow& b) { return a.point < b.point; });
+}
+
+void HeldPoints::put_back(RowMatrix& nodes) const {
+  for (const Index point : sliding_) {
+    Vector3 at = Vector3::Zero();
+    at.head(net_.dim()) = nodes.row(point).transpose();
+    nodes.row(point) = curved_->nearest(point, at).place.head(net_.dim()).transpose();
+  }
 }
 
 void HeldPoints::hold(Index point) {
@@ -255,7 +320,8 @@ void HeldPoints::release(const std::vector<CellName>& cells, const HeldPoints& o
     }
 }
 
-// Holds in every connected piece the coordinates of one point that nothing else of it holds.
+// Holds in every connected piece the coordinates of one node in which nothing else holds it, planes
+// that are oblique among it.
 void HeldPoints::hold_pieces() {
   UnionFind pieces(net_.count());
   for (const ControlNet::Part& part : net_.parts()) {
@@ -264,18 +330,22 @@ void HeldPoints::hold_pieces() {
       for (Index k = 1; k < cells.cols(); ++k) pieces.join(cells(e, 0), cells(e, k));
   }
   const int dim = net_.dim();
-  std::vector<char> is_held(held_.size(), 0);
+  // Directions of each piece that something holds, of length 1 and across each other.
+  std::vector<std::vector<Vector3>> directions(to_size(net_.count()));
+  const auto add = [&](Index point, Vector3 direction) {
+    std::vector<Vector3>& of_piece = directions[to_size(pieces.find(point))];
+    for (const Vector3& other : of_piece) direction -= direction.dot(other) * other;
+    if (direction.norm() <= kOtherPlane) return false;
+    of_piece.push_back(direction.normalized());
+    return true;
+  };
   for (Index point = 0; point < net_.count(); ++point)
     for (int d = 0; d < dim; ++d)
-      if (held_[to_size(dim * point + d)] != 0) is_held[to_size(dim * pieces.find(point) + d)] = 1;
-  for (const PlaneRow& row : rows_) {
-    Index axis = 0;
-    row.normal.cwiseAbs().maxCoeff(&axis);
-    is_held[to_size(dim * pieces.find(row.point) + static_cast<Index>(axis))] = 1;
-  }
+      if (held_[to_size(dim * point + d)] != 0) add(point, Vector3::Unit(d));
+  for (const PlaneRow& row : rows_) add(row.point, row.normal);
   for (Index point = 0; point < net_.count(); ++point)
     for (int d = 0; d < dim; ++d)
-      if (pieces.find(point) == point && is_held[to_size(dim * point + d)] == 0)
+      if (pieces.find(point) == point && add(point, Vector3::Unit(d)))
         held_[to_size(dim * point + d)] = 1;
 }
 
@@ -283,21 +353,44 @@ void HeldPoints::append_rows(ConstraintRows& rows) const {
   const int dim = net_.dim();
   for (Index k = 0; k < static_cast<Index>(held_.size()); ++k) {
     if (held_[to_size(k)] == 0) continue;
-    rows.begin_row(fmt::format("coordinate {} of control point {}", k % dim, k / dim));
-    rows.add(k, 1);
-    rows.end_row(x_[k]);
+    const int axis = static_cast<int>(k % dim);
+    rows.begin_row(fmt::format("coordinate {} of node {}", axis, k / dim));
+    if (is_still(k / dim, axis)) {
+      rows.add(k, 1);
+      rows.end_row(x_[k]);
+      continue;
+    }
+    double sum = 0;
+    for (const auto& [point, weight] : net_.weights_of_node(k / dim)) {
+      rows.add(dim * point + axis, weight);
+      sum += weight * x_[dim * point + axis];
+    }
+    rows.end_row(sum);
   }
   for (const PlaneRow& row : rows_) {
     rows.begin_row(fmt::format("a plane of control point {}", row.point));
     double sum = 0;
-    for (int d = 0; d < dim; ++d) {
-      const Index unknown = dim * row.point + d;
-      if (row.normal[d] == 0) continue;
-      rows.add(unknown, row.normal[d]);
-      sum += row.normal[d] * x_[unknown];
-    }
+    const auto add = [&](Index point, double weight) {
+      for (int d = 0; d < dim; ++d) {
+        const Index unknown = dim * point + d;
+        if (row.normal[d] == 0) continue;
+        rows.add(unknown, weight * row.normal[d]);
+        sum += weight * row.normal[d] * x_[unknown];
+      }
+    };
+    if (row.is_of_node)
+      for (const auto& [point, weight] : net_.weights_of_node(row.point)) add(point, weight);
+    else
+      add(row.point, 1);
     rows.end_row(sum);
   }
+}
+
+bool HeldPoints::is_still(Index point, int axis) const {
+  if (held_[to_size(net_.dim() * point + axis)] == 0) return false;
+  for (const auto& [of, weight] : net_.weights_of_node(point))
+    if (held_[to_size(net_.dim() * of + axis)] == 0) return false;
+  return true;
 }
 
 bool HeldPoints::is_free(Index point) const {
@@ -313,8 +406,9 @@ bool HeldPoints::is_free(Index point) const {
 std::vector<CellName> HeldPoints::impossible_cells(const VolumeMesh& mesh) const {
   const int dim = net_.dim();
   std::vector<char> may_move(to_size(net_.count()), 0);
-  for (std::size_t k = 0; k < held_.size(); ++k)
-    if (held_[k] == 0) may_move[k / static_cast<std::size_t>(dim)] = 1;
+  for (Index point = 0; point < net_.count(); ++point)
+    for (int d = 0; d < dim; ++d)
+      if (!is_still(point, d)) may_move[to_size(point)] = 1;
   std::vector<CellName> out;
   for (const ControlNet::Part& part : net_.parts()) {
     const CellBlock& block = mesh.blocks[to_size(part.block)];

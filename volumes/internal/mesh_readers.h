@@ -13,6 +13,9 @@ VolumeMesh read_mfem_mesh(const std::string& path, std::string content, const St
 VolumeMesh read_medit_mesh(const std::string& path, std::string content, const StopCheck& stop);
 VolumeMesh read_vtk_mesh(const std::string& path, std::string content, const StopCheck& stop);
 
+// read_volume_mesh() of a file with this content.
+VolumeMesh read_volume_content(const std::string& path, std::string content, const StopCheck& stop);
+
 // Throws Error(Unsupported, "file: what").
 [[noreturn]] void refuse_mesh(const std::string& path, const std::string& what);
 

@@ -6,6 +6,15 @@
 #include "majorant/volumes/internal/reference_cell.h"
 
 namespace majorant {
+namespace {
+
+// Translations of nodes differ by this part of their coordinates at most where these are equal but
+// for the digits of a file: MFEM writes eight.
+constexpr double kSameTranslation = 1e-7;
+// The least way through a cell, in parts of a translation: some 1e5 cells lie in a row.
+constexpr double kAside = 1e-6;
+
+}  // namespace
 
 CellSide::Key side_key(std::span<const Index> corners) {
   CellSide::Key key;
@@ -33,6 +42,66 @@ std::vector<CellSide> sides_of(const VolumeMesh& mesh) {
   std::stable_sort(out.begin(), out.end(),
                    [](const CellSide& a, const CellSide& b) { return a.key < b.key; });
   return out;
+}
+
+SideSense sense_of(const VolumeMesh& mesh, const CellSide& a, const CellSide& b) {
+  const auto loop_of = [&](const CellSide& of) {
+    const CellBlock& block = mesh.blocks[to_size(of.name.block)];
+    std::vector<Index> loop;
+    for (const int corner : ReferenceCell::of(block.type).sides()[to_size(of.side)].loop)
+      loop.push_back(block.vertex(of.name.cell, corner));
+    return loop;
+  };
+  const std::vector<Index> x = loop_of(a);
+  std::vector<Index> y = loop_of(b);
+  const auto is_rotated = [&] {
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      if (x == y) return true;
+      std::rotate(y.begin(), y.begin() + 1, y.end());
+    }
+    return false;
+  };
+  // An edge is its own rotation: of two corners the order itself is asked for.
+  if (x.size() == 2) return x == y ? SideSense::Together : SideSense::Apart;
+  if (is_rotated()) return SideSense::Together;
+  std::reverse(y.begin(), y.end());
+  return is_rotated() ? SideSense::Apart : SideSense::Twisted;
+}
+
+bool are_translated(const VolumeMesh& mesh, const CellSide& a, const CellSide& b) {
+  const CellBlock &of_a = mesh.blocks[to_size(a.name.block)],
+                  &of_b = mesh.blocks[to_size(b.name.block)];
+  // Cells that share their nodes have no other place to be.
+  if (of_a.vertices.rows() == 0 || of_b.vertices.rows() == 0) return false;
+  const std::vector<SideNode> x = nodes_of(mesh, a), y = nodes_of(mesh, b);
+  if (x.size() != y.size()) return false;
+  const auto point = [&](const SideNode& node) {
+    return Vector3(mesh.points.row(node.second).transpose());
+  };
+  const Vector3 translation = point(y[0]) - point(x[0]);
+  double size = 0;  // of the coordinates, whose digits in the file limit how equal they are
+  for (std::size_t k = 0; k < x.size(); ++k)
+    size = std::max({size, point(x[k]).cwiseAbs().maxCoeff(), point(y[k]).cwiseAbs().maxCoeff()});
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (x[k].first != y[k].first ||
+        !((point(y[k]) - point(x[k]) - translation).norm() <= kSameTranslation * size))
+      return false;
+  // Cell a lies before its side, b behind its own: from a's side to b's the way leads through both,
+  // or through one cell that is its own neighbour. A cell that was pushed aside is met earlier, or
+  // on the way out of a.
+  const auto middle = [&](const CellBlock& block, const CellSide& side) {
+    Vector3 sum = Vector3::Zero();
+    for (const Index node : block.nodes.row(side.name.cell))
+      sum += mesh.points.row(node).transpose();
+    return Vector3(sum / static_cast<double>(block.nodes.cols()));
+  };
+  Vector3 side = Vector3::Zero();
+  for (const SideNode& node : x) side += point(node) / static_cast<double>(x.size());
+  const double whole = translation.squaredNorm(), margin = kAside * whole;
+  const double to_a = translation.dot(middle(of_a, a) - side),
+               to_b = translation.dot(middle(of_b, b) - side);
+  const bool is_one = a.name.block == b.name.block && a.name.cell == b.name.cell;
+  return to_a > margin && to_b < whole - margin && (is_one || to_a < to_b);
 }
 
 std::vector<SideNode> nodes_of(const VolumeMesh& mesh, const CellSide& of) {

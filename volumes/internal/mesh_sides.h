@@ -41,6 +41,16 @@ void for_each_side(const std::vector<CellSide>& sides, const Use& use) {
   }
 }
 
+// The sense in which two cells run round a side that they share. Apart: the one forwards, the other
+// backwards, as cells on its two sides do. Together: both the same way, as cells on one side of it.
+// Twisted: the corners of a square follow each other in other orders.
+enum class SideSense { Apart, Together, Twisted };
+SideSense sense_of(const VolumeMesh& mesh, const CellSide& a, const CellSide& b);
+
+// True where the nodes of the two are the same but for a translation by which the cells come to lie
+// next to each other: a mesh that is periodic, with nodes of its own for each cell.
+bool are_translated(const VolumeMesh& mesh, const CellSide& a, const CellSide& b);
+
 // A node of a side: its weights on the sorted corners, and its row of the points.
 using SideNode = std::pair<std::array<int, 4>, Index>;
 // In the order of the weights.

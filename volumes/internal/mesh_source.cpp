@@ -7,6 +7,9 @@
 #include <cstring>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/base64.h"
+#include "majorant/volumes/internal/reference_cell.h"
+#include "majorant/volumes/internal/token_cursor.h"
 
 namespace majorant {
 
@@ -15,6 +18,66 @@ std::string shortest(double x) { return fmt::format("{}", x); }
 bool MeshSource::is_moved(const Points3& points, Index point, int axis) const {
   return std::bit_cast<std::uint64_t>(points(point, axis)) !=
          std::bit_cast<std::uint64_t>(original_(point, axis));
+}
+
+std::string MeshSource::with_turned(const std::vector<CellBlock>& blocks,
+                                    const std::vector<CellName>& cells) const {
+  using enum NodeLists::Coding;
+  if (lists_.coding == Hidden)
+    throw Error(ErrorKind::Unsupported,
+                fmt::format("{}: elements are turned around, and compressed lists of them cannot "
+                            "be written back; save the mesh uncompressed",
+                            file_));
+  const StopCheck unstoppable;
+  std::string bytes;  // that are changed in place, of other codings than words
+  if (lists_.coding == Bytes) bytes = content_;
+  if (lists_.coding == Base64)
+    bytes = decode_base64(content_.substr(lists_.text_begin, lists_.text_size)).value();
+  std::vector<std::pair<std::size_t, std::vector<std::string_view>>> changes;  // new words
+  for (const CellName& name : cells) {
+    const NodeLists::OfBlock& lists = lists_.blocks[to_size(name.block)];
+    const std::vector<int>& reflection =
+        ReferenceCell::of(blocks[to_size(name.block)].type).reflection();
+    const std::size_t begin = lists.begins[to_size(name.cell)];
+    std::vector<std::size_t> from;  // of each entry of the new list, the one in the old
+    for (const int place : lists.order)
+      from.push_back(static_cast<std::size_t>(
+          std::find(lists.order.begin(), lists.order.end(), reflection[to_size(place)]) -
+          lists.order.begin()));
+    if (lists_.coding == Words) {
+      changes.emplace_back(begin, std::vector<std::string_view>());
+      TokenCursor words(file_, content_, lists_.comment, unstoppable);
+      words.go_to(begin);
+      std::vector<std::string_view> old;
+      for (std::size_t k = 0; k < from.size(); ++k) old.push_back(words.next());
+      for (const std::size_t k : from) changes.back().second.push_back(old[k]);
+      continue;
+    }
+    const std::string old = bytes.substr(begin, from.size() * lists_.width);
+    for (std::size_t k = 0; k < from.size(); ++k)
+      bytes.replace(begin + k * lists_.width, lists_.width, old, from[k] * lists_.width,
+                    lists_.width);
+  }
+  if (lists_.coding == Bytes) return bytes;
+  std::string out;
+  if (lists_.coding == Base64) {
+    out = content_.substr(0, lists_.text_begin);
+    append_base64(bytes, out);
+    return out.append(content_, lists_.text_begin + lists_.text_size);
+  }
+  std::sort(changes.begin(), changes.end());
+  std::size_t at = 0;
+  TokenCursor words(file_, content_, lists_.comment, unstoppable);
+  for (const auto& [begin, list] : changes) {
+    words.go_to(begin);
+    for (const std::string_view word : list) {
+      words.next();
+      out.append(content_, at, words.begin() - at);
+      out += word;
+      at = words.place();
+    }
+  }
+  return out.append(content_, at);
 }
 
 std::string PlacedCoordinates::coded(double x) const {

@@ -8,21 +8,50 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/volumes/volume_mesh.h"
 
 namespace majorant {
+
+// The places where a file lists the nodes of its cells: as words, each behind the one before; as
+// integers of `width` bytes; or as such integers in one base64 text of a length and them. Hidden:
+// compressed.
+struct NodeLists {
+  enum class Coding { Hidden, Words, Bytes, Base64 };
+  struct OfBlock {
+    std::vector<std::size_t> begins;  // of each cell; in base64: among the bytes
+    std::vector<int> order;           // of each entry of a list the place in VTK's order
+  };
+  Coding coding = Coding::Hidden;
+  char comment = 0;                           // of words: what begins one
+  std::size_t width = 0;                      // of a node, in bytes
+  std::size_t text_begin = 0, text_size = 0;  // of the base64 text
+  std::vector<OfBlock> blocks;                // in the order of the mesh's
+};
 
 class MeshSource {
  public:
   virtual ~MeshSource() = default;
   // The file with these points. Throws Error(Unsupported) for what it cannot hold.
   virtual std::string with_points(const Points3& points) const = 0;
+  // The file with the nodes of these cells listed the other way round; blocks: those of the mesh.
+  // Throws Error(Unsupported) where the lists are hidden.
+  std::string with_turned(const std::vector<CellBlock>& blocks,
+                          const std::vector<CellName>& cells) const;
 
  protected:
-  explicit MeshSource(Points3 original) : original_(std::move(original)) {}
+  MeshSource(std::string file, std::string content, Points3 original, NodeLists lists)
+      : original_(std::move(original)),
+        file_(std::move(file)),
+        content_(std::move(content)),
+        lists_(std::move(lists)) {}
   bool is_moved(const Points3& points, Index point, int axis) const;
 
   Points3 original_;
+  std::string file_, content_;
+
+ private:
+  NodeLists lists_;
 };
 
 // Coordinates as words, or as doubles in the byte order of the file, each at a place of its own.
@@ -34,11 +63,9 @@ class PlacedCoordinates final : public MeshSource {
     std::uint32_t size = 0;  // 0: the file has no such coordinate
   };
   // places: three for each point, the file's order may be another one.
-  PlacedCoordinates(std::string file, std::string content, Points3 original,
+  PlacedCoordinates(std::string file, std::string content, Points3 original, NodeLists lists,
                     std::vector<Place> places, Coding coding)
-      : MeshSource(std::move(original)),
-        file_(std::move(file)),
-        content_(std::move(content)),
+      : MeshSource(std::move(file), std::move(content), std::move(original), std::move(lists)),
         places_(std::move(places)),
         coding_(coding) {}
   std::string with_points(const Points3& points) const override;
@@ -46,7 +73,6 @@ class PlacedCoordinates final : public MeshSource {
  private:
   std::string coded(double x) const;
 
-  std::string file_, content_;
   std::vector<Place> places_;
   Coding coding_;
 };

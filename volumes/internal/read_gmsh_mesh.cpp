@@ -228,6 +228,11 @@ class GmshReader {
     VolumeMesh mesh;
     mesh.file = path_;
     mesh.points = Eigen::Map<const Points3>(points_.data(), static_cast<Index>(tags_.size()), 3);
+    NodeLists lists{.coding = NodeLists::Coding::Words, .blocks = cells_.lists()};
+    if (in_.is_binary()) {
+      lists.coding = NodeLists::Coding::Bytes;
+      lists.width = is_old_ ? sizeof(std::int32_t) : sizeof(std::uint64_t);
+    }
     mesh.blocks = cells_.take();
     if (mesh.blocks.empty()) in_.words().fail("no elements; not a mesh, or truncated");
     using Coding = PlacedCoordinates::Coding;
@@ -236,8 +241,8 @@ class GmshReader {
     const Coding coding = !in_.is_binary() ? Coding::Words
                           : is_native      ? Coding::Doubles
                                            : Coding::SwappedDoubles;
-    mesh.source = std::make_shared<const PlacedCoordinates>(path_, std::move(content_), mesh.points,
-                                                            std::move(places_), coding);
+    mesh.source = std::make_shared<const PlacedCoordinates>(
+        path_, std::move(content_), mesh.points, std::move(lists), std::move(places_), coding);
     return mesh;
   }
 
@@ -407,7 +412,7 @@ class GmshReader {
 
   void add_cell(std::int64_t gmsh_number, std::int64_t tag, std::int64_t region) {
     const auto& [type, order] = types_.at(gmsh_number);
-    cells_.add(type, order, nodes_, tag, static_cast<int>(region));
+    cells_.add(type, order, nodes_, tag, static_cast<int>(region), list_begin_);
   }
 
   // The element whose nodes were read last.
@@ -421,6 +426,7 @@ class GmshReader {
   void add_node(std::int64_t tag) {
     const Index row = tags_.row(tag);
     if (row < 0) in_.fail(fmt::format("an element has node {}, which is not there", tag));
+    if (nodes_.empty()) list_begin_ = in_.last_place().begin;
     nodes_.push_back(row);
   }
 
@@ -490,6 +496,7 @@ class GmshReader {
   std::vector<PlacedCoordinates::Place> places_;
   std::unordered_map<std::int64_t, std::pair<CellType, std::vector<int>>> types_;
   std::vector<Index> nodes_;
+  std::size_t list_begin_ = 0;  // where the first of them stands
   CellCollector cells_;
   GmshDocument* document_ = nullptr;  // where to note what is read, if anywhere
 };

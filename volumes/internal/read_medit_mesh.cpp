@@ -72,6 +72,7 @@ class MeditReader {
     mesh.file = path_;
     mesh.points =
         Eigen::Map<const Points3>(points_.data(), static_cast<Index>(points_.size() / 3), 3);
+    NodeLists lists{.coding = NodeLists::Coding::Words, .comment = '#', .blocks = cells_.lists()};
     mesh.blocks = cells_.take();
     for (const CellBlock& block : mesh.blocks)
       if (block.size() > 0 && block.nodes.maxCoeff() >= mesh.points.rows())
@@ -80,7 +81,7 @@ class MeditReader {
                                 block.nodes.maxCoeff() + 1, mesh.points.rows()));
     if (mesh.blocks.empty()) in_.fail("no cells; not a mesh, or truncated");
     mesh.source = std::make_shared<const PlacedCoordinates>(path_, std::move(content_), mesh.points,
-                                                            std::move(places_),
+                                                            std::move(lists), std::move(places_),
                                                             PlacedCoordinates::Coding::Words);
     return mesh;
   }
@@ -124,13 +125,15 @@ class MeditReader {
     for (int k = 0; k < type.node_count(); ++k) order.push_back(k);
     std::vector<Index> nodes(order.size());
     for (std::int64_t cell = 1; cell <= count; ++cell) {
+      std::size_t place = 0;
       for (Index& node : nodes) {
         const std::int64_t vertex = in_.integer("a vertex");
         if (vertex < 1 || vertex > std::numeric_limits<Index>::max() / 4)
           in_.fail(fmt::format("vertex {} is out of range", vertex));
         node = static_cast<Index>(vertex - 1);
+        if (&node == nodes.data()) place = in_.begin();
       }
-      cells_.add(type, order, nodes, cell, static_cast<int>(in_.integer("a reference")));
+      cells_.add(type, order, nodes, cell, static_cast<int>(in_.integer("a reference")), place);
     }
   }
 

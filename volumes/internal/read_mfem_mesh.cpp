@@ -1,5 +1,6 @@
-// MFEM mesh v1.0: elements, their boundary, and vertices, or nodes that are a grid function of H1
-// or L2. Which degree of freedom is which node is MFEM's numbering: vertices, edges and faces as
+// MFEM mesh v1.0, v1.2 (with an end, also of a piece of a parallel mesh), v1.3 (with named sets of
+// attributes): elements, their boundary, and vertices, or nodes that are a grid function of H1 or
+// L2. Which degree of freedom is which node is MFEM's numbering: vertices, edges and faces as
 // they are met first, cell by cell, then the interiors (mesh/mesh.cpp: GetElementToEdgeTable,
 // GetElementToFaceTable; fem/fe_coll.cpp: H1_FECollection).
 #include <fmt/format.h>
@@ -61,6 +62,7 @@ struct MfemElement {
   std::int64_t attribute;
   const MfemShape* shape;
   std::vector<Index> vertices;
+  std::size_t place = 0;  // of the first vertex in the file
 };
 
 // The place of (i, j), i + j <= n, row by row.
@@ -71,15 +73,22 @@ struct NodeSpace {
   bool is_discontinuous = false;
   int degree = 1;
   NodeKind kind = NodeKind::Uniform;
+  // "Cubic": the inner nodes of a hexahedron go round in each of two layers (fem/fe: the
+  // constructor of LagrangeHexFiniteElement), while those of H1 are ordered by coordinates.
+  bool goes_round = false;
+  bool has_quads_alone = false;  // "QuadraticPos" has no other elements
+
+  int inner_place(CellShape shape, const Exponents& e) const;
 };
 
 NodeSpace node_space(const std::string& path, const std::string& name) {
   if (name == "Linear") return {};
   if (name == "Quadratic") return {false, 2, NodeKind::Uniform};
-  if (name == "Cubic") return {false, 3, NodeKind::Uniform};
+  if (name == "Cubic") return {false, 3, NodeKind::Uniform, true};
+  if (name == "QuadraticPos") return {false, 2, NodeKind::ControlPoints, false, true};
   const auto unknown = [&] {
     refuse_mesh(path, fmt::format("nodes of the space {}; H1 and L2 at closed uniform or "
-                                  "Gauss-Lobatto points and H1Pos are supported",
+                                  "Gauss-Lobatto points or with control points are supported",
                                   name));
   };
   const std::size_t underline = name.find('_'), degree = name.rfind("_P");
@@ -93,7 +102,7 @@ NodeSpace node_space(const std::string& path, const std::string& name) {
   const std::string family = name.substr(0, underline);
   if (family == "H1" || family == "H1@G" || name.starts_with("L2_T1_"))
     space.kind = NodeKind::GaussLobatto;
-  else if (family == "H1Pos" || family == "H1@P")
+  else if (family == "H1Pos" || family == "H1@P" || name.starts_with("L2_T2_"))
     space.kind = NodeKind::ControlPoints;
   else if (family != "H1@U" && !name.starts_with("L2_T4_"))
     unknown();
@@ -161,15 +170,35 @@ int cell_interior(CellShape shape, int n) {
     case CellShape::Wedge:
       return triangle_interior(n) * (n - 1);
     default:
-      return shape == CellShape::Segment ? n - 1 : 0;
+      return 0;  // the inner nodes of a segment are those of its edge
+  }
+}
+
+// The place of an inner node of a cell among these.
+int NodeSpace::inner_place(CellShape shape, const Exponents& e) const {
+  const int n = degree, m = n - 1;
+  switch (shape) {
+    case CellShape::Triangle:
+      return triangle_place(e[1] - 1, e[2] - 1, n - 3);
+    case CellShape::Quad:
+      return e[1] - 1 + m * (e[3] - 1);
+    case CellShape::Hexahedron: {
+      const int i = e[1] - 1, j = e[3] - 1, k = e[5] - 1;
+      if (goes_round) return (j == 0 ? i : 3 - i) + 4 * k;
+      return i + m * (j + m * k);
+    }
+    case CellShape::Wedge:
+      return triangle_place(e[1] - 1, e[2] - 1, n - 3) + triangle_interior(n) * (e[4] - 1);
+    default:
+      return 0;  // tetrahedra up to degree 4 have one, segments have theirs on their edge
   }
 }
 
 // Degrees of freedom of H1: vertices, edges, faces, interiors.
 class ContinuousNodes {
  public:
-  ContinuousNodes(const std::vector<MfemElement>& elements, Index vertices, int degree)
-      : topology_(elements), vertices_(vertices), n_(degree) {
+  ContinuousNodes(const std::vector<MfemElement>& elements, Index vertices, const NodeSpace& space)
+      : topology_(elements), vertices_(vertices), space_(space), n_(space.degree) {
     Index next = vertices_ + topology_.edge_count() * (n_ - 1);
     for (const auto& base : topology_.bases()) {
       face_begin_.push_back(next);
@@ -216,7 +245,13 @@ class ContinuousNodes {
       return vertices_ + edge * (n_ - 1) + at * n_ / all - 1;
     }
     const bool is_interior = cell >= 0 && on.size() == element.vertices.size();
-    if (is_interior) return interior_begin_[to_size(cell)] + interior(element.shape->shape, e);
+    // The control points inside of the lower triangle of a wedge are in the order of the triangle,
+    // not of the face, which runs the other way round (fem/fe: H1Pos_WedgeElement).
+    if (space_.kind == NodeKind::ControlPoints && element.shape->shape == CellShape::Wedge &&
+        weights[3] == 0 && weights[4] == 0 && weights[5] == 0)
+      std::swap(weight[1], weight[2]);
+    if (is_interior)
+      return interior_begin_[to_size(cell)] + space_.inner_place(element.shape->shape, e);
     const Index face = topology_.face(on);
     if (face < 0) return -1;
     const std::vector<Index>& base = topology_.bases()[to_size(face)];
@@ -234,24 +269,9 @@ class ContinuousNodes {
     return face_begin_[to_size(face)] + i + j * (n_ - 1);
   }
 
-  int interior(CellShape shape, const Exponents& e) const {
-    const int m = n_ - 1;
-    switch (shape) {
-      case CellShape::Triangle:
-        return triangle_place(e[1] - 1, e[2] - 1, n_ - 3);
-      case CellShape::Quad:
-        return e[1] - 1 + m * (e[3] - 1);
-      case CellShape::Hexahedron:
-        return e[1] - 1 + m * (e[3] - 1 + m * (e[5] - 1));
-      case CellShape::Wedge:
-        return triangle_place(e[1] - 1, e[2] - 1, n_ - 3) + triangle_interior(n_) * (e[4] - 1);
-      default:
-        return shape == CellShape::Segment ? e[1] - 1 : 0;  // tetrahedra up to degree 4 have one
-    }
-  }
-
   MfemTopology topology_;
   Index vertices_;
+  NodeSpace space_;
   int n_;
   std::vector<Index> face_begin_, interior_begin_;
   Index count_ = 0;
@@ -290,13 +310,17 @@ class MfemReader {
     read_version();
     for (;;) {
       const std::string_view section = in_.next();
-      if (section.empty() || section == "mfem_mesh_end") break;
+      if (section == "mfem_mesh_end" || section == "mfem_serial_mesh_end") break;
+      if (section.empty() && has_end_) in_.fail("mfem_mesh_end is missing; the file is truncated");
+      if (section.empty()) break;
       if (section == "dimension")
         in_.integer("the dimension");
       else if (section == "elements")
         elements_ = read_elements();
       else if (section == "boundary")
         boundary_ = read_elements();
+      else if (section == "attribute_sets" || section == "bdr_attribute_sets")
+        skip_attribute_sets();
       else if (section == "vertices")
         read_vertices();
       else if (section == "nodes")
@@ -317,9 +341,33 @@ class MfemReader {
   void read_version() {
     if (in_.next() != "MFEM") in_.fail("not a mesh of MFEM");
     const std::string line(in_.rest_of_line());
-    if (line != "mesh v1.0")
-      refuse_mesh(path_, fmt::format("MFEM {}; v1.0, without NURBS and hanging nodes, is supported",
+    has_end_ = line == "mesh v1.2" || line == "mesh v1.3";
+    if (line != "mesh v1.0" && !has_end_)
+      refuse_mesh(path_, fmt::format("MFEM {}; v1.0, v1.2 and v1.3, without NURBS and hanging "
+                                     "nodes, are supported",
                                      in_quotes(line)));
+  }
+
+  // Names of sets of attributes, which nothing is done with: they are written back as they are.
+  void skip_attribute_sets() {
+    const std::int64_t sets = in_.count("the number of attribute sets");
+    for (std::int64_t set = 0; set < sets; ++set) {
+      skip_name();
+      const std::int64_t size = in_.count("the size of an attribute set");
+      for (std::int64_t k = 0; k < size; ++k) in_.integer("an attribute");
+    }
+  }
+
+  // A word, or what is between quotes, where a backslash precedes quotes and backslashes.
+  void skip_name() {
+    const std::string_view word = in_.next();
+    if (word.empty()) in_.fail("the name of an attribute set is missing; the file is truncated");
+    if (word.front() != '"') return;
+    const std::string_view text = in_.text();
+    std::size_t at = in_.begin() + 1;
+    while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
+    if (at >= text.size()) in_.fail("the name of an attribute set has no end");
+    in_.go_to(at + 1);
   }
 
   std::vector<MfemElement> read_elements() {
@@ -334,9 +382,10 @@ class MfemReader {
                     "supported");
       if (geometry < 0 || geometry > 7)
         refuse_mesh(path_, fmt::format("elements of geometry {}", geometry));
-      MfemElement& element = out.emplace_back(MfemElement{attribute, &mfem_shape(geometry), {}});
+      MfemElement& element = out.emplace_back(MfemElement{attribute, &mfem_shape(geometry), {}, 0});
       for (int c = 0; c < corner_count(element.shape->shape); ++c) {
         const std::int64_t vertex = in_.integer("a vertex");
+        if (c == 0) element.place = in_.begin();
         if (vertex < 0 || vertex > std::numeric_limits<Index>::max() / 4)
           in_.fail(fmt::format("vertex {} is out of range", vertex));
         element.vertices.push_back(static_cast<Index>(vertex));
@@ -387,6 +436,7 @@ class MfemReader {
       refuse_mesh(path_, fmt::format("nodes of degree {}; degrees 1 to {} are supported",
                                      space_.degree, CellType::kMaxDegree));
     require_vertices();
+    require_elements();
     const std::size_t count = node_count();
     if (count * dim > in_.remaining()) in_.fail("the nodes end too early; the file is truncated");
     points_.assign(3 * count, 0);
@@ -407,9 +457,19 @@ class MfemReader {
                 fmt::format("{}: an element has vertex {}, there are {}", path_, v, vertices_));
   }
 
+  void require_elements() const {
+    for (const auto* list : {&elements_, &boundary_})
+      for (const MfemElement& e : *list)
+        if (space_.has_quads_alone && e.shape->shape != CellShape::Quad &&
+            e.shape->shape != CellShape::Segment)
+          refuse_mesh(path_, fmt::format("nodes of the space QuadraticPos, which has quads and "
+                                         "segments, with {}",
+                                         plural_of(e.shape->shape)));
+  }
+
   std::size_t node_count() const {
     if (!space_.is_discontinuous)
-      return to_size(ContinuousNodes(elements_, vertices_, space_.degree).count());
+      return to_size(ContinuousNodes(elements_, vertices_, space_).count());
     std::size_t count = 0;
     for (const MfemElement& e : elements_)
       count += to_size(CellType{e.shape->shape, space_.degree}.node_count());
@@ -424,9 +484,13 @@ class MfemReader {
         Eigen::Map<const Points3>(points_.data(), static_cast<Index>(points_.size() / 3), 3);
     CellCollector cells;
     space_.is_discontinuous ? add_discontinuous(cells) : add_continuous(cells);
+    // The file lists vertices, which are the corners.
+    NodeLists lists{.coding = NodeLists::Coding::Words, .comment = '#', .blocks = cells.lists()};
     mesh.blocks = cells.take();
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+      lists.blocks[b].order.resize(to_size(corner_count(mesh.blocks[b].type.shape)));
     mesh.source = std::make_shared<const PlacedCoordinates>(path_, std::move(content_), mesh.points,
-                                                            std::move(places_),
+                                                            std::move(lists), std::move(places_),
                                                             PlacedCoordinates::Coding::Words);
     return mesh;
   }
@@ -442,14 +506,14 @@ class MfemReader {
   }
 
   void add_continuous(CellCollector& cells) const {
-    const ContinuousNodes nodes(elements_, vertices_, has_nodes_ ? space_.degree : 1);
+    const ContinuousNodes nodes(elements_, vertices_, space_);
     const auto add = [&](const MfemElement& e, Index cell, std::int64_t number) {
       const std::vector<Index> of_cell = nodes.of(e, cell);
       if (of_cell.empty())
         throw Error(ErrorKind::Unreadable,
                     fmt::format("{}: element {} of the boundary is on no element", path_, number));
       cells.add(type_of(e), as_they_are(of_cell.size()), of_cell, number,
-                static_cast<int>(e.attribute));
+                static_cast<int>(e.attribute), e.place);
     };
     for (std::size_t k = 0; k < elements_.size(); ++k)
       add(elements_[k], static_cast<Index>(k), static_cast<std::int64_t>(k));
@@ -467,7 +531,7 @@ class MfemReader {
         of_cell.push_back(begin + discontinuous_place(e.shape->shape, at, space_.degree));
       begin += static_cast<Index>(of_cell.size());
       cells.add(type_of(e), as_they_are(of_cell.size()), of_cell, static_cast<std::int64_t>(k),
-                static_cast<int>(e.attribute), e.vertices);
+                static_cast<int>(e.attribute), e.place, e.vertices);
     }
   }
 
@@ -478,6 +542,7 @@ class MfemReader {
   Index vertices_ = 0;
   NodeSpace space_;
   bool has_nodes_ = false;
+  bool has_end_ = false;  // the version asks for mfem_mesh_end
   std::vector<double> points_;
   std::vector<PlacedCoordinates::Place> places_;
 };

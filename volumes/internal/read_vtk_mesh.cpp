@@ -78,8 +78,10 @@ class EncodedPoints final : public MeshSource {
     std::size_t header_size;
     ByteOrder order;
   };
-  EncodedPoints(std::string content, Points3 original, const Region& region)
-      : MeshSource(std::move(original)), content_(std::move(content)), region_(region) {}
+  EncodedPoints(std::string file, std::string content, Points3 original, NodeLists lists,
+                const Region& region)
+      : MeshSource(std::move(file), std::move(content), std::move(original), std::move(lists)),
+        region_(region) {}
 
   std::string with_points(const Points3& points) const override {
     bool is_any_moved = false;
@@ -106,17 +108,15 @@ class EncodedPoints final : public MeshSource {
     std::memcpy(to, &value, size);
     if (region_.order == ByteOrder::Big) std::reverse(to, to + size);
   }
-  std::string content_;
   Region region_;
 };
 
 // The source of a file that does not say where its points stand as doubles.
 class UnwritablePoints final : public MeshSource {
  public:
-  UnwritablePoints(std::string file, std::string content, Points3 original, std::string why)
-      : MeshSource(std::move(original)),
-        file_(std::move(file)),
-        content_(std::move(content)),
+  UnwritablePoints(std::string file, std::string content, Points3 original, NodeLists lists,
+                   std::string why)
+      : MeshSource(std::move(file), std::move(content), std::move(original), std::move(lists)),
         why_(std::move(why)) {}
   std::string with_points(const Points3& points) const override {
     for (Index p = 0; p < points.rows(); ++p)
@@ -126,7 +126,7 @@ class UnwritablePoints final : public MeshSource {
   }
 
  private:
-  std::string file_, content_, why_;
+  std::string why_;
 };
 
 class VtkReader {
@@ -150,9 +150,11 @@ class VtkReader {
     const XmlElement& piece = child_of(grid, "Piece");
     VolumeMesh mesh;
     mesh.file = path_;
-    read_points(child_of(child_of(piece, "Points"), "DataArray"), mesh);
+    const XmlElement& points = child_of(child_of(piece, "Points"), "DataArray");
+    read_points(points, mesh);
     has_old_hexahedra_ = is_before(root.attribute("version", "0.1"), 2, 1);
     read_cells(piece, mesh);
+    mesh.source = source_of(points, mesh.points);
     return mesh;
   }
 
@@ -195,7 +197,6 @@ class VtkReader {
       refuse_mesh(path_, "too many points");
     mesh.points =
         Eigen::Map<const Points3>(values.data(), static_cast<Index>(values.size() / 3), 3);
-    mesh.source = source_of(array, mesh.points);
   }
 
   // How the points are written back. The place of text in the file is that in content_: what was
@@ -206,7 +207,7 @@ class VtkReader {
     const bool is_double = array.attribute("type") == "Float64";
     const std::string_view format = array.attribute("format", "ascii");
     const auto unwritable = [&](const char* why) {
-      return std::make_shared<const UnwritablePoints>(path_, original_, points, why);
+      return std::make_shared<const UnwritablePoints>(path_, original_, points, lists_, why);
     };
     if (!is_double) return unwritable("points that are no Float64 cannot be written back");
     if (arrays_.is_compressed() && format != "ascii")
@@ -222,13 +223,13 @@ class VtkReader {
         const std::size_t size = words.next().size();
         places.push_back({begin + words.begin(), static_cast<std::uint32_t>(size)});
       }
-      return std::make_shared<const Placed>(path_, original_, points, std::move(places),
+      return std::make_shared<const Placed>(path_, original_, points, lists_, std::move(places),
                                             Placed::Coding::Words);
     }
     const std::size_t first = array.text.find_first_not_of(" \t\r\n"),
                       last = array.text.find_last_not_of(" \t\r\n");
     return std::make_shared<const EncodedPoints>(
-        original_, points,
+        path_, original_, points, lists_,
         EncodedPoints::Region{begin + first, last + 1 - first, arrays_.header_size(),
                               arrays_.order()});
   }
@@ -237,18 +238,12 @@ class VtkReader {
   std::shared_ptr<const MeshSource> appended(const XmlElement& array, const Points3& points,
                                              const Unwritable& unwritable) const {
     using Placed = PlacedCoordinates;
-    const std::size_t tag = original_.find("<AppendedData");
-    const std::size_t end = original_.find('>', tag), mark = original_.find('_', end);
-    if (original_.substr(tag, end - tag).find("base64") != std::string::npos)
-      return unwritable("points appended as base64 cannot be written back");
-    std::size_t offset = 0;
-    const std::string_view text = array.attribute("offset");
-    std::from_chars(text.data(), text.data() + text.size(), offset);
-    const std::size_t first = mark + 1 + offset + arrays_.header_size();
+    const std::optional<std::size_t> first = appended_begin(array);
+    if (!first) return unwritable("points appended as base64 cannot be written back");
     std::vector<Placed::Place> places;
     for (Index k = 0; k < points.size(); ++k)
-      places.push_back({first + to_size(k) * sizeof(double), sizeof(double)});
-    return std::make_shared<const Placed>(path_, original_, points, std::move(places),
+      places.push_back({*first + to_size(k) * sizeof(double), sizeof(double)});
+    return std::make_shared<const Placed>(path_, original_, points, lists_, std::move(places),
                                           arrays_.order() == ByteOrder::Little
                                               ? Placed::Coding::Doubles
                                               : Placed::Coding::SwappedDoubles);
@@ -327,6 +322,7 @@ class VtkReader {
     require_polynomials(piece);
     require_one_degree(piece, types);
     CellCollector cells;
+    lists_ = lists_of(*array_of(section, "connectivity"), connectivity.size());
     std::map<std::pair<long long, std::size_t>, std::pair<CellType, std::vector<int>>> known;
     long long begin = 0;
     std::vector<Index> nodes;
@@ -335,6 +331,7 @@ class VtkReader {
       if (offsets[c] < begin || offsets[c] > static_cast<long long>(connectivity.size()))
         fail(fmt::format("offset {} of cell {} is out of range", offsets[c], c));
       nodes.clear();
+      const std::size_t place = place_of_entry(static_cast<std::size_t>(begin));
       for (; begin < offsets[c]; ++begin) {
         const long long point = connectivity[static_cast<std::size_t>(begin)];
         if (point < 0 || point >= mesh.points.rows())
@@ -349,9 +346,72 @@ class VtkReader {
       }
       const double region = c < regions.size() ? regions[c] : 0;
       cells.add(found->second.first, found->second.second, nodes, static_cast<std::int64_t>(c),
-                std::abs(region) < 1e9 ? static_cast<int>(region) : 0);
+                std::abs(region) < 1e9 ? static_cast<int>(region) : 0, place);
     }
+    lists_.blocks = cells.lists();
     mesh.blocks = cells.take();
+  }
+
+  // Returns the coding of the connectivity, and notes where its entries begin.
+  NodeLists lists_of(const XmlElement& array, std::size_t entries) {
+    using Coding = NodeLists::Coding;
+    NodeLists lists;
+    const std::string_view format = array.attribute("format", "ascii"),
+                           type = array.attribute("type");
+    entry_begin_ = arrays_.header_size();
+    if (type.ends_with("64"))
+      lists.width = 8;
+    else if (type.ends_with("32"))
+      lists.width = 4;
+    else
+      lists.width = type.ends_with("16") ? 2 : 1;
+    if (arrays_.is_compressed() && format != "ascii") return lists;
+    if (format == "appended") {
+      const std::optional<std::size_t> first = appended_begin(array);
+      if (!first) return lists;
+      entry_begin_ = *first;
+      lists.coding = Coding::Bytes;
+      return lists;
+    }
+    const auto begin = static_cast<std::size_t>(array.text.data() - content_.data());
+    if (original_.compare(begin, array.text.size(), array.text) != 0) return lists;
+    if (format == "ascii") {
+      TokenCursor words(path_, array.text, 0, stop_);
+      for (std::size_t k = 0; k < entries; ++k) {
+        words.next();
+        entry_words_.push_back(begin + words.begin());
+      }
+      lists.coding = Coding::Words;
+      return lists;
+    }
+    const std::size_t first = array.text.find_first_not_of(" \t\r\n"),
+                      last = array.text.find_last_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return lists;
+    lists.text_begin = begin + first;
+    lists.text_size = last + 1 - first;
+    // A length and the integers in one text, or in two.
+    const std::optional<std::string> bytes =
+        decode_base64(array.text.substr(first, lists.text_size));
+    if (bytes && bytes->size() == arrays_.header_size() + entries * lists.width)
+      lists.coding = Coding::Base64;
+    return lists;
+  }
+
+  std::size_t place_of_entry(std::size_t entry) const {
+    if (lists_.coding == NodeLists::Coding::Words)
+      return entry < entry_words_.size() ? entry_words_[entry] : 0;
+    return entry_begin_ + entry * lists_.width;
+  }
+
+  // Returns where the values of an appended array begin; none if they are base64.
+  std::optional<std::size_t> appended_begin(const XmlElement& array) const {
+    const std::size_t tag = original_.find("<AppendedData");
+    const std::size_t end = original_.find('>', tag), mark = original_.find('_', end);
+    if (original_.substr(tag, end - tag).find("base64") != std::string::npos) return std::nullopt;
+    std::size_t offset = 0;
+    const std::string_view text = array.attribute("offset");
+    std::from_chars(text.data(), text.data() + text.size(), offset);
+    return mark + 1 + offset + arrays_.header_size();
   }
 
   // Quads, hexahedra and wedges may have a degree for each direction.
@@ -401,6 +461,9 @@ class VtkReader {
   std::string original_, content_;
   VtuArrays arrays_;
   bool has_old_hexahedra_ = false;
+  NodeLists lists_;
+  std::size_t entry_begin_ = 0;           // of the connectivity, where it is no text
+  std::vector<std::size_t> entry_words_;  // of each entry, where it is
 };
 
 }  // namespace

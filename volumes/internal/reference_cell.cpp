@@ -221,6 +221,7 @@ ReferenceCell::ReferenceCell(const CellType& type)
   make_control_points();
   make_gradients();
   make_sides();
+  make_reflection();
 }
 
 void ReferenceCell::make_control_points() {
@@ -294,6 +295,7 @@ void ReferenceCell::make_sides() {
     Side side;  // where this coordinate is 0
     for (int k = 0; k < corners; ++k)
       if (nodes[to_size(k)][to_size(coordinate)] == 0) side.corners.push_back(k);
+    side.loop = loop_of(side.corners);
     for (int k = 0; k < stored; ++k) {
       if (nodes[to_size(k)][to_size(coordinate)] != 0) continue;
       side.nodes.push_back(k);
@@ -305,6 +307,53 @@ void ReferenceCell::make_sides() {
       for (int& w : weights) w = w * type_.degree * type_.degree / sum;
     }
     sides_.push_back(std::move(side));
+  }
+}
+
+std::vector<int> ReferenceCell::loop_of(const std::vector<int>& corners) const {
+  const std::vector<Exponents> nodes = element_.functions(element_.degrees());
+  const auto place = [&](int corner) {
+    Vector3 at = Vector3::Zero();
+    for (int d = 0; d < element_.dim(); ++d)
+      at[d] = nodes[to_size(corner)][to_size(element_.derivatives[to_size(d)][0])];
+    return Vector3(at / type_.degree);
+  };
+  std::vector<int> loop = corners;
+  // Corners of a square follow each other unless they are opposite: the sums of opposite ones are
+  // equal.
+  if (loop.size() == 4)
+    for (std::size_t k = 1; k < 4; ++k) {
+      const std::size_t a = k % 3 + 1, b = (k + 1) % 3 + 1;
+      if (place(corners[0]) + place(corners[k]) == place(corners[a]) + place(corners[b]))
+        loop = {corners[0], corners[a], corners[k], corners[b]};
+    }
+  Vector3 middle = Vector3::Zero();
+  for (int k = 0; k < corner_count(type_.shape); ++k) middle += place(k);
+  middle /= corner_count(type_.shape);
+  const Vector3 first = place(loop[0]), along = place(loop[1]) - first, inward = middle - first;
+  const Vector3 other =
+      element_.dim() == 2 ? Vector3(Vector3::UnitZ()) : Vector3(place(loop.back()) - first);
+  // The interior of a plane cell is on the left of its edges, that of a solid one below its sides.
+  const double sense =
+      element_.dim() == 2 ? along.cross(inward).dot(other) : -along.cross(other).dot(inward);
+  if (sense < 0) std::reverse(loop.begin(), loop.end());
+  return loop;
+}
+
+// Exchanges two coordinates of the first simplex, or the first two segments.
+void ReferenceCell::make_reflection() {
+  const std::vector<Exponents> nodes = element_.functions(element_.degrees());
+  const bool is_simplex = element_.factors[0] > 2;
+  for (int k = 0; k < type_.node_count(); ++k) {
+    Exponents mirrored = nodes[to_size(k)];
+    if (is_simplex) {
+      std::swap(mirrored[1], mirrored[2]);
+    } else {
+      std::swap(mirrored[0], mirrored[2]);
+      std::swap(mirrored[1], mirrored[3]);
+    }
+    const auto found = std::find(nodes.begin(), nodes.end(), mirrored);
+    reflection_.push_back(static_cast<int>(found - nodes.begin()));
   }
 }
 

@@ -51,16 +51,23 @@ class ReferenceCell {
   // A side of the cell: an edge in the plane.
   struct Side {
     std::vector<int> corners;
+    std::vector<int> loop;  // the corners, one after the other round the side, as seen from outside
     std::vector<int> nodes;                 // of the nodes that cells have, those on it
     std::vector<std::vector<int>> weights;  // of each on the corners; they add to degree^2
   };
   const std::vector<Side>& sides() const { return sides_; }
+
+  // The nodes of the cell turned around, which is its mirror image: node k is there where node
+  // reflection()[k] was. Turning twice gives the cell back.
+  const std::vector<int>& reflection() const { return reflection_; }
 
  private:
   explicit ReferenceCell(const CellType& type);
   void make_control_points();
   void make_gradients();
   void make_sides();
+  std::vector<int> loop_of(const std::vector<int>& corners) const;
+  void make_reflection();
 
   CellType type_;
   BernsteinElement element_;
@@ -71,6 +78,7 @@ class ReferenceCell {
   RowMatrix control_points_, sampled_gradients_;
   double amplification_ = 1;
   std::vector<Side> sides_;
+  std::vector<int> reflection_;
   mutable std::once_flag exact_made_;
   mutable ExactMatrix exact_;
 };
