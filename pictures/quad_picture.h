@@ -10,8 +10,7 @@
 // Seen from first_view() (first_view.h) by the camera of write_png() (pictures.h). Quads are
 // painted one over the other, the farthest first, by their centroids; where no edge is on a border
 // those that face away are left out. A page has them in 3D, and as layout their patches as
-// rectangles of unit squares, side by side: what it says of areas and angles is how quads differ
-// from squares.
+// rectangles of unit squares, side by side, coloured by how far angles are from 90 degrees.
 #pragma once
 
 #include <array>
@@ -37,7 +36,8 @@ void write_png(const std::string& path, const QuadPicture& picture);
 std::string svg_text(const QuadPicture& picture);
 
 // Two triangles for each quad; charts are the patches, cones the irregular vertices, the seam those
-// edges that cover features.
+// edges that cover features. The page knows by `facts`, of the command `quads`, that halves are no
+// faces.
 MapPage page_of(const QuadPicture& picture);
 
 }  // namespace majorant

@@ -15,6 +15,8 @@ const resultNames = [
   ['sigma_min', 'smallest \u03c3\u2082'], ['min_det_bound', 'det J at least'],
   ['charts', 'charts'], ['stretch_l2', 'stretch L\u00b2'], ['stretch_linf', 'stretch L\u221e'],
   ['seam_length_relative', 'seam length'], ['fill', 'square filled'],
+  ['irregular', 'irregular vertices'], ['angle_deviation', 'angles off 90\u00b0, mean'],
+  ['jacobian_min', 'least scaled Jacobian'], ['jacobian_mean', 'mean scaled Jacobian'],
 ];
 
 // A page of elements shows some of the mesh: the report says how many there are, and how many fail.
@@ -37,8 +39,10 @@ export function summaryOf(map, frame, other = null) {
     return [`iteration ${readable(iteration)}, ${degreeName(degree)}`,
             count(map.faceCount, 'face'), `energy ${readable(energy, 6)}`].join(' \u00b7 ');
   }
-  const parts = [map.isOfElements ? count(elementsOf(map)?.checked ?? new Set(map.chart).size, 'element')
-                                  : `${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
+  const parts = [`${degreeName(map.degree)}, ${count(map.faceCount, 'face')}`];
+  if (map.isOfElements)
+    parts[0] = count(elementsOf(map)?.checked ?? new Set(map.chart).size, 'element');
+  if (map.isOfQuads) parts[0] = count(map.quads.length, 'quad');
   const energy = map.claims.energy;
   const value = facts.result?.value ?? map.claims.value;
   if (energy && Number.isFinite(value)) parts.push(`${energy} ${readable(value)}`);
@@ -51,7 +55,10 @@ export function summaryOf(map, frame, other = null) {
 
 function numbersOf(facts) {
   const list = element('dl');
-  const sources = {...facts.result, ...facts.distortion, ...facts.result?.distortion};
+  const {quads} = facts.result ?? {};
+  const ofQuads = {...quads, jacobian_min: quads?.scaled_jacobian?.min,
+                   jacobian_mean: quads?.scaled_jacobian?.mean};
+  const sources = {...facts.result, ...facts.distortion, ...facts.result?.distortion, ...ofQuads};
   for (const [key, name] of resultNames)
     if (typeof sources[key] === 'number')
       list.append(element('dt', {}, name), element('dd', {}, readable(sources[key])));

@@ -34,6 +34,9 @@ function colorsOf(app) {
   if (!scale)
     return (face) => (map.chart ? tints[map.chart[face] % tints.length] : app.css('--press'));
   const {S, s} = sampleSingularValues(map, map.uv, [[1 / 3, 1 / 3, 1 / 3]]);
+  if (map.isOfQuads) {
+    return (face) => scale.color(scale.position(map.quads[Math.floor(face / 2)].deviation));
+  }
   const value = valuesOf[state.show];
   return (face) => (s[face] > 0 ? scale.color(scale.position(value(S[face], s[face], app.energy)))
                                 : app.css('--wrong'));
@@ -65,7 +68,7 @@ function draw(app, outlines, canvas, pixel) {
   const color = colorsOf(app);
   pen.lineWidth = 0.5 * pixel;
   pen.strokeStyle = `rgb(${rgbOf('#5c6570').map((x) => 255 * x).join(' ')} / 0.6)`;
-  outlines.forEach((points, face) => {
+  outlines.forEach(({points, face}) => {
     pen.beginPath();
     for (const uv of points) pen.lineTo(...place(uv));
     pen.closePath();
@@ -98,8 +101,13 @@ export function showWithoutWebGl(app) {
   document.body.classList.add('flat');
   const canvas = byId('canvas');
   const pixel = window.devicePixelRatio || 1;
-  const outlines = Array.from({length: app.map.faceCount}, (_, face) => outlineOf(app.map, face));
-  app.state.watch(['show', 'range', 'theme'], () => draw(app, outlines, canvas, pixel));
-  new ResizeObserver(() => draw(app, outlines, canvas, pixel)).observe(byId('stage'));
+  const outlines = Array.from({length: app.map.faceCount}, (_, face) => (
+    {face, points: outlineOf(app.map, face)}));
+  // Both halves of a quad at once.
+  if (app.map.isOfQuads)
+    outlines.forEach((half, k) => { if (k % 2 === 0) half.points.push(outlines[k + 1].points[2]); });
+  const shown = app.map.isOfQuads ? outlines.filter(({face}) => face % 2 === 0) : outlines;
+  app.state.watch(['show', 'range', 'theme'], () => draw(app, shown, canvas, pixel));
+  new ResizeObserver(() => draw(app, shown, canvas, pixel)).observe(byId('stage'));
   pointAtCells(app, canvas, pixel);
 }

@@ -55,9 +55,11 @@ export class Histogram {
 
   // At the places of samples(): what is shown of the map, or of both; NaN where one is turned over.
   values() {
-    const {other, energy, state} = this.app;
-    const {S, s} = this.samples();
+    const {map, other, energy, state} = this.app;
+    const {S, s, perFace} = this.samples();
     const value = valuesOf[state.show];
+    if (state.show === 'deviation')
+      return S.map((_, at) => map.quads[Math.floor(at / perFace / 2)].deviation);
     if (state.show !== 'difference')
       return S.map((_, at) => (s[at] > 0 ? value(S[at], s[at], energy) : NaN));
     this.beyond ??= sampleSingularValues(other, other.uv, this.places);
@@ -188,9 +190,10 @@ export class Histogram {
     if (this.above > 0) notes.push(`${percent(this.above / this.total)} above the scale`);
     if (this.flipped > 0) notes.push(`${percent(this.flipped / this.total)} turned over`);
     notes.push({angle: `${readable(this.scale.neutral)} is conformal`,
+                deviation: 'a rectangle has 0',
                 difference: 'red where A has more, blue where B has'}[state.show] ??
                `an isometry has ${readable(this.scale.neutral)}`);
-    if (map.scaleIsAssumed && state.show !== 'angle')
+    if (map.scaleIsAssumed && !map.isOfQuads && state.show !== 'angle')
       notes.push('the layout, whose scale is not known, taken as large as the surface');
     this.note.textContent = `By area; ${notes.join('; ')}.`;
   }

@@ -22,6 +22,7 @@ import {partnerOf} from './partner.js';
 import {pictureOf} from './picture.js';
 import {addSearch, facesOfChart, listCharts} from './places.js';
 import {followPointer} from './pointer.js';
+import {deviationScale, measureQuads} from './quads.js';
 import {Readout, measure} from './readout.js';
 import {Scale} from './scales.js';
 import {Stage, flatGeometry} from './stage.js';
@@ -46,6 +47,11 @@ function titlesOf(map, scales) {
     'difference': `Density of ${map.claims.energy}, A less B`,
   };
   if (map.isOfElements) return {chart: 'Elements', texture: 'Texture'};  // no distortion to see
+  if (map.isOfQuads) {
+    const titles = {deviation: 'Largest angle off 90\u00b0', texture: 'Texture'};
+    if (map.chart) titles.chart = 'Patches';
+    return titles;
+  }
   const titles = {texture: 'Texture'};
   for (const name of Object.keys(scales)) titles[name] = known[name];
   if (map.chart) titles.chart = 'Charts';
@@ -55,18 +61,21 @@ function titlesOf(map, scales) {
 function makeApp() {
   const data = JSON.parse(byId('data').textContent);
   const map = readMap(data);
-  const scales = Object.fromEntries(data.scales.map((scale) => [scale.name, new Scale(scale)]));
+  const ofMaps = Object.fromEntries(data.scales.map((scale) => [scale.name, new Scale(scale)]));
+  const scales = map.isOfQuads ? {deviation: deviationScale(ofMaps.angle)} : ofMaps;
+  if (map.isOfQuads) map.quads = measureQuads(map);
   const energy = parseEnergy(map.claims.energy);
   const other = data.other ? readMap(data.other) : null;
   if (other && scales.density)
     scales.difference = differenceScale(map, other, energy, scales.area);
   const isDeformation = map.claims.init === 'planar';
   const state = new State({
-    show: map.isOfElements ? 'chart' : scales[data.show] ? data.show
+    show: map.isOfElements ? 'chart' : map.isOfQuads ? 'deviation'
+        : scales[data.show] ? data.show
         : scales.difference ? 'density' : 'texture',
     texture: 'checker', squares: 0, rest: isDeformation, wipe: 0, range: null, brush: null,
     edges: true, seams: true, cones: true, points: true, scaffold: true, faults: true,
-    overlaps: map.cones.length === 0, square: map.isInSquare && !map.isOfElements,
+    overlaps: map.cones.length === 0, square: map.isInSquare && !map.isOfElements && !map.isOfQuads,
     hovered: null, pinned: null, frame: null, pictureScale: 1, isTransparent: false, theme: 0,
   });
   return {

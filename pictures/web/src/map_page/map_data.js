@@ -142,6 +142,8 @@ export function readMap(data) {
   // Not a map of a surface, but the sides of elements of a mesh of volumes, a chart for each element,
   // whose number is that of the input.
   map.isOfElements = map.facts.command === 'mesh check';
+  // Not a map of a surface either: two halves for each quad (quads.js).
+  map.isOfQuads = map.facts.command === 'quads';
   // Made for the unit square, or of whoever knows none but that.
   map.isInSquare = Boolean(map.claims.normalized) || map.scaleIsAssumed;
   map.contacts = contactsOf(map);
@@ -149,9 +151,11 @@ export function readMap(data) {
   return map;
 }
 
-// "face 12" of the page, or the element that it is a part of.
-export const nameOf = (map, face) => (map.isOfElements ? `element ${map.inputFace[face]}`
-                                                       : `face ${readable(face)}`);
+// "face 12" of the page, or the element or quad that it is a part of.
+export function nameOf(map, face) {
+  if (map.isOfQuads) return `quad ${readable(map.inputFace[face])}`;
+  return map.isOfElements ? `element ${map.inputFace[face]}` : `face ${readable(face)}`;
+}
 
 // Of the map, or of the straight map of the same corners: at xi on a face.
 export function evaluate(map, face, xi, uv = map.uv) {

@@ -69,7 +69,7 @@ export class Marks {
       cones: map.cones.length > 0,
       points: map.points.length > 0,
       scaffold: map.scaffold !== null,
-      square: true,
+      square: !map.isOfQuads,
       rest: isDeformation,
       overlaps: map.contacts.length > 0 || isOverlapping,
       faults: map.faults.length > 0,

@@ -23,6 +23,7 @@ function placeOfVertex(map, vertex) {
 const finders = {
   face: ({faceCount}, face) => (face < faceCount ? {face, xi: kMiddle} : null),
   vertex: placeOfVertex,
+  quad: ({faceCount}, quad) => (2 * quad < faceCount ? {face: 2 * quad, xi: kMiddle} : null),
   element: ({inputFace}, number) => {
     const face = inputFace.indexOf(number);
     return face < 0 ? null : {face, xi: kMiddle};
@@ -33,6 +34,7 @@ export function addSearch(app) {
   const {map} = app;
   const form = byId('search'), kind = byId('search-kind'), number = byId('search-number');
   if (map.isOfElements) kind.replaceChildren(element('option', {}, 'element'));
+  if (map.isOfQuads) kind.firstElementChild.replaceWith(element('option', {selected: ''}, 'quad'));
   form.addEventListener('submit', (event) => {
     event.preventDefault();
     const wanted = Number(number.value);
@@ -82,12 +84,17 @@ export function listCharts(app) {
     app.state.set({pinned: {face: middleFace(map, faces), xi: kMiddle}});
     app.showFaces?.(faces);
   };
+  const [one, many] = map.isOfElements ? ['element'] : map.isOfQuads ? ['patch', 'patches']
+                                                                     : ['chart'];
+  const sizeOf = ({faces: {length}}) => {
+    if (map.isOfElements) return '';
+    return ` ${map.isOfQuads ? count(length / 2, 'quad') : count(length, 'face')},`;
+  };
   const items = charts.slice(0, kMostCharts).map((entry) => element('li', {},
       element('button', {type: 'button', onclick: () => show(entry)},
-              map.isOfElements ? nameOf(map, entry.faces[0]) : `chart ${readable(entry.chart)}`),
-      `${map.isOfElements ? '' : ` ${count(entry.faces.length, 'face')},`}` +
-          ` ${percent(entry.area / total)} of the area`));
-  section.append(element('h2', {}, count(charts.length, map.isOfElements ? 'element' : 'chart')),
+              map.isOfElements ? nameOf(map, entry.faces[0]) : `${one} ${readable(entry.chart)}`),
+      `${sizeOf(entry)} ${percent(entry.area / total)} of the area`));
+  section.append(element('h2', {}, count(charts.length, one, many)),
                  element('ul', {}, ...items));
   if (charts.length > kMostCharts)
     section.append(element('p', {className: 'note'}, `The largest ${kMostCharts} are listed.`));

@@ -7,6 +7,7 @@ import {combine, singularValues} from './bezier.js';
 import {byId, element} from './elements.js';
 import {cornersOf, evaluate} from './map_data.js';
 import {readable} from './numbers.js';
+import {quadCorners} from './quads.js';
 import {valuesOf} from './scales.js';
 
 // What the map does at a place {face, xi}: all in doubles.
@@ -34,6 +35,14 @@ function linesOf(app, place) {
   const input = map.inputFace?.[face];
   const position = ['x y z', ['x', 'y', 'z'].map((name) => readable(values[name], 6)).join('  ')];
   if (map.isOfElements) return [['element', String(input)], position];
+  if (map.isOfQuads) {
+    const {deviation, jacobian} = map.quads[input];
+    const corners = quadCorners(map, face).map((corner) => readable(map.inputVertex[corner]));
+    return [['quad', readable(input)],
+            ...(map.chart ? [['patch', readable(map.chart[face])]] : []),
+            position, ['angles off', `${readable(deviation, 4)}\u00b0`],
+            ['scaled Jacobian', readable(jacobian, 4)], ['vertices', corners.join('  ')]];
+  }
   const lines = [['face', readable(face)]];
   if (input !== undefined && input !== face) lines.push(['of the input', readable(input)]);
   if (map.chart) lines.push(['chart', readable(map.chart[face])]);
@@ -76,8 +85,8 @@ export class Readout {
       columns.push(element('p', {className: 'note'},
                            this.app.map.isOfElements
                                ? 'Point at an element for its number; click to keep it.'
-                               : 'Point at a face for its numbers and, at a cut, for its other ' +
-                                   'side; click to keep them.'));
+                               : `Point at a ${this.app.map.isOfQuads ? 'quad' : 'face'} for its ` +
+                                   'numbers and, at a cut, for its other side; click to keep them.'));
     this.body.replaceChildren(...columns);
     const said = state.pinned ? linesOf(this.app, state.pinned).map((l) => l.join(' ')).join(', ')
                               : '';

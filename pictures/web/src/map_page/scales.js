@@ -16,6 +16,8 @@ export const valuesOf = {
   'angle': (S, s) => (s > 0 ? S / s : Infinity),
   'sigma-max': (S) => S,
   'sigma-min': (S, s) => s,
+  // Of quads, T: theirs (quads.js).
+  'deviation': (S, s, energy, T) => T,
   // Of two maps: T >= t are those of the other one.
   'difference': (S, s, energy, T, t) => densityAt(energy, S, s) - densityAt(energy, T, t),
 };

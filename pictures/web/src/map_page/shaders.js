@@ -16,6 +16,7 @@ const quantities = {
   'angle': () => 'S / s',
   'sigma-max': () => 'S',
   'sigma-min': () => 's',
+  'deviation': () => 'T',  // of quads
 };
 
 // First map less second one, of both.
@@ -181,20 +182,25 @@ vec4 packed(vec2 x) {
 }`;
 
 // Over the colour: edges, thinner where triangles are small; faults; what is pointed at; light.
-const details = (map, view) => `
+const details = (map, view) => {
+  const is = (face) => (map.isOfQuads ? `(vFace >> 1) == (${face} >> 1)` : `vFace == ${face}`);
+  return `
   vec3 width = fwidth(xi);
   vec3 far = abs(xi) / max(width, 1e-9);
+  ${map.isOfQuads ? `// Diagonals of quads are no edges.
+  if ((vFace & 1) == 0) far.y = 1e9; else far.z = 1e9;` : ''}
   float small = 1.0 - smoothstep(0.06, 0.35, max(width.x, max(width.y, width.z)) / uPixel);
   float near = min(far.x, min(far.y, far.z));
   color *= 1.0 - uEdges * small * (1.0 - smoothstep(0.1 * uPixel, 0.9 * uPixel, near));
   ${map.faults.length > 0 ? `
   float diagonal = mod(gl_FragCoord.x + gl_FragCoord.y, 9.0 * uPixel);
   if (uFaultsShown && face.y > 0.5 && diagonal < 4.0 * uPixel) color = uFlipped;` : ''}
-  if (vFace == uHovered) color = mix(color, uAccent, 0.28);
-  if (vFace == uPinned)
+  if (${is('uHovered')}) color = mix(color, uAccent, 0.28);
+  if (${is('uPinned')})
     color = mix(color, uAccent, max(0.4, 1.0 - smoothstep(1.5 * uPixel, 2.5 * uPixel, near)));
   ${view === 'surface'
       ? 'color *= 0.72 + 0.28 * abs(dot(normalize(vNormal), uEye));' : ''}`;
+};
 
 export function facesFragment(map, energy, picture) {
   const {shown, view, straight, improves, evaluates, liesOnSurface, isPass, quantity, flat} =
@@ -231,7 +237,7 @@ void main() {
   ${liesOnSurface
       ? 'uv = ofCorners(uCorner, vFace, xi).xy * uRestFrame.x + uRestFrame.yz;' : ''}
   ${shown.needs === 'jacobian'
-      ? 'vec2 sigma = singularValues(d, texelFetch(uRest, at(vFace), 0)), other = vec2(1.0);' : ''}
+      ? 'vec2 sigma = singularValues(d, texelFetch(uRest, at(vFace), 0)), other = face.zw;' : ''}
   ${picture.other && shown.needs === 'jacobian' ? `
   mat3x2 e;
   bezierOfOther(${fetched(picture.other, straight, 'vFace', 'uOther').join(', ')}, xi, uv, e);

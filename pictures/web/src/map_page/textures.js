@@ -56,13 +56,16 @@ export function restTexture(map) {
   return texture;
 }
 
-// Chart and fault of every cell.
+// Chart and fault of every cell, and how far its quad is from right angles.
 export function faceTexture(map, tintCount) {
   const texture = floatTexture(map.faceCount, 4);
   const {data} = texture.image;
   for (let face = 0; face < map.faceCount; ++face)
     data[4 * face] = map.chart ? map.chart[face] % tintCount : 0;
   for (const {face} of map.faults) data[4 * face + 1] = 1;
+  map.quads?.forEach(({deviation}, quad) => {
+    for (const face of [2 * quad, 2 * quad + 1]) data[4 * face + 2] = deviation;
+  });
   return texture;
 }
 

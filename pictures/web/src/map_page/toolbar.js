@@ -11,8 +11,14 @@ import {checkerWidth} from './uniforms.js';
 const labels = {
   'sigma-max': '\u03c3\u2081', 'sigma-min': '\u03c3\u2082', 'density': 'density',
   'difference': 'A \u2212 B', 'texture': 'texture', 'area': 'area', 'angle': 'angle', 'chart': 'charts',
+  'deviation': 'angles',
+};
+const labelsOf = (map) => {
+  if (map.isOfElements) return {...labels, chart: 'elements'};
+  return map.isOfQuads ? {...labels, chart: 'patches'} : labels;
 };
 const names = {square: '0..1 square', rest: 'texture at rest'};
+const namesOfQuads = {...names, seams: 'features', cones: 'irregular'};
 const titles = {
   square: 'The unit square of texture coordinates',
   rest: 'The texture lies on the shape at rest and is bent with it',
@@ -22,15 +28,15 @@ const titles = {
 // What is shown on the map.
 export function makeChoices({state, map, titles}) {
   choice(byId('show'), Object.keys(titles).map((name) => [
-    name, map.isOfElements && name === 'chart' ? 'elements' : labels[name], titles[name]]),
+    name, labelsOf(map)[name], titles[name]]),
          state, 'show', (name) => state.set({show: name, brush: null, range: null}));
 }
 
-function addToggles({state, toggles}) {
+function addToggles({state, map, toggles}) {
   for (const name of toggles) {
     const button = element('button', {
       type: 'button', title: titles[name], onclick: () => state.set({[name]: !state[name]}),
-    }, names[name] ?? name);
+    }, (map.isOfQuads ? namesOfQuads : names)[name] ?? name);
     state.watch([name], () => button.setAttribute('aria-pressed', state[name]));
     byId('toggles').append(button);
   }
