@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -90,12 +92,13 @@ class Gluing {
         layer_(to_size(face_count()), 0) {}
 
   Sheets make(const std::vector<Index>& polygon, const IndexLists& polygons,
-              Orientation orientation) {
+              Orientation orientation, CrowdedEdges crowded_edges) {
     find_layers(polygon, polygons);
     stop_.poll();
     glue();
     sheets_.pieces_given = piece_count();
     join_places(polygon, polygons);
+    if (crowded_edges == CrowdedEdges::Paired) pair_crowded();
     stop_.poll();
     if (orientation == Orientation::MadeConsistent)
       orient();
@@ -173,6 +176,7 @@ class Gluing {
     for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
       while (last < sides.size() && sides[last].same_edge(sides[first])) ++last;
       if (last - first == 2) join(sides[first].half_edge, sides[first + 1].half_edge);
+      if (last - first > 2) crowded_begin_.push_back(crowded_.size());
       for (std::size_t s = first; last - first > 2 && s < last; ++s)
         crowded_.push_back(sides[s].half_edge);
     }
@@ -185,6 +189,92 @@ class Gluing {
     Index count = 0;
     for (Index f = 0; f < face_count(); ++f) count += pieces.find(f) == f;
     return count;
+  }
+
+  // The sides of edges of more than two faces, where solids meet: RepairOptions::crowded_edges.
+  void pair_crowded() {
+    UnionFind pieces(face_count());
+    for (Index h = 0; h < half_edge_count(); ++h)
+      if (opposite_[h] > h) pieces.join(face_of(h), face_of(opposite_[h]));
+    std::vector<char> is_crowded(opposite_.size(), 0), has_border(to_size(face_count()), 0);
+    for (const Index h : crowded_) is_crowded[h] = 1;
+    for (Index h = 0; h < half_edge_count(); ++h)
+      if (opposite_[h] < 0 && !is_crowded[h]) has_border[pieces.find(face_of(h))] = 1;
+    for (std::size_t k = 0; k < crowded_begin_.size(); ++k) {
+      stop_.poll_at(k);
+      const auto begin = static_cast<std::ptrdiff_t>(crowded_begin_[k]);
+      const auto end = static_cast<std::ptrdiff_t>(
+          k + 1 < crowded_begin_.size() ? crowded_begin_[k + 1] : crowded_.size());
+      std::vector<Index> sides(crowded_.begin() + begin, crowded_.begin() + end);
+      if (std::any_of(sides.begin(), sides.end(),
+                      [&](Index h) { return has_border[pieces.find(face_of(h))] != 0; }))
+        continue;
+      std::stable_sort(sides.begin(), sides.end(), [&](Index a, Index b) {
+        return pieces.find(face_of(a)) < pieces.find(face_of(b));
+      });
+      std::vector<Index> others;
+      for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+        const Index piece = pieces.find(face_of(sides[first]));
+        while (last < sides.size() && pieces.find(face_of(sides[last])) == piece) ++last;
+        if (last - first == 2 && from(sides[first]) == to(sides[first + 1]))
+          join_pair(sides[first], sides[first + 1]);
+        else
+          for (std::size_t s = first; s < last; ++s) others.push_back(sides[s]);
+      }
+      pair_wedges(others);
+    }
+  }
+
+  void join_pair(Index h, Index o) {
+    join(h, o);
+    joined_.push_back(h);
+  }
+
+  // Joins the sides of one edge that bound the same wedges of the inside, which is behind the
+  // faces: seen along the edge, the inside begins at a side that runs against it, counterclockwise,
+  // and ends at one that runs along it. Nothing where there are not as many of both, or where two
+  // faces lie on each other.
+  void pair_wedges(const std::vector<Index>& sides) {
+    if (sides.empty()) return;
+    const Index low = std::min(from(sides[0]), to(sides[0]));
+    const Index high = std::max(from(sides[0]), to(sides[0]));
+    const Vector3 axis = (positions_[high] - positions_[low]).stableNormalized();
+    const Vector3 x = axis.unitOrthogonal(), y = axis.cross(x);
+    struct Around {
+      double angle;
+      Index half_edge;
+      bool runs_along;
+    };
+    std::vector<Around> around;
+    std::ptrdiff_t surplus = 0;
+    for (const Index h : sides) {
+      const Vector3 into = positions_[from(previous(h))] - positions_[low];
+      const bool runs_along = from(h) == low;
+      around.push_back({std::atan2(into.dot(y), into.dot(x)), h, runs_along});
+      surplus += runs_along ? 1 : -1;
+    }
+    std::sort(around.begin(), around.end(), [](const Around& a, const Around& b) {
+      return std::tie(a.angle, a.half_edge) < std::tie(b.angle, b.half_edge);
+    });
+    bool is_clear = surplus == 0;
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      const double step = std::remainder(around[(k + 1) % around.size()].angle - around[k].angle,
+                                         2 * std::numbers::pi);
+      is_clear &= std::abs(step) > kSameDirection;
+    }
+    if (!is_clear) return;
+    // Twice around, as brackets: those that begin before the first turn's start end after it.
+    std::vector<Index> begun;
+    for (std::size_t k = 0; k < 2 * around.size(); ++k) {
+      const auto& [angle, h, runs_along] = around[k % around.size()];
+      if (opposite_[h] >= 0) continue;
+      if (!runs_along) {
+        if (k < around.size()) begun.push_back(h);
+      } else if (!begun.empty()) {
+        join_pair(begun.back(), h);
+        begun.pop_back();
+      }
+    }
   }
 
   // Triangles, and the polygons that they are of, by where their corners are: equal numbers for
@@ -420,6 +510,8 @@ class Gluing {
     return std::move(sheets_);
   }
 
+  // Radians, around an edge: faces that are closer lie on each other.
+  static constexpr double kSameDirection = 1e-9;
   // Part of a length: above rounding, or faces would be turned to and fro.
   static constexpr double kShorter = 1e-9;
 
@@ -430,16 +522,18 @@ class Gluing {
   std::vector<Index> opposite_;  // of the triangles as given, whichever way both run
   std::vector<char> is_turned_;
   std::vector<Index> layer_, crowded_, copy_;
-  std::vector<Index> joined_;  // one side of each edge that places joined
+  std::vector<std::size_t> crowded_begin_;  // in crowded_, of every edge
+  std::vector<Index> joined_;               // one side of each edge that was joined later
   Sheets sheets_;
 };
 
 // triangles: #F by 3 vertices of `positions`; polygon: of the file, by triangle.
 Sheets make_sheets(const Cells& triangles, const std::vector<Index>& polygon,
                    const IndexLists& polygons, const std::vector<Vector3>& positions,
-                   const std::vector<Index>& place, Orientation orientation,
+                   const std::vector<Index>& place, const RepairOptions& options,
                    const StopCheck& stop) {
-  return Gluing(triangles, positions, place, stop).make(polygon, polygons, orientation);
+  return Gluing(triangles, positions, place, stop)
+      .make(polygon, polygons, options.orientation, options.crowded_edges);
 }
 
 using Places = std::vector<std::array<Index, 2>>;
@@ -525,7 +619,7 @@ class Regularizing {
 };
 
 const FindingText& text_of(RepairKind kind) {
-  static constexpr std::array<FindingText, 10> kTexts = {{
+  static constexpr std::array<FindingText, 11> kTexts = {{
       {"welded", "vertex welded to another", "vertices welded to others", "vertex"},
       {"repeated_vertex", "face with a repeated vertex split off",
        "faces with a repeated vertex split off", "face"},
@@ -545,6 +639,7 @@ const FindingText& text_of(RepairKind kind) {
        "faces with no or nearly no area measured against needles", "face"},
       {"moved_to_origin", "mesh moved to the origin for the run",
        "meshes moved to the origin for the run", ""},
+      {"collapsed_edge", "edge of no length collapsed", "edges of no length collapsed", "edge"},
   }};
   return kTexts[static_cast<std::size_t>(kind)];
 }
@@ -627,8 +722,8 @@ class Repairing {
       for (Index k = 0; k < 3; ++k) given_(f, k) = welded_[list_.triangles[f][k]];
     IndexLists polygons = input_.polygons;
     for (Index& v : polygons.indices()) v = welded_[v];
-    sheets_ = make_sheets(given_, list_.polygon, polygons, input_.positions, place_,
-                          options_.orientation, stop_);
+    sheets_ =
+        make_sheets(given_, list_.polygon, polygons, input_.positions, place_, options_, stop_);
     out_.one_sided = sheets_.one_sided;
     turn_corners();
     build();
@@ -669,8 +764,8 @@ class Repairing {
     Cells triangles(given_.rows(), 3);
     for (Index f = 0; f < triangles.rows(); ++f)
       for (Index k = 0; k < 3; ++k) triangles(f, k) = list_.triangles[f][k];
-    return make_sheets(triangles, list_.polygon, input_.polygons, input_.positions, {},
-                       options_.orientation, stop_)
+    return make_sheets(triangles, list_.polygon, input_.polygons, input_.positions, {}, options_,
+                       stop_)
         .pieces_given;
   }
 
@@ -829,6 +924,95 @@ class Repairing {
   RepairedSurface out_;
 };
 
+// A mesh without the edges that have no length, and where its parts are in the one that had them.
+class CollapsedPolygons {
+ public:
+  CollapsedPolygons(const PolygonMesh& input, const StopCheck& stop) {
+    const auto vertices = static_cast<Index>(input.positions.size());
+    const double close = kTenDigits * size_of(input);
+    UnionFind places(vertices);
+    for (std::size_t p = 0; p < input.polygons.size(); ++p) {
+      stop.poll_at(p);
+      const std::span<const Index> polygon = input.polygons[p];
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const auto [a, b] = std::minmax(polygon[k], polygon[(k + 1) % polygon.size()]);
+        if (a == b || !((input.positions[a] - input.positions[b]).norm() <= close)) continue;
+        edges_.push_back({a, b});
+        places.join(a, b);
+      }
+    }
+    if (edges_.empty()) return;
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    std::vector<Index> first(to_size(vertices), -1);
+    for (Index v = 0; v < vertices; ++v) {
+      if (first[places.find(v)] < 0) first[places.find(v)] = v;
+      vertex_.push_back(first[places.find(v)]);
+    }
+    mesh_.file = input.file;
+    mesh_.positions = input.positions;
+    mesh_.position_rounding = input.position_rounding;
+    for (std::size_t p = 0; p < input.polygons.size(); ++p) add(input.polygons[p], p);
+  }
+
+  // Pairs of vertices of the input, ascending.
+  const Places& edges() const { return edges_; }
+  const PolygonMesh& mesh() const { return mesh_; }
+
+  // surface: of mesh(). With vertices, polygons and corners of the input.
+  RepairedSurface in_input(RepairedSurface surface) const {
+    SurfaceParts parts = surface.mesh->parts();
+    for (std::size_t f = 0; f < parts.input_face.size(); ++f) {
+      const Index left = parts.input_face[f];
+      parts.input_face[f] = polygon_[left];
+      for (Index& corner : surface.polygon_corner.row(static_cast<Index>(f)))
+        corner = corners_[left][corner];
+    }
+    surface.mesh = std::make_shared<const SurfaceMesh>(SurfaceMesh::from_parts(std::move(parts)));
+    const std::vector<Index> welded = surface.welded;
+    for (std::size_t v = 0; v < welded.size(); ++v) surface.welded[v] = welded[vertex_[v]];
+    for (Repair& repair : surface.repairs)
+      if (text_of(repair.kind).place == std::string_view("face"))
+        for (auto& [face, none] : repair.places) face = polygon_[face];
+    Repair collapsed{RepairKind::CollapsedEdge, static_cast<Index>(edges_.size()), edges_};
+    if (collapsed.places.size() > kNamedPlaces) collapsed.places.resize(kNamedPlaces);
+    surface.repairs.insert(surface.repairs.begin(), std::move(collapsed));
+    return surface;
+  }
+
+ private:
+  // Of the vertices that faces use.
+  static double size_of(const PolygonMesh& input) {
+    Eigen::AlignedBox3d box;
+    for (const Index v : input.polygons.indices()) box.extend(input.positions[v]);
+    return box.isEmpty() ? 0 : box.diagonal().norm();
+  }
+
+  void add(std::span<const Index> polygon, std::size_t number) {
+    std::vector<Index> left, corners;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Index v = vertex_[polygon[k]];
+      if (!left.empty() && left.back() == v) continue;
+      left.push_back(v);
+      corners.push_back(static_cast<Index>(k));
+    }
+    while (left.size() > 1 && left.front() == left.back()) {
+      left.pop_back();
+      corners.pop_back();
+    }
+    if (left.size() < 3) return;
+    mesh_.polygons.push_back(left);
+    corners_.push_back(corners);
+    polygon_.push_back(static_cast<Index>(number));
+  }
+
+  PolygonMesh mesh_;
+  Places edges_;
+  std::vector<Index> vertex_;   // by vertex of the input: the one it became
+  std::vector<Index> polygon_;  // by polygon that is left: of the input
+  IndexLists corners_;          // and where its corners were
+};
+
 }  // namespace
 
 std::string_view name_of(RepairKind kind) { return text_of(kind).name; }
@@ -843,7 +1027,11 @@ std::string describe(const Repair& repair) {
 
 RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options,
                        const StopCheck& stop) {
-  return Repairing(input, options, stop).run();
+  if (options.short_edges == ShortEdges::Kept) return Repairing(input, options, stop).run();
+  require_sound_lists(input);
+  const CollapsedPolygons collapsed(input, stop);
+  if (collapsed.edges().empty()) return Repairing(input, options, stop).run();
+  return collapsed.in_input(Repairing(collapsed.mesh(), options, stop).run());
 }
 
 PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surface) {

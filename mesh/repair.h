@@ -4,11 +4,11 @@
 //   for (const Repair& r : out.repairs) std::cerr << describe(r) << "\n";   // "2 edges of more..."
 //   for (const SurfacePiece& piece : out.mesh->split()) std::cout << piece.mesh->area() << "\n";
 //
-// Nothing is removed and nothing moves: every polygon of the file is there, in order, its vertices
-// where the file has them. What cannot be one surface is taken apart along edges and in vertices.
-// A mesh without defects comes out as SurfaceMesh::from_polygons makes it, bit for bit. Not for who
-// wants a mesh refused rather than repaired: that function refuses it. Nor for filling holes or
-// remeshing.
+// Nothing is removed and nothing moves, unless that is an option: every polygon of the file is
+// there, in order, its vertices where the file has them. What cannot be one surface is taken apart
+// along edges and in vertices. A mesh without defects comes out as SurfaceMesh::from_polygons makes
+// it, bit for bit. Not for who wants a mesh refused rather than repaired: that function refuses it.
+// Nor for filling holes or remeshing.
 //
 //     welded            vertices at one place become one, the first of them: of a file in which no
 //                       face shares a vertex with another (STL, soups), else only on request; never
@@ -16,12 +16,17 @@
 //                       one: two open sides that run against each other between the same places,
 //                       where no third one could be meant, and neither face lies where the other
 //                       does, corner on corner (cards with two sides)
+//     collapsed_edge    with ShortEdges::Collapsed: the ends of an edge that are at one place, to
+//                       kTenDigits of the diagonal, become one vertex; polygons that are left with
+//                       fewer than three corners are left out
 //     repeated_vertex   a face that has a vertex twice is a piece of its own; its corners are three
 //                       vertices nevertheless
 //     duplicate_face    of faces with the same vertices, turned over or not, the first stays in the
 //                       surface; the second ones make a surface of their own, and so on
 //     split_edge        an edge with more than two faces is open on all its sides, unless two of
-//                       them hang together around both its ends: these stay together
+//                       them hang together around both its ends: these stay together. With
+//                       CrowdedEdges::Paired the sides of solids that share an edge are joined two
+//                       by two, so that each solid stays closed
 //     split_vertex      a vertex gets a copy for every further fan of faces; the first fan keeps
 //                       it. Counted where sheets merely touch, not where they meet in a split or
 //                       cut edge or a face named above
@@ -78,12 +83,23 @@ enum class Numerics { ForSolving, AsGiven };
 // as above.
 enum class Welding { Nothing, Soups, EqualPlaces };
 
+// The sides of an edge of more than two faces. Open: all of them are open. Paired: where their
+// pieces have no border anywhere else, each is joined with the other one of its piece if there are
+// two; of more, those are joined that bound the same wedge of the solid's inside.
+enum class CrowdedEdges { Open, Paired };
+
+// Edges without a length. Kept: their faces are measured against rest triangles. Collapsed: as
+// collapsed_edge above, which is for surfaces that need no face of the file to be there.
+enum class ShortEdges { Kept, Collapsed };
+
 struct RepairOptions {
   // Vertices no farther apart become one; 0: at equal positions. Nothing: as `welding` says.
   std::optional<double> weld = std::nullopt;
   Welding welding = Welding::Soups;
   Orientation orientation = Orientation::MadeConsistent;
   Numerics numerics = Numerics::ForSolving;
+  CrowdedEdges crowded_edges = CrowdedEdges::Open;
+  ShortEdges short_edges = ShortEdges::Kept;
 };
 
 enum class RepairKind {
@@ -96,7 +112,8 @@ enum class RepairKind {
   CutEdge,
   CrossingPolygon,
   RegularizedFace,
-  MovedToOrigin
+  MovedToOrigin,
+  CollapsedEdge
 };
 
 struct Repair {

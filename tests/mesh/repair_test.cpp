@@ -90,6 +90,49 @@ TEST(Repair, AFinStandsOnASheetThatStaysWhole) {
   EXPECT_EQ(count_of(out, RepairKind::SplitEdge), 1);
 }
 
+// Two cubes that share an edge, whichever way they are oriented; and cells of one solid that do, so
+// that no piece tells which of the four sides belong together. All are closed then. Sheets that
+// cross are opened.
+TEST(Repair, SolidsThatShareAnEdgeArePaired) {
+  const auto paired = [](const PolygonMesh& mesh) {
+    return repair(mesh, {.crowded_edges = CrowdedEdges::Paired});
+  };
+  const PolygonMesh cubes = voxel_surface({{0, 0, 0}, {1, 1, 0}});
+  EXPECT_EQ(shape_of(paired(cubes)), (Shape{2, 0, 4}));
+  EXPECT_EQ(shape_of(repair(cubes)), (Shape{2, 2, 2}));
+  PolygonMesh inside_out = cubes;
+  for (const auto polygon : inside_out.polygons) std::ranges::reverse(polygon);
+  EXPECT_EQ(shape_of(paired(inside_out)), (Shape{2, 0, 4}));
+  // The cells at (0, 0) and (1, 1) hang together around, over other cells above and below.
+  std::set<Voxel> ring = box(2, 2, 4);
+  for (const int z : {1, 2}) {
+    ring.erase({1, 0, z});
+    ring.erase({0, 1, z});
+  }
+  EXPECT_EQ(shape_of(paired(voxel_surface(ring))), (Shape{1, 0, 0}));
+  PolygonMesh sheets;
+  sheets.positions = {{0, 0, 0},  {0, 0, 1}, {1, 0, 0}, {1, 0, 1},  {-1, 0, 0},
+                      {-1, 0, 1}, {0, 1, 0}, {0, 1, 1}, {0, -1, 0}, {0, -1, 1}};
+  sheets.polygons = {{0, 2, 3, 1}, {4, 0, 1, 5}, {0, 6, 7, 1}, {8, 0, 1, 9}};
+  EXPECT_EQ(shape_of(paired(sheets)), shape_of(repair(sheets)));
+}
+
+// A triangle with two corners at one place is none, a polygon has one corner fewer.
+TEST(Repair, EdgesWithoutLengthAreCollapsed) {
+  PolygonMesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}};
+  mesh.polygons = {{0, 1, 2, 3}, {1, 4, 2}, {1, 5, 6, 4}};
+  const RepairedSurface out = repair(mesh, {.short_edges = ShortEdges::Collapsed});
+  EXPECT_EQ(shape_of(out), (Shape{1, 1, 1}));
+  EXPECT_EQ(count_of(out, RepairKind::CollapsedEdge), 1);
+  EXPECT_EQ(describe(out.repairs.front()), "1 edge of no length collapsed (edge (3, 5))");
+  EXPECT_EQ(out.mesh->face_count(), 4);
+  EXPECT_EQ(out.mesh->input_face(3), 2);  // of the file
+  EXPECT_EQ(out.welded[4], 2);
+  EXPECT_EQ(out.polygon_corner.row(3).maxCoeff(), 3);
+  EXPECT_EQ(count_of(repair(mesh), RepairKind::RegularizedFace), 1);
+}
+
 TEST(Repair, AWallAndItsTwoRoomsComeApart) {
   // A box with a wall across: 8 edges of three faces.
   PolygonMesh rooms = voxel_surface(box(4, 2, 2));
