@@ -21,6 +21,7 @@
 #include "majorant/io/files/standard_stream.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/pictures/quad_picture.h"
 
 namespace majorant::app {
@@ -31,7 +32,7 @@ struct QuadsRequest {
   std::string input, positional_output, cones, features;
   std::vector<std::string> outputs;
   std::optional<long> count;
-  std::optional<double> edge_length;
+  std::optional<double> edge_length, border_corners;
   double time_limit = std::numeric_limits<double>::infinity();
 };
 
@@ -72,11 +73,15 @@ void write_output(const QuadsRequest& request, const QuadJob& job, const std::st
   if (format == ".svg") return write_svg(path, picture);
   if (format == ".png") return write_png(path, picture);
   if (format != ".html")
-    return write_quads(path, job.quads, *job.surface.mesh, job.features, job.patch_of);
+    return write_quads(path, job.quads, *job.surface.mesh, job.features, job.patch_of,
+                       job.border_turn);
   MapPage page = page_of(picture);
   page.facts = page_facts(quad_report(job), {request.input, request.cones});
   write_page(path, page);
 }
+
+constexpr double kHundredth = 0.01;
+constexpr double kHalfTurn = 180;  // degrees
 
 std::vector<std::string> summary_of(const QuadsRequest& request, const QuadJob& job,
                                     const WrittenFiles& written, double seconds) {
@@ -90,10 +95,20 @@ std::vector<std::string> summary_of(const QuadsRequest& request, const QuadJob& 
           ? " --features " +
                 (request.features.empty() ? fmt::format("{}", kCornerTurn) : request.features)
           : "";
+  const std::string corners =
+      job.border_turn == kCornerTurn ? "" : fmt::format(" --border-corners {:g}", job.border_turn);
+  const double distance =
+      std::max(job.check.hausdorff.to_surface, job.check.hausdorff.from_surface) /
+      diagonal(job.surface.mesh->positions());
+  // Large quads cut off more of a curved surface; rounded up to hundredths.
+  const std::string far = distance > kMaxQuadDistance
+                              ? fmt::format(" --max-distance {:.2f}", distance + kHundredth)
+                              : "";
   for (const std::string& path : request.outputs)
     if (written.has(path) && !is_picture(path) && !is_standard_output(path))
-      lines.push_back(fmt::format("proof: majorant check {} --surface {}{}{}", path, request.input,
-                                  format_of(path) == ".vtu" ? " --quads" : "", features));
+      lines.push_back(fmt::format("proof: majorant check {} --surface {}{}{}{}{}", path,
+                                  request.input, format_of(path) == ".vtu" ? " --quads" : "",
+                                  features, corners, far));
   return lines;
 }
 
@@ -102,11 +117,14 @@ Made quads_of(const QuadsRequest& request, QuadJob& job, Run& run) {
   job.read_seconds = run.seconds();
   job.options.count = request.count;
   job.options.edge_length = request.edge_length;
-  job.options_json = {{"count", request.count ? Json(*request.count) : Json()},
-                      {"edge_length", request.edge_length ? Json(*request.edge_length) : Json()},
-                      {"cones", request.cones},
-                      {"features", request.features.empty() ? Json() : Json(request.features)},
-                      {"strict", request.common.strict}};
+  job.options.border_turn = request.border_corners;
+  job.options_json = {
+      {"count", request.count ? Json(*request.count) : Json()},
+      {"edge_length", request.edge_length ? Json(*request.edge_length) : Json()},
+      {"cones", request.cones},
+      {"border_corners", request.border_corners ? Json(*request.border_corners) : Json()},
+      {"features", request.features.empty() ? Json() : Json(request.features)},
+      {"strict", request.common.strict}};
   run.make("making quads of " + request.input, [&] { job.solve(request.cones); });
   say_warnings(job.warnings);
   Made made{.report = quad_report(job)};
@@ -166,6 +184,11 @@ void add_quads(CLI::App& app, Action* run) {
         "edges that edges of quads cover: those inside with so many degrees between the normals of "
         "their faces (35; none where --cones is given), those of a file, JSON, or none",
         {.type = "DEG|FILE|none"}},
+       {"--border-corners",
+        &r.border_corners,
+        "a turn of the border, in degrees, from which on quads have a vertex there: 180 smooths "
+        "all of it (35; of ragged borders 180 where 35 makes too many quads)",
+        {.type = "DEG", .check = positive_number(kHalfTurn)}},
        {"--time-limit",
         &r.time_limit,
         "seconds; the map is left as it is then, and nothing is written where there is none",

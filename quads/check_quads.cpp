@@ -12,6 +12,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "majorant/framework/argument_check.h"
@@ -21,6 +22,7 @@
 #include "majorant/pictures/baking/nearest_point.h"
 #include "majorant/quads/exact_normals.h"
 #include "majorant/quads/internal/border.h"
+#include "majorant/quads/internal/surface_below.h"
 
 namespace majorant {
 namespace {
@@ -79,8 +81,12 @@ Components components_of(Index faces, Index corners, Index vertices, const From&
 class QuadJudge {
  public:
   QuadJudge(const PolygonMesh& quads, const SurfaceMesh* surface, const std::vector<char>& features,
-            const StopCheck& stop)
-      : quads_(quads), surface_(surface), features_(features), stop_(stop) {
+            const StopCheck& stop, double border_turn)
+      : quads_(quads),
+        surface_(surface),
+        features_(features),
+        stop_(stop),
+        border_turn_(border_turn) {
     const auto vertices = static_cast<Index>(quads.positions.size());
     for (const Vector3& p : quads.positions)
       if (!p.allFinite()) throw InvalidArgument("check_quads: a position is not finite");
@@ -281,8 +287,7 @@ class QuadJudge {
   }
 
   void compare_positions() {
-    const Points3 positions = surface_points();
-    const SurfaceTree tree(positions, surface_->faces());
+    const SurfaceBelow below(*surface_);
     Points3 samples(check_.count + half_edge_count() + static_cast<Index>(quads_.positions.size()),
                     3);
     Index rows = 0;
@@ -296,23 +301,16 @@ class QuadJudge {
       if (corners_[v] > 0) samples.row(rows++) = quads_.positions[v];
     samples.conservativeResize(rows, 3);
     const std::vector<NearestPoint> nearest =
-        tree.locate(samples, stop_.between(kCornersShare, kToSurfaceShare));
+        below.tree().locate(samples, stop_.between(kCornersShare, kToSurfaceShare));
     for (const NearestPoint& p : nearest)
       check_.hausdorff.to_surface = std::max(check_.hausdorff.to_surface, p.distance);
     for (Index q = 0; q < check_.count; ++q) {
-      const std::array<Vector3, 4> p = corners_of(q);
-      for (const Index f : faces_at(*surface_, nearest[q])) {
-        const auto corner = [&](int k) { return Vector3(positions.row(surface_->faces()(f, k))); };
-        if (sign_of_normals({p[0], p[2]}, {p[1], p[3]}, {corner(0), corner(1)},
-                            {corner(0), corner(2)}) >= 0)
-          continue;
-        check_.turned.push_back(q);
-        break;
-      }
+      stop_.poll_at(to_size(q));
+      if (below.is_turned(corners_of(q), nearest[q])) check_.turned.push_back(q);
     }
     if (!check_.turned.empty())
       blame(listed("quad is turned over", "quads are turned over", check_.turned));
-    measure_from_surface(positions);
+    measure_from_surface(below.positions());
   }
 
   void measure_from_surface(const Points3& positions) {
@@ -463,7 +461,7 @@ class QuadJudge {
     find_touching_borders();
     const double close =
         kBorderClose * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
-    const std::vector<char> is_corner = border_corners(*surface_);
+    const std::vector<char> is_corner = border_corners(*surface_, border_turn_);
     const auto& loops = surface_->boundary_loops();
     std::vector<char> is_followed(loops.size(), 0);
     std::vector<Index> off, wrong;
@@ -570,17 +568,27 @@ class QuadJudge {
     for (std::size_t v = 0; v < places.size(); ++v) {
       if (corners_[v] == 0) continue;
       stop_.poll_at(v);
-      const NearestPoint nearest = tree.nearest(quads_.positions[v]);
-      if (!(nearest.distance <= close)) continue;
-      const auto& [a, b, last] = edges[nearest.face];
-      for (const Index end : {a, b})
-        if ((surface_->input_position(end) - quads_.positions[v]).norm() <= close &&
-            places[v].empty())
-          places[v] = at_vertex[end];
-      if (!places[v].empty()) continue;
-      OnLine place = begins[nearest.face];
-      place.along += std::clamp(1 - nearest.barycentric[0], 0.0, 1.0);
-      places[v] = {place};
+      const Vector3& p = quads_.positions[v];
+      const auto is_at = [&](Index end) {
+        return (surface_->input_position(end) - p).norm() <= close;
+      };
+      // Solids that touch have several lines at one place.
+      const std::vector<Index> near = tree.faces_within(p, close);
+      std::set<Index> ends;
+      for (const Index e : near)
+        for (const Index end : {edges[e][0], edges[e][1]})
+          if (is_at(end)) ends.insert(end);
+      for (const Index end : ends)
+        places[v].insert(places[v].end(), at_vertex[end].begin(), at_vertex[end].end());
+      for (const Index e : near) {
+        const auto& [a, b, last] = edges[e];
+        if (is_at(a) || is_at(b)) continue;
+        const Vector3 from = surface_->input_position(a),
+                      along = surface_->input_position(b) - from;
+        OnLine place = begins[e];
+        place.along += std::clamp((p - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        places[v].push_back(place);
+      }
     }
     return places;
   }
@@ -643,6 +651,7 @@ class QuadJudge {
   const SurfaceMesh* const surface_;
   const std::vector<char>& features_;  // of the surface, or empty
   const StopCheck& stop_;
+  const double border_turn_;
   QuadCheck check_;
   std::vector<Index> opposite_, corners_;  // by half-edge; quads of every vertex
   std::vector<char> is_border_;            // by vertex
@@ -658,10 +667,24 @@ class QuadJudge {
 }  // namespace
 
 QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface,
-                      const std::vector<char>& features, const StopCheck& stop) {
+                      const std::vector<char>& features, const StopCheck& stop,
+                      double border_turn) {
   if (surface && !features.empty() && features.size() != to_size(surface->half_edge_count()))
     throw InvalidArgument("check_quads: features must have 3 #F entries");
-  return QuadJudge(quads, surface, features, stop).judge();
+  return QuadJudge(quads, surface, features, stop, border_turn).judge();
+}
+
+void require_near(QuadCheck& check, const SurfaceMesh& surface, double max_distance) {
+  if (!check.is_surface) return;
+  const double size = diagonal(surface.positions());
+  const auto judge = [&](double distance, std::string_view what) {
+    if (!(distance <= max_distance * size))
+      check.defects.push_back(fmt::format(
+          "{}: up to {:.3g}, {:.3g} % of the surface's diagonal, above --max-distance {:g}", what,
+          distance, 100 * distance / size, max_distance));
+  };
+  judge(check.hausdorff.to_surface, "quads are away from the surface");
+  judge(check.hausdorff.from_surface, "the surface is away from the quads");
 }
 
 }  // namespace majorant

@@ -8,10 +8,13 @@
 //   for (const std::string& defect : check.defects) std::cerr << defect << "\n";
 //
 // With n = (c - a) x (d - b) for the quad a, b, c, d: folded are corners with
-// (b - a) x (d - a) . n <= 0 and the like at b, c, d; turned is a quad with n . N < 0, N the normal
-// of a face of the surface nearest to its centroid (of each of these, where that is nearest to an
-// edge or a vertex). Both signs are those of the doubles, however
-// small: decided in integers where rounding leaves them open.
+// (b - a) x (d - a) . n <= 0 and the like at b, c, d. A quad is turned if n . N < 0, N the normal
+// of a face of the surface nearest to its centroid (of any of these, where that is nearest to an
+// edge or a vertex), unless all of its corners lie on the surface, up to a hundredth of the quad,
+// and at each there is a face with n . N > 0; and where three such corners have none. The centroid
+// of a quad on a thin wall may be nearer to the wall's other side, or to another component; its
+// corners are not. Signs are those of the doubles, however small: decided in integers where
+// rounding leaves them open.
 //
 // Not for meshes with other polygons than quads: they are a defect.
 #pragma once
@@ -70,8 +73,17 @@ struct QuadCheck {
 // chain of edges of quads, from corner to corner, whose vertices lie on it, in order.
 // Throws InvalidArgument for vertices that do not exist or
 // are not finite; Stopped.
+// border_turn: degrees, from which on a turn of the surface's border is a corner.
 QuadCheck check_quads(const PolygonMesh& quads, const SurfaceMesh* surface,
-                      const std::vector<char>& features = {}, const StopCheck& stop = {});
+                      const std::vector<char>& features = {}, const StopCheck& stop = {},
+                      double border_turn = kCornerTurn);
+
+// A mesh of quads is near its surface up to this part of the surface's diagonal.
+inline constexpr double kMaxQuadDistance = 0.02;
+// check: of quads compared with the surface. Adds a defect if check.hausdorff has a distance above
+// max_distance times the surface's diagonal.
+void require_near(QuadCheck& check, const SurfaceMesh& surface,
+                  double max_distance = kMaxQuadDistance);
 
 }  // namespace majorant
 

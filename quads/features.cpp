@@ -17,6 +17,12 @@ Vector3 normal_of(const SurfaceMesh& mesh, Index face) {
   return (corner(1) - corner(0)).cross(corner(2) - corner(0)).stableNormalized();
 }
 
+// Degrees between the normals of the faces of an edge inside the surface.
+double turn_at(const SurfaceMesh& mesh, Index half_edge) {
+  return degrees_between(normal_of(mesh, face_of(half_edge)),
+                         normal_of(mesh, face_of(mesh.opposite(half_edge))));
+}
+
 class LineFinder {
  public:
   LineFinder(const SurfaceMesh& mesh, const std::vector<char>& is_feature)
@@ -80,7 +86,7 @@ std::vector<char> sharp_edges(const SurfaceMesh& mesh, double degrees) {
     if (o < h) continue;  // the boundary has -1
     const Index f = face_of(h), g = face_of(o);
     if (!has_shape[f] || !has_shape[g] || mesh.input_face(f) == mesh.input_face(g)) continue;
-    is_sharp[h] = is_sharp[o] = degrees_between(normal_of(mesh, f), normal_of(mesh, g)) >= degrees;
+    is_sharp[h] = is_sharp[o] = turn_at(mesh, h) >= degrees;
   }
   return is_sharp;
 }
@@ -90,8 +96,8 @@ FeatureLines feature_lines(const SurfaceMesh& mesh, const std::vector<char>& is_
 }
 
 std::vector<char> without_short_lines(const SurfaceMesh& mesh, std::vector<char> is_feature,
-                                      double edge_length) {
-  constexpr double kShortest = 2, kShortestLoose = 4;  // edges; chosen
+                                      double edge_length, ShortLines short_lines) {
+  constexpr double kShortest = 2, kShortestLoose = 4, kShortestSharp = 0.5;  // edges; chosen
   const std::vector<char> is_border = mesh.boundary_flags();
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
@@ -102,7 +108,12 @@ std::vector<char> without_short_lines(const SurfaceMesh& mesh, std::vector<char>
     for (const FeatureLine& line : feature_lines(mesh, is_feature).lines) {
       const bool has_loose_end = is_loose(mesh.from_vertex(line.half_edges.front())) ||
                                  is_loose(mesh.to_vertex(line.half_edges.back()));
-      if (line.length >= edge_length * (has_loose_end ? kShortestLoose : kShortest)) continue;
+      const bool is_sharp = short_lines == ShortLines::SharpKept && !has_loose_end &&
+                            std::all_of(line.half_edges.begin(), line.half_edges.end(),
+                                        [&](Index h) { return turn_at(mesh, h) >= kSharpTurn; });
+      const double shortest =
+          is_sharp ? kShortestSharp : (has_loose_end ? kShortestLoose : kShortest);
+      if (line.length >= edge_length * shortest) continue;
       for (const Index h : line.half_edges) is_feature[h] = is_feature[mesh.opposite(h)] = 0;
       has_changed = true;
     }

@@ -40,11 +40,18 @@ struct FeatureLines {
 // at all corners; one without a corner starts at its smallest vertex.
 FeatureLines feature_lines(const SurfaceMesh& mesh, const std::vector<char>& is_feature);
 
+// Lines that are short for quads. Dropped: all of them. SharpKept: but those between corners of
+// other lines, or on the border, whose faces' normals differ by kSharpTurn or more all along, down
+// to half an edge: the sides of steps and teeth of plain solids.
+enum class ShortLines { Dropped, SharpKept };
+inline constexpr double kSharpTurn = 60;  // degrees; chosen: scans have few such edges
+
 // is_feature without the lines that edges of so many model units cannot follow: those shorter than
 // two of them, and those shorter than four with an end where no other line and no border is. What
 // is left is judged anew.
 std::vector<char> without_short_lines(const SurfaceMesh& mesh, std::vector<char> is_feature,
-                                      double edge_length);
+                                      double edge_length,
+                                      ShortLines short_lines = ShortLines::Dropped);
 
 }  // namespace majorant
 

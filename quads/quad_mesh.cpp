@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -67,6 +68,9 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
     throw InvalidArgument(fmt::format("quad_mesh: degrees {} to {} are not some of 1..{}",
                                       options.first_degree, options.last_degree,
                                       BezierTriangleSpace::kMaxDegree));
+  if (options.border_turn && !(*options.border_turn > 0 && *options.border_turn <= 180))
+    throw InvalidArgument(
+        fmt::format("quad_mesh: a border turn of {} degrees", *options.border_turn));
   if (options.features && !options.features->empty() &&
       options.features->size() != to_size(mesh.half_edge_count()))
     throw InvalidArgument("quad_mesh: features must have 3 #F entries");
@@ -76,6 +80,13 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
                     "there are features, where cones are those of the field that "
                     "follows them; leave one of both out");
   require_memory_for_quads(mesh, options);
+}
+
+// work(), its time added to `sum`.
+template <class Work>
+auto timed(double& sum, const Work& work) {
+  const AddedSeconds time(sum);
+  return work();
 }
 
 // Quads, not smoothed and not judged any further where they make no surface.
@@ -89,16 +100,12 @@ struct JudgedQuads {
   int degree = 1;
 };
 
-// features: of `mesh`.
+// features: of `mesh`. Corners of the border are those of the lattice.
 JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const std::vector<char>& features,
                            const SeamlessLattice& lattice, const TMesh& t_mesh,
                            const std::vector<Index>& edges, const RunRecord& record,
                            QuadSeconds& seconds) {
   const StopCheck& stop = record.start_stop();
-  const auto timed = [](double& sum, const auto& work) {
-    const AddedSeconds time(sum);
-    return work();
-  };
   ExtractedQuads extracted =
       timed(seconds.place, [&] { return ExtractedQuads(lattice, t_mesh, edges); });
   PolygonMesh quads = timed(seconds.place, [&] { return extracted.polygons(); });
@@ -108,8 +115,9 @@ JudgedQuads smoothed_quads(const SurfaceMesh& mesh, const std::vector<char>& fea
     record.announce(fmt::format("smoothing {} quads", check.count));
     timed(seconds.smooth, [&] { smooth_quads(quads, lattice.surface(), held, stop); });
     record.begin(Activity::Proving);
-    check = timed(seconds.check,
-                  [&] { return check_quads(quads, &mesh, features, record.telling(stop)); });
+    check = timed(seconds.check, [&] {
+      return check_quads(quads, &mesh, features, record.telling(stop), lattice.border_turn());
+    });
   }
   return {std::move(quads), extracted.patches(), std::move(held.feature_edges), std::move(check),
           static_cast<Index>(t_mesh.patches.size())};
@@ -207,27 +215,80 @@ class QuadPlacer {
   QuadSeconds& seconds_;
 };
 
+// A surface with room for the lines of quads, its map, and the rectangles that this falls into.
+struct TracedMap {
+  RoomySurface roomy;
+  AlignedMap aligned;
+  SeamlessLattice lattice;
+  TMesh t_mesh;
+
+  TracedMap(RoomySurface surface, const SeamlessOptions& map_options, RunRecord& record,
+            QuadSeconds& seconds)
+      : roomy(std::move(surface)),
+        aligned(timed(seconds.map,
+                      [&] {
+                        return roomy.border_turn > kCornerTurn
+                                   ? aligned_map(with_smooth_border(roomy), map_options, record)
+                                   : aligned_map(roomy, map_options, record);
+                      })),
+        lattice(roomy.mesh, aligned.map, roomy.is_feature, roomy.border_turn),
+        t_mesh(
+            timed(seconds.quantize, [&] { return trace_t_mesh(lattice, record.start_stop()); })) {}
+};
+
+// features: of `mesh`. A surface of few faces that has no map, because these are too large for the
+// cones of a field, gets smaller ones. Throws Error(Infeasible) where there is no map then either.
+std::unique_ptr<const TracedMap> traced_map(const SurfaceMesh& mesh,
+                                            const std::vector<char>& features,
+                                            const QuadMeshOptions& options, RunRecord& record,
+                                            QuadSeconds& seconds) {
+  // Chosen: a map of so many faces takes seconds.
+  constexpr int kMostHalvings = 2;
+  constexpr Index kMostFaces = 10'000;
+  SeamlessOptions map_options = options.map;
+  map_options.threads = options.threads;
+  RoomySurface roomy = with_room(mesh, features);
+  roomy.border_turn = options.border_turn.value_or(kCornerTurn);
+  for (int halvings = 0;; ++halvings) {
+    record.begin(Activity::Starting);
+    const bool is_last = halvings == kMostHalvings || 4 * roomy.mesh.face_count() > kMostFaces;
+    try {
+      return std::make_unique<const TracedMap>(roomy, map_options, record, seconds);
+    } catch (const Error& error) {
+      const bool has_no_map =
+          error.kind() == ErrorKind::Infeasible || error.kind() == ErrorKind::Invalid;
+      if (is_last || !has_no_map) throw;
+    }
+    record.announce("halving all edges, which are too long for a map");
+    record.begin_pass();
+    roomy = halved(roomy);
+  }
+}
+
+// Returns whether more quads than asked were made because there are none with fewer. A few are
+// nothing that features are given up for: on a cube one more row is.
+bool has_too_many(const QuadMesh& made) {
+  constexpr long kFew = 4;
+  return made.least_count && made.check.count > made.asked + kFew;
+}
+
 // Returns the quads of a surface with these features (3 #F, or empty: none). Throws
 // Error(Infeasible) where there are none.
 QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                     const QuadMeshOptions& options, RunRecord& record, QuadSeconds& seconds) {
-  std::optional<AddedSeconds> time(std::in_place, seconds.map);
   const StopCheck& stop = record.start_stop();
   QuadMesh result;
-  const RoomySurface roomy = with_room(mesh, features);
-  record.begin(Activity::Starting);
-  SeamlessOptions how = options.map;
-  how.threads = options.threads;
-  const AlignedMap aligned = aligned_map(roomy, how, record);
-  const BezierMap& map = aligned.map;
-  result.status = aligned.status;
-  time.emplace(seconds.quantize);
-  SeamlessLattice lattice(roomy.mesh, map, roomy.is_feature);
-  const TMesh t_mesh = trace_t_mesh(lattice, stop);
+  const std::unique_ptr<const TracedMap> traced =
+      traced_map(mesh, features, options, record, seconds);
+  const RoomySurface& roomy = traced->roomy;
+  const BezierMap& map = traced->aligned.map;
+  const SeamlessLattice& lattice = traced->lattice;
+  const TMesh& t_mesh = traced->t_mesh;
+  result.status = traced->aligned.status;
   for (const TNode& node : t_mesh.nodes)
     result.cones += node.is_cone() && node.side != Side::Border;
-  time.reset();
   const double asked = asked_of(mesh, options);
+  result.border_turn = roomy.border_turn;
   result.asked = std::lround(asked);
   const QuadPlacer placer(mesh, features, roomy, map, lattice, t_mesh, options, record, seconds);
   // Arcs without edges leave the best angles; other numbers of quads are other meshes, of which one
@@ -305,8 +366,8 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
     if (part * asked > kMostQuads || !fits_into_memory(part * asked) ||
         !attempt_for(Arcs::Joined, part))
       continue;
-    remedy =
-        fmt::format("there are with {:.4g} times as many, {}", part, std::lround(part * asked));
+    remedy = fmt::format("ask for {:.4g} times as many, {} for {}", part, std::lround(part * asked),
+                         result.asked);
     break;
   }
   throw Error(ErrorKind::Infeasible, fmt::format("{}no valid quads were made: {}; {}",
@@ -316,6 +377,76 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
 std::vector<char> asked_features(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
   if (options.features) return *options.features;
   return options.map.cones ? std::vector<char>() : sharp_edges(mesh, kCornerTurn);
+}
+
+// A turn of the border that none reaches.
+constexpr double kNoCorner = 180;
+
+// Whether corners follow each other along the border as those of a torn one: so many, and such a
+// part of its vertices.
+bool is_ragged(const SurfaceMesh& mesh) {
+  constexpr Index kFewest = 32;
+  constexpr double kShare = 0.25;
+  Index corners = 0, vertices = 0;
+  for (const char is_corner : border_corners(mesh)) corners += is_corner;
+  for (const auto& loop : mesh.boundary_loops()) vertices += static_cast<Index>(loop.size());
+  return corners >= kFewest && corners >= kShare * vertices;
+}
+
+// quad_mesh() with one turn of the border.
+QuadMesh made_of(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record,
+                 QuadSeconds& seconds) {
+  const std::vector<char> asked = asked_features(mesh, options);
+  const auto made_with = [&](const std::vector<char>& features) {
+    QuadMesh made = quads_with(mesh, has_any(features) ? features : std::vector<char>(), options,
+                               record, seconds);
+    made.seconds = seconds;
+    return made;
+  };
+  if (!has_any(asked)) return made_with({});
+  const double length = std::sqrt(mesh.area() / std::max(asked_of(mesh, options), 1.0));
+  std::optional<QuadMesh> made;
+  std::vector<char> tried;
+  double shortest = length;
+  std::string conflict;
+  // Short sides of steps and teeth are kept where that makes about as many quads as asked.
+  for (ShortLines short_lines = ShortLines::SharpKept;; shortest *= 2) {
+    const std::vector<char> features = without_short_lines(mesh, asked, shortest, short_lines);
+    const bool has_sharp = short_lines == ShortLines::SharpKept;
+    if (has_sharp) {
+      short_lines = ShortLines::Dropped;
+      shortest /= 2;
+    }
+    if (features == tried) continue;
+    tried = features;
+    const auto make = [&] {
+      QuadMesh next = made_with(features);
+      next.features = features;
+      next.shortest_feature = shortest;
+      made = std::move(next);
+    };
+    const bool is_last = !has_any(features);
+    if (is_last && !made) {
+      make();
+      break;
+    }
+    // Where none are made in the end, those of before stay, too many or not.
+    const std::optional<std::string> failed = why_infeasible(make);
+    if (is_last || (!failed && ((options.features && !has_sharp) || !has_too_many(*made)))) break;
+    if (!conflict.empty()) continue;
+    const std::string prefix = message_prefix(mesh);
+    conflict = failed ? failed->substr(failed->starts_with(prefix) ? prefix.size() : 0)
+                      : fmt::format("{} quads", made->check.count);
+  }
+  const FeatureLines lines = feature_lines(mesh, asked);
+  made->feature_lines = static_cast<Index>(lines.lines.size());
+  for (const FeatureLine& line : lines.lines)
+    if (!made->features[line.half_edges.front()])
+      made->relaxed.push_back(
+          {mesh.from_vertex(line.half_edges.front()), mesh.to_vertex(line.half_edges.back())});
+  made->conflict = std::move(conflict);
+  made->seconds = seconds;
+  return *std::move(made);
 }
 
 }  // namespace
@@ -340,51 +471,21 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   require_usable(mesh, options);
   const ThreadCount threads(options.threads);
   QuadSeconds seconds;
-  const std::vector<char> asked = asked_features(mesh, options);
-  const auto made_with = [&](const std::vector<char>& features) {
-    QuadMesh made = quads_with(mesh, has_any(features) ? features : std::vector<char>(), options,
-                               record, seconds);
-    made.seconds = seconds;
-    return made;
-  };
-  if (!has_any(asked)) return made_with({});
-  const double length = std::sqrt(mesh.area() / std::max(asked_of(mesh, options), 1.0));
+  if (options.border_turn || !is_ragged(mesh)) return made_of(mesh, options, record, seconds);
   std::optional<QuadMesh> made;
-  std::vector<char> tried;
-  double shortest = length;
-  std::string conflict;
-  for (;; shortest *= 2) {
-    const std::vector<char> features = without_short_lines(mesh, asked, shortest);
-    if (features == tried) continue;
-    tried = features;
-    const auto make = [&] {
-      QuadMesh next = made_with(features);
-      next.features = features;
-      next.shortest_feature = shortest;
-      made = std::move(next);
-    };
-    const bool is_last = !has_any(features);
-    if (is_last && !made) {
-      make();
-      break;
-    }
-    // Where none are made in the end, those of before stay, too many or not.
-    const std::optional<std::string> failed = why_infeasible(make);
-    if (is_last || (!failed && (options.features || !made->least_count))) break;
-    if (!conflict.empty()) continue;
-    const std::string prefix = message_prefix(mesh);
-    conflict = failed ? failed->substr(failed->starts_with(prefix) ? prefix.size() : 0)
-                      : fmt::format("{} quads at least", *made->least_count);
-  }
-  const FeatureLines lines = feature_lines(mesh, asked);
-  made->feature_lines = static_cast<Index>(lines.lines.size());
-  for (const FeatureLine& line : lines.lines)
-    if (!made->features[line.half_edges.front()])
-      made->relaxed.push_back(
-          {mesh.from_vertex(line.half_edges.front()), mesh.to_vertex(line.half_edges.back())});
-  made->conflict = std::move(conflict);
-  made->seconds = seconds;
-  return *std::move(made);
+  const std::optional<std::string> failed =
+      why_infeasible([&] { made = made_of(mesh, options, record, seconds); });
+  if (made && !made->least_count) return *std::move(made);
+  QuadMeshOptions smooth = options;
+  smooth.border_turn = kNoCorner;
+  std::optional<QuadMesh> other;
+  const std::optional<std::string> other_failed =
+      why_infeasible([&] { other = made_of(mesh, smooth, record, seconds); });
+  if (!made && !other)
+    throw Error(ErrorKind::Infeasible, failed.value_or("") + "; " + other_failed.value_or(""));
+  QuadMesh& taken = other ? *other : *made;
+  taken.seconds = seconds;
+  return std::move(taken);
 }
 
 }  // namespace majorant

@@ -44,6 +44,9 @@ struct QuadMeshOptions {
   // 3 #F flags of edges that edges of quads cover (features.h), both sides; an empty list: none.
   // Nothing: sharp_edges() of kCornerTurn, none where cones are given.
   std::optional<std::vector<char>> features = {};
+  // Degrees, above 0 to 180: a turn of the border from which on quads have a vertex there. Nothing:
+  // kCornerTurn, and where borders are ragged and more quads than asked for would be made so, 180.
+  std::optional<double> border_turn = {};
   // Cones and how the map is found. One quad alone around a vertex would meet itself.
   SeamlessOptions map = {.field = {.cone_energy = ConeEnergy::Scale,
                                    .cone_cost = kIrregularCost,
@@ -76,6 +79,7 @@ struct QuadMesh {
   std::string conflict;
   // Model units: shorter lines were relaxed (without_short_lines() in features.h).
   double shortest_feature = 0;
+  double border_turn = kCornerTurn;  // of the corners of the border that were kept
   long asked = 0;
   // The number of quads with as few edges on every arc as the cones allow; where more than
   // kCountClose above the count asked for were made.

@@ -64,12 +64,14 @@ Made quads_verdict(const CheckVerb& request, const PolygonMesh& quads, const Pol
   const auto with = polygons ? QuadsComparedWith::Surface : QuadsComparedWith::Nothing;
   const QuadCheck check = run.make("checking " + request.result, [&] {
     if (!polygons) return check_quads(quads, nullptr, {}, run.stop());
-    const RepairedSurface surface =
-        repair(*polygons, {.welding = Welding::EqualPlaces}, run.stop());
+    const RepairedSurface surface = surface_for_quads(*polygons, run.stop());
     std::vector<char> features;
     if (!request.features.empty())
       features = features_of(request.features, *polygons, surface, run.stop());
-    return check_quads(quads, surface.mesh.get(), features, run.stop());
+    QuadCheck found = check_quads(quads, surface.mesh.get(), features, run.stop(),
+                                  request.border_corners.value_or(kCornerTurn));
+    require_near(found, *surface.mesh, request.max_distance.value_or(kMaxQuadDistance));
+    return found;
   });
   const auto features =
       request.features.empty() ? QuadsFeatures::NotRequested : QuadsFeatures::Requested;
@@ -126,11 +128,21 @@ Made verdict(const CheckVerb& request, Checked& c, Run& run) {
   if (c.mesh && (request.quads || is_of_quads(*c.mesh))) {
     if (!request.features.empty() && request.surface.empty())
       throw Error(ErrorKind::Usage, "--features: are those of --surface; give both");
+    if (request.max_distance && request.surface.empty())
+      throw Error(ErrorKind::Usage, "--max-distance: is from --surface; give both");
+    if (request.border_corners && request.surface.empty())
+      throw Error(ErrorKind::Usage, "--border-corners: are those of --surface; give both");
     request.require_of_quads();
     say_warnings(c.mesh->warnings);
     read_surface();
     return quads_verdict(request, *c.mesh, c.surface ? &*c.surface : nullptr, run);
   }
+  for (const auto& [flag, number] : {std::pair("--max-distance", request.max_distance),
+                                     std::pair("--border-corners", request.border_corners)})
+    if (number)
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: is of meshes of quads, and {} is none; leave it out", flag,
+                              request.result));
   if (!request.features.empty())
     throw Error(ErrorKind::Usage, fmt::format("--features: is of meshes of quads, and {} is none; "
                                               "leave it out",

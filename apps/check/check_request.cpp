@@ -15,6 +15,7 @@
 namespace majorant::app {
 
 void CheckVerb::add_to(CLI::App& verb) {
+  constexpr double kHalfTurn = 180;  // degrees
   constexpr double kAnySeconds = std::numeric_limits<double>::infinity();
   add_options(verb, OptionGroup::Files,
               {{"result",
@@ -53,7 +54,17 @@ void CheckVerb::add_to(CLI::App& verb) {
       {{"--quads", &quads,
         "a mesh of quads (implied where a file has nothing but quads, and no texture coordinates): "
         "oriented manifold, none folded; with --surface none turned, Euler characteristic and "
-        "border of the surface"},
+        "border of the surface, near it"},
+       {"--max-distance",
+        &max_distance,
+        "of meshes of quads: how far they and --surface may be apart, as a part of its diagonal "
+        "(0.02)",
+        {.check = non_negative_number(std::numeric_limits<double>::max())}},
+       {"--border-corners",
+        &border_corners,
+        "of meshes of quads: a turn of --surface's border, in degrees, from which on they have a "
+        "vertex there, as `quads` has it (35)",
+        {.type = "DEG", .check = positive_number(kHalfTurn)}},
        {"--features",
         &features,
         "of meshes of quads: feature lines of --surface that edges of quads must cover, as `quads` "
@@ -84,9 +95,17 @@ CheckRequest::Cuts CheckVerb::cut_rule() const {
 }
 
 Json CheckVerb::to_json() const {
-  return {{"surface", surface},   {"cuts", cuts},         {"certify", certify},
-          {"seamless", seamless}, {"stacked", stacked},   {"objects", objects},
-          {"quads", quads},       {"features", features}, {"strict", common.strict}};
+  return {{"surface", surface},
+          {"cuts", cuts},
+          {"certify", certify},
+          {"seamless", seamless},
+          {"stacked", stacked},
+          {"objects", objects},
+          {"quads", quads},
+          {"features", features},
+          {"strict", common.strict},
+          {"max_distance", max_distance ? Json(*max_distance) : Json()},
+          {"border_corners", border_corners ? Json(*border_corners) : Json()}};
 }
 
 namespace {

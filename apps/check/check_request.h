@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct CheckVerb {
   std::string cuts = "auto", objects = "together";
   std::vector<std::string> outputs;  // pages
   double time_limit = std::numeric_limits<double>::infinity();
+  std::optional<double> max_distance;    // of quads, in diagonals of the surface
+  std::optional<double> border_corners;  // of quads, degrees
   bool certify = false, seamless = false, quads = false, stacked = false;
 
   void add_to(CLI::App& verb);

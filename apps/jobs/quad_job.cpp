@@ -22,6 +22,8 @@
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
 #include "majorant/io/written_mark.h"
+#include "majorant/mesh/mesh_messages.h"
+#include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/seams/edge_flags.h"
 #include "majorant/volumes/volume_files.h"
 
@@ -178,10 +180,38 @@ void add_seconds(const QuadSeconds& of_component, QuadSeconds& all) {
 
 }  // namespace
 
+RepairedSurface surface_for_quads(const PolygonMesh& input, const StopCheck& stop) {
+  return repair(input,
+                {.welding = Welding::EqualPlaces,
+                 .crowded_edges = CrowdedEdges::Paired,
+                 .short_edges = ShortEdges::Collapsed},
+                stop);
+}
+
 void QuadJob::open(PolygonMesh input) {
   record.announce("building the surface");
-  surface = repair(input, {.welding = Welding::EqualPlaces}, record.start_stop());
+  surface = surface_for_quads(input, record.start_stop());
   polygons = std::move(input);
+}
+
+// Makes the quads of component `number` of several, whose failures are said to be its own.
+QuadMesh QuadJob::quads_of(const SurfacePiece& piece, std::size_t number, std::size_t components,
+                           const QuadMeshOptions& of_piece) {
+  if (components == 1) return quad_mesh(*piece.mesh, of_piece, record);
+  try {
+    return quad_mesh(*piece.mesh, of_piece, record);
+  } catch (const Refusal&) {
+    throw;
+  } catch (const Error& error) {
+    const std::string prefix = message_prefix(*piece.mesh), text = error.what();
+    const std::string share =
+        options.count ? fmt::format("{} of the {} quads, ", *of_piece.count, *options.count) : "";
+    throw Error(error.kind(),
+                fmt::format("{}component {} of {} ({}{} triangles, one at vertex {}): {}", prefix,
+                            number + 1, components, share, piece.mesh->face_count(),
+                            user_vertex(*piece.mesh, piece.mesh->faces()(0, 0)),
+                            text.substr(text.starts_with(prefix) ? prefix.size() : 0)));
+  }
 }
 
 void QuadJob::solve(const std::string& source) {
@@ -202,7 +232,8 @@ void QuadJob::solve(const std::string& source) {
       of_piece.map.cones = cones_on(*piece.mesh, *options.map.cones, surface.welded);
     if (options.features && !options.features->empty())
       of_piece.features = features_on(piece, *options.features);
-    const QuadMesh made = quad_mesh(*piece.mesh, of_piece, record);
+    const QuadMesh made =
+        quads_of(piece, static_cast<std::size_t>(&piece - pieces.data()), pieces.size(), of_piece);
     const auto first = static_cast<Index>(quads.positions.size());
     for (const auto& [a, b] : made.feature_edges) feature_edges.push_back({first + a, first + b});
     append_mesh(made.quads, quads);
@@ -211,6 +242,7 @@ void QuadJob::solve(const std::string& source) {
     requested_count += made.asked;
     patches += made.patches;
     degree = std::max(degree, made.degree);
+    border_turn = std::max(border_turn, made.border_turn);
     add_seconds(made.seconds, seconds);
     least += made.least_count.value_or(made.check.count);
     if (made.status != Status::Converged) status = made.status;
@@ -218,7 +250,7 @@ void QuadJob::solve(const std::string& source) {
   record.begin(Activity::Proving);
   {
     const AddedSeconds time(seconds.check);
-    check = check_quads(quads, &mesh, features, record.telling(record.start_stop()));
+    check = check_quads(quads, &mesh, features, record.telling(record.start_stop()), border_turn);
   }
   if (!check.is_valid())
     throw Error(ErrorKind::Infeasible,
@@ -231,6 +263,11 @@ void QuadJob::solve(const std::string& source) {
         fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found",
                     polygons.file, check.count, requested_count, 100 * kCountClose));
   if (!relaxed.empty()) warnings.push_back(relaxed_features(*this));
+  if (!options.border_turn && border_turn > kCornerTurn)
+    warnings.push_back(
+        fmt::format("{}: the border is ragged, quads cut off its corners; "
+                    "--border-corners {:g} keeps them, with more quads",
+                    polygons.file, kCornerTurn));
 }
 
 RunReport quad_report(const QuadJob& job) {
@@ -270,9 +307,10 @@ QuadPicture picture_of(const QuadJob& job, const std::string& title) {
 }
 
 void write_quads(const std::string& path, const PolygonMesh& quads, const SurfaceMesh& surface,
-                 const std::vector<char>& features, const std::vector<Index>& patch_of) {
+                 const std::vector<char>& features, const std::vector<Index>& patch_of,
+                 double border_turn) {
   const auto judge = [&](const PolygonMesh& written) {
-    const QuadCheck check = check_quads(written, &surface, features);
+    const QuadCheck check = check_quads(written, &surface, features, {}, border_turn);
     if (!check.is_valid())
       throw Error(ErrorKind::Invalid, fmt::format("{}: {}", path, fmt::join(check.defects, "; ")));
   };

@@ -21,13 +21,17 @@
 
 namespace majorant {
 
+// The surface that quads are made of, and judged by: repaired as unwrap() does, but edges without a
+// length are collapsed, edges at equal places joined, and solids that share an edge apart, each
+// closed. Throws as repair().
+RepairedSurface surface_for_quads(const PolygonMesh& input, const StopCheck& stop = {});
+
 // Filled in this order: open(), `options`, solve().
 struct QuadJob {
   // record: outlives the job.
   explicit QuadJob(RunRecord& of_run) : record(of_run) {}
 
-  // Repairs the surface as unwrap() does, edges at equal places joined. Throws as repair(), at the
-  // limits of the run's start.
+  // Repairs the surface: surface_for_quads(), at the limits of the run's start.
   void open(PolygonMesh input);
   // Every component by itself, with its share of the count by area. cones of the options: vertices
   // of the input; source: who names them, for messages. Throws as quad_mesh().
@@ -54,10 +58,15 @@ struct QuadJob {
   int degree = 1;                                   // the highest of the components' (QuadMesh)
   std::vector<Index> patch_of;                      // by quad, 0 to patches - 1
   std::vector<std::array<Index, 2>> feature_edges;  // of the quads, those that cover features
+  double border_turn = kCornerTurn;                 // of all components, the largest one (QuadMesh)
   std::vector<std::string> warnings;  // a count that is not close to the one asked for
   Status status = Status::Converged;  // of the maps: a limit may have ended their optimization
   double read_seconds = 0;
   QuadSeconds seconds;  // of all components
+
+ private:
+  QuadMesh quads_of(const SurfacePiece& piece, std::size_t number, std::size_t components,
+                    const QuadMeshOptions& of_piece);
 };
 
 // Whole but for what writing adds to it: the seconds "write" and "total".
@@ -74,7 +83,8 @@ QuadPicture picture_of(const QuadJob& job, const std::string& title);
 // file takes its name: throws Error(Invalid) with what is wrong; Error(Usage) for other extensions
 // and where it cannot be written.
 void write_quads(const std::string& path, const PolygonMesh& quads, const SurfaceMesh& surface,
-                 const std::vector<char>& features = {}, const std::vector<Index>& patch_of = {});
+                 const std::vector<char>& features = {}, const std::vector<Index>& patch_of = {},
+                 double border_turn = kCornerTurn);
 // Any mesh as read_mesh() has it, and .vtu of quads. Throws as read_mesh(), and Error(Unsupported)
 // for a .vtu of other cells.
 PolygonMesh read_quads(const std::string& path, const StopCheck& stop = {},

@@ -150,6 +150,27 @@ NearestPoint SurfaceTree::nearest(const Vector3& p, Index likely) const {
   return best;
 }
 
+std::vector<Index> SurfaceTree::faces_within(const Vector3& p, double distance) const {
+  const auto& nodes = boxes_->nodes;
+  std::vector<Index> found, waiting{0};
+  while (!waiting.empty()) {
+    const Index at = waiting.back();
+    waiting.pop_back();
+    const Boxes::Node& node = nodes[to_size(at)];
+    if (node.box.squaredExteriorDistance(p) > distance * distance * (1 + kRounding)) continue;
+    if (node.second != 0) {
+      waiting.push_back(at + 1);
+      waiting.push_back(node.second);
+      continue;
+    }
+    for (Index i = node.begin; i < node.end; ++i)
+      if (const Index f = boxes_->faces[to_size(i)]; of_face(f, p).distance <= distance)
+        found.push_back(f);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 std::vector<Index> faces_at(const SurfaceMesh& mesh, const NearestPoint& point) {
   constexpr double kOnEdge = 1e-9;
   std::vector<Index> faces = {point.face}, corners;

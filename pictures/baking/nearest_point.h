@@ -48,6 +48,8 @@ class SurfaceTree {
   NearestPoint nearest(const Vector3& p, Index likely = -1) const;
   // Of every row of p, #P by 3. Polls `stop`: Stopped.
   std::vector<NearestPoint> locate(const Points3& p, const StopCheck& stop = {}) const;
+  // Returns the faces no farther from p than `distance`, in ascending order.
+  std::vector<Index> faces_within(const Vector3& p, double distance) const;
 
  private:
   struct Boxes;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "majorant/quads/internal/extraction.h"
 #include "majorant/quads/quad_mesh.h"
@@ -11,11 +13,16 @@ namespace majorant {
 
 ArcNumbers::ArcNumbers(const SeamlessLattice& lattice, const TMesh& mesh, Arcs arcs,
                        const StopCheck& stop)
+    : ArcNumbers(lattice, mesh, std::vector<Index>(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1),
+                 stop) {}
+
+ArcNumbers::ArcNumbers(const SeamlessLattice& lattice, const TMesh& mesh, std::vector<Index> least,
+                       const StopCheck& stop)
     : lattice_(lattice),
       mesh_(mesh),
       stop_(stop),
-      quantization_(mesh, std::vector<double>(mesh.arcs.size(), 0),
-                    std::vector<Index>(mesh.arcs.size(), arcs == Arcs::Joined ? 0 : 1)) {}
+      least_(std::move(least)),
+      quantization_(mesh, std::vector<double>(mesh.arcs.size(), 0), least_) {}
 
 std::vector<Index> ArcNumbers::at(double edge_length) {
   const std::vector<Index> edges = without_bad_quads([&] { return joined_at(edge_length); });
@@ -82,6 +89,7 @@ std::optional<std::vector<Index>> ArcNumbers::refined(const std::vector<Index>& 
 
 void ArcNumbers::raise(Index arc, Index least) {
   quantization_.raise(arc, least);
+  least_[arc] = std::max(least_[arc], least);
   ++raised_;
 }
 
@@ -93,7 +101,9 @@ void ArcNumbers::want(double edge_length) {
 }
 
 // Longer edges make fewer quads, in steps. Where one step passes by what was asked by more than
-// kCountClose, the arcs that lose edges there keep them, so that others lose theirs instead.
+// kCountClose, some of the arcs that lose edges there keep them: sides of equal lengths get
+// different numbers then. Where that is not close either, all of them keep their edges, so that
+// others lose theirs instead.
 ArcNumbers::Found ArcNumbers::closest_to(double asked) {
   // Chosen: a needle of 1,000 quads takes two.
   constexpr int kMostSteps = 3;
@@ -101,12 +111,43 @@ ArcNumbers::Found ArcNumbers::closest_to(double asked) {
   Found best;
   for (int step = 0;; ++step) {
     const auto [more, fewer] = closest_from(length, asked, best);
-    if (std::abs(best.ratio - 1) <= kCountClose || step == kMostSteps || !more || !fewer)
-      return best;
+    const auto is_close = [&] { return std::abs(best.ratio - 1) <= kCountClose; };
+    if (is_close() || !more || !fewer) return best;
+    if (Found found = between(*more, *fewer, asked); found.off() < best.off())
+      best = std::move(found);
+    if (is_close() || step == kMostSteps) return best;
     for (Index a = 0; a < static_cast<Index>(more->edges.size()); ++a)
       if (more->edges[a] > fewer->edges[a]) raise(a, more->edges[a]);
     length = more->length;
   }
+}
+
+// Arcs that lose edges from `more` to `fewer` keep them, one after the other, those that were
+// closest to keeping them first, until there are more quads than asked. Returns the numbers of the
+// closest count.
+ArcNumbers::Found ArcNumbers::between(const Found& more, const Found& fewer, double asked) const {
+  // Each takes a search; meshes of so many arcs have close counts without. Chosen.
+  constexpr int kMostKept = 64;
+  ArcNumbers numbers(lattice_, mesh_, least_, stop_);
+  std::vector<Index> losing;
+  for (Index a = 0; a < static_cast<Index>(fewer.edges.size()); ++a)
+    if (more.edges[a] > fewer.edges[a]) losing.push_back(a);
+  const auto lost = [&](Index a) {
+    return fewer.edges[a] - static_cast<double>(mesh_.arcs[a].length()) / fewer.length;
+  };
+  std::stable_sort(losing.begin(), losing.end(),
+                   [&](Index a, Index b) { return lost(a) < lost(b); });
+  Found found = fewer, best = fewer;
+  int kept = 0;
+  for (const Index a : losing) {
+    if (found.edges[a] >= more.edges[a]) continue;
+    numbers.raise(a, found.edges[a] + 1);
+    found.edges = numbers.joined_at(fewer.length);
+    found.ratio = static_cast<double>(quad_count(mesh_, found.edges)) / asked;
+    if (found.off() < best.off()) best = found;
+    if (found.ratio >= 1 || ++kept == kMostKept) break;
+  }
+  return best;
 }
 
 // best: what is closer replaces it.

@@ -37,6 +37,9 @@ class ArcNumbers {
   std::vector<Index> for_count(double asked);
 
  private:
+  ArcNumbers(const SeamlessLattice& lattice, const TMesh& mesh, std::vector<Index> least,
+             const StopCheck& stop);
+
   struct Found {
     double length = 0;  // of the edges that were wanted
     std::vector<Index> edges;
@@ -54,6 +57,7 @@ class ArcNumbers {
   std::optional<std::vector<Index>> refined(const std::vector<Index>& edges, double edge_length);
   Found closest_to(double asked);
   Bracket closest_from(double length, double asked, Found& best);
+  Found between(const Found& more, const Found& fewer, double asked) const;
   void raise(Index arc, Index least);
   void want(double edge_length);
   Index longest_without_edges(const std::vector<Index>& edges) const;
@@ -61,7 +65,8 @@ class ArcNumbers {
   const SeamlessLattice& lattice_;
   const TMesh& mesh_;
   const StopCheck& stop_;
-  Quantization quantization_;  // with the least numbers that were needed so far
+  std::vector<Index> least_;   // by arc: the least numbers that were needed so far
+  Quantization quantization_;  // with these
   long raised_ = 0;            // how often they were raised
 };
 

@@ -57,10 +57,16 @@ class Divider {
     std::vector<char> is_on_held(to_size(mesh_.vertex_count()), 0);
     for (Index h = 0; h < mesh_.half_edge_count(); ++h)
       if (is_held_[h]) is_on_held[mesh_.from_vertex(h)] = is_on_held[mesh_.to_vertex(h)] = 1;
+    std::vector<char> is_enclosed(to_size(mesh_.vertex_count()), 1);
+    for (Index v = 0; v < mesh_.vertex_count(); ++v) is_enclosed[v] = !is_on_held[v];
+    for (Index h = 0; h < mesh_.half_edge_count(); ++h)
+      if (!is_on_held[mesh_.to_vertex(h)]) is_enclosed[mesh_.from_vertex(h)] = 0;
     middle_.assign(to_size(mesh_.half_edge_count()), -1);
     for (Index h = 0; h < mesh_.half_edge_count(); ++h) {
       const Index o = mesh_.opposite(h), a = mesh_.from_vertex(h), b = mesh_.to_vertex(h);
-      if (o < h || is_held_[h] || !is_on_held[a] || !is_on_held[b]) continue;
+      const bool is_between =
+          (is_on_held[a] || is_enclosed[a]) && (is_on_held[b] || is_enclosed[b]);
+      if (o < h || is_held_[h] || !is_between) continue;
       if (is_kept_[face_of(h)] || is_kept_[face_of(o)]) continue;
       middle_[h] = middle_[o] = new_vertex((points_[a] + points_[b]) / 2, a);
     }
@@ -111,6 +117,11 @@ class Divider {
   std::vector<Index> input_face_;
 };
 
+// Degrees between two directions.
+double turn_between(const Vector3& in, const Vector3& out) {
+  return std::atan2(in.cross(out).norm(), in.dot(out)) * 180 / std::numbers::pi;
+}
+
 }  // namespace
 
 RoomySurface with_room(const SurfaceMesh& mesh, const std::vector<char>& is_feature) {
@@ -126,21 +137,101 @@ RoomySurface with_room(const SurfaceMesh& mesh, const std::vector<char>& is_feat
   return roomy;
 }
 
-std::vector<char> border_corners(const SurfaceMesh& mesh) {
+RoomySurface halved(const RoomySurface& surface) {
+  const SurfaceMesh& mesh = surface.mesh;
+  SurfaceParts parts = mesh.parts();
+  const Index vertices = mesh.vertex_count(), faces = mesh.face_count();
+  std::vector<Index> middle(to_size(mesh.half_edge_count()), -1);
+  std::vector<Vector3> added;
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) {
+    if (middle[h] >= 0) continue;
+    middle[h] = vertices + static_cast<Index>(added.size());
+    if (const Index o = mesh.opposite(h); o >= 0) middle[o] = middle[h];
+    added.emplace_back(
+        (mesh.positions().row(mesh.from_vertex(h)) + mesh.positions().row(mesh.to_vertex(h))) / 2);
+    // Messages name it as the vertex of the file that is near.
+    parts.input_vertex.push_back(mesh.input_vertex(mesh.from_vertex(h)));
+  }
+  parts.positions.conservativeResize(vertices + static_cast<Index>(added.size()), 3);
+  for (std::size_t k = 0; k < added.size(); ++k)
+    parts.positions.row(vertices + static_cast<Index>(k)) = added[k];
+  parts.faces.resize(4 * faces, 3);
+  parts.input_face.clear();
+  RoomySurface result{mesh, {}, surface.border_turn};
+  for (Index f = 0; f < faces; ++f) {
+    const std::array<Index, 3> m = {middle[3 * f], middle[3 * f + 1], middle[3 * f + 2]};
+    // Three faces at corners, which keep their numbers, and the one between them.
+    parts.faces.row(4 * f) << mesh.faces()(f, 0), m[0], m[2];
+    parts.faces.row(4 * f + 1) << m[0], mesh.faces()(f, 1), m[1];
+    parts.faces.row(4 * f + 2) << m[2], m[1], mesh.faces()(f, 2);
+    parts.faces.row(4 * f + 3) << m[1], m[2], m[0];
+    for (int k = 0; k < 4; ++k) parts.input_face.push_back(mesh.input_face(f));
+    if (surface.is_feature.empty()) continue;
+    const auto flag = [&](Index k) { return surface.is_feature[3 * f + k]; };
+    for (const char is_feature : {flag(0), char{0}, flag(2), flag(0), flag(1), char{0}, char{0},
+                                  flag(1), flag(2), char{0}, char{0}, char{0}})
+      result.is_feature.push_back(is_feature);
+  }
+  parts.rest_triangles.clear();
+  for (const auto& [face, corners] : mesh.rest_triangles()) {
+    const auto& [a, b, c] = corners;
+    const Vector2 ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
+    parts.rest_triangles.push_back({4 * face, {a, ab, ca}});
+    parts.rest_triangles.push_back({4 * face + 1, {ab, b, bc}});
+    parts.rest_triangles.push_back({4 * face + 2, {ca, bc, c}});
+    parts.rest_triangles.push_back({4 * face + 3, {bc, ca, ab}});
+  }
+  parts.corner_texcoords.resize(0, 6);
+  parts.texcoord_ids.resize(0, 3);
+  result.mesh = SurfaceMesh::from_parts(std::move(parts));
+  return result;
+}
+
+RoomySurface with_smooth_border(const RoomySurface& surface) {
+  // Sweeps of moving to the middle of both neighbours, until no vertex turns by more than these
+  // degrees: the field takes turns below 45 for none. More sweeps would leave faces near the border
+  // without an area. Chosen.
+  constexpr int kMostSweeps = 6;
+  constexpr double kSmooth = 30;
+  const SurfaceMesh& mesh = surface.mesh;
+  const std::vector<char> is_corner = held_corners(mesh, surface.is_feature, surface.border_turn);
+  SurfaceParts parts = mesh.parts();
+  for (const std::vector<Index>& loop : mesh.boundary_loops()) {
+    const std::size_t n = loop.size();
+    std::vector<Vector3> points;
+    for (const Index v : loop) points.emplace_back(mesh.positions().row(v));
+    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+      double most = 0;
+      std::vector<Vector3> moved = points;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (is_corner[loop[i]]) continue;
+        const Vector3 &before = points[(i + n - 1) % n], &after = points[(i + 1) % n];
+        most = std::max(most, turn_between(points[i] - before, after - points[i]));
+        moved[i] = (before + 2 * points[i] + after) / 4;
+      }
+      if (most <= kSmooth) break;
+      points = std::move(moved);
+    }
+    for (std::size_t i = 0; i < n; ++i) parts.positions.row(loop[i]) = points[i];
+  }
+  return {SurfaceMesh::from_parts(std::move(parts)), surface.is_feature, surface.border_turn};
+}
+
+std::vector<char> border_corners(const SurfaceMesh& mesh, double border_turn) {
   std::vector<char> is_corner(to_size(mesh.vertex_count()), 0);
   for (const std::vector<Index>& loop : mesh.boundary_loops())
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Vector3 p = mesh.input_position(loop[i]);
       const Vector3 in = p - mesh.input_position(loop[(i + loop.size() - 1) % loop.size()]);
       const Vector3 out = mesh.input_position(loop[(i + 1) % loop.size()]) - p;
-      const double turn = std::atan2(in.cross(out).norm(), in.dot(out)) * 180 / std::numbers::pi;
-      is_corner[loop[i]] = turn >= kCornerTurn;
+      is_corner[loop[i]] = turn_between(in, out) >= border_turn;
     }
   return is_corner;
 }
 
-std::vector<char> held_corners(const SurfaceMesh& mesh, const std::vector<char>& is_feature) {
-  std::vector<char> is_corner = border_corners(mesh);
+std::vector<char> held_corners(const SurfaceMesh& mesh, const std::vector<char>& is_feature,
+                               double border_turn) {
+  std::vector<char> is_corner = border_corners(mesh, border_turn);
   if (is_feature.empty()) return is_corner;
   const std::vector<char> of_features = feature_lines(mesh, is_feature).is_corner;
   for (std::size_t v = 0; v < is_corner.size(); ++v) is_corner[v] |= of_features[v];

@@ -11,24 +11,37 @@
 #include <vector>
 
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/quads/features.h"
 
 namespace majorant {
 
 struct RoomySurface {
   SurfaceMesh mesh;
-  std::vector<char> is_feature;  // 3 #F, both sides; empty where there are none
+  std::vector<char> is_feature;      // 3 #F, both sides; empty where there are none
+  double border_turn = kCornerTurn;  // degrees, from which on a vertex of the border is a corner
 };
 
 // The same surface, where every other edge that joins two vertices of held ones has one more in its
 // middle, and a face with three held edges one at its centroid: no face has two held edges, so that
-// these may be straight in a map at every vertex. Faces with a rest triangle stay as they are.
+// these may be straight in a map at every vertex. So do the edges of a vertex all of whose
+// neighbours are on held edges, such as the middle of a fan: it alone could not hold the cones of
+// what they surround. Faces with a rest triangle stay as they are.
 // is_feature: as feature_lines() has it (features.h).
 RoomySurface with_room(const SurfaceMesh& mesh, const std::vector<char>& is_feature = {});
 
-// #V: 1 at vertices of the border where it turns by kCornerTurn or more (features.h).
-std::vector<char> border_corners(const SurfaceMesh& mesh);
+// The same surface with every edge halved and every face cut into four; features, too.
+RoomySurface halved(const RoomySurface& surface);
+
+// The same surface with a smoother border: vertices that are no corners lie where the border turns
+// little. Lengths of edges stay about as they are. Not for positions: quads lie on the border as
+// it is.
+RoomySurface with_smooth_border(const RoomySurface& surface);
+
+// #V: 1 at vertices of the border where it turns by so many degrees or more.
+std::vector<char> border_corners(const SurfaceMesh& mesh, double border_turn = kCornerTurn);
 // And at those of features.
-std::vector<char> held_corners(const SurfaceMesh& mesh, const std::vector<char>& is_feature);
+std::vector<char> held_corners(const SurfaceMesh& mesh, const std::vector<char>& is_feature,
+                               double border_turn = kCornerTurn);
 
 // A point of the border or of a feature line: this part of the way along one of its half-edges, -1
 // for other points.

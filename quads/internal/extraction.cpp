@@ -401,7 +401,7 @@ PolygonMesh ExtractedQuads::polygons() {
 }
 
 HeldVertices ExtractedQuads::held_vertices() {
-  HeldVertices held{held_points_, lattice_.features(), {}};
+  HeldVertices held{held_points_, lattice_.features(), {}, lattice_.border_turn()};
   for (Index a = 0; a < static_cast<Index>(edges_.size()); ++a) {
     if (!mesh_.is_on_feature(a)) continue;
     for (Index k = 0; k < edges_[a]; ++k) {

@@ -212,12 +212,14 @@ IntegerGrid::IntegerGrid(const RoomySurface& surface, const BezierMap& map, doub
                          const StopCheck& stop) {
   constexpr int kMostParts = 16;
   if (map.degree() == 1)
-    lattice_ = std::make_unique<SeamlessLattice>(surface.mesh, map, surface.is_feature);
+    lattice_ = std::make_unique<SeamlessLattice>(surface.mesh, map, surface.is_feature,
+                                                 surface.border_turn);
   for (int k = 2 * map.degree(); !lattice_; k = std::min(2 * k, kMostParts)) try {
       stop.poll();
       LinearParts parts = linear_parts(surface, map, k);
       parts_ = std::move(parts.surface);
-      lattice_ = std::make_unique<SeamlessLattice>(*parts_, parts.map, std::move(parts.is_feature));
+      lattice_ = std::make_unique<SeamlessLattice>(*parts_, parts.map, std::move(parts.is_feature),
+                                                   surface.border_turn);
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::Infeasible || k == kMostParts) throw;
     }

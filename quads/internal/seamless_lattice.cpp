@@ -101,9 +101,10 @@ LatticePoint turned(LatticePoint p, int turns) {
 }
 
 SeamlessLattice::SeamlessLattice(const SurfaceMesh& surface, const BezierMap& map,
-                                 std::vector<char> features)
+                                 std::vector<char> features, double border_turn)
     : surface_(surface),
       is_feature_(std::move(features)),
+      border_turn_(border_turn),
       turns_(to_size(surface.half_edge_count()), 0),
       quarter_turns_(map.seams().quarter_turns()),
       leaving_(to_size(surface.vertex_count()), -1) {

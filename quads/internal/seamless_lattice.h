@@ -25,6 +25,7 @@
 #include "majorant/constraints/constraints.h"
 #include "majorant/maps/bezier_map.h"
 #include "majorant/mesh/surface_mesh.h"
+#include "majorant/quads/features.h"
 
 namespace majorant {
 
@@ -62,10 +63,12 @@ class SeamlessLattice {
   // of the surface cut open along its seams, faces as there, with these edges along axes.
   // is_feature: 3 #F, both sides of edges inside, or empty: none.
   // The surface outlives this. Throws Error(Infeasible) where the rounded map is not proven.
+  // border_turn: of its corners (border.h).
   SeamlessLattice(const SurfaceMesh& surface, const BezierMap& map,
-                  std::vector<char> is_feature = {});
+                  std::vector<char> is_feature = {}, double border_turn = kCornerTurn);
 
   const SurfaceMesh& surface() const { return surface_; }
+  double border_turn() const { return border_turn_; }
   // Steps of the lattice to model units.
   double unit() const { return unit_; }
   // 90 degrees times this is the sum of angles at a vertex.
@@ -109,6 +112,7 @@ class SeamlessLattice {
 
   const SurfaceMesh& surface_;
   std::vector<char> is_feature_;  // by half-edge, or empty
+  double border_turn_;
   double unit_ = 1;
   std::vector<LatticePoint> corners_, shift_;  // by half-edge
   std::vector<int> turns_, quarter_turns_;     // by half-edge; by vertex

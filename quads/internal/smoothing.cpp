@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "majorant/pictures/baking/nearest_point.h"
+#include "majorant/quads/internal/surface_below.h"
 
 namespace majorant {
 namespace {
@@ -20,9 +21,8 @@ class Smoother {
   Smoother(PolygonMesh& mesh, const SurfaceMesh& surface, const HeldVertices& held,
            const StopCheck& stop)
       : mesh_(mesh),
-        surface_positions_(surface.positions().rowwise() + surface.origin().transpose()),
         surface_mesh_(surface),
-        surface_(surface_positions_, surface.faces()),
+        surface_(surface),
         stop_(stop),
         lengths_(surface, held.is_feature),
         border_(held.points),
@@ -71,7 +71,7 @@ class Smoother {
 
   // Vertices of the border and of features that are no corners, and their neighbours along them.
   void find_sliding(const SurfaceMesh& surface, const HeldVertices& held) {
-    const std::vector<char> is_corner = held_corners(surface, held.is_feature);
+    const std::vector<char> is_corner = held_corners(surface, held.is_feature, held.border_turn);
     std::set<std::pair<Index, Index>> edges;
     for (const auto quad : mesh_.polygons)
       for (std::size_t k = 0; k < 4; ++k) edges.emplace(quad[k], quad[(k + 1) % 4]);
@@ -159,19 +159,13 @@ class Smoother {
     return (p[2] - p[0]).cross(p[3] - p[1]);
   }
 
-  // As check_quads() has it, up to rounding.
+  // As check_quads() has it, but for the corners of quads whose middle is right.
   bool is_turned(Index q) {
     const std::array<Vector3, 4> p = corners_of(q);
-    const NearestPoint below = surface_.nearest((p[0] + p[1] + p[2] + p[3]) / 4, below_[q]);
-    below_[q] = below.face;
-    const std::vector<Index> faces = faces_at(surface_mesh_, below);
-    return std::any_of(faces.begin(), faces.end(), [&](Index f) {
-      const auto corner = [&](int k) {
-        return Vector3(surface_positions_.row(surface_mesh_.faces()(f, k)));
-      };
-      const Vector3 there = (corner(1) - corner(0)).cross(corner(2) - corner(0));
-      return normal_of(p).dot(there) < 0;
-    });
+    const NearestPoint nearest =
+        surface_.tree().nearest((p[0] + p[1] + p[2] + p[3]) / 4, below_[q]);
+    below_[q] = nearest.face;
+    return surface_.is_away(p, nearest);
   }
 
   int turned_around(std::size_t v) {
@@ -217,12 +211,12 @@ class Smoother {
   }
 
   Vector3 on_surface(std::size_t v, const Vector3& p) {
-    const NearestPoint nearest = surface_.nearest(p, likely_[v]);
+    const NearestPoint nearest = surface_.tree().nearest(p, likely_[v]);
     likely_[v] = nearest.face;
     Vector3 point = Vector3::Zero();
     for (int k = 0; k < 3; ++k)
       point += nearest.barycentric[k] *
-               Vector3(surface_positions_.row(surface_mesh_.faces()(nearest.face, k)));
+               Vector3(surface_.positions().row(surface_mesh_.faces()(nearest.face, k)));
     return point;
   }
 
@@ -290,9 +284,8 @@ class Smoother {
   }
 
   PolygonMesh& mesh_;
-  const Points3 surface_positions_;
   const SurfaceMesh& surface_mesh_;
-  const SurfaceTree surface_;
+  const SurfaceBelow surface_;
   const StopCheck& stop_;
   const BorderLengths lengths_;
   std::vector<BorderPoint> border_;        // by vertex

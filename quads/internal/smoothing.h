@@ -25,6 +25,7 @@ struct HeldVertices {
   std::vector<char> is_feature;     // as BorderLengths has it
   // Edges of quads along features: vertices, in the direction of feature_lines().
   std::vector<std::array<Index, 2>> feature_edges;
+  double border_turn = kCornerTurn;  // of its corners
 };
 
 // mesh: of quads, a manifold, in the units and places of the file that the surface came from.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
+#include "majorant/mesh/mesh_messages.h"
 #include "majorant/quads/features.h"
 #include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/random_steps.h"
@@ -65,7 +66,7 @@ class Tracer {
       : lattice_(lattice),
         surface_(lattice.surface()),
         stop_(stop),
-        is_start_(held_corners(surface_, lattice.features())),
+        is_start_(held_corners(surface_, lattice.features(), lattice.border_turn())),
         passages_(to_size(surface_.face_count())) {
     for (Index v = 0; v < surface_.vertex_count(); ++v)
       is_start_[v] |= lattice.is_cone(v) || is_corner_of_feature(v);
@@ -217,8 +218,11 @@ class Tracer {
 
   [[noreturn]] void clear(Index vertex) const {
     if (is_start(vertex))
-      refuse_lines(fmt::format("one leads from a cone along an edge into another, vertex {}",
-                               surface_.input_vertex(vertex)));
+      throw Error(ErrorKind::Infeasible,
+                  fmt::format("{}vertex {}: its faces leave no room for the lines of quads between "
+                              "two irregular vertices or corners, which are one edge apart; divide "
+                              "the faces there into smaller ones",
+                              message_prefix(surface_), user_vertex(surface_, vertex)));
     throw InTheWay{vertex};
   }
 

@@ -5,7 +5,7 @@
 
     quad_judge.py QUADS.obj [SURFACE.obj [DEGREES]]
 
-With DEGREES edges of quads have to cover the edges inside of the surface whose faces' normals differ by so many.
+With SURFACE none may be farther from the other than NEAR. With DEGREES edges of quads have to cover the edges inside of the surface whose faces' normals differ by so many.
 Prints a line for every kind of defect and `ok` or `bad`; exit code 0 or 1. Shares no code with the
 library: signs are those of integers, always; what is nearest is found by trying all of them.
 """
@@ -16,6 +16,8 @@ from math import lcm
 
 CLOSE = 1e-9    # of the surface's diagonal: how far a border vertex may lie off the border
 EQUAL = 1e-12  # of distances, relative
+NEAR = 0.02     # of the surface's diagonal
+ON_SURFACE = 0.01  # of a quad's longer diagonal: how far its corners may lie off the surface they are on
 CORNER = 35.0   # degrees: a turn of the border from which on a vertex has to be there
 
 
@@ -58,11 +60,11 @@ def is_folded(corners):
                for k in range(4))
 
 
-def against(corners, triangle):
-    """Does the quad face away from the triangle?"""
+def agreement(corners, triangle):
+    """Positive where the quad faces as the triangle does, negative where it faces away."""
     p = integers(list(corners) + list(triangle))
     n = cross(minus(p[2], p[0]), minus(p[3], p[1]))
-    return dot(n, cross(minus(p[5], p[4]), minus(p[6], p[4]))) < 0
+    return dot(n, cross(minus(p[5], p[4]), minus(p[6], p[4])))
 
 
 def nearest_on_segment(p, a, b):
@@ -92,15 +94,19 @@ class Nearest:
             centre = tuple(sum(x) / len(corners) for x in zip(*corners))
             self.balls.append((centre, max(math.dist(centre, p) for p in corners)))
 
-    def __call__(self, p):
+    def __call__(self, p, close=0.0):
+        """close: how much farther than the nearest face others may be."""
         bounds = [math.dist(centre, p) - radius for centre, radius in self.balls]
         least, distances = math.inf, {}
         for f in sorted(range(len(bounds)), key=bounds.__getitem__):
-            if bounds[f] > least * (1 + EQUAL):
+            if bounds[f] > least * (1 + EQUAL) + close:
                 break
             distances[f] = distance_to_triangle(p, *self.mesh.corner_points(f))
             least = min(least, distances[f])
-        return [f for f, distance in distances.items() if distance <= least * (1 + EQUAL)]
+        return [f for f, distance in distances.items() if distance <= least * (1 + EQUAL) + close]
+
+    def distance(self, p):
+        return distance_to_triangle(p, *self.mesh.corner_points(self(p)[0]))
 
 
 class Mesh:
@@ -308,9 +314,47 @@ def feature_defects(quads, surface, degrees):
                         for line in lines) else {'feature not covered'}
 
 
-def judge(quads, surface=None, degrees=None):
+def diagonal(mesh):
+    points = [mesh.positions[v] for face in mesh.faces for v in face]
+    return math.dist(*[tuple(pick(x) for x in zip(*points)) for pick in (min, max)])
+
+
+def is_turned(quads, f, surface, nearest):
+    """Whether a quad faces away from a face nearest to its middle, and has a corner off the surface or faces away from
+    all faces there; or does that at three corners on the surface."""
+    corners = quads.corner_points(f)
+    close = CLOSE * diagonal(surface)
+    most = ON_SURFACE * max(math.dist(corners[0], corners[2]), math.dist(corners[1], corners[3])) + close
+    agrees = [any(agreement(corners, surface.corner_points(g)) > 0 for g in nearest(p, close))
+              if nearest.distance(p) <= most else None for p in corners]
+    if agrees.count(False) > 2:
+        return True
+    centre = tuple(sum(x) / 4 for x in zip(*corners))
+    return (not all(agrees)
+            and any(agreement(corners, surface.corner_points(g)) < 0 for g in nearest(centre)))
+
+
+def middle(points):
+    return tuple(sum(x) / len(points) for x in zip(*points))
+
+
+def is_far(quads, surface, nearest, near):
+    """Whether the quads or the surface, at vertices and middles of faces, and those at middles of edges, are away from
+    the other by more than this part of the surface's diagonal."""
+    halves = Mesh(quads.positions, [half for a, b, c, d in quads.faces for half in ((a, b, c), (a, c, d))])
+    back, most = Nearest(halves), near * diagonal(surface)
+
+    def samples(mesh):
+        corners = [mesh.corner_points(f) for f in range(len(mesh.faces))]
+        return {p for points in corners for p in points} | {middle(points) for points in corners}
+    edges = {middle([quads.positions[a], quads.positions[b]]) for a, b in quads.sides}
+    return (any(nearest.distance(p) > most for p in samples(quads) | edges)
+            or any(back.distance(p) > most for p in samples(surface)))
+
+
+def judge(quads, surface=None, degrees=None, near=NEAR):
     """The kinds of defects of a mesh (positions, faces), with a surface likewise or without; degrees: of its features,
-    or None."""
+    or None; near: as is_far() has it."""
     quads = Mesh(*quads)
     if not quads.faces or any(len(face) != 4 or len(set(face)) != 4 for face in quads.faces):
         return {'no quads'}
@@ -339,12 +383,10 @@ def judge(quads, surface=None, degrees=None):
     if degrees is not None:
         found |= feature_defects(quads, surface, degrees)
     nearest = Nearest(surface)
-    for f in range(len(quads.faces)):
-        corners = quads.corner_points(f)
-        centre = tuple(sum(x) / 4 for x in zip(*corners))
-        if any(against(corners, surface.corner_points(g)) for g in nearest(centre)):
-            found.add('turned')
-            break
+    if any(is_turned(quads, f, surface, nearest) for f in range(len(quads.faces))):
+        found.add('turned')
+    if is_far(quads, surface, nearest, near):
+        found.add('far')
     return found
 
 

@@ -25,7 +25,7 @@ SAID = {'no quads': 'no quads? of four vertices|are no faces', 'crowded edge': '
         'Euler characteristic': 'Euler characteristic of the quads', 'components': 'components of the quads',
         'border loops': 'border loops of the quads', 'other components': 'not component by component', 'off the border': "off the surface's border",
         'border not followed': 'not follow one', 'corner missed': "corners? of the surface's border",
-        'feature not covered': 'feature lines? .* not covered'}
+        'feature not covered': 'feature lines? .* not covered', 'far': 'away from the (surface|quads)'}
 
 
 def torus(m, n):

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -68,10 +69,11 @@ SurfaceMesh plate_with_round_holes(int n) {
   return SurfaceMesh::from_polygons(mesh);
 }
 
-void expect_counts(const SurfaceMesh& mesh, const std::vector<double>& counts) {
-  const RoomySurface room = with_room(mesh);
+void expect_counts(const SurfaceMesh& mesh, const std::vector<double>& counts,
+                   const std::vector<char>& is_feature = {}) {
+  const RoomySurface room = with_room(mesh, is_feature);
   RunRecord record;
-  SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map);
+  SeamlessLattice lattice(room.mesh, aligned_map(room, {}, record).map, room.is_feature);
   const TMesh t_mesh = trace_t_mesh(lattice);
   for (const double asked : counts) {
     const std::vector<Index> edges =
@@ -89,6 +91,23 @@ TEST(ArcNumbers, AreAsManyAsAskedWhereCountsFallFast) {
 TEST(ArcNumbers, AreAsManyAsAskedWhereOneLengthMakesMoreAndTheNextFewer) {
   expect_counts(right_triangle(3, 0.3, 24), {500, 700, 1000, 1400, 2000});
   expect_counts(right_triangle(2, 0.6, 20), {500, 700, 1000, 1400, 2000});
+}
+
+// All edges are as long, so that they gain and lose their numbers at one length: 150, 216 and 294
+// quads, unless these may differ.
+TEST(ArcNumbers, DifferOnSidesOfEqualLengths) {
+  PolygonMesh cube;
+  for (const double x : {0, 1})
+    for (const double y : {0, 1})
+      for (const double z : {0, 1}) cube.positions.emplace_back(x, y, z);
+  constexpr std::array<std::array<Index, 4>, 6> kSides = {
+      {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}};
+  for (const auto& [a, b, c, d] : kSides) {
+    cube.polygons.push_back({a, b, c});
+    cube.polygons.push_back({a, c, d});
+  }
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(cube);
+  expect_counts(mesh, {170, 200, 240, 255}, sharp_edges(mesh, kCornerTurn));
 }
 
 }  // namespace

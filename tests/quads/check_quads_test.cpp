@@ -106,6 +106,42 @@ TEST(CheckQuads, TurnedAgainstOneOfTheNearestFaces) {
   }
 }
 
+// A bent quad on a wall thinner than it is high: its middle is nearer to the wall's other side. One
+// that is turned over faces away at its corners, too.
+TEST(CheckQuads, ThinWalls) {
+  PolygonMesh wall;
+  for (const double z : {0.0, -0.1})
+    for (const double x : {-1.0, 0.0, 1.0})
+      for (const double y : {0.0, 2.0}) wall.positions.emplace_back(x, y, z + (x == 0 ? 0.3 : 0));
+  wall.polygons = {{0, 2, 3, 1},   {2, 4, 5, 3}, {6, 7, 9, 8},  {8, 9, 11, 10}, {0, 1, 7, 6},
+                   {4, 10, 11, 5}, {0, 6, 8, 2}, {2, 8, 10, 4}, {1, 3, 9, 7},   {3, 5, 11, 9}};
+  const SurfaceMesh surface = SurfaceMesh::from_polygons(wall);
+  PolygonMesh quad;
+  quad.positions = {wall.positions[0], wall.positions[4], wall.positions[5], wall.positions[1]};
+  quad.polygons = {{0, 1, 2, 3}};
+  EXPECT_TRUE(check_quads(quad, &surface).turned.empty());
+  quad.positions = {{-0.9, 0.2, 0.03}, {0.9, 0.2, 0.03}, {0.9, 1.8, 0.03}, {-0.9, 1.8, 0.03}};
+  EXPECT_TRUE(check_quads(quad, &surface).turned.empty());
+  std::ranges::reverse(quad.positions);
+  EXPECT_EQ(check_quads(quad, &surface).turned.size(), 1u);
+}
+
+TEST(CheckQuads, HowNear) {
+  const SurfaceMesh surface = SurfaceMesh::from_polygons(cube(4));
+  PolygonMesh quads = quads_of(cube(4));
+  QuadCheck check = check_quads(quads, &surface);
+  require_near(check, surface, 0);
+  EXPECT_LE(check.hausdorff.to_surface, 1e-14);
+  check = check_quads(quads, &surface);
+  require_near(check, surface);
+  EXPECT_TRUE(check.is_valid());
+  for (Vector3& p : quads.positions) p *= 5;
+  check = check_quads(quads, &surface);
+  EXPECT_TRUE(check.is_valid());
+  require_near(check, surface);
+  EXPECT_EQ(check.defects.size(), 2u);
+}
+
 TEST(CheckQuads, OtherSurface) {
   const SurfaceMesh torus_surface = SurfaceMesh::from_polygons(torus(12, 8, 0));
   const QuadCheck check = check_quads(quads_of(sphere(3)), &torus_surface);

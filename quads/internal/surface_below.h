@@ -1,0 +1,61 @@
+// The surface under the quads of a mesh: where it is nearest, and whether a quad faces its other
+// side.
+//
+//   const SurfaceBelow below(*mesh);
+//   const NearestPoint nearest = below.tree().nearest(centroid);
+//   if (below.is_turned(corners, nearest)) std::cerr << "turned over\n";
+//
+// What is nearest to the middle of a quad is not always what the quad lies on: in a thin wall, or
+// where another component touches, that may be the other side. Vertices lie on the surface, so
+// there the side that is meant is the one at no distance.
+#pragma once
+
+#include <array>
+
+#include "majorant/mesh/surface_mesh.h"
+#include "majorant/pictures/baking/nearest_point.h"
+
+namespace majorant {
+
+class SurfaceBelow {
+ public:
+  // Chosen: other programs place vertices up to a hundredth of an edge off the surface.
+  static constexpr double kOnSurface = 0.01;
+
+  // surface: outlives this.
+  explicit SurfaceBelow(const SurfaceMesh& surface);
+
+  const SurfaceTree& tree() const { return tree_; }
+  const Points3& positions() const { return positions_; }  // as the file has them
+  // Points at most this far from a place are at it.
+  double close() const { return close_; }
+
+  // Whether a quad faces away from what is below its middle. nearest: the point of the surface
+  // nearest to its centroid. With n the normal of the quad, returns false if n . N >= 0 for the
+  // normals N of all faces there; and if all corners lie on the surface, up to kOnSurface of the
+  // quad's longer diagonal, and at each of
+  // them there is a face with n . N > 0: among all that are as near, or close() farther. Signs are
+  // exact.
+  bool is_away(const std::array<Vector3, 4>& corners, const NearestPoint& nearest) const;
+  // is_away(), or three corners or more on the surface face away: where the middle is nearest to
+  // another side, which agrees by chance.
+  bool is_turned(const std::array<Vector3, 4>& corners, const NearestPoint& nearest) const;
+
+ private:
+  // Of a corner: on the surface or not, and with n . N > 0 for a face there or with none.
+  struct AtCorner {
+    bool is_on_surface, agrees;
+  };
+  std::array<AtCorner, 4> at_corners(const std::array<Vector3, 4>& corners, Index likely) const;
+  int sign_against(const std::array<Vector3, 4>& corners, Index face) const;
+
+  const SurfaceMesh& surface_;
+  const Points3 positions_;
+  const SurfaceTree tree_;
+  const double close_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
