@@ -74,7 +74,7 @@ void write_output(const QuadsRequest& request, const QuadJob& job, const std::st
   if (format == ".png") return write_png(path, picture);
   if (format != ".html")
     return write_quads(path, job.quads, *job.surface.mesh, job.features, job.patch_of,
-                       job.border_turn);
+                       job.options.border_turn);
   MapPage page = page_of(picture);
   page.facts = page_facts(quad_report(job), {request.input, request.cones});
   write_page(path, page);
@@ -95,8 +95,9 @@ std::vector<std::string> summary_of(const QuadsRequest& request, const QuadJob& 
           ? " --features " +
                 (request.features.empty() ? fmt::format("{}", kCornerTurn) : request.features)
           : "";
-  const std::string corners =
-      job.border_turn == kCornerTurn ? "" : fmt::format(" --border-corners {:g}", job.border_turn);
+  const std::string corners = job.options.border_turn == kCornerTurn
+                                  ? ""
+                                  : fmt::format(" --border-corners {:g}", job.options.border_turn);
   const double distance =
       std::max(job.check.hausdorff.to_surface, job.check.hausdorff.from_surface) /
       diagonal(job.surface.mesh->positions());
@@ -117,7 +118,7 @@ Made quads_of(const QuadsRequest& request, QuadJob& job, Run& run) {
   job.read_seconds = run.seconds();
   job.options.count = request.count;
   job.options.edge_length = request.edge_length;
-  job.options.border_turn = request.border_corners;
+  job.options.border_turn = request.border_corners.value_or(kCornerTurn);
   job.options_json = {
       {"count", request.count ? Json(*request.count) : Json()},
       {"edge_length", request.edge_length ? Json(*request.edge_length) : Json()},
@@ -186,8 +187,9 @@ void add_quads(CLI::App& app, Action* run) {
         {.type = "DEG|FILE|none"}},
        {"--border-corners",
         &r.border_corners,
-        "a turn of the border, in degrees, from which on quads have a vertex there: 180 smooths "
-        "all of it (35; of ragged borders 180 where 35 makes too many quads)",
+        "a turn of the border, in degrees, from which on quads have a vertex there (35): 180 "
+        "smooths "
+        "all of it, as of torn borders of scans",
         {.type = "DEG", .check = positive_number(kHalfTurn)}},
        {"--time-limit",
         &r.time_limit,

@@ -11,10 +11,10 @@
 // (b - a) x (d - a) . n <= 0 and the like at b, c, d. A quad is turned if n . N < 0, N the normal
 // of a face of the surface nearest to its centroid (of any of these, where that is nearest to an
 // edge or a vertex), unless all of its corners lie on the surface, up to a hundredth of the quad,
-// and at each there is a face with n . N > 0; and where three such corners have none. The centroid
-// of a quad on a thin wall may be nearer to the wall's other side, or to another component; its
-// corners are not. Signs are those of the doubles, however small: decided in integers where
-// rounding leaves them open.
+// and at each there is a face with n . N > 0; and where n . N < 0 for all faces at three such
+// corners. The centroid of a quad on a thin wall may be nearer to the wall's other side, or to
+// another component; its corners are not. Signs are those of the doubles, however small: decided in
+// integers where rounding leaves them open.
 //
 // Not for meshes with other polygons than quads: they are a defect.
 #pragma once

@@ -68,9 +68,9 @@ void require_usable(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
     throw InvalidArgument(fmt::format("quad_mesh: degrees {} to {} are not some of 1..{}",
                                       options.first_degree, options.last_degree,
                                       BezierTriangleSpace::kMaxDegree));
-  if (options.border_turn && !(*options.border_turn > 0 && *options.border_turn <= 180))
+  if (!(options.border_turn > 0 && options.border_turn <= 180))
     throw InvalidArgument(
-        fmt::format("quad_mesh: a border turn of {} degrees", *options.border_turn));
+        fmt::format("quad_mesh: a border turn of {} degrees", options.border_turn));
   if (options.features && !options.features->empty() &&
       options.features->size() != to_size(mesh.half_edge_count()))
     throw InvalidArgument("quad_mesh: features must have 3 #F entries");
@@ -248,7 +248,7 @@ std::unique_ptr<const TracedMap> traced_map(const SurfaceMesh& mesh,
   SeamlessOptions map_options = options.map;
   map_options.threads = options.threads;
   RoomySurface roomy = with_room(mesh, features);
-  roomy.border_turn = options.border_turn.value_or(kCornerTurn);
+  roomy.border_turn = options.border_turn;
   for (int halvings = 0;; ++halvings) {
     record.begin(Activity::Starting);
     const bool is_last = halvings == kMostHalvings || 4 * roomy.mesh.face_count() > kMostFaces;
@@ -288,7 +288,6 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
   for (const TNode& node : t_mesh.nodes)
     result.cones += node.is_cone() && node.side != Side::Border;
   const double asked = asked_of(mesh, options);
-  result.border_turn = roomy.border_turn;
   result.asked = std::lround(asked);
   const QuadPlacer placer(mesh, features, roomy, map, lattice, t_mesh, options, record, seconds);
   // Arcs without edges leave the best angles; other numbers of quads are other meshes, of which one
@@ -379,23 +378,37 @@ std::vector<char> asked_features(const SurfaceMesh& mesh, const QuadMeshOptions&
   return options.map.cones ? std::vector<char>() : sharp_edges(mesh, kCornerTurn);
 }
 
-// A turn of the border that none reaches.
-constexpr double kNoCorner = 180;
+}  // namespace
 
-// Whether corners follow each other along the border as those of a torn one: so many, and such a
-// part of its vertices.
-bool is_ragged(const SurfaceMesh& mesh) {
-  constexpr Index kFewest = 32;
-  constexpr double kShare = 0.25;
-  Index corners = 0, vertices = 0;
-  for (const char is_corner : border_corners(mesh)) corners += is_corner;
-  for (const auto& loop : mesh.boundary_loops()) vertices += static_cast<Index>(loop.size());
-  return corners >= kFewest && corners >= kShare * vertices;
+void require_memory_for_quads(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
+  require_usable_size(options);
+  const double asked = asked_of(mesh, options);
+  if (asked > kMostQuads)
+    throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
+                                                    message_prefix(mesh), asked, kMostQuads));
+  if (fits_into_memory(asked)) return;
+  constexpr double kGigabyte = 1e9;
+  const auto available = static_cast<double>(available_memory().value_or(0));
+  throw Error(ErrorKind::Unsupported,
+              fmt::format("{}{:.0f} quads need about {:.1f} GB of memory, {:.1f} GB are available; "
+                          "ask for {:.0f} at most",
+                          message_prefix(mesh), asked, bytes_of(asked) / kGigabyte,
+                          available / kGigabyte, available / static_cast<double>(kBytesOfQuad)));
 }
 
-// quad_mesh() with one turn of the border.
-QuadMesh made_of(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record,
-                 QuadSeconds& seconds) {
+bool has_ragged_border(const SurfaceMesh& mesh) {
+  constexpr std::ptrdiff_t kFewest = 32;
+  constexpr double kShare = 0.25;
+  const std::vector<char> is_border = mesh.boundary_flags(), is_corner = border_corners(mesh);
+  const auto corners = std::count(is_corner.begin(), is_corner.end(), 1);
+  const auto vertices = std::count(is_border.begin(), is_border.end(), 1);
+  return corners >= kFewest && static_cast<double>(corners) >= kShare * vertices;
+}
+
+QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record) {
+  require_usable(mesh, options);
+  const ThreadCount threads(options.threads);
+  QuadSeconds seconds;
   const std::vector<char> asked = asked_features(mesh, options);
   const auto made_with = [&](const std::vector<char>& features) {
     QuadMesh made = quads_with(mesh, has_any(features) ? features : std::vector<char>(), options,
@@ -447,45 +460,6 @@ QuadMesh made_of(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRec
   made->conflict = std::move(conflict);
   made->seconds = seconds;
   return *std::move(made);
-}
-
-}  // namespace
-
-void require_memory_for_quads(const SurfaceMesh& mesh, const QuadMeshOptions& options) {
-  require_usable_size(options);
-  const double asked = asked_of(mesh, options);
-  if (asked > kMostQuads)
-    throw Error(ErrorKind::Unsupported, fmt::format("{}{:.3g} quads are too many; {} at most",
-                                                    message_prefix(mesh), asked, kMostQuads));
-  if (fits_into_memory(asked)) return;
-  constexpr double kGigabyte = 1e9;
-  const auto available = static_cast<double>(available_memory().value_or(0));
-  throw Error(ErrorKind::Unsupported,
-              fmt::format("{}{:.0f} quads need about {:.1f} GB of memory, {:.1f} GB are available; "
-                          "ask for {:.0f} at most",
-                          message_prefix(mesh), asked, bytes_of(asked) / kGigabyte,
-                          available / kGigabyte, available / static_cast<double>(kBytesOfQuad)));
-}
-
-QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record) {
-  require_usable(mesh, options);
-  const ThreadCount threads(options.threads);
-  QuadSeconds seconds;
-  if (options.border_turn || !is_ragged(mesh)) return made_of(mesh, options, record, seconds);
-  std::optional<QuadMesh> made;
-  const std::optional<std::string> failed =
-      why_infeasible([&] { made = made_of(mesh, options, record, seconds); });
-  if (made && !made->least_count) return *std::move(made);
-  QuadMeshOptions smooth = options;
-  smooth.border_turn = kNoCorner;
-  std::optional<QuadMesh> other;
-  const std::optional<std::string> other_failed =
-      why_infeasible([&] { other = made_of(mesh, smooth, record, seconds); });
-  if (!made && !other)
-    throw Error(ErrorKind::Infeasible, failed.value_or("") + "; " + other_failed.value_or(""));
-  QuadMesh& taken = other ? *other : *made;
-  taken.seconds = seconds;
-  return std::move(taken);
 }
 
 }  // namespace majorant

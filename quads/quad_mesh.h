@@ -44,9 +44,9 @@ struct QuadMeshOptions {
   // 3 #F flags of edges that edges of quads cover (features.h), both sides; an empty list: none.
   // Nothing: sharp_edges() of kCornerTurn, none where cones are given.
   std::optional<std::vector<char>> features = {};
-  // Degrees, above 0 to 180: a turn of the border from which on quads have a vertex there. Nothing:
-  // kCornerTurn, and where borders are ragged and more quads than asked for would be made so, 180.
-  std::optional<double> border_turn = {};
+  // Degrees, above 0 to 180: a turn of the border from which on quads have a vertex there. The
+  // border is smoothed for the map at others.
+  double border_turn = kCornerTurn;
   // Cones and how the map is found. One quad alone around a vertex would meet itself.
   SeamlessOptions map = {.field = {.cone_energy = ConeEnergy::Scale,
                                    .cone_cost = kIrregularCost,
@@ -79,7 +79,6 @@ struct QuadMesh {
   std::string conflict;
   // Model units: shorter lines were relaxed (without_short_lines() in features.h).
   double shortest_feature = 0;
-  double border_turn = kCornerTurn;  // of the corners of the border that were kept
   long asked = 0;
   // The number of quads with as few edges on every arc as the cones allow; where more than
   // kCountClose above the count asked for were made.
@@ -104,6 +103,10 @@ inline constexpr std::size_t kBytesOfQuad = 1000;
 // Throws Error(Unsupported) with both figures where so many quads would take more memory than is
 // available, or are more than kMostQuads; InvalidArgument for options out of range.
 void require_memory_for_quads(const SurfaceMesh& mesh, const QuadMeshOptions& options);
+
+// Returns whether so many vertices of the border are corners, and such a part of them, as of one
+// that is torn: QuadMeshOptions::border_turn helps.
+bool has_ragged_border(const SurfaceMesh& mesh);
 
 // mesh: connected. Features that edges of the length asked for cannot follow are relaxed; where
 // there is no map with the others, or none with valid quads, also those that edges of twice that

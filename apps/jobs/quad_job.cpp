@@ -242,7 +242,6 @@ void QuadJob::solve(const std::string& source) {
     requested_count += made.asked;
     patches += made.patches;
     degree = std::max(degree, made.degree);
-    border_turn = std::max(border_turn, made.border_turn);
     add_seconds(made.seconds, seconds);
     least += made.least_count.value_or(made.check.count);
     if (made.status != Status::Converged) status = made.status;
@@ -250,7 +249,8 @@ void QuadJob::solve(const std::string& source) {
   record.begin(Activity::Proving);
   {
     const AddedSeconds time(seconds.check);
-    check = check_quads(quads, &mesh, features, record.telling(record.start_stop()), border_turn);
+    check = check_quads(quads, &mesh, features, record.telling(record.start_stop()),
+                        options.border_turn);
   }
   if (!check.is_valid())
     throw Error(ErrorKind::Infeasible,
@@ -260,14 +260,12 @@ void QuadJob::solve(const std::string& source) {
   if (static_cast<double>(check.count) > (1 + kCountClose) * wanted) least_count = least;
   if (!options.edge_length && std::abs(check.count - wanted) > kCountClose * wanted)
     warnings.push_back(
-        fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found",
-                    polygons.file, check.count, requested_count, 100 * kCountClose));
+        fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found{}",
+                    polygons.file, check.count, requested_count, 100 * kCountClose,
+                    has_ragged_border(mesh) && options.border_turn <= kCornerTurn
+                        ? "; --border-corners 180 smooths the border"
+                        : ""));
   if (!relaxed.empty()) warnings.push_back(relaxed_features(*this));
-  if (!options.border_turn && border_turn > kCornerTurn)
-    warnings.push_back(
-        fmt::format("{}: the border is ragged, quads cut off its corners; "
-                    "--border-corners {:g} keeps them, with more quads",
-                    polygons.file, kCornerTurn));
 }
 
 RunReport quad_report(const QuadJob& job) {

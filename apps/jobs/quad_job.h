@@ -58,7 +58,6 @@ struct QuadJob {
   int degree = 1;                                   // the highest of the components' (QuadMesh)
   std::vector<Index> patch_of;                      // by quad, 0 to patches - 1
   std::vector<std::array<Index, 2>> feature_edges;  // of the quads, those that cover features
-  double border_turn = kCornerTurn;                 // of all components, the largest one (QuadMesh)
   std::vector<std::string> warnings;  // a count that is not close to the one asked for
   Status status = Status::Converged;  // of the maps: a limit may have ended their optimization
   double read_seconds = 0;

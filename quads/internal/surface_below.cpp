@@ -29,9 +29,14 @@ std::array<SurfaceBelow::AtCorner, 4> SurfaceBelow::at_corners(
   for (std::size_t k = 0; k < 4; ++k) {
     const double distance = tree_.nearest(corners[k], likely).distance;
     const std::vector<Index> faces = tree_.faces_within(corners[k], distance + close_);
-    found[k] = {distance <= kOnSurface * longest + close_,
-                std::any_of(faces.begin(), faces.end(),
-                            [&](Index f) { return sign_against(corners, f) > 0; })};
+    AtCorner& at = found[k];
+    at.is_on_surface = distance <= kOnSurface * longest + close_;
+    at.is_away = true;
+    for (const Index f : faces) {
+      const int sign = sign_against(corners, f);
+      at.agrees |= sign > 0;
+      at.is_away &= sign < 0;
+    }
   }
   return found;
 }
@@ -53,7 +58,7 @@ bool SurfaceBelow::is_turned(const std::array<Vector3, 4>& corners,
   if (is_away(corners, nearest)) return true;
   const auto found = at_corners(corners, nearest.face);
   return std::count_if(found.begin(), found.end(),
-                       [](const AtCorner& at) { return at.is_on_surface && !at.agrees; }) > kMost;
+                       [](const AtCorner& at) { return at.is_on_surface && at.is_away; }) > kMost;
 }
 
 }  // namespace majorant

@@ -42,9 +42,9 @@ class SurfaceBelow {
   bool is_turned(const std::array<Vector3, 4>& corners, const NearestPoint& nearest) const;
 
  private:
-  // Of a corner: on the surface or not, and with n . N > 0 for a face there or with none.
+  // A corner: on the surface or not; n . N > 0 for a face there; n . N < 0 for all of them.
   struct AtCorner {
-    bool is_on_surface, agrees;
+    bool is_on_surface = false, agrees = false, is_away = false;
   };
   std::array<AtCorner, 4> at_corners(const std::array<Vector3, 4>& corners, Index likely) const;
   int sign_against(const std::array<Vector3, 4>& corners, Index face) const;

@@ -353,7 +353,7 @@ class Quads(CommandTest):
         self.run_quads(one, 30)
         self.assertIn('1 edge of no length collapsed (edge (3, 5))', json.loads(self.read('r.json'))['input']['repairs'])
         self.assertEqual(judge(read_obj(self.path('quads.obj')),
-                               (points, [[0, 1, 2, 3], [1, 5, 6, 2]])), set())
+                               (points, [[0, 1, 2], [0, 2, 3], [1, 5, 6], [1, 6, 2]])), set())
         two = self.write('two.obj', helpers.obj_text(points, [(0, 1, 4, 2, 3), (1, 5, 6, 4)]))
         self.assertEqual(self.run_quads(two, 30)['boundary_loops'], 1)
         self.refused(UNSUPPORTED, 'quads', two, '-o', self.path('o.obj'), '--strict', says='no length')

@@ -325,12 +325,12 @@ def is_turned(quads, f, surface, nearest):
     corners = quads.corner_points(f)
     close = CLOSE * diagonal(surface)
     most = ON_SURFACE * max(math.dist(corners[0], corners[2]), math.dist(corners[1], corners[3])) + close
-    agrees = [any(agreement(corners, surface.corner_points(g)) > 0 for g in nearest(p, close))
-              if nearest.distance(p) <= most else None for p in corners]
-    if agrees.count(False) > 2:
+    signs = [[agreement(corners, surface.corner_points(g)) for g in nearest(p, close)]
+             if nearest.distance(p) <= most else [] for p in corners]
+    if sum(bool(at) and max(at) < 0 for at in signs) > 2:
         return True
     centre = tuple(sum(x) / 4 for x in zip(*corners))
-    return (not all(agrees)
+    return (not all(at and max(at) > 0 for at in signs)
             and any(agreement(corners, surface.corner_points(g)) < 0 for g in nearest(centre)))
 
 
