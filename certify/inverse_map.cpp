@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -16,6 +17,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
+#include "majorant/mesh/exact_integers.h"
 #include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {
@@ -241,12 +243,39 @@ void append_of_piece(const Piece& piece, int depth, std::vector<Found>& found) {
   found.push_back(one);
 }
 
+// Times the bound of its rounding: a weight that is larger has nine digits and more.
+constexpr double kManyDigits = 0x1p30;
+
+// The barycentric coordinates of a point in a triangle that has an area, of slivers too: quotients
+// of exact integers, rounded.
+Barycentric exact_coordinates(const std::array<Vector2, 3>& corner, const Vector2& uv) {
+  using Integer = boost::multiprecision::cpp_int;
+  const auto x =
+      to_integers<Integer>(std::array{corner[0].x(), corner[0].y(), corner[1].x(), corner[1].y(),
+                                      corner[2].x(), corner[2].y(), uv.x(), uv.y()});
+  std::array<Integer, 3> weight;
+  Integer sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t a = 2 * ((k + 1) % 3), b = 2 * ((k + 2) % 3);
+    weight[k] = (x[a] - x[6]) * (x[b + 1] - x[7]) - (x[a + 1] - x[7]) * (x[b] - x[6]);
+    sum += weight[k];
+  }
+  constexpr unsigned kBits = 62;
+  Barycentric coordinates;
+  for (std::size_t k = 0; k < 3; ++k)
+    coordinates[static_cast<Index>(k)] =
+        std::ldexp(Integer(weight[k] * (Integer(1) << kBits) / sum).convert_to<double>(),
+                   -static_cast<int>(kBits));
+  return coordinates / coordinates.sum();
+}
+
 // Exactly: of a triangle of either orientation.
 void append_of_triangle(const StraightFace& triangle, const Vector2& uv,
                         std::vector<Found>& found) {
   const auto& [corner, face, sense] = triangle;
   Found one{{face}, 0};
   std::array<double, 3> weight{};
+  bool is_rough = false;
   for (int k = 0; k < 3; ++k) {
     const Vector2 &a = corner[(k + 1) % 3], &b = corner[(k + 2) % 3];
     if (sense == 0) {
@@ -262,8 +291,14 @@ void append_of_triangle(const StraightFace& triangle, const Vector2& uv,
       continue;
     }
     const Vector2 p = a - uv, q = b - uv;
-    weight[k] =
-        std::max(sense * (p.x() * q.y() - p.y() * q.x()), std::numeric_limits<double>::min());
+    const double left = p.x() * q.y(), right = p.y() * q.x();
+    weight[k] = sense * (left - right);
+    is_rough = is_rough || !(weight[k] > kManyDigits * orientation_error(left, right));
+  }
+  if (is_rough) {
+    one.preimage.barycentric = exact_coordinates(corner, uv);
+    found.push_back(one);
+    return;
   }
   const double sum = weight[0] + weight[1] + weight[2];
   if (!(sum > 0)) return;
@@ -271,7 +306,7 @@ void append_of_triangle(const StraightFace& triangle, const Vector2& uv,
   found.push_back(one);
 }
 
-// The same, at once where no sign is near to rounding: all but never otherwise.
+// The same, at once where no weight is near to rounding: all but never otherwise.
 void append_of_face(const StraightFace& triangle, const Vector2& uv, std::vector<Found>& found) {
   const Vector2 a = triangle.corner[0] - uv, b = triangle.corner[1] - uv,
                 c = triangle.corner[2] - uv;
@@ -283,7 +318,7 @@ void append_of_face(const StraightFace& triangle, const Vector2& uv, std::vector
     const double error = orientation_error(left[k], right[k]);
     weight[k] = triangle.sense * (left[k] - right[k]);
     outside |= static_cast<int>(weight[k] < -error);
-    inside &= static_cast<int>(weight[k] > error);
+    inside &= static_cast<int>(weight[k] > kManyDigits * error);
   }
   if (outside != 0) return;
   if (inside == 0) return append_of_triangle(triangle, uv, found);

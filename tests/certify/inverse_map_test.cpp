@@ -124,6 +124,39 @@ TEST(InverseMap, PointsThatWereEvaluated) {
   }
 }
 
+// Slivers so thin that doubles leave three digits, by quotients of long doubles.
+TEST(InverseMap, CoordinatesInSliversHaveManyDigits) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto mesh = surface(polygon_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  int found_in = 0;
+  for (int k = 0; k < 200; ++k) {
+    const std::array<Vector2, 2> end{Vector2(uniform(random), uniform(random)),
+                                     Vector2(uniform(random), uniform(random))};
+    const Vector2 across(end[0].y() - end[1].y(), end[1].x() - end[0].x());
+    const Vector2 top = (end[0] + end[1]) / 2 + 1e-13 * across;
+    Vec x(6);
+    x << end[0], end[1], top;
+    const BezierMap map = BezierMap::linear(mesh, x);
+    const Vector2 uv = 0.3 * end[0] + 0.2 * end[1] + 0.5 * top;
+    const auto found = InverseMap(map).preimages(uv);
+    if (found.empty()) continue;
+    ++found_in;
+    const std::array<Vector2, 3> corner{end[0], end[1], top};
+    std::array<long double, 3> weight{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vector2 &a = corner[(c + 1) % 3], &b = corner[(c + 2) % 3];
+      using Long = long double;
+      weight[c] = (Long(a.x()) - uv.x()) * (Long(b.y()) - uv.y()) -
+                  (Long(a.y()) - uv.y()) * (Long(b.x()) - uv.x());
+    }
+    const long double sum = weight[0] + weight[1] + weight[2];
+    for (Index c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[0].barycentric[c], static_cast<double>(weight[to_size(c)] / sum), 2e-5);
+  }
+  EXPECT_GT(found_in, 150);
+}
+
 // What faces share belongs to the smallest one, and is found once.
 TEST(InverseMap, EdgesAndVertices) {
   for (const int degree : {1, 2, 4}) {
