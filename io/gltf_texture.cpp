@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <compare>
 #include <map>
 #include <optional>
 #include <set>
@@ -41,15 +44,34 @@ const Gltf& primitive_at(const GltfDocument& document, const Primitive& which) {
   return document.list("meshes")[which.first]["primitives"][which.second];
 }
 
-// The image of a base colour texture.
-std::size_t image_of(const GltfDocument& document, const Gltf& reference) {
+// The image of a base colour texture, and wrapS and wrapT.
+struct ShownImage {
+  std::size_t image = 0;
+  std::array<BaseColors::Wrap, 2> wrap{};
+  auto operator<=>(const ShownImage&) const = default;
+};
+
+BaseColors::Wrap wrap_of(const GltfDocument& document, const Gltf& sampler, const char* key) {
+  constexpr std::size_t kClamp = 33071, kMirror = 33648, kRepeat = 10497;
+  const std::size_t wrap = document.optional_index(sampler, key, "samplers").value_or(kRepeat);
+  if (wrap != kClamp && wrap != kMirror && wrap != kRepeat)
+    document.damaged(fmt::format("samplers: {} is {}, which is no way to wrap", key, wrap));
+  return wrap == kClamp    ? BaseColors::Wrap::Clamp
+         : wrap == kMirror ? BaseColors::Wrap::Mirror
+                           : BaseColors::Wrap::Repeat;
+}
+
+// set: of the coordinates that the mesh was read with.
+ShownImage image_of(const GltfDocument& document, const Gltf& reference, std::size_t set) {
   const auto refuse = [&](const char* what) {
     throw Error(
         ErrorKind::Unsupported,
         fmt::format("{}: a base colour texture is {}, which is not baked", document.path(), what));
   };
-  if (document.optional_index(reference, "texCoord", "materials").value_or(0) != 0)
-    refuse("shown by another set of coordinates than TEXCOORD_0");
+  const std::string other =
+      fmt::format("shown by another set of coordinates than TEXCOORD_{}", set);
+  if (document.optional_index(reference, "texCoord", "materials").value_or(0) != set)
+    refuse(other.c_str());
   if (reference.contains("extensions") && reference["extensions"].is_object() &&
       reference["extensions"].contains(kTransform))
     refuse("scaled or moved (KHR_texture_transform)");
@@ -57,7 +79,14 @@ std::size_t image_of(const GltfDocument& document, const Gltf& reference) {
   const Gltf& textures = document.list("textures");
   if (texture >= textures.size()) document.damaged(fmt::format("no texture {}", texture));
   if (!textures[texture].contains("source")) refuse("neither PNG nor JPEG");
-  return document.index(textures[texture], "source", "textures");
+  ShownImage shown{document.index(textures[texture], "source", "textures")};
+  if (const auto sampler = document.optional_index(textures[texture], "sampler", "textures")) {
+    const Gltf& samplers = document.list("samplers");
+    if (*sampler >= samplers.size()) document.damaged(fmt::format("no sampler {}", *sampler));
+    shown.wrap = {wrap_of(document, samplers[*sampler], "wrapS"),
+                  wrap_of(document, samplers[*sampler], "wrapT")};
+  }
+  return shown;
 }
 
 // Calls visit(material) with every number of a material that is no primitive's own: of variants.
@@ -120,7 +149,7 @@ class Replacement {
       }
   }
 
-  // As the first texture that it takes the place of is shown.
+  // Filtered as the first texture that it takes the place of; its coordinates lie in its square.
   void add_texture(const std::string& png) {
     Gltf& file = out_.json();
     Gltf texture{{"source", file.contains("images") ? file["images"].size() : 0}};
@@ -203,18 +232,19 @@ BaseColors base_colors(const PolygonMesh& mesh, const StopCheck& stop) {
   const GltfScene& scene = *mesh.gltf;
   const GltfDocument& document = scene.document;
   BaseColors colors;
-  std::map<std::size_t, int> number_of_image;
+  std::map<ShownImage, int> number_of_image;
   std::map<Primitive, int> number_of_primitive;
   const auto number = [&](const Primitive& which) {
     const auto k = material_of(document, primitive_at(document, which));
     const Gltf* const reference = k ? base_color_of(document.list("materials")[*k]) : nullptr;
     if (reference == nullptr) return -1;
-    const std::size_t image = image_of(document, *reference);
+    const ShownImage shown = image_of(document, *reference, scene.texcoord_set);
     const auto [entry, is_new] =
-        number_of_image.try_emplace(image, static_cast<int>(colors.images.size()));
+        number_of_image.try_emplace(shown, static_cast<int>(colors.images.size()));
     if (is_new)
-      colors.images.push_back(
-          {document.image(image, stop), fmt::format("{}, image {}", document.path(), image)});
+      colors.images.push_back({document.image(shown.image, stop),
+                               fmt::format("{}, image {}", document.path(), shown.image),
+                               shown.wrap});
     return entry->second;
   };
   for (const GltfScene::Face& face : scene.faces) {
@@ -226,6 +256,36 @@ BaseColors base_colors(const PolygonMesh& mesh, const StopCheck& stop) {
     colors.image_of_polygon.push_back(image);
   }
   return colors;
+}
+
+RowMatrix corner_colors(const PolygonMesh& mesh) {
+  const GltfScene& scene = *mesh.gltf;
+  const GltfDocument& document = scene.document;
+  constexpr const char* kColor = "COLOR_0";
+  std::vector<std::optional<GltfElements>> colors;  // by Vertices
+  for (const GltfScene::Vertices& vertices : scene.vertices) {
+    const Gltf& attributes =
+        primitive_at(document, {vertices.mesh, vertices.primitives.front()})["attributes"];
+    colors.emplace_back();
+    if (attributes.contains(kColor))
+      colors.back() = document.elements(document.index(attributes, kColor, "attributes"), kColor);
+    if (colors.back() && colors.back()->width < 3)
+      document.damaged(fmt::format("{} has {} components", kColor, colors.back()->width));
+  }
+  if (std::none_of(colors.begin(), colors.end(), [](const auto& one) { return one.has_value(); }))
+    return {};
+  RowMatrix rows = RowMatrix::Ones(3 * static_cast<Index>(scene.faces.size()), 3);
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+    const GltfScene::Face& face = scene.faces[f];
+    const auto& own = colors[to_size(face.vertices)];
+    if (!own) continue;
+    std::array<std::uint32_t, 3> corners = face.corners;
+    if (scene.vertices[to_size(face.vertices)].is_mirrored) std::swap(corners[1], corners[2]);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        rows(static_cast<Index>(3 * f + k), static_cast<Index>(c)) = own->value(corners[k], c);
+  }
+  return rows;
 }
 
 void write_base_color(const std::string& path, const PolygonMesh& mesh, const std::string& png,

@@ -194,14 +194,15 @@ void write_ply(const std::string& path, const MapFile& map, const PolygonMesh* i
 // skins, morph targets, animations, cameras, extras, points and lines, as they are. Where a
 // material shows textures by the old TEXCOORD_0, that becomes the next set, and texCoord of the
 // material follows (of a copy of the material where its meshes have other numbers of sets).
-// Vertices on cuts are there several times. Left out are tangents: they belong to the coordinates
-// of a normal texture. Images that were beside the input are in an output that is in another
-// folder. Of new vertices, on straight pieces of curves, all attributes lie between those of the
-// corners.
+// Vertices on cuts are there several times, with their tangents. Images that were beside the input
+// are in an output that is in another folder. Of new vertices, on straight pieces of curves, all
+// attributes lie between those of the corners. gltf_layout.h has other sets than TEXCOORD_0.
 //
-// Other inputs become one mesh, of one primitive, with normals where all corners have them, colours
-// where all vertices have one, and _INPUT_VERTEX, the vertex of the input (from 0) as two 16-bit
-// numbers, low and high; files with new vertices have that, too. No names, groups, materials,
+// Other inputs become one mesh, of a primitive for each material of an OBJ, with normals where all
+// corners have them, colours where all vertices have one, and _INPUT_VERTEX, the vertex of the
+// input (from 0) as two 16-bit numbers, low and high; files with new vertices have that, too.
+// Materials have the colour, the opacity and the image of the library (Kd, d; map_Kd, embedded),
+// shown by the old coordinates, the second set where they are not the new ones. No names, groups,
 // points and lines.
 //
 // Coordinates are floats, v points downwards: they are rounded first, what is read back is proven.
@@ -212,9 +213,6 @@ void write_gltf(const std::string& path, const MapFile& map, const PolygonMesh* 
 // The bytes of that file. Throws the same but for what writing does.
 std::string gltf_bytes(const std::string& path, const MapFile& map, const PolygonMesh* input,
                        const TessellationOptions& options = {});
-
-// Returns whether write_gltf() leaves out tangents that the input has.
-bool drops_tangents(const PolygonMesh& input);
 
 // The charts of an atlas as one map file.
 //

@@ -16,20 +16,25 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kSpaces) - begin + 1);
 }
 
-// The number of values of an option: two of -mm, one to three numbers of -o, -s and -t, one of
-// others.
-std::string_view behind_values(std::string_view option, std::string_view rest) {
-  constexpr int kMostNumbers = 3;
-  rest = split_keyword(rest).second;
-  if (option == "-mm") return split_keyword(rest).second;
-  if (option != "-o" && option != "-s" && option != "-t") return rest;
-  for (int k = 1; k < kMostNumbers; ++k) {
+// Takes an option and its values from the beginning of `rest`: two of -mm, one to three numbers of
+// -o, -s and -t, one of others.
+MaterialImage::Option take_option(std::string_view& rest) {
+  constexpr std::size_t kMostNumbers = 3;
+  const auto take_word = [&] {
     const auto [word, after] = split_keyword(rest);
-    double ignored = 0;
-    if (parse_number(word, ignored) != NumberStatus::Good) break;
     rest = after;
+    return word;
+  };
+  MaterialImage::Option option{take_word(), {}};
+  option.values.push_back(take_word());
+  if (option.name == "-mm") option.values.push_back(take_word());
+  if (option.name != "-o" && option.name != "-s" && option.name != "-t") return option;
+  while (option.values.size() < kMostNumbers) {
+    double ignored = 0;
+    if (parse_number(split_keyword(rest).first, ignored) != NumberStatus::Good) break;
+    option.values.push_back(take_word());
   }
-  return rest;
+  return option;
 }
 
 }  // namespace
@@ -50,11 +55,7 @@ std::optional<MaterialImage> material_image(std::string_view line) {
   auto [keyword, rest] = split_keyword(line);
   if (!is_image_keyword(keyword)) return std::nullopt;
   MaterialImage image{keyword, {}, {}};
-  while (rest.starts_with('-')) {
-    const auto [option, after] = split_keyword(rest);
-    image.options.push_back(option);
-    rest = behind_values(option, after);
-  }
+  while (rest.starts_with('-')) image.options.push_back(take_option(rest));
   image.name = rest;
   std::replace(image.name.begin(), image.name.end(), '\\', '/');
   return image;

@@ -20,9 +20,13 @@ std::pair<std::string_view, std::string_view> split_keyword(std::string_view lin
 bool is_image_keyword(std::string_view word);
 
 struct MaterialImage {
-  std::string_view keyword;               // map_Kd
-  std::vector<std::string_view> options;  // -o
-  std::string name;                       // relative to the folder of the library; \ is /
+  struct Option {
+    std::string_view name;                 // -mm
+    std::vector<std::string_view> values;  // 0 1
+  };
+  std::string_view keyword;  // map_Kd
+  std::vector<Option> options;
+  std::string name;  // relative to the folder of the library; \ is /
 };
 
 // None where the line names no image. The name is what follows the options and their values, with

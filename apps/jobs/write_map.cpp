@@ -9,6 +9,7 @@
 
 #include "majorant/apps/jobs/corner_vertices.h"
 #include "majorant/io/claims.h"
+#include "majorant/io/gltf_layout.h"
 #include "majorant/io/io.h"
 #include "majorant/pictures/first_view.h"
 
@@ -77,8 +78,8 @@ std::vector<std::string> left_out(const std::string& path, const MapFile& map,
   std::vector<std::string> what;
   if (is_straight_map_data(path) && map.degree > 1)
     what.emplace_back("curves, but straight pieces of them");
-  if (is_gltf(path) && input != nullptr && drops_tangents(*input))
-    what.emplace_back("tangents, which belong to other texture coordinates");
+  if (is_gltf(path) && input != nullptr)
+    for (std::string& part : left_out_of_gltf(*input)) what.push_back(std::move(part));
   return what;
 }
 

@@ -52,7 +52,7 @@ FileVerification proof_of_file(const std::string& path, const ProofRequest& prom
                                const MapFile& map, const MapFormats& formats);
 
 // The parts of the geometry that a data file of that name does not hold: "the surface", "curves,
-// but straight pieces of them", and tangents of the input (or null).
+// but straight pieces of them", and what materials of the input (or null) lose.
 std::vector<std::string> left_out(const std::string& path, const MapFile& map,
                                   const MapFormats& formats, const PolygonMesh* input);
 

@@ -20,12 +20,17 @@ namespace majorant {
 // input: the vertex of the input, from 0, new ones behind all others; low and high 16 bits (glTF
 // has no attributes of 32-bit integers).
 inline constexpr const char* kInputVertex = "_INPUT_VERTEX";
+// Member of asset.extras: the set of texture coordinates that is the layout, where it is not the
+// first one.
+inline constexpr const char* kLayoutSet = "majorant_uv_set";
+inline constexpr std::size_t kMostSets = 8;
 
 // How the corners of a triangle make a list (4), a strip (5), a fan (6): primitive.mode.
 inline constexpr std::size_t kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6;
 
 struct GltfScene {
   GltfDocument document;
+  std::size_t texcoord_set = 0;  // that texture coordinates were read of, where primitives have it
 
   // Vertices that primitives of a mesh share: these have the same attributes and morph targets.
   struct Vertices {

@@ -18,7 +18,8 @@
 namespace majorant {
 namespace {
 
-constexpr const char* kTexcoord = "TEXCOORD_0";
+std::string texcoord_name(std::size_t set) { return fmt::format("TEXCOORD_{}", set); }
+
 constexpr const char* kTangent = "TANGENT";
 constexpr const char* kVariants = "KHR_materials_variants";
 
@@ -112,34 +113,34 @@ Gltf* transformed_set(Gltf& texture) {
   return transform.is_object() && transform.contains("texCoord") ? &transform["texCoord"] : nullptr;
 }
 
-bool is_first_set(const Gltf& texture) {
-  return !texture.contains("texCoord") || texture["texCoord"] == 0;
+bool is_shown_by(const Gltf& texture, std::size_t set) {
+  return texture.contains("texCoord") ? texture["texCoord"] == set : set == 0;
 }
 
-// Which materials show textures by the old coordinates, and those that show them by another set.
+// Which materials show textures by the old coordinates, of this set, and those that show them by
+// another one.
 class Materials {
  public:
-  explicit Materials(Gltf& json) : json_(json) {
+  Materials(Gltf& json, std::size_t old_set) : json_(json), old_set_(old_set) {
     if (json_.contains("materials"))
       for (Gltf& material : json_["materials"]) {
         bool uses = false;
         visit_textures(material, [&](Gltf& texture) {
           const Gltf* set = transformed_set(texture);
-          uses = uses || is_first_set(texture) || (set && *set == 0);
+          uses = uses || is_shown_by(texture, old_set_) || (set && *set == old_set_);
         });
-        uses_first_set_.push_back(uses);
+        uses_old_set_.push_back(uses);
       }
     if (json_.contains("materials")) before_ = json_["materials"];
   }
 
-  bool uses_first_set(const Gltf& primitive) const {
+  bool uses_old_set(const Gltf& primitive) const {
     const std::set<std::size_t> used = materials_of(primitive);
-    return std::any_of(used.begin(), used.end(), [&](std::size_t k) {
-      return k < uses_first_set_.size() && uses_first_set_[k];
-    });
+    return std::any_of(used.begin(), used.end(),
+                       [&](std::size_t k) { return k < uses_old_set_.size() && uses_old_set_[k]; });
   }
 
-  // Gives the primitive materials that show by `set` what they have shown by the first one.
+  // Gives the primitive materials that show by `set` what they have shown by the old one.
   void move(Gltf& primitive, std::size_t set) {
     if (primitive.contains("material")) move_reference(primitive["material"], set);
     if (Gltf* variants = mappings(primitive))
@@ -176,13 +177,13 @@ class Materials {
   void move_reference(Gltf& reference, std::size_t set) {
     if (!reference.is_number_unsigned()) return;
     const auto k = reference.get<std::size_t>();
-    if (k >= uses_first_set_.size() || !uses_first_set_[k]) return;
+    if (k >= uses_old_set_.size() || !uses_old_set_[k]) return;
     const auto [entry, is_new] = moved_.try_emplace({k, set}, json_["materials"].size());
     if (is_new) {
       Gltf material = before_[k];
       visit_textures(material, [&](Gltf& texture) {
-        if (is_first_set(texture)) texture["texCoord"] = set;
-        if (Gltf* transformed = transformed_set(texture); transformed && *transformed == 0)
+        if (is_shown_by(texture, old_set_)) texture["texCoord"] = set;
+        if (Gltf* transformed = transformed_set(texture); transformed && *transformed == old_set_)
           *transformed = set;
       });
       if (is_changed_.insert(k).second) {
@@ -196,8 +197,9 @@ class Materials {
   }
 
   Gltf& json_;
+  std::size_t old_set_;
   Gltf before_;
-  std::vector<char> uses_first_set_;
+  std::vector<char> uses_old_set_;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> moved_;  // material, set: the new one
   std::set<std::size_t> is_changed_;
 };
@@ -205,20 +207,22 @@ class Materials {
 // The first set of texture coordinates that a primitive does not have.
 std::size_t next_set(const Gltf& attributes) {
   std::size_t set = 0;
-  while (attributes.contains(fmt::format("TEXCOORD_{}", set))) ++set;
+  while (attributes.contains(texcoord_name(set))) ++set;
   return set;
 }
 
 class Update {
  public:
   Update(const GltfScene& scene, const PolygonMesh& input, const PolygonMesh& mesh,
-         const std::vector<PolygonOrigin>& origins, const std::string& path)
+         const std::vector<PolygonOrigin>& origins, const std::string& path, std::size_t uv_set)
       : scene_(scene),
         document_(scene.document),
         input_(input),
         mesh_(mesh),
         origins_(origins),
         path_(path),
+        set_(uv_set),
+        texcoord_(texcoord_name(uv_set)),
         out_(document_.json()) {
     for (const GltfScene::Vertices& vertices : scene.vertices)
       new_.emplace_back(vertices.numbers.size());
@@ -229,10 +233,11 @@ class Update {
     collect_triangles();
     has_blends_ = std::any_of(new_.begin(), new_.end(),
                               [](const NewVertices& vertices) { return vertices.has_blends(); });
-    Materials materials(out_.json());
+    Materials materials(out_.json(), set_);
     for (std::size_t k = 0; k < scene_.vertices.size(); ++k) update(k, materials);
     move_others(materials);
     embed_images();
+    mark_layout_set(out_.json(), set_, path_);
     out_.drop_unused(document_);
     return std::move(out_);
   }
@@ -319,14 +324,16 @@ class Update {
     const Gltf& attributes = first["attributes"];
     bool is_kept = false;  // the old set
     for (const std::size_t p : vertices.primitives)
-      is_kept = is_kept || materials.uses_first_set(meshes[vertices.mesh]["primitives"][p]);
-    is_kept = is_kept && attributes.contains(kTexcoord);
-    const std::size_t set = next_set(attributes);
-    const std::string moved = is_kept ? fmt::format("TEXCOORD_{}", set) : std::string();
+      is_kept = is_kept || materials.uses_old_set(meshes[vertices.mesh]["primitives"][p]);
+    is_kept = is_kept && attributes.contains(texcoord_);
+    const std::size_t set = std::max(next_set(attributes), set_ + 1);
+    const std::string moved = is_kept ? texcoord_name(set) : std::string();
     extended_.clear();
     const Gltf new_attributes = [&] {
       Gltf all = renamed(k, attributes, moved);
-      all[kTexcoord] = add_uv(new_[k]);
+      all[texcoord_] = add_uv(new_[k]);
+      for (std::size_t lower = 0; lower < set_; ++lower)  // sets have no gaps
+        if (!all.contains(texcoord_name(lower))) all[texcoord_name(lower)] = all[texcoord_];
       if (has_blends_) all[kInputVertex] = add_numbers(k);
       return all;
     }();
@@ -348,10 +355,10 @@ class Update {
     Gltf out = Gltf::object();
     for (const auto& [name, number] : attributes.items()) {
       const bool is_replaced =
-          (name == kTexcoord && moved.empty()) || (name == kInputVertex && has_blends_);
-      if (name == kTangent || is_replaced) continue;
+          (name == texcoord_ && moved.empty()) || (name == kInputVertex && has_blends_);
+      if (is_replaced) continue;
       const auto accessor = document_.index(attributes, name.c_str(), "attributes");
-      out[name == kTexcoord ? moved : name] =
+      out[name == texcoord_ ? moved : name] =
           new_[k].added().empty() ? accessor : extended(k, attributes, name, accessor);
     }
     return out;
@@ -449,10 +456,14 @@ class Update {
       for (std::size_t i = 0; i < values.size(); ++i)
         values[i] += weight * elements.value(blend.from[k], i);
     }
-    if (name != "NORMAL" || values.size() != 3) return values;
-    const Vector3 normal = Eigen::Map<const Vector3>(values.data()).stableNormalized();
-    return normal.norm() > 0 ? std::vector<double>(normal.begin(), normal.end())
-                             : element_of(elements, nearest(blend));
+    const bool is_normal = name == "NORMAL" && values.size() == 3;
+    const bool is_tangent = name == kTangent && values.size() == 4;
+    if (!is_normal && !is_tangent) return values;
+    const Vector3 direction = Eigen::Map<const Vector3>(values.data()).stableNormalized();
+    if (!(direction.norm() > 0)) return element_of(elements, nearest(blend));
+    std::copy(direction.begin(), direction.end(), values.begin());
+    if (is_tangent) values[3] = elements.value(nearest(blend), 3);  // which side: 1 or -1
+    return values;
   }
 
   // Joints of a new vertex and their weights, as many as its sets hold: the largest of those that
@@ -541,11 +552,10 @@ class Update {
       for (std::size_t p = 0; p < meshes[m]["primitives"].size(); ++p) {
         if (done.contains({m, p})) continue;
         const Gltf& before = meshes[m]["primitives"][p];
-        if (!before["attributes"].contains(kTexcoord) || !materials.uses_first_set(before))
-          continue;
+        if (!before["attributes"].contains(texcoord_) || !materials.uses_old_set(before)) continue;
         const std::size_t set = next_set(before["attributes"]);
         Gltf& now = primitive({m, p});
-        now["attributes"][fmt::format("TEXCOORD_{}", set)] = now["attributes"][kTexcoord];
+        now["attributes"][texcoord_name(set)] = now["attributes"][texcoord_];
         materials.move(now, set);
       }
   }
@@ -587,6 +597,8 @@ class Update {
   const PolygonMesh& mesh_;
   const std::vector<PolygonOrigin>& origins_;
   const std::string& path_;
+  std::size_t set_;       // of the new coordinates
+  std::string texcoord_;  // its name
   GltfOutput out_;
   bool has_blends_ = false;                                         // anywhere
   std::vector<NewVertices> new_;                                    // by Vertices of the scene
@@ -599,16 +611,24 @@ class Update {
 }  // namespace
 
 GltfOutput updated_gltf(const GltfScene& scene, const PolygonMesh& input, const PolygonMesh& mesh,
-                        const std::vector<PolygonOrigin>& origins, const std::string& path) {
-  return Update(scene, input, mesh, origins, path).run();
+                        const std::vector<PolygonOrigin>& origins, const std::string& path,
+                        std::size_t uv_set) {
+  return Update(scene, input, mesh, origins, path, uv_set).run();
 }
 
-bool has_tangents(const GltfScene& scene) {
-  const Gltf& meshes = scene.document.list("meshes");
-  return std::any_of(scene.vertices.begin(), scene.vertices.end(), [&](const auto& vertices) {
-    return meshes[vertices.mesh]["primitives"][vertices.primitives.front()]["attributes"].contains(
-        kTangent);
-  });
+void mark_layout_set(Gltf& json, std::size_t uv_set, const std::string& path) {
+  Gltf& asset = json["asset"];
+  const bool has_place = !asset.contains("extras") || asset["extras"].is_object();
+  if (uv_set > 0 && !has_place)
+    throw Error(
+        ErrorKind::Unsupported,
+        fmt::format("{}: asset.extras of the input is no object, and says there which set is "
+                    "the layout; make the layout the first set",
+                    path));
+  if (uv_set > 0)
+    asset["extras"][kLayoutSet] = uv_set;
+  else if (has_place && asset.contains("extras"))
+    asset["extras"].erase(kLayoutSet);
 }
 
 }  // namespace majorant

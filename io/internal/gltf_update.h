@@ -2,10 +2,10 @@
 //
 //  const GltfOutput out = updated_gltf(*input.gltf, input, mesh, origins, "cup.glb");
 //
-// The new coordinates are TEXCOORD_0. Where a material shows textures by the old ones, these become
-// the next set, and its texCoord follows: the model looks as before. Vertices whose corners have
-// several new coordinates get copies behind all others. Tangents belong to the coordinates of a
-// normal texture and are left out.
+// The new coordinates are those of one set, TEXCOORD_0 or another one. Where a material shows
+// textures by the old ones of that set, these become the next set, and its texCoord follows: the
+// model looks as before. Vertices whose corners have several new coordinates get copies behind all
+// others. Tangents, which belong to the coordinates of a normal texture, stay with these.
 #pragma once
 
 #include <string>
@@ -19,12 +19,15 @@
 namespace majorant {
 
 // input: what `scene` was read as; mesh, origins: what tessellate_map() made of it. path: of the
-// file to be; images beside the document go into it where that is in another folder. Throws Error
-// as GltfDocument.
+// file to be; images beside the document go into it where that is in another folder. uv_set: the
+// set that the new coordinates become. Throws Error as GltfDocument.
 GltfOutput updated_gltf(const GltfScene& scene, const PolygonMesh& input, const PolygonMesh& mesh,
-                        const std::vector<PolygonOrigin>& origins, const std::string& path);
+                        const std::vector<PolygonOrigin>& origins, const std::string& path,
+                        std::size_t uv_set);
 
-bool has_tangents(const GltfScene& scene);
+// Says in the file which set is the layout (kLayoutSet), unless it is the first one. Throws
+// Error(Unsupported), beginning with `path`, where asset.extras is no object.
+void mark_layout_set(Gltf& json, std::size_t uv_set, const std::string& path);
 
 }  // namespace majorant
 

@@ -188,12 +188,14 @@ class GltfReader {
  public:
   GltfReader(const std::string& path, const std::string& content, const StopCheck& stop,
              Strictness strictness)
-      : scene_(std::make_shared<GltfScene>(GltfScene{{path, content, stop}, {}, {}})),
+      : scene_(std::make_shared<GltfScene>(GltfScene{{path, content, stop}, 0, {}, {}})),
         document_(scene_->document),
         transforms_(document_),
         stop_(stop),
         dropped_(strictness) {
     mesh_.file = path;
+    scene_->texcoord_set = layout_set();
+    texcoord_ = fmt::format("TEXCOORD_{}", scene_->texcoord_set);
   }
 
   PolygonMesh read() {
@@ -222,6 +224,16 @@ class GltfReader {
 
   std::string place(std::size_t mesh, std::size_t primitive) const {
     return fmt::format("mesh {}, primitive {}", mesh, primitive);
+  }
+
+  // The set that a file of ours says is the layout; 0 of other files.
+  std::size_t layout_set() const {
+    const Gltf& asset = document_.json()["asset"];
+    const auto extras = asset.find("extras");
+    if (extras == asset.end() || !extras->is_object()) return 0;
+    const auto set = extras->find(kLayoutSet);
+    if (set == extras->end() || !set->is_number_unsigned() || *set >= kMostSets) return 0;
+    return set->get<std::size_t>();
   }
 
   // True where a primitive is a surface.
@@ -382,7 +394,7 @@ class GltfReader {
       if (numbers.back() == next) add_position(local);
     }
     add_rounding(largest);
-    if (attributes.contains("TEXCOORD_0")) read_texcoords(attributes, where, content);
+    if (attributes.contains(texcoord_)) read_texcoords(attributes, where, content);
     if (attributes.contains("NORMAL")) read_normals(attributes, where, content);
     return content;
   }
@@ -424,13 +436,13 @@ class GltfReader {
   // Equal ones have one number: where only normals differ there is no seam.
   void read_texcoords(const Gltf& attributes, const std::string& where, Content& content) {
     const GltfElements uv =
-        attribute(attributes, "TEXCOORD_0", where, scene_->vertices.back().numbers.size(), 2);
+        attribute(attributes, texcoord_, where, scene_->vertices.back().numbers.size(), 2);
     std::string key;
     for (std::size_t v = 0; v < uv.count; ++v) {
       const double u = uv.value(v, 0), down = uv.value(v, 1), up = 1 - down;
       if (!std::isfinite(u) || !std::isfinite(up)) {
         dropped_.add(DroppedPart::Texcoord, [&] {
-          return fmt::format("{}: {}: TEXCOORD_0 {} is not finite", mesh_.file, where, v);
+          return fmt::format("{}: {}: {} {} is not finite", mesh_.file, where, texcoord_, v);
         });
         content.texcoord.push_back(-1);
         continue;
@@ -527,6 +539,7 @@ class GltfReader {
   }
 
   std::shared_ptr<GltfScene> scene_;
+  std::string texcoord_;  // name of the set that is read
   const GltfDocument& document_;
   NodeTransforms transforms_;
   const StopCheck& stop_;

@@ -18,10 +18,13 @@ bool is_alpha(int channel, int channels) {
   return (channels == 2 || channels == 4) && channel == channels - 1;
 }
 
-// Textures repeat.
-int wrapped(double index, int size) {
-  const double rest = std::fmod(index, size);
-  return std::min(static_cast<int>(rest < 0 ? rest + size : rest), size - 1);
+// The column or row that stands at this place, which may lie beyond the image.
+int wrapped(double index, int size, Wrap wrap) {
+  if (wrap == Wrap::Clamp) return static_cast<int>(std::clamp(index, 0.0, size - 1.0));
+  const int period = wrap == Wrap::Mirror ? 2 * size : size;
+  const double rest = std::fmod(index, period);
+  const int place = std::min(static_cast<int>(rest < 0 ? rest + period : rest), period - 1);
+  return place < size ? place : period - 1 - place;
 }
 
 // For every column of a row the nearest column among those whose distance along the column is
@@ -145,14 +148,6 @@ void Raster::copy_pixel(int to_x, int to_y, int from_x, int from_y) {
               &bytes_[bytes_of_channel() * place(from_x, from_y, 0)], size);
 }
 
-float srgb_to_linear(float value) {
-  return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F);
-}
-
-float linear_to_srgb(float value) {
-  return value <= 0.0031308F ? value * 12.92F : 1.055F * std::pow(value, 1 / 2.4F) - 0.055F;
-}
-
 ColorDecoder::ColorDecoder(const Raster& raster, Transfer transfer)
     : has_alpha_(is_alpha(raster.channels() - 1, raster.channels())) {
   if (raster.depth() == PixelDepth::Float || transfer == Transfer::Linear) return;
@@ -174,18 +169,20 @@ float encoded(float value, Transfer transfer, int channel, int channels) {
 }
 
 void sample(const Raster& raster, const ColorDecoder& decoder, const Vector2& uv, Filter filter,
-            float* value) {
+            float* value, const Wraps& wraps) {
   const double x = uv.x() * raster.width(), y = (1 - uv.y()) * raster.height();
   if (filter == Filter::Nearest) {
-    const int column = wrapped(std::floor(x), raster.width());
-    const int row = wrapped(std::floor(y), raster.height());
+    const int column = wrapped(std::floor(x), raster.width(), wraps.u);
+    const int row = wrapped(std::floor(y), raster.height(), wraps.v);
     for (int c = 0; c < raster.channels(); ++c) value[c] = decoder(raster, column, row, c);
     return;
   }
   const double left = std::floor(x - 0.5), top = std::floor(y - 0.5);
   const auto s = static_cast<float>(x - 0.5 - left), t = static_cast<float>(y - 0.5 - top);
-  const int x0 = wrapped(left, raster.width()), x1 = wrapped(left + 1, raster.width());
-  const int y0 = wrapped(top, raster.height()), y1 = wrapped(top + 1, raster.height());
+  const int x0 = wrapped(left, raster.width(), wraps.u);
+  const int x1 = wrapped(left + 1, raster.width(), wraps.u);
+  const int y0 = wrapped(top, raster.height(), wraps.v);
+  const int y1 = wrapped(top + 1, raster.height(), wraps.v);
   for (int c = 0; c < raster.channels(); ++c) {
     const float above = (1 - s) * decoder(raster, x0, y0, c) + s * decoder(raster, x1, y0, c);
     const float below = (1 - s) * decoder(raster, x0, y1, c) + s * decoder(raster, x1, y1, c);

@@ -17,6 +17,7 @@
 
 #include "majorant/framework/stop_check.h"
 #include "majorant/framework/types.h"
+#include "majorant/io/files/srgb.h"
 
 namespace majorant {
 
@@ -26,6 +27,12 @@ enum class PixelDepth { Eight, Sixteen, Float };
 // 1, directions. Linear: the numbers are what they are.
 enum class Transfer { Linear, Srgb, Signed };
 enum class Filter { Nearest, Bilinear };
+// What a texture shows beyond its square: copies; the pixels of its border; copies of which every
+// second one is mirrored.
+enum class Wrap { Repeat, Clamp, Mirror };
+struct Wraps {
+  Wrap u = Wrap::Repeat, v = Wrap::Repeat;
+};
 
 class Raster {
  public:
@@ -59,9 +66,6 @@ class Raster {
   std::vector<unsigned char> bytes_;
 };
 
-float srgb_to_linear(float value);
-float linear_to_srgb(float value);
-
 // What the numbers of a raster stand for: the transfer undone, by a table for integers.
 class ColorDecoder {
  public:
@@ -76,9 +80,9 @@ class ColorDecoder {
 // value, of a channel, as it is put into a raster of that depth.
 float encoded(float value, Transfer transfer, int channel, int channels);
 
-// The value at uv, all channels. Textures repeat beyond their square.
+// The value at uv, all channels.
 void sample(const Raster& raster, const ColorDecoder& decoder, const Vector2& uv, Filter filter,
-            float* value);
+            float* value, const Wraps& wraps = {});
 
 // What a pixel holds.
 enum class Texel : std::uint8_t {

@@ -104,7 +104,7 @@ class Written(CommandTest):
         return next(s for s in (visit(k, 1) for k in reader.json['scenes'][0]['nodes']) if s) < 0
 
     def test_attributes_are_those_that_were(self):
-        moved = 0
+        moved = tangents = 0
         for old, new, m, p in self.primitives():
             names = dict(old.primitive(m, p)['attributes'])
             now = dict(new.primitive(m, p)['attributes'])
@@ -117,8 +117,7 @@ class Written(CommandTest):
             elif is_surface:
                 names.pop('TEXCOORD_0', None)
                 now.pop('TEXCOORD_0')
-            if is_surface:
-                names.pop('TANGENT', None)
+            tangents += is_surface and 'TANGENT' in names
             self.assertEqual(sorted(names), sorted(now))
             if not is_surface:
                 for name in names:
@@ -127,6 +126,7 @@ class Written(CommandTest):
             self.assertEqual(corners(old, m, p, names), corners(new, m, p, now))
             self.assertEqual(target_corners(old, m, p), target_corners(new, m, p))
         self.assertGreater(moved, 10)
+        self.assertGreater(tangents, 3)
 
     def test_textures_are_shown_as_before(self):
         """By the values of the coordinates that each texture of a primitive is shown by."""
@@ -253,9 +253,83 @@ class Details(CommandTest):
         self.assertEqual(set(reader.attribute(0, 0, 'NORMAL')), {(0, 0, 1)})
         numbers = [a + 65536 * b for a, b in reader.attribute(0, 0, '_INPUT_VERTEX')]
         self.assertEqual(numbers, list(range(7)))
-        self.assertEqual([round(c[0], 6) for c in reader.attribute(0, 0, 'COLOR_0')],
-                         [round(k / 10, 6) for k in range(7)])
+        light = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in (k / 10 for k in range(7))]
+        for color, right in zip(reader.attribute(0, 0, 'COLOR_0'), light):  # codes of sRGB in an OBJ, light in glTF
+            self.assertAlmostEqual(color[0], right, places=6)
         self.assertEqual([m for m in validated([self.path('a.glb')], self.folder)[0] if m['severity'] < 2], [])
+
+    def test_the_set_that_the_layout_becomes(self):
+        """Materials, textures and the first set stay as they are; check and the next run read the second one."""
+        for seed in range(12):
+            with self.subTest(seed):
+                source = self.write('in.glb', random_model(seed).glb())
+                for flags in (['--uv-set', 1], ['--preset', 'lightmap']):
+                    self.run_ok('unwrap', source, '-o', self.path('out.glb'), *flags)
+                    self.run_ok('check', self.path('out.glb'), '--surface', source)
+                    old, new = Reader(self.read('in.glb')), Reader(self.read('out.glb'))
+                    for m, mesh in enumerate(old.json['meshes']):
+                        for p, primitive in enumerate(mesh['primitives']):
+                            now = new.primitive(m, p)
+                            if primitive.get('mode', TRIANGLES) < TRIANGLES:
+                                continue
+                            before = {name: k for name, k in primitive['attributes'].items()
+                                      if name != 'TEXCOORD_1'}
+                            after = {name: now['attributes'][name] for name in before}
+                            self.assertEqual(corners(old, m, p, before), corners(new, m, p, after))
+                            self.assertIn('TEXCOORD_0', now['attributes'])
+                            for face in new.triangles(m, p):
+                                uv = [new.attribute(m, p, 'TEXCOORD_1')[v] for v in face]
+                                self.assertTrue(all(0 <= x <= 1 for place in uv for x in place))
+                found = [m for m in validated([self.path('out.glb')], self.folder)[0] if m['severity'] < 2]
+                self.assertEqual([m for m in found if 'TEXCOORD' in m['pointer']], [])
+        self.run_ok('unwrap', self.path('out.glb'), '-o', self.path('again.glb'))
+        self.assertNotIn('majorant_uv_set', Reader(self.read('again.glb')).json['asset'].get('extras', {}))
+        self.refused(USAGE, 'unwrap', source, '-o', self.path('o.obj'), '--uv-set', 1, says='--uv-set')
+        self.refused(USAGE, 'unwrap', source, '-o', self.path('o.glb'), '--uv-set', 1, '--bake', says='--bake')
+
+    def test_materials_of_an_obj(self):
+        """In an order of their own, shown by the old coordinates, by the new ones where these are the old."""
+        text = 'mtllib m.mtl\n' + ''.join('v %d %d %g\nvt %g %g\n' % (i, j, 0.2 * i * j, i / 6, j / 6)
+                                          for j in range(3) for i in range(4))
+        names = ('plain', 'wood', 'nowhere', 'wood', 'plain', 'wood')
+        for f, name in enumerate(names):
+            a = f + f // 3 + 1
+            text += 'usemtl %s\nf ' % name + ' '.join('%d/%d' % (v, v) for v in (a, a + 1, a + 5, a + 4)) + '\n'
+        mesh = self.write('a.obj', text)
+        self.write('m.mtl', 'newmtl wood\nKd 0.5 0.5 0.5\nmap_Kd -clamp on w.png\nmap_Ks s.png\n'
+                            'newmtl plain\nKd 1 0.5 0\nd 0.25\n')
+        self.write('w.png', png())
+        for verb, set_ in (('unwrap', 1), ('convert', 0)):
+            done = self.run_ok(verb, mesh, '-o', self.path(verb + '.glb'))
+            self.assertIn("map_Ks of material 'wood'", done.err)
+            self.assertIn("'nowhere'", done.err)
+            self.run_ok('check', self.path(verb + '.glb'), '--surface', mesh)
+            reader = Reader(self.read(verb + '.glb'))
+            self.assertEqual([m['name'] for m in reader.json['materials']], ['plain', 'wood', 'nowhere'])
+            plain, wood, nowhere = reader.json['materials']
+            factor = plain['pbrMetallicRoughness']['baseColorFactor']
+            for x, right in zip(factor, (1, 0.2140411, 0, 0.25)):
+                self.assertAlmostEqual(x, right, places=6)
+            self.assertEqual(plain['alphaMode'], 'BLEND')
+            self.assertEqual(wood['pbrMetallicRoughness']['baseColorTexture'].get('texCoord', 0), set_)
+            self.assertEqual(bytes(reader.view(reader.json['images'][0]['bufferView'])[0]), png())
+            self.assertEqual(reader.json['samplers'], [{'wrapS': 33071, 'wrapT': 33071}])
+            places = {name: set() for name in names}
+            for p, primitive in enumerate(reader.json['meshes'][0]['primitives']):
+                positions = reader.attribute(0, p, 'POSITION')
+                uv = reader.attribute(0, p, 'TEXCOORD_%d' % set_)
+                for face in reader.triangles(0, p):
+                    x, y = (sum(positions[v][k] for v in face) / 3 for k in (0, 1))
+                    places[reader.json['materials'][primitive['material']]['name']].add((int(x), int(y)))
+                    for v in face:
+                        self.assertAlmostEqual(uv[v][0], positions[v][0] / 6, places=6)
+                        self.assertAlmostEqual(1 - uv[v][1], positions[v][1] / 6, places=6)
+            for name in places:
+                self.assertEqual(places[name], {(f % 3, f // 3) for f in range(6) if names[f] == name})
+            self.assertEqual([m for m in validated([self.path(verb + '.glb')], self.folder)[0] if m['severity'] < 2], [])
+        os.remove(self.path('w.png'))
+        done = self.run_ok('unwrap', mesh, '-o', self.path('unwrap.glb'))
+        self.assertIn("the image of material 'wood'", done.err)
 
     def test_what_floats_turn_over_is_not_written(self):
         """A triangle of 1e-9 in the middle of a square: as an OBJ it is valid, as floats it has no area."""
@@ -283,16 +357,37 @@ class Details(CommandTest):
                 bad = [m for m in validated([self.path('out.glb')], self.folder)[0] if m['severity'] < 2]
                 self.assertEqual(bad, [])
 
-    def test_tangents_are_left_out_and_that_is_said(self):
-        seed = next(k for k in range(COUNT) if b'"TANGENT"' in random_model(k).glb())
-        self.write('in.glb', random_model(seed).glb())
-        run = self.run_ok('unwrap', self.path('in.glb'), '-o', self.path('out.glb'))
-        self.assertIn('tangents', run.err)
-        new = Reader(self.read('out.glb'))
-        for mesh in new.json['meshes']:
-            for primitive in mesh['primitives']:
-                if primitive.get('mode', TRIANGLES) >= TRIANGLES:
-                    self.assertNotIn('TANGENT', primitive['attributes'])
+    def test_tangents_stay_with_the_normal_texture(self):
+        """The texture of a clear coat, which has no other coordinates to get tangents of; on copies and between corners,
+        too."""
+        model = Model()
+        rows, faces = ball(5)
+        accessors = {'POSITION': model.accessor([r[0] for r in rows], bounds=True),
+                     'NORMAL': model.accessor([r[1] for r in rows]),
+                     'TANGENT': model.accessor([[*tangent(r[1])[:3], -1] for r in rows]),
+                     'TEXCOORD_0': model.accessor([r[2] for r in rows])}
+        model.add('images', {'bufferView': model.view(png()), 'mimeType': 'image/png'})
+        model.add('textures', {'source': 0})
+        model.add('materials', {'extensions': {'KHR_materials_clearcoat': {
+            'clearcoatFactor': 1, 'clearcoatNormalTexture': {'index': 0}}}})
+        model.json['extensionsUsed'] = ['KHR_materials_clearcoat']
+        model.add('meshes', {'primitives': [{'attributes': accessors, 'material': 0, 'indices': model.accessor(
+            [[v] for f in faces for v in f], USHORT, INDICES)}]})
+        model.add('scenes', {'nodes': [model.add('nodes', {'mesh': 0})]})
+        self.write('in.glb', model.glb())
+        for flags in ([], ['--degree', 2, '--refine', 2]):
+            run = self.run_ok('unwrap', self.path('in.glb'), '-o', self.path('out.glb'), *flags)
+            self.assertNotIn('tangents', run.err)
+            old, new = (Reader(self.read(name)) for name in ('in.glb', 'out.glb'))
+            found = new.attribute(0, 0, 'TANGENT')
+            self.assertGreater(len(found), len(rows))
+            self.assertEqual(found[:len(rows)], old.attribute(0, 0, 'TANGENT'))
+            for x, y, z, side in found:
+                self.assertAlmostEqual(x * x + y * y + z * z, 1, places=5)
+                self.assertEqual(side, -1)
+            self.assertEqual(textures(new.json['materials'][0])[0][1], 1)
+            said = [m for m in validated([self.path('out.glb')], self.folder)[0] if m['severity'] < 2]
+            self.assertEqual(said, [])
 
     def test_vertices_at_one_place_are_apart_where_they_move_apart(self):
         """Two squares that touch along an edge, which a morph target opens."""

@@ -44,6 +44,32 @@ TEST(Raster, ColorsAreMixedInLinearLightAndAlphaAsItIs) {
   EXPECT_NEAR(value[0], 0.5, 1e-6);
 }
 
+TEST(Raster, BeyondTheSquareItRepeatsClampsOrMirrorsEachWay) {
+  Raster raster(4, 2, 1, PixelDepth::Float);
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 4; ++x) raster.set(x, y, 0, static_cast<float>(10 * y + x));
+  const ColorDecoder decoder(raster, Transfer::Linear);
+  const auto at = [&](double u, double v, Wrap along_u, Wrap along_v, Filter filter) {
+    float value = -1;
+    sample(raster, decoder, {u, v}, filter, &value, {along_u, along_v});
+    return value;
+  };
+  for (const Filter filter : {Filter::Nearest, Filter::Bilinear}) {
+    for (const double whole : {-2.0, 4.0}) {
+      EXPECT_EQ(at(whole + 0.375, 0.75, Wrap::Mirror, Wrap::Repeat, filter), 1);
+      EXPECT_EQ(at(whole + 1.375, 0.75, Wrap::Mirror, Wrap::Repeat, filter), 2);
+      EXPECT_EQ(at(whole + 1.375, 1.25, Wrap::Repeat, Wrap::Mirror, filter), 1);
+    }
+    EXPECT_EQ(at(-3, 0.75, Wrap::Clamp, Wrap::Repeat, filter), 0);
+    EXPECT_EQ(at(7, 0.75, Wrap::Clamp, Wrap::Repeat, filter), 3);
+    EXPECT_EQ(at(0.375, 9, Wrap::Repeat, Wrap::Clamp, filter), 1);
+    EXPECT_EQ(at(0.375, -9, Wrap::Repeat, Wrap::Clamp, filter), 11);
+  }
+  EXPECT_EQ(at(1, 0.75, Wrap::Repeat, Wrap::Repeat, Filter::Bilinear), 1.5);
+  EXPECT_EQ(at(1, 0.75, Wrap::Clamp, Wrap::Repeat, Filter::Bilinear), 3);
+  EXPECT_EQ(at(1, 0.75, Wrap::Mirror, Wrap::Repeat, Filter::Bilinear), 3);
+}
+
 TEST(Raster, TexelsHaveTheirCentersAtHalfAndRepeat) {
   Raster raster(4, 2, 1, PixelDepth::Float);
   for (int y = 0; y < 2; ++y)
