@@ -4,6 +4,7 @@
 
 #include <CLI/App.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "majorant/apps/jobs/model_texture.h"
 #include "majorant/certify/map_proof.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/geometry.h"
 #include "majorant/pictures/images/image_file.h"
 
 namespace majorant::app {
@@ -33,13 +35,25 @@ void read_inputs(const BakeRequest& request, BakeJob& job, const Run& run) {
   job.target = surface(request.surface, Texcoords::Needed);
   job.carrier = surface(request.from, Texcoords::Optional);
   if (request.is_of_model()) {
-    ModelTexture texture = run.make("reading the textures of " + request.from, [&] {
-      return within_memory(request.from,
-                           [&] { return read_texture(job.carrier.polygons, run.stop()); });
+    std::optional<ModelTexture> texture = run.make("reading the textures of " + request.from, [&] {
+      return within_memory(request.from, [&] {
+        return find_texture(job.carrier.polygons, Layers::Color, run.stop());
+      });
     });
-    say_warnings(texture.warnings);
-    job.images = std::move(texture.images);
-    job.image_of_polygon = std::move(texture.image_of_polygon);
+    if (!texture) {
+      if (!has_vertex_colors(job.carrier))
+        throw Error(ErrorKind::Unsupported,
+                    fmt::format("{}: has nothing to bake: no texture (texture coordinates, and a "
+                                "map_Kd of an mtllib, or a base colour texture of a GLB), and no "
+                                "colours of vertices",
+                                request.from));
+      job.attribute = "color";
+    } else {
+      say_warnings(texture->warnings);
+      job.images = std::move(texture->color.images);
+      job.wraps = std::move(texture->color.wraps);
+      job.image_of_polygon = std::move(texture->color.image_of_polygon);
+    }
   }
   if (!request.image.empty())
     job.images.push_back(
@@ -54,6 +68,15 @@ std::string refusal(const BakeRequest& request, const BakeJob& job) {
         "{}: the centres of {} texels lie in two places of the layout, those of {} are undecided, "
         "and a texel shows one; unwrap it without overlaps: `majorant unwrap`",
         request.surface, counts.doubly_covered, counts.undecided);
+  if (job.is_all_missed())
+    return fmt::format(
+        "{}: all of its {} miss: {} is {:.4g} away and farther, and --distance is {:.4g}; sizes "
+        "(diagonals): {:.4g} and {:.4g}; {}",
+        request.surface,
+        count_text(static_cast<Index>(counts.covered + counts.partly), "covered texel"),
+        request.from, job.apart.value_or(0), job.farthest, diagonal(job.target.mesh->positions()),
+        diagonal(job.carrier.mesh->positions()),
+        "bring both to the same units and place, or raise --distance");
   if (request.common.strict && counts.misses > 0)
     return fmt::format(
         "{}: {} farther than {:.4g} from {}; raise --distance, or leave out --strict to have them "
@@ -61,6 +84,22 @@ std::string refusal(const BakeRequest& request, const BakeJob& job) {
         request.surface, count_text(static_cast<Index>(counts.misses), "texel"), job.farthest,
         request.from);
   return {};
+}
+
+// Lines about places that are shown though their normals are opposed.
+std::vector<std::string> remarks_of(const BakeRequest& request, const BakeJob& job) {
+  std::vector<std::string> lines;
+  if (job.sense == Sense::Reversed)
+    lines.push_back(
+        fmt::format("{}: its faces are turned the other way than those of {}; its "
+                    "normals were compared reversed",
+                    request.from, request.surface));
+  if (job.baked->counts.opposed > 0)
+    lines.push_back(fmt::format(
+        "{}: {:.3g} % of its texels show places of {} whose normals are opposed, for want of "
+        "others within {:.4g}",
+        request.surface, 100 * job.opposed(), request.from, job.farthest));
+  return lines;
 }
 
 std::string summary_of(const BakeRequest& request, const BakeJob& job, double seconds) {
@@ -98,6 +137,7 @@ Made baked(const BakeRequest& request, BakeJob& job, Run& run) {
   }
   made.files.push_back(
       {request.output(), [&] { write_baked(request.output(), job); }, request.labels()});
+  made.remarks = remarks_of(request, job);
   made.summary = [&](const WrittenFiles&) {
     return std::vector<std::string>{summary_of(request, job, run.seconds())};
   };

@@ -19,6 +19,7 @@ namespace majorant::app {
 namespace {
 
 constexpr int kSmallestImage = 1;
+constexpr const char* kColor = "color";
 
 std::string shown_extensions() { return fmt::format("{}", fmt::join(writable_images(), " ")); }
 
@@ -60,18 +61,20 @@ void BakeRequest::add_to(CLI::App& verb) {
        {"--image",
         &image,
         fmt::format("bake this image, in OLD's texture coordinates: {}; without it and "
-                    "--attribute the textures of OLD, an .obj or .glb",
+                    "--attribute the textures of OLD, an .obj or .glb, or the colours of its "
+                    "vertices where it has no texture",
                     fmt::join(readable_images(), " ")),
         {.type = "FILE"}},
        {"--attribute",
         &attribute,
-        "bake position, normal (object space), face (number from 0) or distortion of OLD, or the "
-        "rows of FILE.npy, one a face or a vertex of OLD",
-        {.type = "position|normal|face|distortion|FILE",
+        "bake color (of vertices), position, normal (object space), face (number from 0) or "
+        "distortion of OLD, or the rows of FILE.npy, one a face, a vertex or a corner of the faces "
+        "of OLD",
+        {.type = "color|position|normal|face|distortion|FILE",
          .check = word_or_file({kBakeAttributes.begin(), kBakeAttributes.end()})}}});
   add_options(
       verb, OptionGroup::Pictures,
-      {{"--size",
+      {{"--size,--resolution",
         &size,
         "pixels along both sides, or width and height (that of --image, else 1024)",
         {.type = "N|W,H"}},
@@ -103,7 +106,8 @@ void BakeRequest::add_to(CLI::App& verb) {
         "PNG: bits a channel (that of --image, else 16)",
         {.check = CLI::IsMember({8, 16})}},
        {"--linear", &linear,
-        "--image holds numbers, not sRGB colours: they are filtered as they are"}});
+        "--image, or colours of vertices, hold numbers, not sRGB colours: they are mixed as they "
+        "are"}});
   add_options(verb, OptionGroup::Solver,
               {{"--time-limit",
                 &time_limit,
@@ -118,10 +122,11 @@ void BakeRequest::require_usable() {
   if (outputs.size() > 1)
     throw Error(ErrorKind::Usage, "-o: one image a run; the report has its own flag");
   const bool names_both = !image.empty() && !attribute.empty();
-  if (names_both || (is_of_model() && !may_have_texture(from)))
+  if (names_both || (is_of_model() && !may_have_texture(from) && format_of(from) != ".ply"))
     throw Error(ErrorKind::Usage,
-                "say what to bake: --image FILE, or --attribute position, normal, face, distortion "
-                "or FILE.npy; the textures of an OBJ or GLB that is OLD are baked without either");
+                "say what to bake: --image FILE, or --attribute color, position, normal, face, "
+                "distortion or FILE.npy; the textures of an OBJ or GLB that is OLD, or the colours "
+                "of its vertices, are baked without either");
   if (attribute.find("tangent") != std::string::npos)
     throw Error(
         ErrorKind::Unsupported,
@@ -131,7 +136,7 @@ void BakeRequest::require_usable() {
                     attribute));
   const std::string format = extension(output());
   const bool is_png = format == ".png";
-  if (is_png && !attribute.empty() && attribute != "normal" &&
+  if (is_png && !attribute.empty() && attribute != "normal" && attribute != kColor &&
       (!names_file() || std::filesystem::exists(attribute)))
     throw Error(ErrorKind::Usage,
                 fmt::format("--attribute {}: these are numbers, which a PNG does not hold; write "
@@ -150,7 +155,7 @@ std::vector<std::string> BakeRequest::labels() const {
 }
 
 void BakeRequest::apply(BakeJob& job) const {
-  job.attribute = attribute;
+  if (job.attribute.empty()) job.attribute = attribute;  // else it was found in the model
   job.image_transfer = linear ? Transfer::Linear : Transfer::Srgb;
   job.filter = filter == "nearest" ? Filter::Nearest : Filter::Bilinear;
   job.method = method == "same"      ? BakeMethod::Same
@@ -175,14 +180,16 @@ void BakeRequest::apply(BakeJob& job) const {
       has_image && std::all_of(job.images.begin(), job.images.end(),
                                [](const Raster& one) { return one.depth() == PixelDepth::Eight; });
   options.depth = depth.value_or(is_eight ? 8 : 16) == 8 ? PixelDepth::Eight : PixelDepth::Sixteen;
-  if (!has_image) options.transfer = Transfer::Signed;
-  if (has_image && !linear) options.transfer = Transfer::Srgb;
+  const bool is_color = job.attribute == kColor;
+  if (is_color && !depth) options.depth = PixelDepth::Eight;
+  if (!has_image && !is_color) options.transfer = Transfer::Signed;
+  if ((has_image || is_color) && !linear) options.transfer = Transfer::Srgb;
 }
 
 Json BakeRequest::to_json(const BakeJob& job) const {
   return {{"from", from},
           {"image", image},
-          {"attribute", attribute},
+          {"attribute", job.attribute},
           {"size", {job.options.width, job.options.height}},
           {"method", method},
           {"distance", distance ? Json(*distance) : Json()},

@@ -22,8 +22,8 @@ namespace majorant {
 class CutMap {
  public:
   // Points of equal input_vertex are one vertex; where the file does not know it, points at exactly
-  // the same place. Faces are in the order of the file's cells, input_vertex() and input_face() of
-  // the surface those of the file. `file` must outlive this; `name` is for messages.
+  // the same place. Faces are in the order of the file's cells, input_face() is a cell's number,
+  // input_vertex() that of the file. `file` must outlive this; `name` is for messages.
   // Cells that are no proper surface are one all the same, open where repair() opens it
   // (mesh/repair.h): edges with more than two cells or two that disagree, vertices where sheets
   // touch, cells given twice. Throws Error(Unreadable) when copies of a vertex are at different

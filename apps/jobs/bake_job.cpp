@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "majorant/certify/cut_map.h"
@@ -15,6 +16,8 @@
 #include "majorant/framework/stopwatch.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/files/srgb.h"
+#include "majorant/io/gltf_texture.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/maps/distortion.h"
 #include "majorant/mesh/geometry.h"
@@ -31,14 +34,46 @@ bool has_texcoords(const PolygonMesh& polygons) {
   return !polygons.polygon_texcoords.indices().empty();
 }
 
+// The map on a mesh whose faces are numbered as the file's polygons, not as the file's cells.
+BezierMap numbered_by_polygons(const BezierMap& map, const MapFile& file) {
+  const bool is_known = file.input_face.size() == map.mesh().face_count() &&
+                        (file.input_face.size() == 0 || file.input_face.minCoeff() >= 0);
+  if (!is_known) return map;
+  SurfaceParts parts = map.mesh().parts();
+  parts.input_face.assign(file.input_face.begin(), file.input_face.end());
+  return BezierMap(std::make_shared<const SurfaceMesh>(SurfaceMesh::from_parts(std::move(parts))),
+                   map.shared_space(), map.control_points());
+}
+
 BakeSurface with_layout(const MapFile& file, std::string name) {
   BakeSurface surface;
   const CutMap cut(file, name);
-  surface.layout = cut.map_cut_along(cut.cuts());
+  surface.layout = numbered_by_polygons(cut.map_cut_along(cut.cuts()), file);
   surface.mesh = surface.layout->shared_mesh();
   surface.scale = layout_scale(file);
   surface.file = std::move(name);
   return surface;
+}
+
+// The corners of the polygons that the corners of triangles are: by vertex and, of a polygon that
+// has a vertex twice, by texture coordinates.
+Cells corners_of_polygons(const MapFile& file, const PolygonMesh& polygons) {
+  Cells corners(file.cells.rows(), 3);
+  for (Index c = 0; c < file.cells.rows(); ++c) {
+    const auto p = to_size(file.input_face[c]);
+    const auto& polygon = polygons.polygons[p];
+    const auto& texture = polygons.polygon_texcoords[p];
+    for (Index k = 0; k < 3; ++k) {
+      const Index point = file.cells(c, k);
+      const Vector2 uv = file.uv.row(point);
+      std::size_t corner = 0;
+      while (polygon[corner] != file.input_vertex[point] ||
+             polygons.texcoords[to_size(texture[corner])] != uv)
+        ++corner;
+      corners(c, k) = static_cast<Index>(corner);
+    }
+  }
+  return corners;
 }
 
 bool holds_map(const std::string& path) {
@@ -51,57 +86,76 @@ Points3 input_positions(const SurfaceMesh& mesh) {
 }
 
 // The file's normals at the corners of the faces; those of flat faces where it has none.
-CornerNormals corner_normals(const SurfaceMesh& mesh, const PolygonMesh& polygons) {
+CornerNormals corner_normals(const BakeSurface& surface) {
+  const SurfaceMesh& mesh = *surface.mesh;
+  const PolygonMesh& polygons = surface.polygons;
   CornerNormals normals(mesh.face_count(), 9);
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const auto p = [&](Index k) -> Vector3 { return mesh.positions().row(mesh.faces()(f, k)); };
     const Vector3 flat = (p(1) - p(0)).cross(p(2) - p(0)).stableNormalized();
-    const auto polygon = to_size(mesh.input_face(f));
-    const auto& of_polygon = polygons.polygon_normals[polygon];
-    const auto& vertices = polygons.polygons[polygon];
-    for (Index k = 0; k < 3; ++k) {
-      const auto corner =
-          std::find(vertices.begin(), vertices.end(), mesh.input_vertex(mesh.faces()(f, k)));
-      const bool is_known = corner != vertices.end() && !of_polygon.empty();
+    const auto& of_polygon = polygons.polygon_normals[to_size(mesh.input_face(f))];
+    for (Index k = 0; k < 3; ++k)
       normals.row(f).segment<3>(3 * k) =
-          is_known
-              ? Vector3(polygons
-                            .normals[to_size(
-                                of_polygon[to_size(static_cast<Index>(corner - vertices.begin()))])]
-                            .stableNormalized())
-              : flat;
-    }
+          of_polygon.empty()
+              ? flat
+              : Vector3(polygons.normals[to_size(of_polygon[to_size(surface.polygon_corner(f, k))])]
+                            .stableNormalized());
   }
   return normals;
 }
 
-// How many polygons and vertices the file has, as far as its surface tells.
-std::pair<Index, Index> file_counts(const BakeSurface& surface) {
-  if (!surface.polygons.polygons.empty())
-    return {static_cast<Index>(surface.polygons.polygons.size()),
-            static_cast<Index>(surface.polygons.positions.size())};
+// The numbers of polygons, vertices and corners of polygons that the file has, as far as its
+// surface tells; no corners of a file that holds a map.
+struct FileCounts {
   Index faces = 0, vertices = 0;
+  std::vector<Index> first_corner;  // of all polygons, by polygon, and their number
+};
+
+FileCounts file_counts(const BakeSurface& surface) {
+  FileCounts counts;
+  if (const IndexLists& polygons = surface.polygons.polygons; !polygons.empty()) {
+    counts.faces = static_cast<Index>(polygons.size());
+    counts.vertices = static_cast<Index>(surface.polygons.positions.size());
+    counts.first_corner = {0};
+    for (std::size_t p = 0; p < polygons.size(); ++p)
+      counts.first_corner.push_back(counts.first_corner.back() +
+                                    static_cast<Index>(polygons[p].size()));
+    return counts;
+  }
   for (Index f = 0; f < surface.mesh->face_count(); ++f)
-    faces = std::max(faces, surface.mesh->input_face(f) + 1);
+    counts.faces = std::max(counts.faces, surface.mesh->input_face(f) + 1);
   for (Index v = 0; v < surface.mesh->vertex_count(); ++v)
-    vertices = std::max(vertices, surface.mesh->input_vertex(v) + 1);
-  return {faces, vertices};
+    counts.vertices = std::max(counts.vertices, surface.mesh->input_vertex(v) + 1);
+  return counts;
 }
 
 SurfaceValues table_values(const std::string& path, const BakeSurface& carrier,
                            const StopCheck& stop) {
   const RowMatrix table = read_npy_rows(path, stop);
-  const auto [faces, vertices] = file_counts(carrier);
+  const FileCounts counts = file_counts(carrier);
   const SurfaceMesh& mesh = *carrier.mesh;
-  const bool is_of_faces = table.rows() == faces;
-  if (is_of_faces == (table.rows() == vertices))
-    throw Error(ErrorKind::Unreadable,
-                fmt::format("{}: has {} rows; {} has {} faces and {} vertices, one of which they "
-                            "must be",
-                            path, table.rows(), carrier.file, faces, vertices));
-  RowMatrix rows(is_of_faces ? mesh.face_count() : mesh.vertex_count(), table.cols());
+  const bool is_of_faces = table.rows() == counts.faces;
+  const bool is_of_vertices = table.rows() == counts.vertices;
+  const bool is_of_corners =
+      !counts.first_corner.empty() && table.rows() == counts.first_corner.back();
+  if (is_of_faces + is_of_vertices + is_of_corners != 1)
+    throw Error(
+        ErrorKind::Unreadable,
+        fmt::format("{}: has {} rows; {} has {} faces, {} vertices{}, one of which they must be",
+                    path, table.rows(), carrier.file, counts.faces, counts.vertices,
+                    counts.first_corner.empty()
+                        ? ""
+                        : fmt::format(" and {} corners of faces", counts.first_corner.back())));
+  RowMatrix rows(is_of_vertices  ? mesh.vertex_count()
+                 : is_of_corners ? 3 * mesh.face_count()
+                                 : mesh.face_count(),
+                 table.cols());
   for (Index i = 0; i < rows.rows(); ++i)
-    rows.row(i) = table.row(is_of_faces ? mesh.input_face(i) : mesh.input_vertex(i));
+    rows.row(i) = table.row(is_of_vertices  ? mesh.input_vertex(i)
+                            : is_of_corners ? counts.first_corner[to_size(mesh.input_face(i / 3))] +
+                                                  carrier.polygon_corner(i / 3, i % 3)
+                                            : mesh.input_face(i));
+  if (is_of_corners) return table_of_corners(std::move(rows));
   return is_of_faces ? table_of_faces(std::move(rows)) : table_of_vertices(mesh, std::move(rows));
 }
 
@@ -124,8 +178,9 @@ SurfaceValues values_of_images(const BakeJob& job) {
   const BezierMap& layout = layout_of(job.carrier, "an image");
   std::vector<SurfaceValues> each;
   int channels = 3;
-  for (const Raster& image : job.images) {
-    each.push_back(texture_values(layout, image, job.image_transfer, job.filter));
+  for (std::size_t k = 0; k < job.images.size(); ++k) {
+    each.push_back(texture_values(layout, job.images[k], job.image_transfer, job.filter,
+                                  k < job.wraps.size() ? job.wraps[k] : Wraps{}));
     if (each.back().channels % 2 == 0) channels = 4;
   }
   if (each.size() == 1) return each.front();
@@ -145,6 +200,32 @@ SurfaceValues values_of_images(const BakeJob& job) {
           0, course, seen};
 }
 
+// The colours of the corners of faces, 3 #F by 3: in linear light, or as OBJ and PLY have them.
+// Vertices without one are white.
+RowMatrix corner_colors_of(const BakeSurface& surface, Transfer transfer) {
+  const SurfaceMesh& mesh = *surface.mesh;
+  if (surface.polygons.gltf) {
+    const RowMatrix of_polygons = corner_colors(surface.polygons);
+    RowMatrix rows(3 * mesh.face_count(), 3);
+    for (Index i = 0; i < rows.rows(); ++i)
+      rows.row(i) =
+          of_polygons.row(3 * mesh.input_face(i / 3) + surface.polygon_corner(i / 3, i % 3));
+    return rows;
+  }
+  RowMatrix rows(3 * mesh.face_count(), 3);
+  for (Index f = 0; f < mesh.face_count(); ++f)
+    for (Index k = 0; k < 3; ++k) {
+      const auto polygon = surface.polygons.polygons[to_size(mesh.input_face(f))];
+      const Vector3& color =
+          surface.polygons.colors[to_size(polygon[to_size(surface.polygon_corner(f, k))])];
+      for (Index c = 0; c < 3; ++c) {
+        const double code = std::isfinite(color[c]) ? std::clamp(color[c], 0.0, 1.0) : 1.0;
+        rows(3 * f + k, c) = transfer == Transfer::Srgb ? srgb_to_linear(code) : code;
+      }
+    }
+  return rows;
+}
+
 // What the carrier is asked for, and the names of its channels.
 SurfaceValues values_of(const BakeJob& job, std::vector<std::string>& channels,
                         const StopCheck& stop) {
@@ -152,6 +233,13 @@ SurfaceValues values_of(const BakeJob& job, std::vector<std::string>& channels,
   if (!job.images.empty()) {
     channels.clear();
     return values_of_images(job);
+  }
+  if (job.attribute == "color") {
+    if (!has_vertex_colors(job.carrier))
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("{}: its vertices have no colours to bake", job.carrier.file));
+    channels = {"r", "g", "b"};
+    return color_values(corner_colors_of(job.carrier, job.image_transfer));
   }
   if (job.attribute == "position") {
     channels = {"x", "y", "z"};
@@ -161,7 +249,7 @@ SurfaceValues values_of(const BakeJob& job, std::vector<std::string>& channels,
     channels = {"x", "y", "z"};
     return job.carrier.polygons.polygon_normals.empty()
                ? normal_values(mesh)
-               : normal_values(corner_normals(mesh, job.carrier.polygons));
+               : normal_values(corner_normals(job.carrier));
   }
   if (job.attribute == "face") {
     channels = {"face"};
@@ -177,6 +265,18 @@ SurfaceValues values_of(const BakeJob& job, std::vector<std::string>& channels,
   return values;
 }
 
+// Of the vertices of a surface from another one.
+double least_distance(const SurfaceMesh& surface, const SurfaceTree& tree) {
+  double least = std::numeric_limits<double>::infinity();
+  Index likely = -1;
+  for (Index v = 0; v < surface.vertex_count(); ++v) {
+    const NearestPoint nearest = tree.nearest(surface.input_position(v), likely);
+    likely = nearest.face;
+    least = std::min(least, nearest.distance);
+  }
+  return least;
+}
+
 // The time that searches for nearest points take, of which every kPeriod-th is measured.
 class TimedPlaces {
  public:
@@ -187,7 +287,7 @@ class TimedPlaces {
       thread_local unsigned calls = 0;
       if (++calls % kPeriod != 0) return places_(of, likely);
       Stopwatch watch;
-      std::optional<SurfacePlace> found = places_(of, likely);
+      std::optional<CarrierPlace> found = places_(of, likely);
       nanoseconds_.fetch_add(std::llround(1e9 * watch.restart()), std::memory_order_relaxed);
       return found;
     };
@@ -204,6 +304,11 @@ class TimedPlaces {
 
 }  // namespace
 
+bool has_vertex_colors(const BakeSurface& surface) {
+  if (surface.polygons.gltf) return corner_colors(surface.polygons).rows() > 0;
+  return !surface.polygons.colors.empty();
+}
+
 std::string_view method_name(BakeMethod method) {
   constexpr std::array<std::string_view, 3> kNames{"auto", "same", "nearest"};
   return kNames[static_cast<std::size_t>(method)];
@@ -216,9 +321,13 @@ BakeSurface bake_surface(PolygonMesh polygons, Texcoords texcoords, const StopCh
     throw Refusal(ErrorKind::Unsupported, polygons.file,
                   polygons.file + ": has no texture coordinates to bake into; ", Hint::Unwrap);
   if (is_textured) {
-    surface = with_layout(to_map_file(polygons), polygons.file);
+    const MapFile file = to_map_file(polygons);
+    surface = with_layout(file, polygons.file);
+    surface.polygon_corner = corners_of_polygons(file, polygons);
   } else {
-    surface.mesh = repair(polygons, {.numerics = Numerics::AsGiven}, stop).mesh;
+    RepairedSurface repaired = repair(polygons, {.numerics = Numerics::AsGiven}, stop);
+    surface.mesh = std::move(repaired.mesh);
+    surface.polygon_corner = std::move(repaired.polygon_corner);
     surface.file = polygons.file;
   }
   surface.warnings = polygons.warnings;
@@ -255,7 +364,8 @@ void BakeJob::run(const StopCheck& stop) {
   if (!place_of) {
     farthest = distance.value_or(kFarthest * diagonal(carrier.mesh->positions()));
     tree.emplace(input_positions(*carrier.mesh), carrier.mesh->faces());
-    timed.emplace(nearest_places(*target.mesh, *tree, farthest));
+    sense = sense_of(*target.mesh, *tree, farthest);
+    timed.emplace(nearest_places(*target.mesh, *tree, farthest, sense));
     place_of = timed->places();
     nearest_seconds = watch.restart();
   }
@@ -267,7 +377,19 @@ void BakeJob::run(const StopCheck& stop) {
     nearest_seconds += searches;
     bake_seconds -= searches;
   }
+  if (tree && is_all_missed()) apart = least_distance(*target.mesh, *tree);
   images = {};
+}
+
+double BakeJob::opposed() const {
+  const BakeCounts& counts = baked->counts;
+  const long shown = counts.covered + counts.partly - counts.misses;
+  return shown > 0 ? static_cast<double>(counts.opposed) / static_cast<double>(shown) : 0;
+}
+
+bool BakeJob::is_all_missed() const {
+  const long covered = baked->counts.covered + baked->counts.partly;
+  return covered > 0 && baked->counts.misses == covered;
 }
 
 bool BakeJob::is_proven() const {
@@ -285,6 +407,7 @@ Json bake_section(const BakeJob& job) {
       {"undecided", counts.undecided},
       {"partly_covered", counts.partly},
       {"misses", counts.misses},
+      {"opposed", job.opposed()},
       {"charts", counts.charts},
       {"charts_without_texels", counts.charts_without_texels},
       {"density", {{"min", job.density.min}, {"mean", job.density.mean}, {"max", job.density.max}}},

@@ -27,8 +27,12 @@ namespace majorant {
 // A surface of a file, and its layout where it has one.
 struct BakeSurface {
   std::string file;
-  PolygonMesh polygons;                     // of a mesh; empty of files that hold maps
-  std::shared_ptr<const SurfaceMesh> mesh;  // that of the layout, where there is one
+  PolygonMesh polygons;  // of a mesh; empty of files that hold maps
+  // That of the layout, where there is one. Its faces are triangles; input_face() is the number of
+  // the file's polygon that a triangle is a part of.
+  std::shared_ptr<const SurfaceMesh> mesh;
+  Cells polygon_corner;  // #F by 3: which corner of its polygon each corner of a face is, from 0;
+                         // no rows without polygons
   std::optional<BezierMap> layout;
   double scale = 1;  // of the layout, in surface units
   std::vector<std::string> warnings;
@@ -50,17 +54,21 @@ enum class BakeMethod {
 };
 std::string_view method_name(BakeMethod method);
 
-inline constexpr std::array<std::string_view, 4> kBakeAttributes{"position", "normal", "face",
-                                                                 "distortion"};
+// color: of vertices, as the carrier's file has it.
+inline constexpr std::array<std::string_view, 5> kBakeAttributes{"color", "position", "normal",
+                                                                 "face", "distortion"};
+// Returns whether vertices of the file have colours: of OBJ and PLY, COLOR_0 of glTF.
+bool has_vertex_colors(const BakeSurface& surface);
 
 // The members up to `options` are what is asked for.
 struct BakeJob {
   BakeSurface target, carrier;
   // Of the carrier's layout, and which of them, by its polygons; empty: the only one. Or none:
   std::vector<Raster> images;
+  std::vector<Wraps> wraps;  // by image; empty: all repeat
   std::vector<int> image_of_polygon;
   std::string attribute;                     // one of kBakeAttributes, or a .npy file of numbers
-  Transfer image_transfer = Transfer::Srgb;  // of integer images
+  Transfer image_transfer = Transfer::Srgb;  // of integer images, and colours of OBJ and PLY
   Filter filter = Filter::Bilinear;
   BakeMethod method = BakeMethod::Automatic;
   std::optional<double> distance;  // farthest points of Nearest; none: kFarthest of the diagonal
@@ -75,10 +83,16 @@ struct BakeJob {
   void run(const StopCheck& stop = {});
   // True where every texel centre in a chart was written once: it lies there in one place, proven.
   bool is_proven() const;
+  // True where charts cover texels and nothing was found for any of them.
+  bool is_all_missed() const;
+  // The share of covered texels with a value that show a place whose normal is opposed.
+  double opposed() const;
 
   std::vector<std::string> channels;  // their names
   float background = 0;
-  double farthest = 0;  // of Nearest
+  double farthest = 0;          // of Nearest
+  Sense sense = Sense::Equal;   // of the carrier's faces, likewise
+  std::optional<double> apart;  // where all is missed: the least distance of target and carrier
   std::optional<BakedImage> baked;
   TexelDensity density;
   // Of the search tree and the searches in it; of all else. Wall clock.

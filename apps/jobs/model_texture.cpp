@@ -1,91 +1,62 @@
 #include "majorant/apps/jobs/model_texture.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
 #include <filesystem>
-#include <map>
+#include <memory>
 #include <optional>
-#include <sstream>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/files/input_file.h"
-#include "majorant/io/files_below.h"
 #include "majorant/io/gltf_texture.h"
 #include "majorant/io/map_check.h"
 #include "majorant/io/material_lines.h"
+#include "majorant/io/obj_materials.h"
 #include "majorant/io/written_mark.h"
 #include "majorant/pictures/images/image_file.h"
 
 namespace majorant {
 namespace {
 
-std::string beside(const std::string& obj, const char* extension) {
+constexpr const char* kColorMap = "map_Kd";
+
+std::string beside(const std::string& obj, const std::string& extension) {
   return std::filesystem::path(obj).replace_extension(extension).string();
 }
 
-struct Material {
-  std::string map;  // file of map_Kd, or empty
-  std::array<float, 3> color{1, 1, 1};
-};
+// Maps of another kind than map_Kd that lie in the old layout.
+bool is_other_map(std::string_view word) { return word != kColorMap && is_image_keyword(word); }
 
-void require_unmoved(const MaterialImage& image, const std::string& file) {
-  for (const std::string_view option : image.options)
-    if (option == "-s" || option == "-o" || option == "-t")
-      throw Error(
-          ErrorKind::Unsupported,
-          fmt::format("{}: map_Kd {}: a texture that is scaled or moved is not baked; apply "
-                      "that to the texture coordinates",
-                      file, option));
+bool is_color_map(std::string_view keyword) {
+  return keyword == kColorMap || keyword == "map_Ka" || keyword == "map_Ks" || keyword == "map_Ke";
 }
 
-std::string image_file(const std::string& path, const std::string& name) {
-  if (!is_below(path, name))
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: map_Kd names the file '{}', and files are read from its own "
-                            "folder and those below alone; copy it there",
-                            path, name));
-  return (std::filesystem::path(path).parent_path() / name).string();
+// Maps of one number at a point, which means the same in any layout.
+bool is_number_map(std::string_view keyword) {
+  constexpr std::array<std::string_view, 9> kNumbers{
+      "map_Ns", "map_d", "map_Pr", "map_Pm", "map_Ps", "map_Bump", "map_bump", "bump", "disp"};
+  return std::find(kNumbers.begin(), kNumbers.end(), keyword) != kNumbers.end();
 }
 
-class MaterialReader {
- public:
-  explicit MaterialReader(ModelTexture& texture) : texture_(texture) {}
-
-  void read(const std::string& path, const StopCheck& stop) {
-    std::string text = read_whole_file(path, stop);
-    require_text(path, text);
-    std::istringstream lines(text);
-    Material* current = nullptr;
-    for (std::string line; std::getline(lines, line);) {
-      texture_.lines.push_back(line);
-      const auto [word, rest] = split_keyword(line);
-      if (word == "newmtl") current = &materials[std::string(rest)];
-      if (!current) continue;
-      if (word == "Kd") {
-        std::istringstream numbers{std::string(rest)};
-        for (float& c : current->color) numbers >> c;
-      }
-      if (word == "map_Kd") {
-        const MaterialImage image = *material_image(line);
-        require_unmoved(image, path);
-        current->map = image_file(path, image.name);
-      }
-    }
-  }
-
-  std::map<std::string, Material, std::less<>> materials;
-
- private:
-  ModelTexture& texture_;
-};
-
-// A map of another kind than map_Kd lies in the old layout.
-bool is_other_map(std::string_view word) { return word != "map_Kd" && is_image_keyword(word); }
+// Normal maps in the tangent space of the old layout have colours, heights have none.
+bool is_grey(const Raster& image) {
+  if (image.channels() < 3) return true;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (image.value(x, y, 0) != image.value(x, y, 1) ||
+          image.value(x, y, 0) != image.value(x, y, 2))
+        return false;
+  return true;
+}
 
 Raster of_color(const std::array<float, 3>& color) {
   Raster pixel(1, 1, 3, PixelDepth::Eight);
@@ -93,111 +64,275 @@ Raster of_color(const std::array<float, 3>& color) {
   return pixel;
 }
 
-std::string materials_text(const ModelTexture& texture, const std::string& image) {
+// -mm of the library: base + gain * code.
+void spread(Raster& image, double base, double gain) {
+  if (base == 0 && gain == 1) return;
+  const int colors = image.channels() % 2 == 0 ? image.channels() - 1 : image.channels();
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < colors; ++c)
+        image.set(x, y, c, static_cast<float>(base + gain * image.value(x, y, c)));
+}
+
+Raster shown_image(const ObjImage& image, const StopCheck& stop) {
+  if (!image.refusal.empty()) throw Error(ErrorKind::Unsupported, image.refusal);
+  Raster raster = read_image(image.file, stop);
+  spread(raster, image.base, image.gain);
+  return raster;
+}
+
+Wraps wraps_of(const ObjImage& image) {
+  return image.clamps ? Wraps{Wrap::Clamp, Wrap::Clamp} : Wraps{};
+}
+
+// Collects the images that materials show by a keyword.
+class LayerReader {
+ public:
+  LayerReader(const ObjMaterials& materials, std::string keyword) : materials_(materials) {
+    layer_.transfer = is_color_map(keyword) ? Transfer::Srgb : Transfer::Linear;
+    layer_.keyword = std::move(keyword);
+  }
+
+  TextureLayer read(std::vector<std::string>& files, const StopCheck& stop) {
+    std::vector<int> image_of_material;
+    for (const std::string& name : materials_.names)
+      image_of_material.push_back(number(materials_.find(name), files, stop));
+    for (const int material : materials_.of_polygon)
+      layer_.image_of_polygon.push_back(image_of_material[to_size(material)]);
+    return std::move(layer_);
+  }
+
+ private:
+  int number(const ObjMaterial* material, std::vector<std::string>& files, const StopCheck& stop) {
+    const auto next = static_cast<int>(layer_.images.size());
+    const ObjImage* const image = material == nullptr ? nullptr : material->image(layer_.keyword);
+    if (image == nullptr) {
+      layer_.images.push_back(
+          of_color(material == nullptr ? std::array<float, 3>{1, 1, 1} : material->color));
+      layer_.wraps.emplace_back();
+      return next;
+    }
+    for (const auto& [known, k] : known_)
+      if (known == *image) return k;
+    layer_.images.push_back(shown_image(*image, stop));
+    layer_.wraps.push_back(wraps_of(*image));
+    known_.emplace_back(*image, next);
+    files.push_back(image->file);
+    return next;
+  }
+
+  const ObjMaterials& materials_;
+  TextureLayer layer_;
+  std::vector<std::pair<ObjImage, int>> known_;
+};
+
+// The line of a material of the output that shows a map: its options without effect on the layout
+// stay.
+std::string map_line(const std::string& line, const std::string& image) {
+  const MaterialImage map = *material_image(line);
+  std::string text(map.keyword);
+  for (const MaterialImage::Option& option : map.options)
+    if (option.name == "-bm" || option.name == "-imfchan" || option.name == "-type")
+      text += fmt::format(" {} {}", option.name, fmt::join(option.values, " "));
+  return text + " " + image;
+}
+
+// Names an image of a layer: out_map_Ks.png.
+std::string layer_file(const std::string& obj, const TextureLayer& layer) {
+  std::filesystem::path path(obj);
+  path.replace_filename(path.stem().string() + "_" + layer.keyword + ".png");
+  return path.string();
+}
+
+std::string materials_text(const ModelTexture& texture, const std::string& obj) {
+  const auto name_of = [](const std::string& file) {
+    return std::filesystem::path(file).filename().string();
+  };
   std::string text = mark_text(".mtl");
   for (const std::string& line : texture.lines) {
     const auto [word, rest] = split_keyword(line);
-    if (is_other_map(word) || (word == "#" && is_written_mark(rest))) continue;
-    text += word == "map_Kd" ? "map_Kd " + image : line;
+    if (word == "#" && is_written_mark(rest)) continue;
+    const auto layer =
+        std::find_if(texture.others.begin(), texture.others.end(),
+                     [word = word](const TextureLayer& one) { return one.keyword == word; });
+    if (is_other_map(word) && layer == texture.others.end()) continue;
+    text += word == kColorMap    ? map_line(line, name_of(texture_file(obj)))
+            : is_other_map(word) ? map_line(line, name_of(layer_file(obj, *layer)))
+                                 : line;
     text += '\n';
   }
   return text;
 }
 
-ModelTexture read_obj_texture(const PolygonMesh& polygons, const StopCheck& stop) {
-  require_materials_below(polygons);
-  ModelTexture texture;
-  MaterialReader reader(texture);
-  const std::filesystem::path folder = std::filesystem::path(polygons.file).parent_path();
-  for (const auto& [polygon, line] : polygons.directives) {
-    const auto [word, rest] = split_keyword(line);
-    if (word == "mtllib") reader.read((folder / std::string(rest)).string(), stop);
+// Materials that no library has are shown white.
+void warn_of_missing(const PolygonMesh& polygons, const ObjMaterials& materials,
+                     std::vector<std::string>& warnings) {
+  for (const std::string& name : materials.names) {
+    if (name.empty() || materials.find(name) != nullptr) continue;
+    const auto same =
+        std::find_if(materials.materials.begin(), materials.materials.end(), [&](const auto& one) {
+          return std::equal(
+              one.first.begin(), one.first.end(), name.begin(), name.end(),
+              [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+        });
+    warnings.push_back(fmt::format(
+        "{}: no mtllib has the material '{}'{}; its faces are white", polygons.file, name,
+        same == materials.materials.end() ? "" : fmt::format(" (it has '{}')", same->first)));
   }
+}
+
+// Reads the images of a keyword. Returns why they do not move; empty: they do.
+std::string read_other_layer(const std::string& keyword, const ObjMaterials& materials,
+                             ModelTexture& texture, const StopCheck& stop) {
+  if (!is_color_map(keyword) && !is_number_map(keyword))
+    return "it depends on the old layout, or on more than a point";
+  TextureLayer layer;
+  try {
+    layer = LayerReader(materials, keyword).read(texture.files, stop);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  const bool is_shown = is_color_map(keyword) ||
+                        std::all_of(layer.images.begin(), layer.images.end(), [](const auto& one) {
+                          return is_grey(one) || one.width() * one.height() == 1;
+                        });
+  if (!is_shown) return "its colours are directions in the old layout";
+  texture.others.push_back(std::move(layer));
+  return {};
+}
+
+// Other images move, too, or are left out with a warning that says why.
+void read_other_layers(const PolygonMesh& polygons, const ObjMaterials& materials,
+                       ModelTexture& texture, const StopCheck& stop) {
+  std::set<std::string> keywords;
+  for (const std::string& name : materials.names)
+    if (const ObjMaterial* const material = materials.find(name))
+      for (const auto& [keyword, image] : material->images)
+        if (keyword != kColorMap) keywords.insert(keyword);
+  for (const std::string& keyword : keywords)
+    if (const std::string why = read_other_layer(keyword, materials, texture, stop); !why.empty())
+      texture.warnings.push_back(fmt::format(
+          "{}: {} is not moved to the new layout, and left out: {}", polygons.file, keyword, why));
+}
+
+std::optional<ModelTexture> find_obj_texture(const PolygonMesh& polygons, Layers layers,
+                                             const StopCheck& stop) {
+  const ObjMaterials materials = read_obj_materials(polygons, stop);
   const bool has_map =
-      std::any_of(reader.materials.begin(), reader.materials.end(),
-                  [](const auto& material) { return !material.second.map.empty(); });
-  if (!has_map || polygons.polygon_texcoords.empty())
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: has no texture to bake: texture coordinates, and an mtllib with a "
-                            "map_Kd",
-                            polygons.file));
-  std::map<std::string, int, std::less<>> number_of_map;
-  std::map<std::string, int, std::less<>> number_of_material;
-  const auto number = [&](const std::string& name) {
-    const auto known = number_of_material.find(name);
-    if (known != number_of_material.end()) return known->second;
-    const auto material = reader.materials.find(name);
-    const Material of = material == reader.materials.end() ? Material() : material->second;
-    const auto next = static_cast<int>(texture.images.size());
-    const auto [map, is_new] =
-        number_of_map.try_emplace(of.map.empty() ? " " + name : of.map, next);
-    if (is_new)
-      texture.images.push_back(of.map.empty() ? of_color(of.color) : read_image(of.map, stop));
-    return number_of_material[name] = map->second;
-  };
-  auto directive = polygons.directives.begin();
-  std::string material;
-  for (std::size_t p = 0; p < polygons.polygons.size(); ++p) {
-    for (; directive != polygons.directives.end() && to_size(directive->first) <= p; ++directive)
-      if (const auto [word, rest] = split_keyword(directive->second); word == "usemtl")
-        material = rest;
-    texture.image_of_polygon.push_back(number(material));
-  }
-  for (const std::string& line : texture.lines)
-    if (const std::string_view word = split_keyword(line).first; is_other_map(word))
-      texture.warnings.push_back(
-          fmt::format("{}: {} is not moved to the new layout, and left out", polygons.file, word));
+      std::any_of(materials.materials.begin(), materials.materials.end(),
+                  [](const auto& material) { return material.second.image(kColorMap) != nullptr; });
+  if (!has_map || polygons.polygon_texcoords.empty()) return std::nullopt;
+  ModelTexture texture;
+  texture.lines = materials.lines;
+  texture.color = LayerReader(materials, kColorMap).read(texture.files, stop);
+  warn_of_missing(polygons, materials, texture.warnings);
+  if (layers == Layers::All) read_other_layers(polygons, materials, texture, stop);
   return texture;
+}
+
+Wrap wrap_of(BaseColors::Wrap wrap) {
+  return wrap == BaseColors::Wrap::Clamp    ? Wrap::Clamp
+         : wrap == BaseColors::Wrap::Mirror ? Wrap::Mirror
+                                            : Wrap::Repeat;
 }
 
 // A white pixel for materials without a texture.
-ModelTexture read_gltf_texture(const PolygonMesh& polygons, const StopCheck& stop) {
+std::optional<ModelTexture> find_gltf_texture(const PolygonMesh& polygons, const StopCheck& stop) {
   BaseColors colors = base_colors(polygons, stop);
-  if (colors.images.empty() || polygons.polygon_texcoords.empty())
-    throw Error(ErrorKind::Unsupported,
-                fmt::format("{}: has no texture to bake: texture coordinates, and a material with "
-                            "a base colour texture",
-                            polygons.file));
+  if (colors.images.empty() || polygons.polygon_texcoords.empty()) return std::nullopt;
   ModelTexture texture;
-  texture.image_of_polygon = std::move(colors.image_of_polygon);
-  for (const BaseColors::Image& image : colors.images)
-    texture.images.push_back(decode_image(image.name, image.bytes));
-  const auto white = static_cast<int>(texture.images.size());
-  std::vector<int>& numbers = texture.image_of_polygon;
+  TextureLayer& layer = texture.color;
+  layer.keyword = kColorMap;
+  layer.image_of_polygon = std::move(colors.image_of_polygon);
+  for (const BaseColors::Image& image : colors.images) {
+    layer.images.push_back(decode_image(image.name, image.bytes));
+    layer.wraps.push_back({wrap_of(image.wrap[0]), wrap_of(image.wrap[1])});
+  }
+  const auto white = static_cast<int>(layer.images.size());
+  std::vector<int>& numbers = layer.image_of_polygon;
   if (std::find(numbers.begin(), numbers.end(), -1) == numbers.end()) return texture;
   std::replace(numbers.begin(), numbers.end(), -1, white);
-  texture.images.push_back(of_color({1, 1, 1}));
+  layer.images.push_back(of_color({1, 1, 1}));
+  layer.wraps.emplace_back();
   return texture;
 }
 
-// What `old` carries, in the layout of the model that was written to `file`.
-BakeJob baked(ModelTexture& texture, const PolygonMesh& old, const std::string& model,
-              const std::string& file, const StopCheck& stop) {
-  BakeJob job;
-  job.target = read_bake_surface(file, Texcoords::Needed, stop);
-  job.carrier = bake_surface(old, Texcoords::Needed, stop);
+// As many pixels as all images have, and no fewer along a side than one of them.
+int side_of(const TextureLayer& layer) {
   int side = 1;
-  bool is_wide = false;
-  for (const Raster& image : texture.images) {
+  double pixels = 0;
+  for (const Raster& image : layer.images) {
     side = std::max({side, image.width(), image.height()});
-    is_wide = is_wide || image.depth() != PixelDepth::Eight;
+    if (image.width() * image.height() > 1)  // others are colours of materials
+      pixels += static_cast<double>(image.width()) * image.height();
   }
-  job.options.width = job.options.height = side;
+  const double together = std::ceil(std::sqrt(pixels));
+  return std::min(std::max(side, static_cast<int>(together)), kLargestImage);
+}
+
+// The images that `job` carries, in the layout of the model that was written to a file.
+void bake_layer(BakeJob& job, TextureLayer layer, const std::string& model, std::optional<int> side,
+                const StopCheck& stop) {
+  job.options.width = job.options.height = side.value_or(side_of(layer));
+  const bool is_wide =
+      std::any_of(layer.images.begin(), layer.images.end(),
+                  [](const Raster& image) { return image.depth() != PixelDepth::Eight; });
   job.options.depth = is_wide ? PixelDepth::Sixteen : PixelDepth::Eight;
-  job.options.transfer = Transfer::Srgb;
-  job.images = std::move(texture.images);
-  job.image_of_polygon = std::move(texture.image_of_polygon);
+  job.options.transfer = job.image_transfer = layer.transfer;
+  job.images = std::move(layer.images);
+  job.wraps = std::move(layer.wraps);
+  job.image_of_polygon = std::move(layer.image_of_polygon);
   job.run(stop);
   if (!job.is_proven())
     throw Error(ErrorKind::Invalid,
                 fmt::format("{}: its layout overlaps, so that its texture cannot be baked", model));
-  return job;
+}
+
+// An image that stands beside a model, until it takes its name.
+struct BakedLayer {
+  std::string file, bytes;
+};
+
+void require_not_read(const std::string& file, const ModelTexture& texture) {
+  std::error_code failed;
+  for (const std::string& read : texture.files)
+    if (std::filesystem::equivalent(file, read, failed))
+      throw Error(
+          ErrorKind::Usage,
+          fmt::format("{}: the texture is read from it; give the output another name", file));
 }
 
 }  // namespace
 
+std::optional<ModelTexture> find_texture(const PolygonMesh& polygons, Layers layers,
+                                         const StopCheck& stop) {
+  return polygons.gltf ? find_gltf_texture(polygons, stop)
+                       : find_obj_texture(polygons, layers, stop);
+}
+
+std::vector<std::string> shown_pictures(const PolygonMesh& polygons) {
+  std::vector<std::string> files;
+  if (polygons.gltf || polygons.polygon_texcoords.empty()) return files;
+  try {
+    const ObjMaterials materials = read_obj_materials(polygons);
+    for (const std::string& name : materials.names) {
+      const ObjMaterial* const material = materials.find(name);
+      const ObjImage* const image = material == nullptr ? nullptr : material->image(kColorMap);
+      if (image != nullptr && !image->file.empty() &&
+          std::find(files.begin(), files.end(), image->file) == files.end())
+        files.push_back(image->file);
+    }
+  } catch (const Error&) {  // who reads the pictures says so
+  }
+  return files;
+}
+
 ModelTexture read_texture(const PolygonMesh& polygons, const StopCheck& stop) {
-  return polygons.gltf ? read_gltf_texture(polygons, stop) : read_obj_texture(polygons, stop);
+  if (auto texture = find_texture(polygons, Layers::All, stop)) return *std::move(texture);
+  throw Error(ErrorKind::Unsupported,
+              fmt::format("{}: has no texture to bake: texture coordinates, and {}", polygons.file,
+                          polygons.gltf ? "a material with a base colour texture"
+                                        : "an mtllib with a map_Kd"));
 }
 
 bool may_have_texture(const std::string& model) {
@@ -207,6 +342,13 @@ bool may_have_texture(const std::string& model) {
 
 std::string texture_file(const std::string& obj) { return beside(obj, ".png"); }
 std::string material_file(const std::string& obj) { return beside(obj, ".mtl"); }
+
+std::vector<std::string> layer_files(const std::string& obj, const ModelTexture& texture) {
+  std::vector<std::string> files;
+  if (format_of(obj) == ".obj")
+    for (const TextureLayer& layer : texture.others) files.push_back(layer_file(obj, layer));
+  return files;
+}
 
 PolygonMesh with_material_file(PolygonMesh polygons, const std::string& obj) {
   const std::string line =
@@ -227,29 +369,44 @@ PolygonMesh with_material_file(PolygonMesh polygons, const std::string& obj) {
 }
 
 void write_textured(const std::string& path, const LayoutOfModel& layout, const PolygonMesh& old,
-                    ModelTexture texture, const StopCheck& stop) {
+                    ModelTexture texture, std::optional<int> side, const StopCheck& stop) {
   require_complete(path, layout.map);
-  const std::string image = texture_file(path);
+  for (const std::string& file : layer_files(path, texture)) require_not_read(file, texture);
   std::optional<BakeJob> job;
-  std::string png;
+  std::vector<BakedLayer> baked;
   const auto bake = [&](const std::string& temporary) {
     if (layout.verify) layout.verify(temporary);
-    job = baked(texture, old, path, temporary, stop);
-    png = encode_image(image, job->baked->image, {.transfer = Transfer::Srgb, .channels = {}});
+    job.emplace();
+    job->target = read_bake_surface(temporary, Texcoords::Needed, stop);
+    job->carrier = bake_surface(old, Texcoords::Needed, stop);
+    const auto add = [&](const std::string& file, TextureLayer layer) {
+      const Transfer transfer = layer.transfer;
+      bake_layer(*job, std::move(layer), path, side, stop);
+      baked.push_back(
+          {file, encode_image(file, job->baked->image, {.transfer = transfer, .channels = {}})});
+    };
+    add(texture_file(path), std::move(texture.color));
+    if (format_of(path) == ".obj")
+      for (TextureLayer& layer : texture.others) {
+        const std::string file = layer_file(path, layer);
+        TextureLayer images = layer;
+        layer.images.clear();  // its name is still needed
+        add(file, std::move(images));
+      }
   };
   if (format_of(path) != ".obj") {
     const PendingFile never_there(
         path, gltf_bytes(path, layout.map, &layout.polygons, layout.formats.tessellation), bake);
-    return write_base_color(path, job->target.polygons, png, layout.verify);
+    return write_base_color(path, job->target.polygons, baked.front().bytes, layout.verify);
   }
   write_map(path, layout.map, &layout.polygons, layout.formats, [&](const std::string& temporary) {
     bake(temporary);
-    PendingFile picture(image, png);
-    PendingFile materials(
-        material_file(path),
-        materials_text(texture, std::filesystem::path(image).filename().string()));
-    picture.take_place();
-    materials.take_place();
+    std::vector<std::unique_ptr<PendingFile>> pending;
+    for (const BakedLayer& layer : baked)
+      pending.push_back(std::make_unique<PendingFile>(layer.file, layer.bytes));
+    pending.push_back(
+        std::make_unique<PendingFile>(material_file(path), materials_text(texture, path)));
+    for (const auto& file : pending) file->take_place();
   });
 }
 

@@ -27,17 +27,32 @@
 
 namespace majorant {
 
+// A point of the surface that carries the values.
+struct CarrierPlace : SurfacePlace {
+  bool is_opposed = false;  // its normal makes more than 90 degrees with that of the other surface
+};
+
 // The point of the surface that carries the values for a point of the one that is baked for; none:
 // a miss. likely: the face of the last answer, or -1. From several threads at a time.
-using PlaceOf = std::function<std::optional<SurfacePlace>(const SurfacePlace& of, Index likely)>;
+using PlaceOf = std::function<std::optional<CarrierPlace>(const SurfacePlace& of, Index likely)>;
 
-// The same faces, of the same vertices, by their numbers in the file: by input_face() and
-// input_vertex(), at equal positions within kTenDigits. None where a face of `surface` is not in
-// `carrier`, which may be cut into triangles in another way.
+// The same polygons, of the same vertices, by their numbers in the file: by input_face() and
+// input_vertex(), at equal positions within kTenDigits. A polygon that `carrier` has cut into other
+// triangles gives the nearest point of these. None where a polygon of `surface` is not in
+// `carrier`.
 std::optional<PlaceOf> same_places(const SurfaceMesh& surface, const SurfaceMesh& carrier);
-// The nearest points that are no farther than `distance`. tree: over the input positions of the
-// carrier; it and `surface` outlive the result.
-PlaceOf nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance);
+// Which way the faces of the carrier are turned, compared with the surface there.
+enum class Sense { Equal, Reversed };
+// The sense that most of the surface has beside the carrier, no farther than `distance`; Equal
+// where nothing is near. tree: over the input positions of the carrier.
+Sense sense_of(const SurfaceMesh& surface, const SurfaceTree& tree, double distance);
+// Points no farther than `distance` on the side of the carrier that the surface shows: where the
+// line along the surface's normal, interpolated between its vertices, meets faces of the carrier
+// whose normals agree with it (less than 90 degrees), in either direction; where that is more than
+// twice as far as the nearest point of such faces, or nowhere, that point. Where no face agrees,
+// the nearest point, which is opposed. tree and `surface` outlive the result.
+PlaceOf nearest_places(const SurfaceMesh& surface, const SurfaceTree& tree, double distance,
+                       Sense sense = Sense::Equal);
 
 // How what a surface carries goes on across the edges of its faces.
 enum class Course {
@@ -60,12 +75,15 @@ SurfaceValues normal_values(const SurfaceMesh& mesh);    // of flat faces
 // Unit normals of the corners, #F by 9, interpolated.
 SurfaceValues normal_values(Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor> corners);
 SurfaceValues face_values(const SurfaceMesh& mesh);  // polygon of the file; -1: nothing
-// A row a face, or a vertex, interpolated.
+// A row a face; a vertex, or a corner of a face (3 #F), interpolated.
 SurfaceValues table_of_faces(RowMatrix rows);
 SurfaceValues table_of_vertices(const SurfaceMesh& mesh, RowMatrix rows);
+SurfaceValues table_of_corners(RowMatrix rows);
 // The texture of a surface. Colours are linear where the decoder says so.
 SurfaceValues texture_values(const BezierMap& layout, const Raster& image, Transfer transfer,
-                             Filter filter);
+                             Filter filter, const Wraps& wraps = {});
+// Colours of the corners of faces, 3 #F rows of 3 or 4 numbers of linear light, interpolated.
+SurfaceValues color_values(RowMatrix corners);
 
 struct BakeOptions {
   int width = 1024, height = 1024;
@@ -82,6 +100,7 @@ struct BakeCounts {
   long undecided = 0;       // of these, rounding leaves open which
   long partly = 0;          // covered but for their centre
   long misses = 0;          // covered or partly so, where nothing is known
+  long opposed = 0;         // covered or partly so, shown by a place that is opposed
   Index charts = 0, charts_without_texels = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -117,14 +118,16 @@ NearestPoint SurfaceTree::of_face(Index face, const Vector3& p) const {
   return point;
 }
 
-NearestPoint SurfaceTree::nearest(const Vector3& p, Index likely) const {
-  NearestPoint best = of_face(likely < 0 ? 0 : likely, p);
+// Calls offer(face) with the faces in boxes that are no farther than `farthest`, which offer() may
+// make smaller; nearer boxes first.
+template <class Offer>
+void SurfaceTree::visit_near(const Vector3& p, const double& farthest, const Offer& offer) const {
   const auto& nodes = boxes_->nodes;
   const auto distance_to = [&](Index node) {
     return nodes[to_size(node)].box.squaredExteriorDistance(p);
   };
   const auto may_be_nearer = [&](double squared) {
-    return squared <= best.distance * best.distance * (1 + kRounding);
+    return squared <= farthest * farthest * (1 + kRounding);
   };
   // Of halves one waits at each depth; medians keep that below 2 log #F.
   std::array<std::pair<Index, double>, 2 * std::numeric_limits<Index>::digits> waiting;
@@ -135,10 +138,7 @@ NearestPoint SurfaceTree::nearest(const Vector3& p, Index likely) const {
     if (!may_be_nearer(squared)) continue;
     const Boxes::Node& node = nodes[to_size(at)];
     if (node.second == 0) {
-      for (Index i = node.begin; i < node.end; ++i)
-        if (const NearestPoint other = of_face(boxes_->faces[to_size(i)], p);
-            other.distance < best.distance)
-          best = other;
+      for (Index i = node.begin; i < node.end; ++i) offer(boxes_->faces[to_size(i)]);
       continue;
     }
     std::pair<Index, double> near{at + 1, distance_to(at + 1)};
@@ -147,6 +147,57 @@ NearestPoint SurfaceTree::nearest(const Vector3& p, Index likely) const {
     if (may_be_nearer(far.second)) waiting[count++] = far;
     if (may_be_nearer(near.second)) waiting[count++] = near;
   }
+}
+
+NearestPoint SurfaceTree::nearest(const Vector3& p, Index likely) const {
+  NearestPoint best = of_face(likely < 0 ? 0 : likely, p);
+  visit_near(p, best.distance, [&](Index face) {
+    const NearestPoint other = of_face(face, p);
+    if (other.distance < best.distance) best = other;
+  });
+  return best;
+}
+
+Vector3 SurfaceTree::doubled_normal(Index face) const {
+  const auto corner = [&](Index k) -> Vector3 { return positions_.row(faces_(face, k)); };
+  return (corner(1) - corner(0)).cross(corner(2) - corner(0));
+}
+
+NearestPoint SurfaceTree::nearest_facing(const Vector3& p, const Vector3& direction,
+                                         double farthest, Index likely) const {
+  NearestPoint best;
+  best.distance = farthest;
+  const auto offer = [&](Index face) {
+    if (!(doubled_normal(face).dot(direction) > 0)) return;
+    const NearestPoint other = of_face(face, p);
+    if (other.distance < best.distance || (best.face < 0 && other.distance == best.distance))
+      best = other;
+  };
+  if (likely >= 0) offer(likely);
+  visit_near(p, best.distance, offer);
+  return best;
+}
+
+NearestPoint SurfaceTree::along(const Vector3& p, const Vector3& direction, double farthest) const {
+  NearestPoint best;
+  best.distance = farthest;
+  // A box that the line meets no farther than `best` is no farther itself: those that are left over
+  // cost a test of their faces, and `farthest` is small.
+  visit_near(p, best.distance, [&](Index face) {
+    const Vector3 normal = doubled_normal(face);
+    const double slope = normal.dot(direction);
+    if (!(slope > 0)) return;
+    const auto corner = [&](Index k) -> Vector3 {
+      return positions_.row(faces_(face, k)).transpose() - p;
+    };
+    const double t = normal.dot(corner(0)) / slope;
+    if (!(std::abs(t) <= best.distance)) return;
+    Barycentric xi;
+    for (Index k = 0; k < 3; ++k)
+      xi[k] = direction.dot(corner((k + 1) % 3).cross(corner((k + 2) % 3))) / slope;
+    if (!(xi.minCoeff() >= 0)) return;
+    best = {face, xi / xi.sum(), std::abs(t)};
+  });
   return best;
 }
 

@@ -9,7 +9,7 @@
 // found. Of faces at one distance any may be named: faces_at(). Faces without an area count as the
 // segments or points that they are.
 //
-// Not for rays, and not for points inside of solids: there is no sign.
+// Not for points inside of solids: there is no sign.
 #pragma once
 
 #include <memory>
@@ -46,6 +46,15 @@ class SurfaceTree {
 
   // likely: a face that is near, or -1: an answer for a neighbouring point makes this one fast.
   NearestPoint nearest(const Vector3& p, Index likely = -1) const;
+  // The nearest point, no farther than `farthest`, of the faces whose normals make less than 90
+  // degrees with this direction; its face is -1 where there is none.
+  NearestPoint nearest_facing(const Vector3& p, const Vector3& direction, double farthest,
+                              Index likely = -1) const;
+  // The point of such faces on the line through p along the direction, of length 1, that is nearest
+  // to p, on either side of it and no farther than `farthest`; its face is -1 where there is none.
+  NearestPoint along(const Vector3& p, const Vector3& direction, double farthest) const;
+  // Normal of a face, as long as twice its area.
+  Vector3 doubled_normal(Index face) const;
   // Of every row of p, #P by 3. Polls `stop`: Stopped.
   std::vector<NearestPoint> locate(const Points3& p, const StopCheck& stop = {}) const;
   // Returns the faces no farther from p than `distance`, in ascending order.
@@ -53,6 +62,8 @@ class SurfaceTree {
 
  private:
   struct Boxes;
+  template <class Offer>
+  void visit_near(const Vector3& p, const double& farthest, const Offer& offer) const;
   NearestPoint of_face(Index face, const Vector3& p) const;
 
   Points3 positions_;

@@ -3,6 +3,7 @@
 """majorant bake: what texels show, against the formula; directions of v; hostile images; what is refused."""
 import io
 import json
+import math
 import os
 import resource
 import struct
@@ -275,6 +276,339 @@ class Refusals(BakeTest):
         self.assertEqual([f for f in self.files() if 'tmp' in f], [])
 
 
+def polygon_plane(seed, n=4):
+    """A square of the plane cut into triangles, quads and hexagons, whose vertices are shaken and whose polygons begin
+    anywhere: points, polygons."""
+    random = np.random.default_rng(seed)
+    points = np.array([(i / n, j / n) for j in range(n + 1) for i in range(n + 1)], float)
+    inner = ((points > 0.01) & (points < 0.99)).all(1)
+    points[inner] += random.uniform(-0.15, 0.15, (inner.sum(), 2)) / n
+    polygons = []
+    for j in range(n):
+        i = 0
+        while i < n:
+            a, b = j * (n + 1) + i, (j + 1) * (n + 1) + i
+            kind = random.integers(3)
+            if kind == 0 and i + 1 < n:  # two cells at once
+                polygons.append([a, a + 1, a + 2, b + 2, b + 1, b])
+                i += 2
+                continue
+            polygons += [[a, a + 1, b + 1, b]] if kind else [[a, a + 1, b + 1], [a, b + 1, b]]
+            i += 1
+    return points, [list(np.roll(p, random.integers(len(p)))) for p in polygons]
+
+
+def polygon_at(points, polygons, place, margin):
+    """The number of the polygon that has the place inside, at least so far from its edges; -1: none."""
+    for k, polygon in enumerate(polygons):
+        corners = points[polygon]
+        edges = np.roll(corners, -1, 0) - corners
+        normals = np.stack([-edges[:, 1], edges[:, 0]], -1) / np.linalg.norm(edges, axis=1)[:, None]
+        if (((place - corners) * normals).sum(1) > margin).all():
+            return k
+    return -1
+
+
+class Polygons(CommandTest):
+    """What triangles, quads and hexagons carry, in one file, against the polygon that a texel's centre lies in: by
+    texture coordinates of their own each, and without; with normals of their own, and without; by numbers and by
+    nearest points."""
+    SIZE = 48
+
+    def setUp(self):
+        super().setUp()
+        self.points, self.polygons = polygon_plane(int(self.id().encode().hex(), 16) % 1000)
+        random = np.random.default_rng(7)
+        self.normals = random.normal(size=(len(self.polygons), 3))
+        self.normals /= np.linalg.norm(self.normals, axis=1)[:, None]
+        self.islands = random.uniform(0.2, 0.8, (len(self.polygons), 2))  # of texture coordinates, one a polygon
+        self.scales = random.uniform(0.1, 0.2, len(self.polygons))
+        self.material_of = random.integers(0, 3, len(self.polygons))
+        self.new = self.write('new.obj', self.obj(vt=self.points, vt_of=self.polygons))
+        self.texels = [(x, y) for y in range(self.SIZE) for x in range(self.SIZE)]
+        centers = [((x + 0.5) / self.SIZE, 1 - (y + 0.5) / self.SIZE) for x, y in self.texels]
+        self.polygon_of = [polygon_at(self.points, self.polygons, np.array(c), 0.03) for c in centers]
+        self.inside = [(t, c, p) for t, c, p in zip(self.texels, centers, self.polygon_of) if p >= 0]
+        self.assertGreater(len(self.inside), 500)
+
+    def obj(self, vt=(), vt_of=None, vn=False, materials=False, colors=None):
+        lines = ['mtllib m.mtl'] if materials else []
+        for k, (x, y) in enumerate(self.points):
+            lines.append('v %.17g %.17g 0' % (x, y) + (' %.17g %.17g %.17g' % tuple(colors[k]) if colors is not None else ''))
+        lines += ['vt %.17g %.17g' % tuple(t) for t in vt]
+        lines += ['vn %.17g %.17g %.17g' % tuple(n) for n in self.normals] if vn else []
+        for p, polygon in enumerate(self.polygons):
+            if materials:
+                lines.append('usemtl m%d' % self.material_of[p])
+            lines.append('f ' + ' '.join(
+                '%d' % (v + 1) + ('/' if vt_of or vn else '') + ('%d' % (vt_of[p][k] + 1) if vt_of else '') +
+                ('/%d' % (p + 1) if vn else '') for k, v in enumerate(polygon)))
+        return '\n'.join(lines) + '\n'
+
+    def island_coordinates(self):
+        """Polygon p is shown by a shrunk copy of itself around islands[p]."""
+        vt, vt_of = [], []
+        for p, polygon in enumerate(self.polygons):
+            vt_of.append([len(vt) + k for k in range(len(polygon))])
+            middle = self.points[polygon].mean(0)
+            vt += [self.islands[p] + self.scales[p] * (self.points[v] - middle) for v in polygon]
+        return vt, vt_of
+
+    def carriers(self, **how):
+        """With texture coordinates: as OBJ, PLY and VTU; without: as OBJ and PLY."""
+        vt, vt_of = self.island_coordinates()
+        yield self.write('vt.obj', self.obj(vt, vt_of, **how))
+        yield self.write('bare.obj', self.obj(**how))
+        if not how:
+            faces = ['%d %s %d %s' % (len(p), ' '.join(map(str, p)), 2 * len(t),
+                                      ' '.join('%.17g %.17g' % tuple(vt[k]) for k in t))
+                     for p, t in zip(self.polygons, vt_of)]
+            head = 'ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\nproperty double z\n' \
+                   'element face %d\nproperty list uchar int vertex_indices\n%send_header\n'
+            vertices = ''.join('%.17g %.17g 0\n' % tuple(p) for p in self.points)
+            counts = len(self.points), len(self.polygons)
+            yield self.write('vt.ply', head % (*counts, 'property list uchar double texcoord\n') + vertices
+                             + '\n'.join(faces) + '\n')
+            yield self.write('bare.ply', head % (*counts, '') + vertices
+                             + ''.join('%d %s\n' % (len(p), ' '.join(map(str, p))) for p in self.polygons))
+            self.run_ok('convert', self.path('vt.obj'), '-o', self.path('vt.vtu'), '--force')
+            yield self.path('vt.vtu')
+
+    def baked(self, carrier, attribute, method='auto'):
+        out = self.path('out.npy')
+        self.run_ok('bake', self.new, '--from', carrier, '--attribute', attribute, '-o', out, '--size', self.SIZE,
+                    '--force', '--method', method)
+        return np.load(out)
+
+    def compare(self, carrier, attribute, expected, tolerance=1e-6, methods=('auto', 'nearest')):
+        """expected(place, polygon)."""
+        for method in methods:
+            with self.subTest(carrier=os.path.basename(carrier), attribute=attribute, method=method):
+                found = self.baked(carrier, attribute, method)
+                found = np.array([np.atleast_1d(found[y, x]) for (x, y), _, _ in self.inside]).reshape(
+                    len(self.inside), -1)
+                right = np.array([np.atleast_1d(expected(c, p)) for _, c, p in self.inside], float)
+                self.assertLess(np.abs(found - right).max(), tolerance)
+
+    def test_faces_and_positions(self):
+        for carrier in self.carriers():
+            self.compare(carrier, 'face', lambda c, p: p)
+            self.compare(carrier, 'position', lambda c, p: (*c, 0))
+
+    def test_rows_of_faces_vertices_and_corners(self):
+        random = np.random.default_rng(3)
+        by_face = random.uniform(-1, 1, (len(self.polygons), 2))
+        np.save(self.path('faces.npy'), by_face)
+        np.save(self.path('vertices.npy'), self.points @ [2, -3] + 1)
+        slopes = random.uniform(-1, 1, (len(self.polygons), 3))
+        np.save(self.path('corners.npy'),
+                np.concatenate([self.points[polygon] @ slopes[p, :2] + slopes[p, 2]
+                                for p, polygon in enumerate(self.polygons)]))
+        for carrier in self.carriers():
+            self.compare(carrier, self.path('faces.npy'), lambda c, p: by_face[p])
+            self.compare(carrier, self.path('vertices.npy'), lambda c, p: 2 * c[0] - 3 * c[1] + 1)
+            if not carrier.endswith('.vtu'):  # of cells, not of polygons
+                self.compare(carrier, self.path('corners.npy'), lambda c, p: slopes[p, :2] @ c + slopes[p, 2])
+
+    def test_normals(self):
+        for carrier in self.carriers(vn=True):
+            self.compare(carrier, 'normal', lambda c, p: self.normals[p])
+        for carrier in self.carriers():
+            self.compare(carrier, 'normal', lambda c, p: (0, 0, 1))
+
+    def test_textures_of_several_materials(self):
+        """Ramps along u in three images; as an OBJ, and in the GLB that is made of it."""
+        x = np.arange(256)
+        for k in range(3):
+            ramp = np.stack([x, 255 - x, 0 * x + 80 * k], -1).astype(np.uint8)
+            self.write('m%d.png' % k, image_bytes(np.broadcast_to(ramp, (8, 256, 3)).copy()))
+        self.write('m.mtl', ''.join('newmtl m%d\nmap_Kd m%d.png\n' % (k, k) for k in range(3)))
+        model = self.write('model.obj', self.obj(*self.island_coordinates(), materials=True))
+        self.run_ok('convert', model, '-o', self.path('model.glb'))
+        for carrier in (model, self.path('model.glb')):
+            with self.subTest(carrier):
+                self.run_ok('bake', self.new, '--from', carrier, '-o', self.path('out.png'), '--size', self.SIZE,
+                            '--force')
+                found = np.asarray(Image.open(self.path('out.png'))).astype(int)
+                for (x, y), c, p in self.inside:
+                    u = self.islands[p][0] + self.scales[p] * (c[0] - self.points[self.polygons[p]].mean(0)[0])
+                    code = 256 * u - 0.5
+                    self.assertLess(np.abs(found[y, x] - (code, 255 - code, 80 * self.material_of[p])).max(), 4)
+
+    def test_unwrap_bake(self):
+        """Each polygon keeps the colour of its material, in an OBJ and in a GLB."""
+        grays = (40, 120, 200)
+        for k, gray in enumerate(grays):
+            self.write('m%d.png' % k, image_bytes(np.full((64, 64, 3), gray, np.uint8)))
+        self.write('m.mtl', ''.join('newmtl m%d\nmap_Kd m%d.png\n' % (k, k) for k in range(3)))
+        model = self.write('model.obj', self.obj(*self.island_coordinates(), materials=True))
+        self.run_ok('unwrap', model, '-o', self.path('out.obj'), '--bake', '--resolution', 256)
+        pixels = np.asarray(Image.open(self.path('out.png')))
+        self.assertEqual(pixels.shape, (256, 256, 3))
+        _, vt, faces, texture = read_obj(self.path('out.obj'))
+        self.assertEqual([len(f) for f in faces], [len(p) for p in self.polygons])
+        for p, corners in enumerate(texture):
+            u, v = np.mean([vt[t] for t in corners], axis=0)
+            self.assertLessEqual(abs(int(pixels[int((1 - v) * 256), int(u * 256), 0]) - grays[self.material_of[p]]), 2)
+
+    def test_colors_of_vertices(self):
+        """By default where there is no texture; OBJ and PLY have codes of sRGB, glTF linear light."""
+        colors = np.stack([0.2 + 0.6 * self.points[:, 0], 0.7 - 0.5 * self.points[:, 1], 0 * self.points[:, 0] + 0.5], -1)
+        obj = self.write('color.obj', self.obj(colors=colors))
+        self.run_ok('unwrap', obj, '-o', self.path('color.glb'), '-o', self.path('color.ply'))
+        for carrier, flags in ((obj, ['--linear']), (obj, []), (self.path('color.glb'), []), (self.path('color.ply'), [])):
+            for said in ([], ['--attribute', 'color']):
+                with self.subTest(carrier, flags=flags, said=said):
+                    self.run_ok('bake', self.new, '--from', carrier, '-o', self.path('out.png'), '--resolution', self.SIZE,
+                                '--force', *flags, *said)
+                    found = np.asarray(Image.open(self.path('out.png'))).astype(int)
+                    tolerance = 1 if flags else 4  # light is mixed between vertices that are far apart
+                    for (x, y), (u, v), _ in self.inside:
+                        right = 255 * np.array([0.2 + 0.6 * u, 0.7 - 0.5 * v, 0.5])
+                        self.assertLess(np.abs(found[y, x] - right).max(), tolerance)
+        self.refused(UNSUPPORTED, 'bake', self.new, '--from', self.write('no.obj', self.obj()), '--attribute', 'color', '-o',
+                     self.path('no.png'), says='colours')
+        self.refused(UNSUPPORTED, 'bake', self.new, '--from', self.path('no.obj'), '-o', self.path('no.png'),
+                     says=['map_Kd', 'colours'])
+
+
+class ThinParts(CommandTest):
+    """A slab whose upper side is red and whose lower side is blue, and a coarse copy: each texel shows its own side."""
+
+    def slab(self, n, thickness, shrink=0.0):
+        """Two sheets, joined at the rim: points, faces, for each whether it is of the upper side."""
+        index, points, faces, is_upper = {}, [], [], []
+        for side in (0, 1):
+            for j in range(n + 1):
+                for i in range(n + 1):
+                    x, y = i / n, j / n
+                    bump = math.sin(math.pi * x) * math.sin(math.pi * y)
+                    index[side, i, j] = len(points)
+                    points.append((x, y, (2 * side - 1) * thickness * (0.5 + bump - shrink)))
+        for side in (0, 1):
+            for j in range(n):
+                for i in range(n):
+                    quad = [index[side, i, j], index[side, i + 1, j], index[side, i + 1, j + 1], index[side, i, j + 1]]
+                    faces.append(quad if side else quad[::-1])
+                    is_upper.append(side)
+        rim = [(i, 0) for i in range(n)] + [(n, j) for j in range(n)] + [(n - i, n) for i in range(n)] + \
+              [(0, n - j) for j in range(n)]
+        for a, b in zip(rim, rim[1:] + rim[:1]):
+            faces.append([index[0, *a], index[0, *b], index[1, *b], index[1, *a]])
+            is_upper.append(2)
+        return points, faces, is_upper
+
+    def files(self, thickness=0.004):
+        points, faces, _ = self.slab(30, thickness)
+        half = len(points) // 2
+        old = ''.join('v %.9g %.9g %.9g %d 0 %d\n' % (*p, k >= half, k < half) for k, p in enumerate(points))
+        old += ''.join('f %d %d %d %d\n' % tuple(v + 1 for v in f) for f in faces)
+        points, faces, is_upper = self.slab(5, thickness, 0.2)
+        new = ''.join('v %.9g %.9g %.9g\n' % p for p in points)
+        lines = []
+        for f, upper in zip(faces, is_upper):
+            if upper == 2:
+                continue
+            for v in f:
+                x, y, _ = points[v]
+                new += 'vt %.9g %.9g\n' % ((0.02 + 0.45 * x, 0.3 + 0.45 * y) if upper else (0.98 - 0.45 * x, 0.3 + 0.45 * y))
+            at = 4 * len(lines)
+            lines.append('f ' + ' '.join('%d/%d' % (v + 1, at + k + 1) for k, v in enumerate(f)))
+        return self.write('old.obj', old), self.write('new.obj', new + '\n'.join(lines) + '\n')
+
+    def bake(self, old, new):
+        done = self.run_ok('bake', new, '--from', old, '-o', self.path('out.png'), '--size', 128, '--padding', 0, '--force',
+                           '--report', self.path('r.json'))
+        pixels = np.asarray(Image.open(self.path('out.png'))).astype(int)
+        return done, pixels[:, :64], pixels[:, 64:], json.loads(self.read('r.json'))['result']['bake']
+
+    def test_each_side_has_its_own_color(self):
+        done, upper, lower, bake = self.bake(*self.files())
+        self.assertEqual((bake['misses'], bake['opposed'], bake['method']), (0, 0, 'nearest'))
+        for side, own, other in ((upper, 0, 2), (lower, 2, 0)):
+            shown = side.max(-1) > 100
+            self.assertGreater(shown.sum(), 2500)
+            self.assertEqual((shown & (side[..., other] > side[..., own])).sum(), 0)
+
+    def test_what_has_one_side_is_said(self):
+        """A sheet with the upper side alone: the lower half of the layout shows it, opposed."""
+        old, new = self.files()
+        lines = self.read('old.obj').decode().splitlines()
+        faces = [line for line in lines if line.startswith('f ')]
+        self.write('old.obj', '\n'.join([line for line in lines if line.startswith('v ')] + faces[900:1800]) + '\n')
+        done, upper, lower, bake = self.bake(old, new)
+        self.assertEqual(bake['misses'], 0)
+        self.assertAlmostEqual(bake['opposed'], 0.5, delta=0.02)
+        self.assertRegex(done.err, r'(49|5[01])(\.\d+)? % of its texels show places of .* opposed')
+        self.assertTrue((lower[..., 0] > 100).any())
+
+    def test_a_surface_that_is_turned_inside_out(self):
+        old, new = self.files()
+        lines = [line if line.startswith('v') else 'f ' + ' '.join(line.split()[:0:-1])
+                 for line in self.read('old.obj').decode().splitlines()]
+        self.write('old.obj', '\n'.join(lines) + '\n')
+        done, upper, lower, bake = self.bake(old, new)
+        self.assertIn('turned the other way', done.err)
+        self.assertEqual(bake['opposed'], 0)
+        self.assertEqual((upper[..., 2] > upper[..., 0]).sum() + (lower[..., 0] > lower[..., 2]).sum(), 0)
+
+    def test_other_units(self):
+        """Nothing is near: no image, and the distance is said."""
+        old, new = self.files()
+        lines = ['v %s' % ' '.join(repr(1000 * float(x)) for x in line.split()[1:4]) if line.startswith('v ') else line
+                 for line in self.read('old.obj').decode().splitlines()]
+        old = self.write('mm.obj', '\n'.join(lines).replace('v 0.0 0.0 ', 'v -900.0 -900.0 ') + '\n')
+        lines = ['v %s' % ' '.join(repr(float(x) - 5000) for x in line.split()[1:4]) if line.startswith('v ') else line
+                 for line in self.read('new.obj').decode().splitlines()]
+        new = self.write('away.obj', '\n'.join(lines) + '\n')
+        done = majorant('bake', new, '--from', old, '--attribute', 'normal', '-o', self.path('x.png'))
+        self.assertEqual(done.code, INVALID, done.err)
+        self.assertRegex(done.err, r'all of its \d+ covered texels miss: .*mm\.obj is \d+ away.*units')
+        self.assertFalse(os.path.exists(self.path('x.png')))
+
+
+class Wrapping(CommandTest):
+    """Textures beyond their square: repeated, or clamped; -mm; materials that are missing."""
+
+    def model(self, options, materials=('a', 'a')):
+        """Texture coordinates from -1 to 2 along u."""
+        ramp = np.broadcast_to(np.stack([np.arange(256)] * 3, -1).astype(np.uint8), (8, 256, 3)).copy()
+        self.write('t.png', image_bytes(ramp))
+        self.write('m.mtl', 'newmtl %s\nmap_Kd %s t.png\n' % (materials[0], options))
+        text = 'mtllib m.mtl\nusemtl %s\n' % materials[1]
+        text += ''.join('v %g %g 0\nvt %g %g\n' % (x, y, 3 * x - 1, 0.5) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+        self.write('new.obj', ''.join('v %g %g 0\nvt %g %g\n' % (x, y, x, y) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+                   + 'f 1/1 2/2 3/3 4/4\n')
+        return self.write('old.obj', text + 'f 1/1 2/2 3/3 4/4\n')
+
+    def row(self, *options, **how):
+        done = self.run_ok('bake', self.path('new.obj'), '--from', self.model(*options, **how), '-o', self.path('o.png'),
+                           '--size', '96,4', '--force')
+        return done, np.asarray(Image.open(self.path('o.png'))).astype(float)[2, :, 0]
+
+    def test_clamped_and_repeated(self):
+        u = 3 * (np.arange(96) + 0.5) / 96 - 1
+        np.testing.assert_allclose(self.row('-clamp on')[1], np.clip(256 * u - 0.5, 0, 255), atol=1.5)
+        inside = np.abs(u - np.round(u)) > 0.02
+        for options in ('', '-clamp off', '-blendu on -boost 2'):
+            np.testing.assert_allclose(self.row(options)[1][inside], (256 * (u % 1) - 0.5)[inside], atol=1.5)
+
+    def test_base_and_gain(self):
+        u = 3 * (np.arange(96) + 0.5) / 96 - 1
+        np.testing.assert_allclose(self.row('-clamp on -mm 0.25 0.5')[1],
+                                   0.25 * 255 + 0.5 * np.clip(256 * u - 0.5, 0, 255), atol=1.5)
+
+    def test_options_that_are_refused(self):
+        for option in ('-s 2 2 2', '-o 1 0', '-imfchan r', '-new 1'):
+            self.refused(UNSUPPORTED, 'bake', self.path('new.obj'), '--from', self.model(option), '-o', self.path('o.png'),
+                         says=option.split()[0])
+
+    def test_a_material_that_no_library_has(self):
+        done, row = self.row('', materials=('A', 'a'))
+        self.assertIn("no mtllib has the material 'a' (it has 'A')", done.err)
+        self.assertTrue((row == 255).all())
+
+
 class Unwrap(CommandTest):
     """unwrap --bake: the same colours at the same faces, by the new texture coordinates in the new image."""
 
@@ -320,6 +654,51 @@ class Unwrap(CommandTest):
         self.assertRegex(done.err, 'the time limit was reached while baking .*' + re.escape(new)
                          + '; nothing was written')
         self.assertEqual([name for name in self.files() if name.startswith(('new', '.'))], [])
+
+    def test_other_maps_move(self):
+        """Colours and numbers; directions and what cannot be read are left out, and named."""
+        x, y = np.meshgrid(np.arange(256), np.arange(256))
+        self.write('s.png', image_bytes(np.stack([y, x, x], -1).astype(np.uint8)))
+        self.write('ns.png', image_bytes((257 * x).astype(np.uint16)))
+        self.write('bump.png', image_bytes(x.astype(np.uint8)))
+        self.write('norm.png', image_bytes(np.full((4, 4, 3), (128, 128, 255), np.uint8)))
+        path = self.model('newmtl a\nmap_Kd old.png\nmap_Ks s.png\nmap_Ns ns.png\nbump -bm 0.5 bump.png\n'
+                          'norm norm.png\nmap_Bump norm.png\nmap_Ke gone.png\n')
+        done = self.run_ok('unwrap', path, '-o', self.path('new.obj'), '--bake', '--report', self.path('r.json'))
+        for word, why in (('norm', 'layout'), ('map_Bump', 'directions'), ('map_Ke', 'gone.png')):
+            self.assertRegex(done.err, r'%s is not moved to the new layout, and left out: .*%s' % (word, why))
+        self.assertEqual(self.read('new.mtl').decode().splitlines()[1:],
+                         ['newmtl a', 'map_Kd new.png', 'map_Ks new_map_Ks.png', 'map_Ns new_map_Ns.png',
+                          'bump -bm 0.5 new_bump.png'])
+        self.assertEqual([os.path.basename(f['file']) for f in json.loads(self.read('r.json'))['outputs']],
+                         ['new.obj', 'new.png', 'new.mtl', 'new_bump.png', 'new_map_Ks.png', 'new_map_Ns.png'])
+        for old, new in (('s', 'map_Ks'), ('ns', 'map_Ns'), ('bump', 'bump')):
+            scale = 257 if old == 'ns' else 1
+            before, after = (self.colors(*pair) for pair in (('old.obj', old + '.png'), ('new.obj', 'new_%s.png' % new)))
+            self.assertLess(np.abs(before - after).max(), 4 * scale)
+        source = self.model('newmtl a\nmap_Kd old.png\nmap_Ks out_map_Ks.png\n')
+        self.write('out_map_Ks.png', self.read('s.png'))
+        done = majorant('unwrap', source, '-o', self.path('out.obj'), '--bake')
+        self.assertEqual(done.code, USAGE, done.err)
+        self.assertIn('out_map_Ks.png', done.err)
+        self.assertEqual(self.read('out_map_Ks.png'), self.read('s.png'))
+        self.assertFalse(os.path.exists(self.path('out.obj')))
+
+    def test_a_picture_that_fits_the_old_layout(self):
+        model = self.model()
+        for verb in ('unwrap', 'parametrize'):
+            done = self.run_ok(verb, model, '-o', self.path(verb + '.obj'))
+            self.assertRegex(done.err, r'its picture .*old\.png fits the old layout.*--bake')
+            self.assertNotIn('fits the old', self.run_ok(verb, model, '-o', self.path(verb + '.ply')).err)
+        report = self.run_ok('unwrap', model, '-o', self.path('unwrap.obj'), '--report', '-', '-q').out
+        self.assertRegex(json.loads(report)['warnings'][0], 'fits the old layout')
+
+    def test_the_size_of_the_image(self):
+        for flags, side in (([], 256), (['--resolution', 100], 100), (['--preset', 'lightmap'], 512)):
+            self.run_ok('unwrap', self.model(), '-o', self.path('new.obj'), '--bake', *flags)
+            self.assertEqual(Image.open(self.path('new.png')).size, (side, side))
+        self.refused(USAGE, 'unwrap', self.model(), '-o', self.path('new.obj'), '--bake', '--resolution', 20000,
+                     says='--resolution')
 
     def test_several_materials_become_one_image(self):
         self.write('gray.png', image_bytes(np.full((32, 32), 77, np.uint8)))

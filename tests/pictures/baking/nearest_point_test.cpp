@@ -64,6 +64,63 @@ TEST(NearestPoint, OfATreeIsThatOfAllFaces) {
   for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(again[k].face, found[k].face);
 }
 
+// Two sheets, one of which faces up and one down, a tenth apart.
+TEST(NearestPoint, OnTheSideThatFacesADirectionAndAlongIt) {
+  const Points3 positions =
+      (Points3(6, 3) << 0, 0, 0.1, 1, 0, 0.1, 0, 1, 0.1, 0, 0, 0, 1, 0, 0, 0, 1, 0).finished();
+  const Cells faces = (Cells(2, 3) << 0, 1, 2, 3, 5, 4).finished();
+  const SurfaceTree tree(positions, faces);
+  const Vector3 p(0.25, 0.25, 0.01), up(0, 0, 1);
+  EXPECT_EQ(tree.nearest(p).face, 1);
+  for (const Index likely : {-1, 0, 1}) {
+    const NearestPoint facing = tree.nearest_facing(p, up, 1, likely);
+    EXPECT_EQ(facing.face, 0);
+    EXPECT_NEAR(facing.distance, 0.09, 1e-15);
+    EXPECT_EQ(tree.nearest_facing(p, -up, 1, likely).face, 1);
+    EXPECT_EQ(tree.nearest_facing(p, up, 0.08, likely).face, -1);
+    EXPECT_EQ(tree.nearest_facing(p, Vector3(1, 0, 0), 1, likely).face, -1);
+  }
+  const Vector3 askew = Vector3(1, 0, 2).normalized();
+  const NearestPoint along = tree.along(p, askew, 1);
+  EXPECT_EQ(along.face, 0);
+  EXPECT_NEAR(along.distance, 0.09 / askew.z(), 1e-15);
+  EXPECT_NEAR(along.barycentric[1], 0.25 + 0.045, 1e-15);
+  EXPECT_EQ(tree.along(p, -askew, 1).face, 1);
+  EXPECT_EQ(tree.along(p, askew, 0.05).face, -1);
+  EXPECT_EQ(tree.along(Vector3(2, 2, 0), up, 1).face, -1);
+}
+
+TEST(NearestPoint, AlongALineIsTheNearestOfAllFaces) {
+  const auto mesh = surface(grid(12, bumpy));
+  const SurfaceTree tree(mesh->positions(), mesh->faces());
+  std::mt19937 random(5);
+  int found = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Vector3 p = random_vector(random, 1.2), d = random_vector(random, 1).normalized();
+    double least = 1.5;
+    Index face = -1;
+    for (Index f = 0; f < mesh->face_count(); ++f) {
+      const auto corner = [&](Index l) -> Vector3 {
+        return mesh->positions().row(mesh->faces()(f, l));
+      };
+      Eigen::Matrix3d columns;
+      columns << corner(0) - corner(2), corner(1) - corner(2), -d;
+      const Vector3 at = columns.partialPivLu().solve(p - corner(2));
+      if (at[0] < 0 || at[1] < 0 || at[0] + at[1] > 1 || std::abs(at[2]) > least ||
+          tree.doubled_normal(f).dot(d) <= 0)
+        continue;
+      least = std::abs(at[2]);
+      face = f;
+    }
+    const NearestPoint along = tree.along(p, d, 1.5);
+    EXPECT_EQ(along.face, face);
+    if (face < 0) continue;
+    ++found;
+    EXPECT_NEAR(along.distance, least, 1e-12);
+  }
+  EXPECT_GT(found, 30);
+}
+
 TEST(NearestPoint, RefusesNoSurfaceAndStops) {
   const Points3 corners = (Points3(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished();
   const Cells faces = (Cells(1, 3) << 0, 1, 2).finished();
