@@ -4,6 +4,7 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "apps/command.h"
 #include "apps/outputs.h"
@@ -15,6 +16,7 @@
 #include "majorant/certify/cut_map.h"
 #include "majorant/certify/moved_layout.h"
 #include "majorant/io/claims.h"
+#include "majorant/io/files/input_file.h"
 #include "majorant/io/io.h"
 #include "majorant/io/layout_scale.h"
 #include "majorant/io/read_mesh.h"
@@ -86,8 +88,8 @@ MapPage page_of(const MapFile& map, const std::string& name) {
 
 // The parts of the converted file that the output does not hold.
 std::vector<std::string> left_out_of(const std::string& path, const MapFile& map,
-                                     const MapFormats& formats) {
-  std::vector<std::string> what = left_out(path, map, formats, nullptr);
+                                     const MapFormats& formats, const PolygonMesh* input) {
+  std::vector<std::string> what = left_out(path, map, formats, input);
   if (!is_map_data(path) || extension(path) == ".vtu") return what;
   if (is_straight_map_data(path) && map.chart.size() > 0) what.emplace_back("charts");
   if (map.seam_edges.size() > 0) what.emplace_back("marks of seams and cones");
@@ -109,6 +111,7 @@ std::vector<std::string> turned_over_in_words(const ConvertRequest& request, con
 // The map of the file as it is written.
 struct Conversion {
   MapFile map;
+  std::optional<PolygonMesh> polygons;  // of a mesh that is written to glTF, with its materials
   MapDistortion distortion;
   PolygonMesh surface;
   ProofRequest promise;
@@ -116,9 +119,17 @@ struct Conversion {
 
 // The promise refers to the surface of `c`.
 void read(const ConvertRequest& request, Run& run, Conversion& c) {
+  const std::string format = format_of(request.input);
+  const bool may_have_materials = format == ".obj" || format == ".glb" || format == ".gltf";
+  const bool is_to_gltf = std::any_of(request.outputs.begin(), request.outputs.end(), is_gltf);
   c.map = run.read(request.input, [&] {
-    return read_map(request.input, run.stop(), request.common.strictness());
+    if (!may_have_materials || !is_to_gltf)
+      return read_map(request.input, run.stop(), request.common.strictness());
+    c.polygons = read_mesh(request.input, run.stop(),
+                           std::max(request.common.strictness(), Strictness::Texcoords));
+    return to_map_file(*c.polygons);
   });
+  if (!c.map.is_complete) c.polygons.reset();
   say_warnings(c.map.warnings);
   mark_seams(c.map, request.input);
   if (request.formats.turns_map(request.outputs)) align(c.map, request.input);
@@ -152,12 +163,12 @@ Made converted(ConvertRequest& request, Conversion& c, Run& run) {
     made.files.push_back({path, [&, path] { write_distortion(path, c.map, c.distortion.faces); }});
   }
   for (const std::string& path : request.outputs)
-    made.files.push_back({path, [&, path] {
-                            write_map(path, c.map, nullptr, formats,
-                                      proof_of_file(path, c.promise, c.map, formats));
-                            if (!run.is_quiet())
-                              say_left_out(path, left_out_of(path, c.map, formats));
-                          }});
+    made.files.push_back(
+        {path, [&, path] {
+           const PolygonMesh* const input = is_gltf(path) && c.polygons ? &*c.polygons : nullptr;
+           write_map(path, c.map, input, formats, proof_of_file(path, c.promise, c.map, formats));
+           if (!run.is_quiet()) say_left_out(path, left_out_of(path, c.map, formats, input));
+         }});
   for (std::string& line : turned_over_in_words(request, c.map))
     made.remarks.push_back(std::move(line));
   return made;

@@ -63,6 +63,8 @@ void read(const MapVerb& request, const MapVerbParts& parts, LinearSolvers& solv
           MapJob& job) {
   read_input(request.map, job, parts.make_start);
   request.outputs.require_materials(*job.polygons);
+  say_warnings(
+      request.outputs.stale_pictures(*job.polygons, "majorant unwrap --bake moves pictures"));
   request.solve.apply(job.options);
   solvers.apply(job.options.solve);
   solvers.foresee(job.start ? job.start->map.mesh() : *job.mesh, job.options);

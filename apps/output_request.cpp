@@ -1,8 +1,12 @@
 #include "apps/output_request.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "apps/arguments/option_table.h"
+#include "majorant/apps/jobs/model_texture.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files_below.h"
 
@@ -50,6 +54,20 @@ void OutputRequest::require_materials(const PolygonMesh& input) const {
   if (std::any_of(files.begin(), files.end(),
                   [](const std::string& path) { return extension(path) == ".obj"; }))
     require_materials_below(input);
+}
+
+std::vector<std::string> OutputRequest::stale_pictures(const PolygonMesh& input,
+                                                       const std::string& remedy) const {
+  const auto obj = std::find_if(files.begin(), files.end(),
+                                [](const std::string& path) { return extension(path) == ".obj"; });
+  if (obj == files.end()) return {};
+  const std::vector<std::string> pictures = shown_pictures(input);
+  if (pictures.empty()) return {};
+  return {fmt::format("{}: {} the old layout, and {} would show {} by the new one; {}", input.file,
+                      pictures.size() == 1
+                          ? fmt::format("its picture {} fits", pictures.front())
+                          : fmt::format("its pictures ({}) fit", fmt::join(pictures, ", ")),
+                      *obj, pictures.size() == 1 ? "it" : "them", remedy)};
 }
 
 }  // namespace majorant::app

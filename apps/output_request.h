@@ -40,6 +40,10 @@ struct OutputRequest {
   // Throws Error(Unsupported) where an OBJ would name material files of the input that are not in
   // its folder or below.
   void require_materials(const PolygonMesh& input) const;
+  // Returns a warning where an OBJ would show pictures of the input that fit its old layout, or
+  // none.
+  std::vector<std::string> stale_pictures(const PolygonMesh& input,
+                                          const std::string& remedy) const;
 };
 
 }  // namespace majorant::app

@@ -26,6 +26,9 @@ PolygonMesh read(const UnwrapVerb& request, const Run& run) {
   const std::string& path = request.map.input;
   PolygonMesh mesh =
       run.read(path, [&] { return read_mesh(path, run.start_stop(), strictness_of(request)); });
+  if (!request.unwrap.bake)
+    for (std::string& line : request.outputs.stale_pictures(mesh, "--bake moves pictures"))
+      mesh.warnings.push_back(std::move(line));
   say_warnings(mesh.warnings);
   request.outputs.require_materials(mesh);
   return mesh;
@@ -72,7 +75,7 @@ Made unwrapped(UnwrapRun& unwrap, Run& run) {
   PolygonMesh polygons = read(request, run);
   if (request.unwrap.bake) {
     unwrap.texture = read_texture_of(request, polygons, run);
-    unwrap.baked = request.baked_output();
+    unwrap.baked = request.baked_outputs();
   }
   LinearSolvers solvers(request.solve.linear_solver, request.common, LinearSolvers::Runs::Several);
   unwrap_mesh(request, std::move(polygons), solvers, run, unwrap.job);

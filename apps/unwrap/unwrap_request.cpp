@@ -19,6 +19,7 @@
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files/standard_stream.h"
 #include "majorant/io/io.h"
+#include "majorant/pictures/images/image_file.h"
 
 namespace majorant::app {
 namespace {
@@ -34,10 +35,11 @@ struct Preset {
   std::optional<double> max_stretch;
   std::string_view charts;
   double fill, padding, resolution;
+  std::optional<int> uv_set = std::nullopt;
 };
 constexpr double kAnyFill = 0;
 constexpr std::array<Preset, 4> kPresets{{{"paint", 1.01, kAutomaticCharts, kAnyFill, 8, 4096},
-                                          {"lightmap", 1.03, kAutomaticCharts, 0.6, 2, 512},
+                                          {"lightmap", 1.03, kAutomaticCharts, 0.6, 2, 512, 1},
                                           {"game", 1.01, kAutomaticCharts, 0.6, 4, 2048},
                                           {"single", std::nullopt, kOneChart, kAnyFill, 4, 1024}}};
 
@@ -112,9 +114,16 @@ void UnwrapRequest::add_to(CLI::App& verb) {
         {.excludes = {"--padding", "--resolution"}}},
        {"--bake",
         &bake,
-        "move the texture to the new layout, which is that of --normalize: of an OBJ (map_Kd) to "
-        "OUT.png and OUT.mtl beside OUT.obj, of a GLB (base colours) into OUT.glb",
+        "move the texture to the new layout, which is that of --normalize: of an OBJ (map_Kd and "
+        "other maps) to OUT.png and OUT.mtl beside OUT.obj, or into OUT.glb; of a GLB (base "
+        "colours) into OUT.glb; as large as --resolution says, or as the images together",
         {.excludes = {"--no-pack"}}},
+       {"--uv-set",
+        &uv_set,
+        "set of texture coordinates of .glb and .gltf that the layout becomes: 0, where the old "
+        "one moves to the next set if materials show it, or 1, which leaves it alone (0; lightmap: "
+        "1)",
+        {.type = "0|1", .check = CLI::IsMember({0, 1})}},
        {"--weld",
         &weld,
         "what is one surface for the map: auto, what lies edge on edge at equal positions (of "
@@ -154,6 +163,7 @@ void UnwrapRequest::use_preset() {
       fill = p.fill;
     if (!is_said("--padding")) padding = p.padding;
     if (!is_said("--resolution")) resolution = p.resolution;
+    if (!uv_set && !bake) uv_set = p.uv_set;
   }
 }
 
@@ -212,6 +222,11 @@ RepairOptions UnwrapRequest::repairs() const {
   return options;
 }
 
+std::optional<int> UnwrapRequest::image_side() const {
+  if (preset.empty() && !is_said("--resolution")) return std::nullopt;
+  return static_cast<int>(std::lround(std::max(resolution, 1.0)));
+}
+
 Json UnwrapRequest::to_json() const {
   Json options = seams.to_json();
   options.update({{"padding", padding},
@@ -219,6 +234,7 @@ Json UnwrapRequest::to_json() const {
                   {"no_pack", no_pack},
                   {"scale", scale},
                   {"bake", bake},
+                  {"uv_set", uv_set ? Json(*uv_set) : Json(nullptr)},
                   {"weld", weld_distance(weld) ? Json(*weld_distance(weld)) : Json(weld)},
                   {"keep_seams", keep_seams},
                   {"charts", chart_count(charts) ? Json(*chart_count(charts)) : Json(charts)},
@@ -239,20 +255,23 @@ void UnwrapVerb::add_to(CLI::App& verb) {
   common.add_to(verb);
 }
 
-const std::string* UnwrapVerb::baked_output() const {
-  if (!may_have_texture(map.input)) return nullptr;
-  const bool is_obj = format_of(map.input) == ".obj";
-  const std::string* model = nullptr;
+std::vector<std::string> UnwrapVerb::baked_outputs() const {
+  std::vector<std::string> models;
+  if (!may_have_texture(map.input)) return models;
+  const bool is_from_obj = format_of(map.input) == ".obj";
   for (const std::string& path : outputs.files) {
-    if (is_obj ? extension(path) != ".obj" : !is_gltf(path)) continue;
-    if (model != nullptr)
-      throw Error(ErrorKind::Usage,
-                  fmt::format("--bake moves the texture to one model, not to {} and {}; leave one "
-                              "of the two out",
-                              *model, path));
-    model = &path;
+    const bool is_obj = is_from_obj && extension(path) == ".obj";
+    if (!is_obj && !is_gltf(path)) continue;
+    for (const std::string& other : models)
+      if (is_gltf(other) == is_gltf(path))
+        throw Error(
+            ErrorKind::Usage,
+            fmt::format("--bake moves the texture to one model of a kind, not to {} and {}; "
+                        "leave one of the two out",
+                        other, path));
+    models.push_back(path);
   }
-  return model;
+  return models;
 }
 
 std::vector<std::string> files_beside(const std::string& model) {
@@ -265,15 +284,40 @@ namespace {
 // Throws Error(Usage) for what --bake cannot do.
 std::vector<std::string> baked_files(const UnwrapVerb& request) {
   if (!request.unwrap.bake) return {};
-  const std::string* const model = request.baked_output();
-  if (model == nullptr)
+  const std::vector<std::string> models = request.baked_outputs();
+  if (models.empty() && is_gltf(request.map.input))
     throw Error(ErrorKind::Usage,
-                "--bake moves the texture of an OBJ to an OBJ, that of a GLB or glTF to one of "
-                "these: -o OUT.obj, or -o OUT.glb");
-  if (is_standard_output(*model) && !files_beside(*model).empty())
+                "--bake moves the texture of a GLB or glTF to one of these: -o OUT.glb");
+  if (models.empty())
     throw Error(ErrorKind::Usage,
-                "--bake writes an image and materials beside the OBJ; give it a name: -o OUT.obj");
-  return files_beside(*model);
+                "--bake moves the texture of an OBJ to an OBJ or a GLB, that of a GLB or glTF to "
+                "one of these: -o OUT.obj, or -o OUT.glb");
+  std::vector<std::string> files;
+  for (const std::string& model : models) {
+    const std::vector<std::string> beside = files_beside(model);
+    if (is_standard_output(model) && !beside.empty())
+      throw Error(
+          ErrorKind::Usage,
+          "--bake writes an image and materials beside the OBJ; give it a name: -o OUT.obj");
+    files.insert(files.end(), beside.begin(), beside.end());
+  }
+  return files;
+}
+
+// Throws Error(Usage) where no output has a second set, or what is baked would be shown by it.
+void require_uv_set(const UnwrapVerb& request) {
+  const UnwrapRequest& unwrap = request.unwrap;
+  if (!unwrap.uv_set) return;
+  const std::vector<std::string>& files = request.outputs.files;
+  if (std::none_of(files.begin(), files.end(), is_gltf))
+    throw Error(ErrorKind::Usage,
+                "--uv-set: sets of texture coordinates are of .glb and .gltf; add -o OUT.glb");
+  if (*unwrap.uv_set > 0 && unwrap.bake)
+    throw Error(
+        ErrorKind::Usage,
+        fmt::format("--bake makes a texture of the first set, --uv-set {} leaves that alone; "
+                    "leave one of the two out",
+                    *unwrap.uv_set));
 }
 
 // Targets of points are in units of the mesh.
@@ -383,6 +427,7 @@ void require_layout(const UnwrapVerb& request) {
                 "--bake makes one image, --udim one for every tile; leave one of "
                 "the two out");
   require_stackable(request);
+  require_uv_set(request);
   if (request.unwrap.fill > 0 && layout.has_own_sizes())
     throw Error(ErrorKind::Usage,
                 "--fill divides charts of one scale on one square: not with --udim, "
@@ -392,6 +437,15 @@ void require_layout(const UnwrapVerb& request) {
         return extension(path) == ".obj";
       }))
     throw Error(ErrorKind::Usage, "--groups: groups are of .obj; add -o OUT.obj");
+}
+
+// The image of --bake is as large as --resolution says.
+void require_image(const UnwrapRequest& unwrap) {
+  if (unwrap.bake && unwrap.image_side().value_or(1) > kLargestImage)
+    throw Error(ErrorKind::Usage,
+                fmt::format("--resolution {:g}: the image of --bake would have more than {} pixels "
+                            "along a side",
+                            unwrap.resolution, kLargestImage));
 }
 
 // A border of that many pixels on either side leaves room for charts.
@@ -426,6 +480,7 @@ void UnwrapVerb::require_usable() {
   if (request.unwrap.seams.seams.empty()) request.unwrap.seams.seams = "auto";
   request.unwrap.use_preset();
   require_room(request.unwrap);
+  require_image(request.unwrap);
   request.unwrap.require_divisible();
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,9 @@ struct UnwrapRequest {
   std::string hide_from;  // empty: all sides
   double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
   bool no_pack = false;
-  std::string scale;  // empty: as `map` allows
-  bool bake = false;  // the texture of the model, too
+  std::string scale;          // empty: as `map` allows
+  bool bake = false;          // the texture of the model, too
+  std::optional<int> uv_set;  // of glTF; none: that of the preset
   LayoutRequest layout;
 
   void add_to(CLI::App& verb);
@@ -46,6 +48,8 @@ struct UnwrapRequest {
   // for what would be repaired, where everything must be whole, and as SeamRequest::options.
   void open(AtlasJob& job, PolygonMesh polygons, Strictness strictness) const;
   RepairOptions repairs() const;
+  // Pixels along a side of the image of --bake, where --resolution or the preset says so.
+  std::optional<int> image_side() const;
   Json to_json() const;  // for reports and claims
 
  private:
@@ -69,9 +73,9 @@ struct UnwrapVerb {
   std::vector<std::string> inputs() const;
   // The output options, with the extensions that each takes.
   std::vector<OutputNames> output_names() const;
-  // The output that the texture moves to with --bake: of the kind of the input; null where there is
-  // none. Throws Error(Usage) for several.
-  const std::string* baked_output() const;
+  // The outputs that the texture moves to with --bake: of an OBJ an OBJ and a glTF, of a glTF a
+  // glTF. Throws Error(Usage) for several of a kind.
+  std::vector<std::string> baked_outputs() const;
   Json to_json() const;  // for reports and claims
 };
 

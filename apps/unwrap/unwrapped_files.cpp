@@ -15,6 +15,7 @@
 #include "majorant/certify/map_proof.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files/standard_stream.h"
+#include "majorant/io/gltf_layout.h"
 #include "majorant/io/io.h"
 
 namespace majorant::app {
@@ -23,7 +24,7 @@ namespace {
 // The mesh that an OBJ of this name is written with.
 PolygonMesh marked_polygons(const UnwrapRun& run, const std::string& path, const MapFile& file) {
   PolygonMesh mesh = *run.job.polygons;
-  if (run.baked != nullptr && path == *run.baked) mesh = with_material_file(std::move(mesh), path);
+  if (run.is_baked(path)) mesh = with_material_file(std::move(mesh), path);
   std::vector<int> chart = chart_of_polygons(file, mesh);
   if (run.request.unwrap.layout.udim > 0) {
     std::vector<int> tile = chart;
@@ -32,6 +33,15 @@ PolygonMesh marked_polygons(const UnwrapRun& run, const std::string& path, const
     mesh = with_tile_materials(std::move(mesh), tile);
   }
   return run.request.unwrap.layout.groups ? with_chart_groups(std::move(mesh), chart) : mesh;
+}
+
+// A file of the layout, of glTF in the set that --uv-set says.
+void write_layout(const UnwrapVerb& request, const std::string& path, const MapFile& file,
+                  const PolygonMesh& polygons, const MapFormats& formats,
+                  const FileVerification& verify) {
+  if (!is_gltf(path)) return write_map(path, file, &polygons, formats, verify);
+  write_gltf(path, file, &polygons, formats.tessellation, verify,
+             to_size(request.unwrap.uv_set.value_or(0)));
 }
 
 // The parts of the input that an OBJ loses because tiles have materials of their own.
@@ -70,7 +80,7 @@ class LayoutFiles {
   void write(const std::string& path) const {
     const LayoutRequest& layout = run_.request.unwrap.layout;
     const bool is_obj = extension(path) == ".obj";
-    const bool is_baked = run_.baked != nullptr && path == *run_.baked;
+    const bool is_baked = run_.is_baked(path);
     const bool is_marked = is_obj && (is_baked || layout.udim > 0 || layout.groups);
     PolygonMesh marked;
     if (is_marked) marked = marked_polygons(run_, path, file_);
@@ -79,10 +89,10 @@ class LayoutFiles {
     if (is_baked)
       or_interrupted("baking the texture of " + path, [&] {
         write_textured(path, {file_, polygons, formats_, verify}, *run_.job.polygons, *run_.texture,
-                       run_.job.record.stop());
+                       run_.request.unwrap.image_side(), run_.job.record.stop());
       });
     else
-      write_map(path, file_, &polygons, formats_, verify);
+      write_layout(run_.request, path, file_, polygons, formats_, verify);
     if (run_.request.common.quiet) return;
     std::vector<std::string> left = left_out(path, file_, formats_, run_.job.polygons.get());
     if (is_obj)
@@ -193,8 +203,8 @@ class ObjectFiles {
   void write(const std::string& path) const {
     const bool is_marked = has_lines_ && extension(path) == ".obj";
     const FormatOptions& formats = run_.request.outputs.formats;
-    write_map(path, file_, is_marked ? &lines_ : &run_.polygons, formats,
-              proof_of_objects(path, run_.polygons));
+    write_layout(run_.request, path, file_, is_marked ? lines_ : run_.polygons, formats,
+                 proof_of_objects(path, run_.polygons));
     if (!run_.request.common.quiet)
       say_left_out(path, left_out(path, file_, formats, &run_.polygons));
   }
@@ -230,7 +240,11 @@ Made made_of(const UnwrapRun& run, const Run& clock, bool is_reported) {
   for (const std::string& path : run.request.outputs.files) {
     if (extension(path) == ".json") continue;
     made.files.push_back({path, [=] { files->write(path); }});
-    if (run.baked != nullptr && path == *run.baked) made.files.back().beside = files_beside(path);
+    if (run.is_baked(path)) {
+      std::vector<std::string>& beside = made.files.back().beside;
+      beside = files_beside(path);
+      for (std::string& file : layer_files(path, *run.texture)) beside.push_back(std::move(file));
+    }
   }
   made.remarks = remarks(run.job);
   for (std::string& line : untextured_in_words(run.request.map.input, atlas.cuts))

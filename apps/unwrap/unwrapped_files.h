@@ -2,6 +2,7 @@
 // for each object of a file.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,11 @@ struct UnwrapRun {
   const UnwrapVerb& request;
   AtlasJob job;
   std::optional<ModelTexture> texture = {};  // to be baked
-  const std::string* baked = nullptr;        // the output that it moves to, or null
+  std::vector<std::string> baked = {};       // the outputs that it moves to
+
+  bool is_baked(const std::string& path) const {
+    return std::find(baked.begin(), baked.end(), path) != baked.end();
+  }
 };
 // Returns the files and lines of a job that is solved, in place and proven. The result refers to
 // `run` and `clock`.

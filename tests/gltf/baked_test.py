@@ -115,6 +115,72 @@ class Baked(CommandTest):
             self.assertLess(np.abs(self.colors(old, p) - self.colors(new, p)).mean(), 4)
         self.assertEqual(len(new.json['images']), 3)
 
+    def test_images_beyond_their_square(self):
+        """Texture coordinates from -1 to 2, repeated, clamped or mirrored, each way by itself."""
+        n, x = 12, np.arange(SIDE)
+        rows = [((i / n, j / n, 0), (0, 0, 1), (3 * i / n - 1, 3 * j / n - 1)) for j in range(n + 1) for i in range(n + 1)]
+        faces = [f for j in range(n) for i in range(n) for a in [j * (n + 1) + i]
+                 for f in ((a, a + 1, a + n + 2), (a, a + n + 2, a + n + 1))]
+        shown = {33071: lambda t: np.clip(t, 0, 1), 33648: lambda t: 1 - np.abs(t % 2 - 1), 10497: lambda t: t % 1}
+        ramp = np.stack([np.broadcast_to(x, (SIDE, SIDE)), np.broadcast_to(x[:, None], (SIDE, SIDE)), 0 * gradient()[..., 0]],
+                        -1).astype(np.uint8)
+        t = 3 * (np.arange(SIDE) + 0.5) / SIDE - 1
+        smooth = np.abs(t - np.round(t)) > 0.03
+        new = self.write('new.obj', ''.join('v %g %g 0\nvt %g %g\n' % (u, 1 - v, u, v)
+                                            for u, v in ((0, 1), (1, 1), (1, 0), (0, 0))) + 'f 4/4 3/3 2/2 1/1\n')
+        for u_wrap, v_wrap in ((33071, 33648), (33648, 10497), (10497, 33071)):
+            model = textured([embedded(ramp)], shape=(rows, faces))
+            model.add('samplers', {'wrapS': u_wrap, 'wrapT': v_wrap})
+            model.json['textures'][0]['sampler'] = 0
+            source = self.write('in.glb', model.glb())
+            self.run_ok('bake', new, '--from', source, '-o', self.path('o.png'), '--size', SIDE, '--force')
+            found = np.asarray(Image.open(self.path('o.png'))).astype(float)
+            for channel, wrap, axis in ((0, u_wrap, 1), (1, v_wrap, 0)):
+                row = found[SIDE // 2, :, channel] if axis else found[:, SIDE // 2, channel]
+                self.assertLess(np.abs(row - np.clip(SIDE * shown[wrap](t) - 0.5, 0, 255))[smooth].max(), 3)
+            old, out = self.bake(model)
+            for p in (0,):
+                colors = self.colors(out, p)
+                uv = np.array(old.attribute(0, p, 'TEXCOORD_0'))[np.array(old.triangles(0, p))].mean(1)
+                right = np.stack([SIDE * shown[w](uv[:, k]) - 0.5 for k, w in enumerate((u_wrap, v_wrap))], -1)
+                self.assertLess(np.median(np.abs(colors[:, :2] - np.clip(right, 0, 255))), 4)
+
+    def test_from_an_obj(self):
+        """The texture is in the GLB, by the new coordinates; pictures of the OBJ beside it likewise."""
+        n, text = 6, 'mtllib m.mtl\nusemtl a\n'
+        for j in range(n + 1):
+            for i in range(n + 1):
+                text += 'v %g %g %g\nvt %g %g\n' % (i, j, 0.1 * i * j, i / n, j / n)
+        for j in range(n):
+            for i in range(n):
+                a = j * (n + 1) + i + 1
+                text += 'f ' + ' '.join('%d/%d' % (v, v) for v in (a, a + 1, a + n + 2, a + n + 1)) + '\n'
+        source = self.write('in.obj', text)
+        self.write('m.mtl', 'newmtl a\nmap_Kd t.png\n')
+        self.write('t.png', encoded(gradient()))
+        self.run_ok('unwrap', source, '-o', self.path('out.glb'), '-o', self.path('out.obj'), '--bake')
+        self.assertEqual(sorted(f for f in self.files() if f.startswith('out')),
+                         ['out.glb', 'out.mtl', 'out.obj', 'out.png'])
+        self.run_ok('check', self.path('out.glb'), '--surface', source, '--certify')
+        reader = self.reader('out.glb')
+        self.assertEqual(reader.json['materials'][0]['name'], 'a')
+        self.assertNotIn('TEXCOORD_1', reader.primitive(0, 0)['attributes'])
+        self.assertEqual(len(reader.json['images']), 1)
+        place = np.array(reader.attribute(0, 0, 'POSITION'))[np.array(reader.triangles(0, 0))].mean(1)
+        u, v = place[:, 0] / n, place[:, 1] / n
+        right = np.stack([SIDE * u, SIDE * (1 - v), 255 - SIDE * (u + 1 - v) / 2], -1)
+        self.assertLess(np.abs(self.colors(reader, 0) - right).max(), 5)
+        self.assertEqual([i for i in validated([self.path('out.glb')], self.path('.'))[0] if i['severity'] < 2], [])
+
+    def test_the_size_of_the_image(self):
+        """--resolution, or that of a preset; else as many pixels as all images have."""
+        source = self.write('in.glb', textured([embedded(gradient()), embedded(gradient(True)), None]).glb())
+        for flags, side in (([], 363), (['--resolution', 100], 100), (['--preset', 'game'], 2048)):
+            self.run_ok('unwrap', source, '-o', self.path('out.glb'), '--bake', *flags)
+            reader = self.reader('out.glb')
+            pixels, _ = self.image_of(reader, reader.json['materials'][0])
+            self.assertEqual(pixels.shape[:2], (side, side))
+
     def test_random_files(self):
         baked = []
         for seed in range(40):
@@ -169,7 +235,7 @@ class Baked(CommandTest):
         source = self.write('in.glb', textured([embedded(gradient())]).glb())
         self.refused(USAGE, 'unwrap', source, '-o', self.path('out.obj'), '--bake', says='OUT.glb')
         self.refused(USAGE, 'unwrap', source, '-o', out, '-o', self.path('out.gltf'), '--bake', says='one model')
-        self.refused(USAGE, 'bake', source, '--from', self.write('a.ply', b'ply\n'), '-o', self.path('a.png'),
+        self.refused(USAGE, 'bake', source, '--from', self.write('a.stl', b'solid\n'), '-o', self.path('a.png'),
                      says='--image')
 
 
