@@ -17,6 +17,7 @@
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files/srgb.h"
 #include "majorant/io/gltf_layout.h"
+#include "majorant/io/internal/float_room.h"
 #include "majorant/io/internal/gltf_output.h"
 #include "majorant/io/internal/gltf_scene.h"
 #include "majorant/io/internal/gltf_update.h"
@@ -274,7 +275,7 @@ std::string bytes_of(const std::string& path, const MapFile& map, const PolygonM
   if (input != nullptr) require_complete(path, map);
   try {
     std::vector<PolygonOrigin> origins;
-    const PolygonMesh mesh = tessellate_map(map, input, options, &origins);
+    const PolygonMesh mesh = tessellate_map(with_room_in_floats(map), input, options, &origins);
     const bool is_gltf = input != nullptr && input->gltf != nullptr;
     const GltfOutput output = is_gltf
                                   ? updated_gltf(*input->gltf, *input, mesh, origins, path, uv_set)

@@ -407,6 +407,26 @@ class Details(CommandTest):
             self.assertEqual(report['result']['charts'], 2 if opens else 1)
             self.assertEqual(report['input']['vertices'], 8 if opens else 6)
 
+    def test_faces_without_area_get_room(self):
+        """A face with a repeated vertex, a needle and a sliver beside a square: floats near 1 are 6e-8 apart."""
+        square = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
+        for more, face in (([(0.01, 0, 0)], (0, 4, 4)), ([(1 + 1e-4, 1, 0), (1 + 5e-5, 1 + 1e-7, 0)], (3, 4, 5)),
+                           ([(0.25, 0, 0), (0.5, 0, 0)], (4, 5, 1))):
+            with self.subTest(face=face):
+                model = Model()
+                model.add('meshes', {'primitives': [{
+                    'attributes': {'POSITION': model.accessor(square + more, bounds=True)},
+                    'indices': model.accessor([[v] for f in ((0, 1, 2), (1, 3, 2), face) for v in f], USHORT,
+                                              INDICES)}]})
+                self.write('a.glb', model.glb())
+                self.run_ok('unwrap', self.path('a.glb'), '-o', self.path('b.glb'), '--force')
+                self.run_ok('check', self.path('b.glb'), '--surface', self.path('a.glb'), '--certify')
+                with open(self.path('b.glb'), 'rb') as f:
+                    new = Reader(f.read())
+                uv = new.attribute(0, 0, 'TEXCOORD_0')
+                for f in new.triangles(0, 0):
+                    self.assertLess(area([uv[v] for v in f]), 0)  # v points downwards
+
     def test_parametrize_and_convert(self):
         model = Model()
         rows, faces = patch(4, random.Random(1))
