@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "majorant/certify/internal/curve_piece.h"
 #include "majorant/certify/loop_winding.h"
@@ -202,7 +203,127 @@ class Layout {
   std::vector<std::optional<BoxTree>> trees_;
 };
 
+// The border of a chart as polygons.
+class Border {
+ public:
+  explicit Border(const BoundaryLoops& boundary) {
+    for (const BoundaryLoop& loop : boundary.loops) {
+      const Index first = static_cast<Index>(points_.size());
+      double arc = 0;
+      for (Index k = loop.first; k < loop.last; ++k) add_pieces(boundary.curves[k], arc);
+      loops_.resize(points_.size(), {first, static_cast<Index>(points_.size()), arc});
+    }
+    for (const Vector2& p : points_)
+      rounding_ = std::max(rounding_, kRoundings * p.cwiseAbs().maxCoeff());
+  }
+
+  double clearance(const ClearanceOptions& options, const StopCheck& stop) const {
+    double least = options.at_least;
+    std::vector<Box2> boxes;
+    for (Index k = 0; k < count(); ++k) {
+      const Vector2 &a = from(k), &b = to(k);
+      boxes.push_back(grown({a.cwiseMin(b), a.cwiseMax(b)}, least / 2));
+    }
+    std::size_t pairs = 0;
+    BoxTree(std::move(boxes)).visit_pairs([&](Index i, Index j) {
+      stop.poll_at(pairs++);
+      if (next(i) != j && next(j) != i) compare(i, j, options.way, least);
+      return least > 0;
+    });
+    return least;
+  }
+
+ private:
+  static constexpr int kPiecesPerDegree = 4;  // of a curve
+  struct Loop {
+    Index first, last;
+    double length;
+  };
+  // A point of edge k, at a part of its length.
+  struct Place {
+    Index k;
+    double t;
+  };
+
+  void add_pieces(const PlanarCurve& curve, double& arc) {
+    const int pieces = curve.degree == 1 ? 1 : kPiecesPerDegree * curve.degree;
+    for (int k = 0; k < pieces; ++k) {
+      points_.push_back(at(curve, k / double(pieces)));
+      arcs_.push_back(arc);
+      arc += (at(curve, (k + 1) / double(pieces)) - points_.back()).norm();
+    }
+  }
+  static Vector2 at(const PlanarCurve& curve, double t) {
+    std::vector<Vector2> p(curve.control_points.begin(),
+                           curve.control_points.begin() + curve.degree + 1);
+    for (std::size_t n = p.size() - 1; n > 0; --n)
+      for (std::size_t k = 0; k < n; ++k) p[k] = (1 - t) * p[k] + t * p[k + 1];
+    return p.front();
+  }
+
+  Index count() const { return static_cast<Index>(points_.size()); }
+  Index next(Index k) const { return k + 1 < loops_[k].last ? k + 1 : loops_[k].first; }
+  Index before(Index k) const { return k > loops_[k].first ? k - 1 : loops_[k].last - 1; }
+  const Vector2& from(Index k) const { return points_[k]; }
+  const Vector2& to(Index k) const { return points_[next(k)]; }
+  Vector2 point(const Place& p) const { return from(p.k) + p.t * (to(p.k) - from(p.k)); }
+
+  Place foot(Index k, const Vector2& p) const {
+    const Vector2 along = to(k) - from(k);
+    const double square = along.squaredNorm();
+    return {k, square > 0 ? std::clamp(along.dot(p - from(k)) / square, 0.0, 1.0) : 0.0};
+  }
+
+  double way_between(const Place& p, const Place& q) const {
+    if (loops_[p.k].first != loops_[q.k].first) return std::numeric_limits<double>::infinity();
+    const auto arc = [&](const Place& r) {
+      return arcs_[r.k] + r.t * (to(r.k) - from(r.k)).norm();
+    };
+    const double way = std::abs(arc(p) - arc(q));
+    return std::min(way, loops_[p.k].length - way);
+  }
+
+  // Returns whether `w` goes from a point of the border away from the chart, which is to its left.
+  bool leads_outside(const Place& p, const Vector2& w) const {
+    const auto right_of = [&](Index k) { return cross(Vector2(to(k) - from(k)), w) < 0; };
+    if (p.t > 0 && p.t < 1) return right_of(p.k);
+    const Index out = p.t > 0 ? next(p.k) : p.k, in = before(out);
+    const Vector2 coming = to(in) - from(in), going = to(out) - from(out);
+    // The chart takes the angle from `going` to the reverse of `coming`, counterclockwise.
+    const bool is_convex = cross(coming, going) > 0;
+    return is_convex ? right_of(in) || right_of(out) : right_of(in) && right_of(out);
+  }
+
+  void compare(Index i, Index j, double way, double& least) const {
+    if (segments_meet(from(i), to(i), from(j), to(j))) {
+      least = 0;
+      return;
+    }
+    const auto try_pair = [&](const Place& p, const Place& q) {
+      const Vector2 w = point(q) - point(p);
+      const double distance = w.norm();
+      if (distance < least && way_between(p, q) > way * distance &&
+          (distance <= rounding_ || (leads_outside(p, w) && leads_outside(q, -w))))
+        least = distance;
+    };
+    for (const double t : {0.0, 1.0}) {
+      try_pair({i, t}, foot(j, t > 0 ? to(i) : from(i)));
+      try_pair({j, t}, foot(i, t > 0 ? to(j) : from(j)));
+    }
+  }
+
+  std::vector<Vector2> points_;  // where edges begin
+  std::vector<double> arcs_;     // from where their loops begin
+  std::vector<Loop> loops_;      // of each edge
+  double rounding_ = 0;          // sides are not told below
+};
+
 }  // namespace
+
+double border_clearance(const BezierMap& map, const ClearanceOptions& options,
+                        const StopCheck& stop) {
+  return Border(boundary_loops(map)).clearance(options, stop);
+}
 
 double proven_distance(const std::vector<BezierMap>& charts, double at_least,
                        const std::vector<char>& fixed, const StopCheck& stop) {

@@ -25,6 +25,20 @@ namespace majorant {
 double proven_distance(const std::vector<BezierMap>& charts, double at_least,
                        const std::vector<char>& fixed = {}, const StopCheck& stop = {});
 
+// The parts of one border that a clearance is between: two points whose way along the border is
+// more than `way` times as long as they are apart, or that are on different loops.
+struct ClearanceOptions {
+  double at_least = 0;  // what is farther apart is not looked at
+  double way = 10;
+};
+// The least distance of such parts of a chart's own border across the plane outside of the chart,
+// not more than `at_least`: how wide its narrowest slit is. 0 where parts touch. Approximate: by
+// distances of doubles, of curves by those of polygons that follow them. map: injective, or nearly:
+// nothing is said of overlaps. O(#boundary edges log #boundary edges) for charts whose border is
+// mostly apart. Throws Stopped.
+double border_clearance(const BezierMap& map, const ClearanceOptions& options,
+                        const StopCheck& stop = {});
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -136,8 +136,12 @@ std::string claims(const AtlasJob& job, const MapFile& file) {
   return json_text(without_folders(std::move(claims)));
 }
 
+// Clearances above this part of the layout's size are not told.
+constexpr double kToldClearance = 1.0 / 1024;
+
 Json charts_section(const Atlas& atlas) {
   Json list = Json::array();
+  const double told = kToldClearance * layout_size(atlas);
   const std::vector<int> stack = stacks_of(atlas);
   for (std::size_t k = 0; k < atlas.charts.size(); ++k) {
     const Chart& chart = atlas.charts[k];
@@ -154,7 +158,10 @@ Json charts_section(const Atlas& atlas) {
                     {"pinned", !chart.pins.empty()},
                     {"tile", nullptr},
                     {"stack", stack[k] < 0 ? Json() : Json(stack[k])},
-                    {"mirrored", is_mirrored(chart)}});
+                    {"mirrored", is_mirrored(chart)},
+                    {"clearance", nullptr}});
+    if (const std::optional<double> least = clearance(chart, told))
+      list.back()["clearance"] = *least;
     if (atlas.packing) list.back()["tile"] = udim(atlas.packing->tiles[k]);
   }
   return list;

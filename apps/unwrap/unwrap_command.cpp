@@ -60,8 +60,8 @@ void unwrap_mesh(const UnwrapVerb& request, PolygonMesh polygons, LinearSolvers&
   const std::string tiled = request.unwrap.layout.needs_unit_square();
   if (request.unwrap.scale == "unit" && !job.place())
     throw Error(ErrorKind::Invalid,
-                request.map.input +
-                    ": in the unit square its smallest triangles are too small for doubles; " +
+                request.map.input + ": in the unit square " + problem_in_unit_square(job.atlas) +
+                    "; " +
                     (tiled.empty() ? "add --scale model"
                                    : "leave out " + tiled + " and add --scale model"));
   job.options_json = request.to_json();

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -17,6 +19,7 @@
 #include "majorant/io/files/standard_stream.h"
 #include "majorant/io/gltf_layout.h"
 #include "majorant/io/io.h"
+#include "majorant/io/mesh_objects.h"
 
 namespace majorant::app {
 namespace {
@@ -144,6 +147,37 @@ std::string_view why_undivided(Status division, std::string_view nothing) {
   }
 }
 
+// A part of the square that one object of several takes, above which it is named.
+constexpr double kNearlyAll = 0.8;
+
+// What to do about an object that leaves the others next to nothing of the square; empty where
+// there is none.
+std::string remark_on_sizes(const AtlasJob& job) {
+  if (!job.atlas.packing || job.options.face_scale.size() > 0) return {};
+  const MeshObjects objects = objects_of(*job.polygons);
+  if (objects.count() < 2) return {};
+  const SurfaceMesh& mesh = *job.surface.mesh;
+  std::vector<double> area(to_size(objects.count()), 0);
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto corner = [&](Index k) -> Vector3 {
+      return mesh.positions().row(mesh.faces()(f, k)).transpose();
+    };
+    area[to_size(objects.of_polygon[to_size(mesh.input_face(f))])] +=
+        (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+  }
+  const auto largest = std::max_element(area.begin(), area.end());
+  const double share = *largest / std::accumulate(area.begin(), area.end(), 0.0);
+  if (!(share > kNearlyAll)) return {};
+  const auto number = to_size(static_cast<Index>(largest - area.begin()));
+  const std::string& name = objects.names[number];
+  return fmt::format(
+      "{}: {} takes {:.0f} % of the layout's area; --objects separate gives each object a square, "
+      "--texel-density FILE each material its size",
+      job.polygons->file,
+      name.empty() ? fmt::format("object {}", number + 1) : fmt::format("object '{}'", name),
+      100 * share);
+}
+
 // Lines about repairs, and about requests that the layout does not meet.
 std::vector<std::string> remarks(const AtlasJob& job) {
   std::vector<std::string> lines;
@@ -163,6 +197,7 @@ std::vector<std::string> remarks(const AtlasJob& job) {
     lines.push_back(fmt::format("{}: fill {:.3f}, not --fill {:g}: {}", input, atlas.packing->fill,
                                 options.least_fill,
                                 why_undivided(atlas.division, "dividing charts gains no more")));
+  if (std::string sizes = remark_on_sizes(job); !sizes.empty()) lines.push_back(std::move(sizes));
   return lines;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -15,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/proven_distance.h"
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/quadrature.h"
@@ -87,7 +89,7 @@ Stretch normalized(Stretch s) {
 // too short for more than one thread to pay.
 constexpr Index kLargeChart = 5000;
 
-// Charts of so few faces are not cut for their stretch.
+// Charts of so few faces are not divided for the sake of the layout.
 constexpr Index kFewestFaces = 2;
 // A chart is cut further so often, then it is parted.
 constexpr int kMostCuts = 2;
@@ -116,6 +118,11 @@ constexpr int kMostPasses = 100;
 // Layouts packed at most on the way to a fill, each of which takes as long as the first one.
 constexpr int kMostFills = 16;
 
+// In square roots of the surface's area: how near parts of a chart's border may come to each other
+// that are no neighbours along it. Floats, which rounding moves by up to 4e-8 of a square that is
+// 1.4 such roots wide or so, still tell them apart.
+constexpr double kClearance = 2.5e-7;
+
 // In square roots of a chart's area: what pinned charts are apart at least. A billion
 // roundings.
 constexpr double kTouching = 1e-7;
@@ -126,8 +133,10 @@ bool may_cut(const UnwrapOptions& options) {
          chooses_cuts(options.cuts.method);
 }
 
+// Charts of faces without an area alone have no stretch that a cut would mend.
 bool is_stretched(const UnwrapOptions& options, const Chart& chart) {
-  return may_cut(options) && chart.stretch.l2 > options.cuts.max_stretch;
+  return may_cut(options) && chart.stretch.l2 > options.cuts.max_stretch &&
+         chart.map->mesh().rest_triangles().size() < chart.faces.size();
 }
 
 // The way in which a chart can be divided.
@@ -173,7 +182,10 @@ class Unwrapping {
  public:
   Unwrapping(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
              RunRecord& record)
-      : surface_(*surface), options_(options), record_(record) {}
+      : surface_(*surface),
+        options_(options),
+        record_(record),
+        clearance_(kClearance * std::sqrt(surface->area())) {}
 
   Atlas solve() {
     const ThreadCount threads(options_.chart.solve.threads);
@@ -207,8 +219,8 @@ class Unwrapping {
     kept.reset();
     scale_charts();
     if (options_.packing && atlas_.status() != Status::Failed) place_charts_in_any_case();
-    if (atlas_.packing && atlas_.is_complete() && options_.least_fill > 0 && may_cut(options_) &&
-        is_of_one_scale())
+    if (atlas_.packing && atlas_.is_complete() && atlas_.packed == Status::Converged &&
+        options_.least_fill > 0 && may_cut(options_) && is_of_one_scale())
       fill_square();
     const double left = record_.seconds() - started - seconds_.cut - seconds_.map - seconds_.pack;
     seconds_.recut = std::max(0.0, left);
@@ -380,7 +392,7 @@ class Unwrapping {
     if (task.mesh->face_count() == 1 || is_held(task)) return false;
     if (chart.status == Status::Failed) return true;
     const bool is_done = chart.status == Status::Converged || chart.status == Status::Stalled;
-    return is_done && is_stretched(options_, chart) && task.mesh->face_count() > kFewestFaces;
+    return is_done && is_stretched(options_, chart);
   }
 
   // Closes cuts of unfolded charts whose two sides lie on each other, as where a flat ring was cut
@@ -419,7 +431,7 @@ class Unwrapping {
     const SurfaceMesh& mesh = *task.mesh;
     const Flags& given = options_.cuts.given;
     const Vec uv = unfolded(mesh);
-    const double near = kClosed * std::sqrt(mesh.area());
+    const double near = std::max(kClosed * std::sqrt(mesh.area()), clearance_);
     const auto are_near = [&](Index a, Index b) {
       return (uv.segment<2>(2 * a) - uv.segment<2>(2 * b)).norm() <= near;
     };
@@ -823,10 +835,13 @@ class Unwrapping {
     RunRecord record = record_.part(observer, std::move(starting));
     ChartHints hints;
     hints.parent = task.parent;
+    hints.clearance = clearance_;
     if (options_.cuts.method == CutMethod::Texture && is_textured(*task.mesh, 0))
       hints.texture = TextureStart::Tried;
     if (unfolds(*task.mesh) && !is_held(task)) hints.shape = ChartShape::Unfolds;
     if (is_cut_where_it_overlaps(task)) hints.overlaps = UnfoldedOverlaps::LeftToCuts;
+    if (may_cut(options_) && !is_held(task) && task.mesh->face_count() > kFewestFaces)
+      hints.slow = SlowStart::LeftToCuts;
     Chart chart = ChartSolver(task.mesh, task.options, hints).solve(record);
     chart.faces = task.faces;
     atlas_.charts[k] = std::move(chart);
@@ -950,8 +965,10 @@ class Unwrapping {
   void place_charts_in_any_case() {
     try {
       place_charts(PackOptions::Effort::Smallest, record_.start_stop());
-    } catch (const Stopped&) {
+    } catch (const Stopped& stop) {
       place_charts(PackOptions::Effort::Quick, {});
+      atlas_.packed = stopped_status(stop.why());
+      if (atlas_.division == Status::Converged) atlas_.division = atlas_.packed;
     }
   }
 
@@ -1011,6 +1028,7 @@ class Unwrapping {
   const SurfaceMesh& surface_;
   const UnwrapOptions& options_;
   RunRecord& record_;
+  const double clearance_;  // model units
   std::vector<Task> tasks_;
   Atlas atlas_;
   AtlasSeconds seconds_;
@@ -1081,6 +1099,17 @@ void to_model_units(const SurfaceMesh& surface, double unit, Atlas& atlas) {
                             message_prefix(surface), unit));
 }
 
+// The box around the charts that lie on no other.
+Eigen::AlignedBox2d box_around(const Atlas& atlas) {
+  Eigen::AlignedBox2d box;
+  for (const Chart& chart : atlas.charts) {
+    if (chart.place) continue;
+    const auto points = chart.map->control_points().reshaped(2, chart.map->space().node_count());
+    box.extend(Eigen::AlignedBox2d(points.rowwise().minCoeff(), points.rowwise().maxCoeff()));
+  }
+  return box;
+}
+
 }  // namespace
 
 Stretch Stretch::joined(const Stretch& other) const {
@@ -1116,7 +1145,8 @@ Stretch measure_stretch(const BezierMap& map) {
 
 std::string why_stretched(const UnwrapOptions& options, const Chart& chart) {
   if (!is_stretched(options, chart)) return {};
-  if (static_cast<Index>(chart.faces.size()) <= kFewestFaces) return "it has no more faces";
+  const bool is_stopped = chart.status != Status::Converged && chart.status != Status::Stalled;
+  if (!is_stopped && chart.faces.size() == 1) return "it has no more faces";
   const auto& points = options.chart.map;
   if (!chart.pins.empty() || !points.handles.empty()) return "pins or handles hold it";
   return std::string(status_name(chart.status));
@@ -1129,8 +1159,9 @@ std::vector<BezierMap> maps_of(const Atlas& atlas) {
 }
 
 std::string_view start_name(ChartStart start) {
-  constexpr std::array<std::string_view, 7> kNames = {
-      "tutte", "multiresolution", "parent", "unfolded", "texture", "untangled", "anew"};
+  constexpr std::array<std::string_view, 8> kNames = {
+      "tutte",     "multiresolution", "parent",    "unfolded",
+      "projected", "texture",         "untangled", "anew"};
   return kNames[static_cast<std::size_t>(start)];
 }
 
@@ -1144,7 +1175,7 @@ Status worse_of(Status a, Status b) {
 }
 
 Status Atlas::status() const {
-  Status worst = unmapped.status;
+  Status worst = worse_of(unmapped.status, packed);
   for (const Chart& chart : charts) worst = worse_of(worst, chart.status);
   return worst;
 }
@@ -1156,6 +1187,7 @@ std::string Atlas::message() const {
   if (!is_complete())
     return fmt::format("{} of {} charts have no map yet", unmapped.count,
                        unmapped.count + static_cast<Index>(charts.size()));
+  if (packed != Status::Converged) return "charts lie as they were arranged first";
   return {};
 }
 
@@ -1190,6 +1222,37 @@ Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOpti
   return atlas;
 }
 
+double layout_size(const Atlas& atlas) {
+  const Eigen::AlignedBox2d box = box_around(atlas);
+  return box.isEmpty() ? 0 : box.sizes().maxCoeff();
+}
+
+std::optional<double> clearance(const Chart& chart, double at_most) {
+  const double found = border_clearance(*chart.map, {.at_least = at_most});
+  return found < at_most ? std::optional(found) : std::nullopt;
+}
+
+std::string problem_in_unit_square(const Atlas& atlas) {
+  const Eigen::AlignedBox2d box = box_around(atlas);
+  const bool is_packed = atlas.packing.has_value();
+  const LayoutMotion motion =
+      unit_square_motions({1, 0}, is_packed ? atlas.packing->origin : Vector2(box.min()),
+                          is_packed ? atlas.packing->side : box.sizes().maxCoeff())
+          .front();
+  for (const Chart& chart : atlas.charts) {
+    if (chart.place) continue;
+    const BezierMap moved = motion(*chart.map);
+    if (!has_positive_determinants(moved))
+      return "its smallest triangles are too small for doubles";
+    const GlobalInjectivity proof = check_boundary(moved);
+    if (proof.result != ProofStatus::Proven)
+      return fmt::format(
+          "the chart of face {} {}, since parts of its border have no room between them",
+          chart.map->mesh().input_face(0) + 1, meeting_words(proof));
+  }
+  return "rounding brings its charts closer together than the padding";
+}
+
 std::optional<LayoutMotion> into_unit_square(Atlas& atlas) {
   std::vector<BezierMap> maps;
   std::vector<std::size_t> lowest;
@@ -1198,13 +1261,9 @@ std::optional<LayoutMotion> into_unit_square(Atlas& atlas) {
     maps.push_back(*atlas.charts[k].map);
     lowest.push_back(k);
   }
-  Vector2 low = Vector2::Constant(INFINITY), high = -low;
-  for (const BezierMap& map : maps) {
-    const auto points = map.control_points().reshaped(2, map.space().node_count());
-    low = low.cwiseMin(points.rowwise().minCoeff());
-    high = high.cwiseMax(points.rowwise().maxCoeff());
-  }
-  double side = (high - low).maxCoeff();
+  const Eigen::AlignedBox2d box = box_around(atlas);
+  Vector2 low = box.min();
+  double side = box.sizes().maxCoeff();
   LayoutPromise promise{.simple_boundaries = true};
   if (atlas.packing) {
     low = atlas.packing->origin;

@@ -66,12 +66,22 @@ Stretch measure_stretch(const BezierMap& map);
 // The start that the map of a chart came from. Tutte: tutte_map(). Multiresolution:
 // multiresolution_map(), of large charts. Parent: the map of the chart that it was cut from.
 // Unfolded: the faces laid side by side in their own shapes (flat panels between creases; strips,
-// where Tutte's map led to overlaps). Texture: the file's
+// where Tutte's map led to overlaps). Projected: as it is seen from one side, where Tutte's map is
+// far from any minimum. Texture: the file's
 // coordinates, turned and mirrored as they lie. Untangled: those, after triangles were turned over.
-// Anew: one of the first four, because the file's coordinates overlap or have no area, or could not
+// Anew: one of the first five, because the file's coordinates overlap or have no area, or could not
 // be untangled.
-enum class ChartStart { Tutte, Multiresolution, Parent, Unfolded, Texture, Untangled, Anew };
-// "tutte", "multiresolution", "parent", "unfolded", "texture", "untangled", "anew"
+enum class ChartStart {
+  Tutte,
+  Multiresolution,
+  Parent,
+  Unfolded,
+  Projected,
+  Texture,
+  Untangled,
+  Anew
+};
+// "tutte", "multiresolution", "parent", "unfolded", "projected", "texture", "untangled", "anew"
 std::string_view start_name(ChartStart start);
 
 struct Chart {
@@ -90,8 +100,8 @@ struct Chart {
 };
 
 // What CutOptions::max_stretch is for maps of CutMethod::Automatic and Sharp. Kept: charts are
-// mapped, measured, cut again and mapped anew until each has no more; not those of one or two faces
-// or with pins or handles, and not once a limit of the run is reached. Reported: nothing is done.
+// mapped, measured, cut again and mapped anew until each has no more; not those of one face, of
+// faces without an area alone or with pins or handles, and not once a limit of the run is reached. Reported: nothing is done.
 enum class StretchLimit { Kept, Reported };
 
 // The part of a time limit that cuts get at most, before those that suffice are taken as they are;
@@ -156,6 +166,9 @@ struct Atlas {
   std::vector<Chart> charts;  // those with a map, in the order of their first faces
   UnmappedCharts unmapped;
   std::optional<Packing> packing;  // of their maps, which are in place
+  // TimeLimit or Interrupted where the run was stopped while they were packed: they lie as they
+  // were arranged first.
+  Status packed = Status::Converged;
   AtlasSeconds seconds = {};
   // Why the division of charts ended (least_charts, least_fill). Converged: there are so many, and
   // they fill so much, or none can be divided that gains anything. MaxIterations: no more layouts
@@ -164,9 +177,10 @@ struct Atlas {
 
   // Returns whether every chart has a map.
   bool is_complete() const { return unmapped.count == 0; }
-  // The worst of the charts, those without a map among them: Converged only if all are.
+  // The worst of the charts, those without a map among them, and of packing: Converged only if all
+  // are.
   Status status() const;
-  // Of the first chart that ended so; empty where all converged.
+  // Of the first chart that ended so, or of packing; empty where all converged.
   std::string message() const;
   // Mean of the energy over the surface.
   double value() const;
@@ -193,6 +207,13 @@ std::vector<BezierMap> maps_of(const Atlas& atlas);
 // instead, but not where the packing has tiles, whose borders are proven, too. None, and the atlas
 // as it was, where that does not help. Measures stay those in model units.
 std::optional<LayoutMotion> into_unit_square(Atlas& atlas);
+// Why into_unit_square() gives none, in words of one line without a full stop.
+std::string problem_in_unit_square(const Atlas& atlas);
+
+// The larger side of the box around all charts.
+double layout_size(const Atlas& atlas);
+// border_clearance() of the chart where it lies; none where that is at_most or more.
+std::optional<double> clearance(const Chart& chart, double at_most);
 
 }  // namespace majorant
 

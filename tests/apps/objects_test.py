@@ -132,6 +132,17 @@ class Objects(UnwrapTest):
         self.run_ok('unwrap', mesh, '-o', self.path('b.obj'))
         self.assertEqual(self.read('a.obj'), self.read('b.obj'))
 
+    def test_one_that_takes_nearly_all_is_named(self):
+        for size, is_named in ((1, False), (9, True)):
+            points, faces = both(cube(1), ([(size * x, size * y, 0) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))],
+                                           [(0, 1, 2, 3)]))
+            lines = ['v %r %r %r' % tuple(p) for p in points] + ['o thing']
+            for k, f in enumerate(faces):
+                lines += (['o ground'] if k + 1 == len(faces) else []) + ['f %d %d %d %d' % tuple(v + 1 for v in f)]
+            mesh = self.write('ground.obj', '\n'.join(lines) + '\n')
+            err = self.run_ok('unwrap', mesh, '-o', self.out, '--force').err
+            self.assertEqual("object 'ground' takes" in err, is_named, err)
+
     def test_a_limit_and_a_mesh_that_is_refused(self):
         self.separate('--time-limit', 0, code=LIMIT)
         self.run_ok('check', self.out, '--certify', '--objects', 'separate', '--surface', self.room)

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Creases, numbers of charts, fill and presets of majorant unwrap."""
+import random
+
 from command_helpers import *
 from hard_surfaces import model, open_box
 from unwrap_helpers import *
@@ -19,6 +21,30 @@ def arch(n):
     return points, faces
 
 
+def windows(seed):
+    """Two window frames side by side and a sill on the inner edge of one, at random; the numbers of vertices, too.
+
+    The sill is hinged at a corner of its frame: folded flat into the hole, its side lies on half of the frame's
+    next edge."""
+    rng = random.Random(seed)
+
+    def size(low, high):
+        return round(rng.uniform(low, high), 3)
+    d, top, bottom, height, width = size(.08, .15), size(.1, .2), size(.1, .2), size(.6, .8), size(.35, .45)
+    depth, z, y, x = size(.05, .15), size(0, 1), size(0, 1), size(-1, 1)
+    places = {'a': (x, y), 'b': (x, y + height), 'c': (x - d, y + height - top), 'd': (x - d, y + bottom),
+              'e': (x - width, y + height), 'f': (x - width + d, y + height - top), 'g': (x - width, y),
+              'h': (x - width + d, y + bottom), 'i': (x + width, y + height), 'j': (x + d, y + height - top),
+              'k': (x + width - d, y + height - top), 'l': (x + d, y + bottom)}
+    places = {name: p + (z,) for name, p in places.items()}
+    for name, on in (('m', 'l'), ('n', 'j')):
+        places[name] = places[on][:2] + (z - depth,)
+    names = sorted(places)
+    rng.shuffle(names)
+    faces = [tuple(names.index(name) for name in face) for face in ('abcd', 'befc', 'eghf', 'ibjk', 'balj', 'jlmn')]
+    return [tuple(round(v, 6) for v in places[name]) for name in names], faces
+
+
 def seam_where(vtu, points, weight):
     """The length of the seams of a file, that of each edge times the weight of its middle."""
     edges = [[points[v] for v in edge] for edge in Vtu(vtu).claims['cuts']]
@@ -33,6 +59,15 @@ class Creases(UnwrapTest):
                     _, report = self.unwrap(self.mesh(*model(kind, n, variant)))
                     self.assertLess(report['result']['value'], UNSHEARED)
                     self.assertEqual(report['status'], 'converged')
+
+    def test_panels_that_touch_unfolded_are_cut(self):
+        for seed in (0, 27):
+            with self.subTest(seed=seed):
+                _, report = self.unwrap(self.mesh(*windows(seed)))
+                self.assertEqual(report['result']['charts'], 2)
+                self.assertLess(report['result']['value'], UNSHEARED)
+                for chart in report['charts']:
+                    self.assertTrue(chart['clearance'] is None or chart['clearance'] > 1e-7, chart)
 
     def test_flat_rings_are_whole(self):
         """A gear of n quads a side: two faces with a hole, the bore, the rim; nothing is cut in a plane but to divide it."""

@@ -59,6 +59,50 @@ TEST(ProvenDistance, of_curves_is_tight_and_below_that_of_samples) {
   }
 }
 
+// A square ring that is open at its right side, where its ends are `gap` apart.
+BezierMap open_ring(double gap, double lean = 0) {
+  return test::polygon_chart({{0, 0},
+                              {4, 0},
+                              {4, 2 - gap / 2},
+                              {3, 2 - gap / 2 - lean},
+                              {2.9, 1},
+                              {1, 1},
+                              {1, 3},
+                              {2.9, 3},
+                              {3, 2 + gap / 2 + lean},
+                              {4, 2 + gap / 2},
+                              {4, 4},
+                              {0, 4}});
+}
+
+TEST(BorderClearance, is_that_across_the_outside) {
+  for (const double gap : {0.5, 1e-3, 1e-9})
+    EXPECT_NEAR(border_clearance(open_ring(gap), {.at_least = 1}), gap, 1e-15);
+  EXPECT_NEAR(border_clearance(open_ring(0.01, 0.1), {.at_least = 1}), 0.01, 1e-15);
+  EXPECT_EQ(border_clearance(open_ring(0.5), {.at_least = 0.25}), 0.25);
+  EXPECT_NEAR(border_clearance(test::ring_chart(40, 0.5, 1), {.at_least = 0.1}), 0.1, 1e-15);
+}
+
+TEST(BorderClearance, thin_charts_and_wide_corners_have_room) {
+  EXPECT_EQ(border_clearance(square_at(0, 0), {.at_least = 1}), 1);
+  EXPECT_EQ(border_clearance(test::polygon_chart(test::rectangle(1, 1e-6)), {.at_least = 1}), 1);
+  // A notch of 90 degrees in a square.
+  const BezierMap notch =
+      test::polygon_chart({{0, 0}, {4, 0}, {4, 4}, {2.5, 4}, {2, 3.5}, {1.5, 4}, {0, 4}});
+  EXPECT_EQ(border_clearance(notch, {.at_least = 4}), 4);
+}
+
+// Panels of a frame and a sill whose side lies on the frame: at their common vertex they are
+// neighbours, a corner further they touch.
+TEST(BorderClearance, a_fold_along_an_edge_is_none) {
+  for (const double above : {0.0, 1e-17, 1e-9, 1e-7}) {
+    const BezierMap chart = test::chart_of(
+        {{0, 0}, {1, 0}, {3, 0}, {3, -1}, {0, -1}, {0, 2}, {1, 2}, {2, 2}, {2, above}},
+        {{0, 4, 3, 2, 1}, {0, 1, 6, 5}, {1, 8, 7, 6}});
+    EXPECT_NEAR(border_clearance(chart, {.at_least = 1e-6, .way = 1e5}), above, 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace majorant
 

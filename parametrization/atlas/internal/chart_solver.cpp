@@ -1,5 +1,6 @@
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,6 +9,7 @@
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/moved_layout.h"
+#include "majorant/certify/proven_distance.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/maps/rest_shapes_of.h"
@@ -36,11 +38,17 @@ BezierMap rounded(const BezierMap& map) {
   return map.with(map.shared_space(), Vec(unit * (x / unit).array().round()));
 }
 
+// Parts of the border are neighbours where the way along it is less than so many times their
+// distance: sides of a slit meet at its end, at angles of 1e-5 or more.
+constexpr double kNeighbours = 1e5;
+
 // Returns whether its boundary is proven to be simple, and stays so where its points are rounded:
 // not where the two sides of a cut lie on each other but for rounding, as those of panels that fit
-// into the plane.
-bool has_boundary_margin(const BezierMap& map) {
-  return has_proven_boundary(map) && has_proven_boundary(rounded(map));
+// into the plane, nor where a panel touches another one that is hinged elsewhere. clearance: the
+// least distance of such parts.
+bool has_boundary_margin(const BezierMap& map, double clearance) {
+  if (!has_proven_boundary(map) || !has_proven_boundary(rounded(map))) return false;
+  return border_clearance(map, {clearance, kNeighbours}) >= clearance;
 }
 
 // Returns whether its faces are larger than what moving it and writing it down rounds. Of curved
@@ -49,6 +57,102 @@ bool has_area_margin(const BezierMap& map) {
   if (map.degree() > 1)
     return has_positive_determinants(map) && has_positive_determinants(rounded(map));
   return faces_without_area_margin(map.mesh().faces(), map.control_points()) == 0;
+}
+
+// Steps of an attempt far from any minimum, softly (Phase::SoftStart) or with such a mean density,
+// after which it is not waited for any longer. Starts that lead anywhere get nearer within some
+// dozens.
+constexpr int kMostFarSteps = 100;
+constexpr double kFarDensity = 1e3;
+
+}  // namespace
+
+// Ends attempts that take too many steps far from any minimum; tells another observer, or none.
+class SlowStartLimit final : public RunObserver {
+ public:
+  SlowStartLimit(RunObserver* observer, double far_energy)
+      : told_(observer), far_energy_(far_energy) {}
+
+  void start() { steps_ = 0; }
+  bool is_reached() const { return steps_ > kMostFarSteps; }
+
+  void begin(Activity activity) override {
+    if (told_) told_->begin(activity);
+  }
+  void announce(std::string_view part) override {
+    if (told_) told_->announce(part);
+  }
+  void advance(double share) override {
+    if (told_) told_->advance(share);
+  }
+  void begin_pass(int pass, int most) override {
+    if (told_) told_->begin_pass(pass, most);
+  }
+  void after_part(std::string_view part, const std::vector<TraceEntry>& rows) override {
+    if (told_) told_->after_part(part, rows);
+  }
+  Directive after_step(const TraceEntry& row, const Vec& y) override {
+    steps_ += row.level == 0 && (row.phase == Phase::SoftStart || row.energy >= far_energy_);
+    const Directive answer = told_ ? told_->after_step(row, y) : Directive::Continue;
+    return answer == Directive::Continue && is_reached() ? Directive::Interrupt : answer;
+  }
+
+ private:
+  RunObserver* told_;
+  double far_energy_;
+  int steps_ = 0;
+};
+
+namespace {
+
+// kFarDensity in the units of this energy.
+double far_energy(const MapOptions& options) {
+  double weight = 0;
+  for (const WeightedEnergy& energy : options.energy)
+    weight += energy.weight * (energy.face_weight.size() > 0 ? energy.face_weight.maxCoeff() : 1);
+  if (options.face_weight.size() > 0) weight *= options.face_weight.maxCoeff();
+  return kFarDensity * std::max(weight, 1.0);
+}
+
+// Mean of (Gamma^2 + gamma^2) / 2 (Stretch) from which on Tutte's map is compared with a
+// projection: below, any start does.
+constexpr double kFarFromMinimum = 100;
+// Cosine of the angle between a face's normal and the direction of a projection, at least: faces
+// that are seen from the side become a thousandth as wide.
+constexpr double kSteepest = 1e-3;
+
+double mean_stretch(const BezierMap& map) {
+  const Stretch stretch = measure_stretch(map);
+  return stretch.square / stretch.surface_area;
+}
+
+// As long as twice the area of the face.
+Vector3 normal_of(const SurfaceMesh& mesh, Index face) {
+  const auto corner = [&](Index k) -> Vector3 {
+    return mesh.positions().row(mesh.faces()(face, k)).transpose();
+  };
+  return (corner(1) - corner(0)).cross(corner(2) - corner(0));
+}
+
+// u, v per vertex: the chart as it is seen along the mean of its normals, where every face turns
+// its upper side there.
+std::optional<Vec> projected(const SurfaceMesh& mesh) {
+  Vector3 mean = Vector3::Zero();
+  for (Index f = 0; f < mesh.face_count(); ++f) mean += normal_of(mesh, f);
+  const Vector3 up = mean.stableNormalized();
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const Vector3 normal = normal_of(mesh, f);
+    if (!(normal.dot(up) > kSteepest * normal.norm())) return std::nullopt;
+  }
+  const Vector3 right = up.unitOrthogonal(), back = up.cross(right);
+  Vec uv(2 * mesh.vertex_count());
+  const Vector3 first = mesh.positions().row(0).transpose();
+  for (Index v = 0; v < mesh.vertex_count(); ++v) {
+    const Vector3 p = mesh.positions().row(v).transpose() - first;
+    uv.segment<2>(2 * v) << right.dot(p), back.dot(p);
+  }
+  if (faces_without_area_margin(mesh.faces(), uv) > 0) return std::nullopt;
+  return uv;
 }
 
 // Faces from which on a chart starts anew once it is cut, in many resolutions: a slit in the map
@@ -147,7 +251,7 @@ std::optional<Vec> with_open_slits(const std::shared_ptr<const SurfaceMesh>& mes
   for (int k = 0; k <= kHalvings; ++k, step *= 0.5) {
     Vec open = uv + step;
     if (faces_without_area_margin(mesh->faces(), open) == 0 &&
-        has_boundary_margin(BezierMap::linear(mesh, open)))
+        has_boundary_margin(BezierMap::linear(mesh, open), 0))
       return open;
   }
   return std::nullopt;
@@ -159,7 +263,14 @@ ChartSolver::ChartSolver(std::shared_ptr<const SurfaceMesh> mesh,
                          const ParametrizationOptions& options, ChartHints hints)
     : mesh_(std::move(mesh)), options_(options), hints_(std::move(hints)) {}
 
-Chart ChartSolver::solve(RunRecord& record) {
+Chart ChartSolver::solve(RunRecord& given) {
+  SlowStartLimit limit(given.observer(), far_energy(options_.map));
+  std::optional<RunRecord> limited;
+  if (hints_.slow == SlowStart::LeftToCuts) {
+    limit_ = &limit;
+    limited = given.part(&limit, [&](double share) { given.telling_start({}).advance(share); });
+  }
+  RunRecord& record = limited ? *limited : given;
   try {
     return solve_within_limits(record);
   } catch (const Stopped& stop) {
@@ -183,7 +294,7 @@ Chart ChartSolver::solve_within_limits(RunRecord& record) {
   if (!is_done_) keep_start(record);
   if (is_left) {
     chart_.status = Status::Failed;
-    chart_.message = "unfolded it overlaps itself";
+    chart_.message = "unfolded it touches or overlaps itself";
   }
   to_area_of_surface();
   chart_.stretch = measure_stretch(*chart_.map);
@@ -216,10 +327,33 @@ void ChartSolver::try_parent(RunRecord& record) {
 void ChartSolver::try_tutte(RunRecord& record) {
   is_overlapping_ = false;
   if (try_many_resolutions(MapInjectivity::Local, record)) return;
+  std::optional<Vec> seen;
+  if (!is_overlapping_) seen = projection(record);
+  if (seen && attempt(*seen, MapInjectivity::Local, record))
+    return name_start(ChartStart::Projected);
   // Where the minimum overlaps itself, Tutte's map leads to the same.
   if (!is_overlapping_ && attempt(tutte(record), MapInjectivity::Local, record)) return;
   if (try_unfolded(record) || try_many_resolutions(MapInjectivity::Global, record)) return;
+  if (seen && has_boundary_margin(BezierMap::linear(mesh_, *seen), 0) &&
+      attempt(*seen, MapInjectivity::Global, record))
+    return name_start(ChartStart::Projected);
   attempt(tutte(record), MapInjectivity::Global, record);
+}
+
+// The chart as it is seen from one side, where that is nearer to the minimum than Tutte's map,
+// which is far from it.
+std::optional<Vec> ChartSolver::projection(const RunRecord& record) {
+  if (record.directive() != Directive::Continue || !mesh_->rest_triangles().empty() ||
+      !options_.map.pins.empty())
+    return std::nullopt;
+  std::optional<Vec> seen = projected(*mesh_);
+  if (!seen) return seen;
+  const Vec& other = tutte(record);
+  if (faces_without_area_margin(mesh_->faces(), other) > 0) return seen;
+  const double mean = mean_stretch(BezierMap::linear(mesh_, other));
+  const bool is_far = !(mean < kFarFromMinimum);
+  if (!is_far || mean_stretch(BezierMap::linear(mesh_, *seen)) >= mean) seen.reset();
+  return seen;
 }
 
 // Where that is another start than Tutte's map.
@@ -251,7 +385,7 @@ bool ChartSolver::try_many_resolutions(MapInjectivity injectivity, RunRecord& re
 bool ChartSolver::overlaps_unfolded() const {
   const Vec start = unfolded(*mesh_);
   return faces_without_area_margin(mesh_->faces(), start) == 0 &&
-         !has_boundary_margin(BezierMap::linear(mesh_, start));
+         !has_boundary_margin(BezierMap::linear(mesh_, start), hints_.clearance);
 }
 
 // Starts from strips that are laid out: Tutte's map of a strip much longer than wide is so far from
@@ -260,7 +394,7 @@ bool ChartSolver::overlaps_unfolded() const {
 bool ChartSolver::try_unfolded(RunRecord& record) {
   const Vec start = unfolded(*mesh_);
   if (faces_without_area_margin(mesh_->faces(), start) > 0 ||
-      !has_boundary_margin(BezierMap::linear(mesh_, start)))
+      !has_boundary_margin(BezierMap::linear(mesh_, start), hints_.clearance))
     return false;
   if (!attempt(start, MapInjectivity::Local, record) &&
       !attempt(start, MapInjectivity::Global, record))
@@ -293,6 +427,7 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
   options.map.injectivity = injectivity;
   options.map.initial.reset();
   ParametrizationResult result;
+  if (limit_) limit_->start();
   try {
     result = parametrize(BezierMap::linear(mesh_, start), options, record);
   } catch (const Stopped&) {
@@ -303,7 +438,8 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
     return false;
   }
   const bool has_map = result.map && result.status != Status::Failed;
-  const bool is_apart = has_map && has_boundary_margin(*result.map);
+  const double clearance = injectivity == MapInjectivity::Local ? hints_.clearance : 0;
+  const bool is_apart = has_map && has_boundary_margin(*result.map, clearance);
   is_overlapping_ = result.status == Status::Converged && !is_apart;
   if (!is_apart || !has_area_margin(*result.map)) {
     chart_.message = result.message;
@@ -312,6 +448,10 @@ bool ChartSolver::attempt(const Vec& start, MapInjectivity injectivity, RunRecor
   chart_.map = std::move(result.map);
   chart_.status = result.status;
   chart_.message = result.message;
+  if (limit_ && limit_->is_reached() && record.directive() == Directive::Continue) {
+    chart_.status = Status::Stalled;
+    chart_.message = "its start makes no headway";
+  }
   chart_.measures = std::move(result.measures);
   return is_done_ = true;
 }

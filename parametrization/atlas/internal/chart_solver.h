@@ -7,11 +7,12 @@
 // The attempts at a chart, until the image is proven to be free of overlaps and its faces are
 // larger than rounding, start from: the file's texture coordinates (untangled if need be), the
 // faces side by side where they unfold, the map of what it was cut from, Tutte's map - of large
-// charts one in many resolutions - and the faces side by side of any chart. Each is first without a
-// scaffold, which most charts do not need and which costs several times as much, then with one:
-// that of what it was cut from at once, with the cuts opened, Tutte's last. At the end Tutte's map
-// as it is.
-// Overlaps are looked for after the solve: of a free boundary only the boundary tells.
+// charts one in many resolutions, of those that a direction sees from one side alone the projection
+// along it, where that is nearer to its minimum - and the faces side by side of any chart. Each is
+// first without a scaffold, which most charts do not need and which costs several times as much,
+// then with one: that of what it was cut from at once, with the cuts opened, Tutte's last. At the
+// end Tutte's map as it is. Overlaps are looked for after the solve: of a free boundary only the
+// boundary tells.
 //
 // The file's texture coordinates of a chart as a start of its map, as good as they can be made.
 #pragma once
@@ -29,6 +30,10 @@ enum class TextureStart { Tried, Ignored };
 // LeftToCuts, such a chart is Failed where its faces overlap, so that it is cut instead.
 enum class UnfoldedOverlaps { Undone, LeftToCuts };
 
+// Of charts whose start is enormously far from its minimum, and does not get nearer: Waited, all
+// the iterations that there are; LeftToCuts, it ends Stalled, so that it is cut instead.
+enum class SlowStart { Waited, LeftToCuts };
+
 // Curved, or of unknown shape: Tutte's map is the start; Unfolds: the faces side by side.
 enum class ChartShape { Curved, Unfolds };
 
@@ -36,9 +41,15 @@ struct ChartHints {
   TextureStart texture = TextureStart::Ignored;
   ChartShape shape = ChartShape::Curved;
   UnfoldedOverlaps overlaps = UnfoldedOverlaps::Undone;
+  SlowStart slow = SlowStart::Waited;
   // u, v per vertex: the map of the chart that this one was cut from, or no numbers. May overlap.
   Vec parent = {};
+  // Model units: parts of the border that are no neighbours are so far apart in a map that is found
+  // without a scaffold.
+  double clearance = 0;
 };
+
+class SlowStartLimit;
 
 class ChartSolver {
  public:
@@ -64,12 +75,14 @@ class ChartSolver {
   void name_start(ChartStart start);
   void to_area_of_surface();
   const Vec& tutte(const RunRecord& record);
+  std::optional<Vec> projection(const RunRecord& record);
 
   std::shared_ptr<const SurfaceMesh> mesh_;
   const ParametrizationOptions& options_;
   const ChartHints hints_;
   std::optional<Vec> tutte_;
   Chart chart_;
+  SlowStartLimit* limit_ = nullptr;  // of solve(); none: no limit
   bool is_done_ = false;
   bool is_overlapping_ = false;  // the last attempt ended at a minimum that overlaps itself
 };

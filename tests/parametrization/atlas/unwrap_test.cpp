@@ -506,6 +506,78 @@ TEST(ChartSolver, OpensSlitsOfTheParentWhereTheBestMapOverlapsItself) {
   }
 }
 
+// A city from above: a few wide squares between rows of narrow ones, that rise and fall steeply.
+// Tutte's map knows nothing of sizes; from above all of it is seen.
+PolygonMesh steep_terrain(Index count, double width, double height) {
+  const auto place = [&](Index i) { return i == 0 ? 0.0 : i == count ? 20.0 : 10 + width * i; };
+  PolygonMesh mesh;
+  for (Index i = 0; i <= count; ++i)
+    for (Index j = 0; j <= count; ++j) {
+      const bool is_high = i > 0 && i < count && j > 0 && j < count && (i + j) % 2 == 0;
+      mesh.positions.emplace_back(place(i), place(j), is_high ? height : 0);
+    }
+  for (Index i = 0; i < count; ++i)
+    for (Index j = 0; j < count; ++j) {
+      const Index a = i * (count + 1) + j, b = a + count + 1;
+      mesh.polygons.push_back({a, b, b + 1});
+      mesh.polygons.push_back({a, b + 1, a + 1});
+    }
+  return mesh;
+}
+
+TEST(ChartSolver, StartsFromAboveWhereThatIsNearer) {
+  const std::shared_ptr<const SurfaceMesh> mesh = repair(steep_terrain(40, 0.01, 0.02)).mesh;
+  RunRecord record;
+  const ParametrizationOptions options;
+  const Chart chart = ChartSolver(mesh, options, {}).solve(record);
+  EXPECT_EQ(chart.start, ChartStart::Projected);
+  EXPECT_EQ(chart.status, Status::Converged) << chart.message;
+  EXPECT_LT(chart.stretch.l2, 1.01);
+}
+
+// A flat panel, another one beside it and a flap whose side lies, unfolded, on that one's.
+TEST(Unwrap, ChartsKeepClearOfThemselves) {
+  for (const double lean : {0.0, 1e-12, 1e-9}) {
+    SCOPED_TRACE(lean);
+    PolygonMesh mesh;
+    mesh.positions = {{0, 0, 0}, {0, 3, 0}, {1, 3, 0},        {1, 1, 0},     {3, 1, 0},
+                      {3, 0, 0}, {1, 3, 1}, {1, 1 + lean, 1}, {0.5, 3.5, 0}, {1.5, 3.5, 0}};
+    mesh.polygons = {{0, 3, 2, 1}, {0, 5, 4, 3}, {2, 3, 7, 6}};
+    const Atlas atlas = unwrapped(mesh, {});
+    const double least = 1e-7 * std::sqrt(atlas.stretch().surface_area);
+    for (const Chart& chart : atlas.charts)
+      EXPECT_GE(border_clearance(*chart.map, {.at_least = least, .way = 1e5}), least);
+    EXPECT_EQ(atlas.charts.size(), 2);
+    Atlas square = atlas;
+    EXPECT_TRUE(into_unit_square(square));
+  }
+}
+
+// What is packed when the run is stopped lies as it was arranged first, and says so.
+TEST(Unwrap, LaysChartsWhenItIsStoppedWhilePacking) {
+  const PolygonMesh mesh = limbs_of(cube_sphere(4));
+  UnwrapOptions options;
+  options.packing->tiles = 4;
+  CountedStop counted;
+  RunRecord whole(counted.check());
+  const Atlas atlas = unwrap(repair(mesh).mesh, options, whole);
+  int stopped = 0;
+  for (long last = counted.asked(); last > counted.asked() * 9 / 10; last -= 7) {
+    RunRecord record(CountedStop(last).check());
+    try {
+      const Atlas early = unwrap(repair(mesh).mesh, options, record);
+      ASSERT_TRUE(early.packing);
+      if (early.packed == Status::Converged) continue;
+      ++stopped;
+      EXPECT_EQ(early.status(), Status::Interrupted);
+      EXPECT_FALSE(early.message().empty());
+      expect_layout(early, *repair(mesh).mesh);
+    } catch (const Stopped&) {
+    }
+  }
+  EXPECT_GT(stopped, 0);
+}
+
 TEST(ChartSolver, NamesTheStart) {
   const std::shared_ptr<const SurfaceMesh> mesh =
       repair(textured_grid([](const Vector2&) { return Vector2(0, 0); })).mesh;
