@@ -44,6 +44,7 @@ class Matching {
         if (std::abs(on_.edge_length(of) - under_.edge_length(along)) > close_) return false;
         const Index over = on_.opposite(of), below = under_.opposite(along);
         if ((over < 0) != (below < 0)) return false;
+        if (is_in_polygon(on_, of) != is_in_polygon(under_, along)) return false;
         if (over >= 0) open.emplace_back(over, below);
       }
     }
@@ -61,6 +62,14 @@ class Matching {
   }
 
  private:
+  // Returns whether an edge lies inside a polygon of the file. Layouts are proven by polygons
+  // (certify/stacked_charts.h): a square of one polygon does not lie on one of two triangles.
+  static bool is_in_polygon(const SurfaceMesh& mesh, Index half_edge) {
+    const Index opposite = mesh.opposite(half_edge);
+    return opposite >= 0 &&
+           mesh.input_face(face_of(half_edge)) == mesh.input_face(face_of(opposite));
+  }
+
   Index step(Index half_edge) const {
     return sense_ == ChartSense::Same ? next(half_edge) : previous(half_edge);
   }

@@ -31,9 +31,9 @@ struct StackPlace {
 };
 
 // Of every surface, each connected, the first one that it is a copy of, as it is or (Mirrored) as
-// in a mirror; none where it is the first of its kind. Copies have the same triangles, with edges
-// and, once moved onto each other, vertices in the same places but for a part of 1e-4 of the size.
-// scale: of every surface, or empty; copies have equal ones.
+// in a mirror; none where it is the first of its kind. Copies have the same triangles of the same
+// polygons, with edges and, once moved onto each other, vertices in the same places but for a part
+// of 1e-4 of the size. scale: of every surface, or empty; copies have equal ones.
 std::vector<std::optional<StackPlace>> stack_places(
     const std::vector<std::shared_ptr<const SurfaceMesh>>& surfaces, Stacking stacking,
     const std::vector<double>& scale);

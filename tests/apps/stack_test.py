@@ -76,6 +76,15 @@ class Stacks(UnwrapTest):
         self.assertEqual(len(self.places(layout)), 6)
         self.assertEqual({c['stack'] for c in report['charts']}, {None})
 
+    def test_copies_of_other_polygons_lie_beside_each_other(self):
+        """A square as one quad, and as two triangles: a file has no place that shows both."""
+        square = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+        points = square + [(x + 3, y, z) for x, y, z in square] + [(x + 6, y, z) for x, y, z in square]
+        mesh = self.mesh(points, [(0, 1, 2, 3), (4, 5, 6), (4, 6, 7), (8, 9, 10, 11)])
+        for how in ('equal', 'mirrored'):
+            layout, report = self.run_stacked(mesh, how)
+            self.assertEqual([c['stack'] for c in report['charts']], [0, None, 0])
+
     def test_copies_whose_vertices_are_split(self):
         """Also where faces of one copy stand between those of others."""
         points, faces = row('ssm')
