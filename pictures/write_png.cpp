@@ -168,18 +168,22 @@ class HeatPainter final : public Painter {
   void paint(std::span<const Fragment> samples, std::span<FloatColor> colors,
              ValueSummary& values) const override {
     std::vector<Vector2> sigma(samples.size(), Vector2::Ones());
+    std::vector<char> is_over(samples.size(), 0);
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (samples[k].cell < 0) continue;
-      const PointDistortion d = image_.at(samples[k].cell, samples[k].xi).distortion;
-      sigma[k] = {d.sigma_1, d.sigma_2};
+      const BezierImage::Point point = image_.at(samples[k].cell, samples[k].xi);
+      sigma[k] = {point.distortion.sigma_1, point.distortion.sigma_2};
+      is_over[k] = std::isfinite(sigma[k][1]) ? !(sigma[k][1] > 0) : point.determinant < 0;
     }
     std::vector<double> value(samples.size());
     evaluate(quantity_, density_, sigma, value);
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (samples[k].cell < 0) continue;
-      const bool is_flipped = !(sigma[k][1] > 0);
-      if (!is_flipped && !samples[k].is_line) values.add(scale_, value[k]);
-      colors[k] = as_float(is_flipped ? kFlippedColor : scale_.color(value[k]));
+      const bool has_area = std::isfinite(sigma[k][1]);
+      if (has_area && !is_over[k] && !samples[k].is_line) values.add(scale_, value[k]);
+      colors[k] = as_float(is_over[k] ? kFlippedColor
+                           : has_area ? scale_.color(value[k])
+                                      : kNoAreaColor);
     }
   }
 
@@ -208,7 +212,7 @@ class TurnedOverPainter final : public Painter {
     for (std::size_t k = 0; k < samples.size(); ++k) {
       const Index cell = samples[k].cell;
       const Barycentric& xi = samples[k].xi;
-      if (cell >= 0 && is_over_[to_size(cell)] && !(image_.at(cell, xi).distortion.sigma_2 > 0))
+      if (cell >= 0 && is_over_[to_size(cell)] && !(image_.at(cell, xi).determinant > 0))
         colors[k] = as_float(kFlippedColor);
     }
   }
@@ -265,7 +269,7 @@ std::unique_ptr<Painter> image_painter(const MapFile& map, PixelImage image) {
   return std::make_unique<ImagePainter>(map, std::move(image));
 }
 
-// energy: of the density. Of cells whose surface triangle has no area: kFlippedColor.
+// energy: of the density. Of cells whose surface triangle has no area: kNoAreaColor.
 std::unique_ptr<Painter> heat_painter(const MapFile& map, Quantity quantity,
                                       const EnergySum& energy, const ColorScale& scale) {
   return std::make_unique<HeatPainter>(map, quantity, energy, scale);
@@ -404,12 +408,15 @@ PixelImage surface_image(const MapFile& map, const PngOptions& options) {
   LayoutMarks seen;
   seen.grid = options.grid;
   seen.turned_over = turned_over_cells(map);
+  seen.without_area = cells_without_area(map);
   const auto legends_with = [&](const std::optional<Legend>& legend) {
     if (options.legends == Legends::Left) return DrawnLegends({}, {}, LayoutSheet::kWidth);
     std::vector<LegendMark> marks;
+    const LegendAbove above = heat ? LegendAbove::Colors : LegendAbove::Nothing;
     if (!seen.turned_over.empty())
-      marks.push_back(turned_over_mark(seen.turned_over.size(),
-                                       heat ? LegendAbove::Colors : LegendAbove::Nothing));
+      marks.push_back(turned_over_mark(seen.turned_over.size(), above));
+    if (!seen.without_area.empty())
+      marks.push_back(without_area_mark(seen.without_area.size(), above));
     return DrawnLegends(legend, std::move(marks), LayoutSheet::kWidth);
   };
   const auto painter = painter_of(map, options, heat, seen);

@@ -189,15 +189,16 @@ Vec cell_densities(const MapFile& map, const ClaimedEnergy& energy) {
   return densities;
 }
 
-// Cells that are turned over, as the marks have them, do not count.
+// Cells that are turned over or without area, as the marks have them, do not count.
 Heat heat_of(const ColorScale& scale, const Vec& cells, const LayoutMarks& marks) {
   Heat heat;
-  auto over = marks.turned_over.begin();
+  const auto is_in = [](const std::vector<Index>& rising, Index cell) {
+    return std::binary_search(rising.begin(), rising.end(), cell);
+  };
   for (Index cell = 0; cell < cells.size(); ++cell) {
-    heat.colors.push_back(scale.color(cells[cell]));
-    const bool is_over = over != marks.turned_over.end() && *over == cell;
-    if (is_over) ++over;
-    if (!is_over) heat.values.add(scale, cells[cell]);
+    const bool has_area = !is_in(marks.without_area, cell);
+    heat.colors.push_back(has_area ? scale.color(cells[cell]) : kNoAreaColor);
+    if (has_area && !is_in(marks.turned_over, cell)) heat.values.add(scale, cells[cell]);
   }
   return heat;
 }

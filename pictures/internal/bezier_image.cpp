@@ -55,7 +55,8 @@ BezierImage::Point BezierImage::at(Index cell, const Barycentric& xi) const {
   edges.col(0) = p - r;
   edges.col(1) = q - r;
   return {xi[0] * p + xi[1] * q + xi[2] * r,
-          distortion_of(scale_ * map_.degree * edges * rest_[majorant::to_size(cell)])};
+          distortion_of(scale_ * map_.degree * edges * rest_[majorant::to_size(cell)]),
+          edges.determinant()};
 }
 
 }  // namespace majorant

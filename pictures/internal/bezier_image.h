@@ -18,6 +18,7 @@ class BezierImage {
   struct Point {
     Vector2 uv;
     PointDistortion distortion;
+    double determinant;  // of the derivatives of uv along the cell's edges from corner 2
   };
   // At xi on a cell. Where the cell's surface triangle has no area: NaN distortion.
   Point at(Index cell, const Barycentric& xi) const;

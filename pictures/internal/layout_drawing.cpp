@@ -33,7 +33,7 @@ constexpr double kConeRadius = 5, kHeldRadius = 5, kTargetRadius = 8, kMeetingRa
 constexpr double kNameShare = 0.3;  // of the side of a square as large as the chart
 constexpr double kSmallestName = 8, kLargestName = 22;
 constexpr double kTint = 0.25;  // how much of a chart's colour its cells have
-constexpr Color kWhite{255, 255, 255}, kGrey{221, 221, 221};
+constexpr Color kWhite{255, 255, 255}, kGrey = kNoAreaColor;
 constexpr Color kPinColor{28, 31, 36}, kHandleColor{213, 94, 0};
 constexpr Color kMeetingColor{230, 0, 122}, kSquareColor{120, 120, 120};
 constexpr Color kScaffoldFill{246, 246, 246}, kScaffoldEdge{208, 208, 208};
@@ -200,6 +200,8 @@ std::vector<DrawingItem> draw_cells(const LayoutSheet& sheet,
                                     const std::optional<CellColors>& colors, CellFill fill) {
   const MapFile& map = sheet.map();
   CellColors shown = colors ? *colors : plain_colors(map);
+  if (colors)
+    for (const Index cell : sheet.marks().without_area) shown[to_size(cell)] = kNoAreaColor;
   for (const Index cell : sheet.marks().turned_over) shown[to_size(cell)] = kFlippedColor;
   // Without edges, one of their own colour, as wide, closes the gaps between cells.
   const bool has_edges = sheet.marks().edges == CellEdges::Drawn;
@@ -401,6 +403,9 @@ std::vector<LegendMark> legend_marks(const LayoutSheet& sheet) {
   if (!marks.turned_over.empty())
     entries.push_back(turned_over_mark(
         marks.turned_over.size(), sheet.colors() ? LegendAbove::Colors : LegendAbove::Nothing));
+  if (!marks.without_area.empty())
+    entries.push_back(without_area_mark(
+        marks.without_area.size(), sheet.colors() ? LegendAbove::Colors : LegendAbove::Nothing));
   if (!marks.meeting.words.empty())
     entries.push_back({{Circle{.center = {0, 0},
                                .radius = kMeetingRadius,
@@ -466,6 +471,7 @@ LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
   marks.meeting = meeting_of(map);
   for (Vector2& uv : marks.meeting.places) uv = turned(uv, direction);
   marks.turned_over = turned_over_cells(map);
+  marks.without_area = cells_without_area(map);
   return marks;
 }
 

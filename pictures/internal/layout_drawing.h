@@ -38,7 +38,8 @@ struct LayoutMarks {
   LayoutMeeting meeting = {};
   CellEdges edges = CellEdges::Drawn;
   Legends legends = Legends::Drawn;
-  std::vector<Index> turned_over = {};  // cells, rising: kFlippedColor, over all others
+  std::vector<Index> turned_over = {};   // cells, rising: kFlippedColor, over all others
+  std::vector<Index> without_area = {};  // cells, rising: kNoAreaColor, without a value
 };
 
 // Of a map whose drawing has `direction` turned to (1, 0): the marks are turned, too, words are
@@ -50,6 +51,8 @@ LayoutMarks marks_of(const MapFile& map, const Vector2& direction,
 // 1, 2 or 5 times a power of ten, at least `least`; 0 where that is not positive.
 double round_spacing(double least);
 
+// Cells without an area on the surface, and plain ones.
+inline constexpr Color kNoAreaColor{221, 221, 221};
 inline constexpr Color kGridColor{20, 50, 122};
 // Blue for index > 0 (angle < 360 degrees), green for index < 0.
 Color cone_color(int quarter_turns);

@@ -126,11 +126,24 @@ double widest_word(std::string_view text, double size) {
   return width;
 }
 
-LegendMark turned_over_mark(std::size_t count, LegendAbove above) {
+namespace {
+
+// words: of cells of this colour that are not among the values.
+LegendMark mark_of_cells(const Color& color, const std::string& words, LegendAbove above) {
   const char* rest = above == LegendAbove::Colors ? ", not counted in the numbers above" : "";
   return {{Shape{.path = rectangle({-kHalfSign, -kHalfSign}, {2 * kHalfSign, 2 * kHalfSign}),
-                 .fill = kFlippedColor}},
-          turned_over_words(count) + rest};
+                 .fill = color}},
+          words + rest};
+}
+
+}  // namespace
+
+LegendMark turned_over_mark(std::size_t count, LegendAbove above) {
+  return mark_of_cells(kFlippedColor, turned_over_words(count), above);
+}
+
+LegendMark without_area_mark(std::size_t count, LegendAbove above) {
+  return mark_of_cells(kNoAreaColor, without_area_words(count), above);
 }
 
 DrawnLegends::DrawnLegends(const std::optional<Legend>& colors, std::vector<LegendMark> marks,

@@ -47,6 +47,7 @@ struct LegendMark {
 // What legends of colours name are numbers of the others.
 enum class LegendAbove { Nothing, Colors };
 LegendMark turned_over_mark(std::size_t count, LegendAbove above);
+LegendMark without_area_mark(std::size_t count, LegendAbove above);
 
 class DrawnLegends {
  public:

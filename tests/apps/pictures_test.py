@@ -37,6 +37,28 @@ class Pictures(CommandTest):
                 found = re.search(r'"max_density":([\d.e+]+)', self.read(name).decode())[1]
                 self.assertAlmostEqual(float(found) / value, 1, delta=1e-9)
 
+    def test_faces_without_area_are_not_turned_over(self):
+        """They have no side; of the others the numbers are as without them."""
+        points = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (2, 1, 0)]
+        mesh = self.write('flake.obj', obj_text(points, [(0, 2, 4), (0, 4, 3), (0, 1, 2)]))
+        self.run_ok('unwrap', mesh, '-o', self.path('a.obj'), '-o', self.path('a.svg'), '-o', self.path('a.png'))
+        outcome = self.run_ok('convert', self.path('a.obj'), '-o', self.path('b.svg'), '-o', self.path('b.png'))
+        self.assertIn('a.obj: 1 face has no area\n', outcome.err)
+        self.assertNotIn('turned over', outcome.err)
+        magenta = (214, 0, 190)
+        for name in ('a', 'b'):
+            drawing = self.read(name + '.svg').decode()
+            self.assertIn('1 face has no area', drawing)
+            self.assertNotIn('turned over', drawing)
+            width, height, rows = read_png(self.read(name + '.png'))
+            self.assertFalse(any(tuple(row[3 * x:3 * x + 3]) == magenta for row in rows for x in range(width)))
+        texture = [(x, y) for x, y, _ in points]
+        texture[1] = (1, 0.5)  # the face without area is negative in the plane
+        below = self.write('c.obj', obj_text(points, [(0, 2, 4), (0, 4, 3), (0, 2, 1), (0, 1, 2)], texture))
+        said = self.run_ok('convert', below, '-o', self.path('c.svg')).err
+        self.assertIn('1 triangle turned over', said)
+        self.assertIn('2 faces have no area', said)
+
     def test_two_maps_have_one_scale(self):
         legends = []
         for degree in (1, 2):
