@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/linear_solvers.h"
 #include "apps/parts.h"
+#include "majorant/apps/jobs/layout_presets.h"
 #include "majorant/apps/jobs/model_texture.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
@@ -29,23 +29,9 @@ constexpr const char* kNoWeld = "no";
 constexpr const char* kAutomaticCharts = "auto";
 constexpr const char* kOneChart = "one";
 
-// The values that --preset sets where their own options are absent.
-struct Preset {
-  std::string_view name;
-  std::optional<double> max_stretch;
-  std::string_view charts;
-  double fill, padding, resolution;
-  std::optional<int> uv_set = std::nullopt;
-};
-constexpr double kAnyFill = 0;
-constexpr std::array<Preset, 4> kPresets{{{"paint", 1.01, kAutomaticCharts, kAnyFill, 8, 4096},
-                                          {"lightmap", 1.03, kAutomaticCharts, 0.6, 2, 512, 1},
-                                          {"game", 1.01, kAutomaticCharts, 0.6, 4, 2048},
-                                          {"single", std::nullopt, kOneChart, kAnyFill, 4, 1024}}};
-
 std::vector<std::string> preset_names() {
   std::vector<std::string> names;
-  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
+  for (const LayoutPreset& preset : kLayoutPresets) names.emplace_back(preset.name);
   return names;
 }
 
@@ -154,10 +140,11 @@ void UnwrapRequest::add_to(CLI::App& verb) {
 }
 
 void UnwrapRequest::use_preset() {
-  for (const Preset& p : kPresets) {
+  for (const LayoutPreset& p : kLayoutPresets) {
     if (p.name != preset) continue;
     if (!seams.max_stretch && seams.divides()) seams.max_stretch = p.max_stretch;
-    if (!is_said("--charts") && seams.divides()) charts = p.charts;
+    if (!is_said("--charts") && seams.divides())
+      charts = p.is_one_chart ? kOneChart : kAutomaticCharts;
     if (!is_said("--fill") && seams.divides() && charts == kAutomaticCharts && !no_pack &&
         !layout.has_own_sizes())
       fill = p.fill;

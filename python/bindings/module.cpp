@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <pybind11/stl.h>
 
+#include "majorant/apps/jobs/layout_presets.h"
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/framework/linear_solver.h"
@@ -44,6 +45,21 @@ py::dict defaults() {
   return all;
 }
 
+// By name: what each preset of `unwrap` says.
+py::dict presets() {
+  py::dict all;
+  for (const LayoutPreset& preset : kLayoutPresets) {
+    py::dict values;
+    values["max_stretch"] = preset.max_stretch ? py::cast(*preset.max_stretch) : py::none();
+    values["charts"] = preset.is_one_chart ? "one" : "auto";
+    values["fill"] = preset.fill > 0 ? py::cast(preset.fill) : py::none();
+    values["padding"] = preset.padding;
+    values["resolution"] = preset.resolution;
+    all[py::str(std::string(preset.name))] = values;
+  }
+  return all;
+}
+
 std::vector<std::pair<std::string, std::string>> energies() {
   std::vector<std::pair<std::string, std::string>> list;
   for (const NamedEnergy& energy : named_energies()) list.emplace_back(energy.name, energy.summary);
@@ -59,6 +75,8 @@ PYBIND11_MODULE(_core, module) {
   module.attr("max_degree") = majorant::BezierTriangleSpace::kMaxDegree;
   module.attr("max_tetrahedron_degree") = majorant::BezierTetrahedronSpace::kMaxDegree;
   module.attr("defaults") = defaults();
+  module.attr("presets") = presets();
+  module.attr("most_tiles") = majorant::kMostTiles;
   translate_errors();
   bind_steps(module);
   bind_meshes(module);

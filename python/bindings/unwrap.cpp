@@ -10,6 +10,7 @@
 
 #include "majorant/apps/jobs/atlas_job.h"
 #include "majorant/apps/jobs/map_job.h"
+#include "majorant/apps/jobs/obj_layout.h"
 #include "majorant/apps/jobs/object_layouts.h"
 #include "majorant/apps/jobs/solver_ladder.h"
 #include "majorant/framework/error.h"
@@ -48,6 +49,39 @@ RepairOptions repair_options(const py::dict& keywords) {
   return how;
 }
 
+// Tiles, densities, copies on one place, islands as they are.
+void place_as_asked(AtlasJob& job, const py::dict& keywords) {
+  if (keyword<bool>(keywords, "keep_shape")) job.options.islands = Islands::Kept;
+  const auto stack = keyword<std::string>(keywords, "stack");
+  if (stack != "no") job.options.stacking = stack == "equal" ? Stacking::Equal : Stacking::Mirrored;
+  if (!job.options.packing) return;
+  const auto upright = keyword<std::string>(keywords, "upright");
+  if (upright != "no") job.options.packing->up = Vector3::Unit(upright[0] - 'x');
+  if (const int tiles = keyword<int>(keywords, "udim"); tiles > 0)
+    job.options.packing->tiles = tiles;
+  using Densities = std::optional<std::vector<double>>;
+  if (const auto density = keyword<Densities>(keywords, "texel_density"))
+    job.texel_density = *density;
+}
+
+// The mesh that files of the layout are written with.
+std::shared_ptr<PolygonMesh> written_polygons(const AtlasJob& job, const MapFile& file,
+                                              const py::dict& keywords) {
+  const bool has_tiles = keyword<int>(keywords, "udim") > 0;
+  const bool has_groups = keyword<bool>(keywords, "groups");
+  if (!has_tiles && !has_groups) return job.polygons;
+  PolygonMesh mesh = *job.polygons;
+  const std::vector<int> chart = chart_of_polygons(file, mesh);
+  if (has_tiles) {
+    std::vector<int> tile = chart;
+    for (int& number : tile)
+      if (number >= 0) number = job.atlas.packing->tiles[to_size(number)];
+    mesh = with_tile_materials(std::move(mesh), tile);
+  }
+  if (has_groups) mesh = with_chart_groups(std::move(mesh), chart);
+  return std::make_shared<PolygonMesh>(std::move(mesh));
+}
+
 // Opens the job with all that is asked of it.
 void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& keywords) {
   const RepairOptions how = repair_options(keywords);
@@ -74,6 +108,7 @@ void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& key
   if (keyword<bool>(keywords, "pack"))
     job.options.packing = PackOptions{.padding_pixels = keyword<double>(keywords, "padding"),
                                       .resolution = keyword<double>(keywords, "resolution")};
+  place_as_asked(job, keywords);
   job.options.chart = read_options(keywords, *job.surface.mesh, job.surface.welded);
 }
 
@@ -127,9 +162,9 @@ py::tuple unwrap_mesh(const SharedPolygons& given, const py::dict& keywords,
   const bool is_unit = keyword<std::string>(keywords, "scale") == "unit";
   solve_job(job, run, is_unit ? LayoutSize::UnitSquare : LayoutSize::Model);
   const auto file = run([&] { return std::make_shared<MapFile>(atlas_file(job)); });
-  return py::make_tuple(file, job.polygons, promise_from(promise(job, "map.vtu")), true,
-                        status_name(job.atlas.status()), job.atlas.message(),
-                        json_text(to_json(atlas_report(job))));
+  return py::make_tuple(
+      file, written_polygons(job, *file, keywords), promise_from(promise(job, "map.vtu")), true,
+      status_name(job.atlas.status()), job.atlas.message(), json_text(to_json(atlas_report(job))));
 }
 
 }  // namespace

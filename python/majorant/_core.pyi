@@ -18,6 +18,8 @@ version: str
 max_degree: int
 max_tetrahedron_degree: int
 defaults: dict[str, Any]
+presets: dict[str, Any]
+most_tiles: int
 
 class Step:
     """A step of a run, as the trace has it (framework/run_record.h)."""

@@ -250,7 +250,7 @@ class Problem:
             raise UsageError(f"bounds and inequalities are for method='newton', not {method!r}")
         if gap is not None and not self._has_bounds:
             raise UsageError('gap is of bounds and inequalities; hold some, or leave it out')
-        limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
+        limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True, infinite=True)
         keywords = {
             'method': _options.choice('method', method, _METHODS),
             'curvature': _curvature(curvature, *(('absolute',) if method == 'newton' else ())),

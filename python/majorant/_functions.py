@@ -119,12 +119,15 @@ def seamless(V: ArrayLike, F: Faces, *, degree: int = 3, energy: Energy = 'symme
     return _solve(_core.seamless, mesh, said, extra)
 
 
-def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stretch: float | None = None, degree: int = 1,
-           energy: Energy = 'symmetric-dirichlet', uv: ArrayLike | None = None, pack: bool = True,
-           padding: float = _options.PADDING, resolution: float = _options.RESOLUTION,
+def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stretch: float | None = None,
+           degree: int = 1, energy: Energy = 'symmetric-dirichlet', uv: ArrayLike | None = None, pack: bool = True,
+           padding: float | None = None, resolution: float | None = None,
            scale: str | None = None, normalize: bool = False,
-           weld: str | float = 'auto', keep_seams: bool = False, charts: str | int = 'auto',
-           fill: float | None = None, hide_from: ArrayLike | None = None, objects: ArrayLike | None = None, strict: bool = False, pins: Points | None = None,
+           weld: str | float = 'auto', keep_seams: bool = False, charts: str | int | None = None,
+           fill: float | None = None, hide_from: ArrayLike | None = None, objects: ArrayLike | None = None,
+           preset: str | None = None, upright: str = 'no', udim: int | None = None,
+           texel_density: float | ArrayLike | None = None, stack: str = 'no', keep_shape: bool = False,
+           groups: bool = False, strict: bool = False, pins: Points | None = None,
            handles: Points | None = None, soft: float = _options.SOFT, weights: ArrayLike | None = None,
            curvature: str = 'projected', elevation: str = 'incremental', quadrature: int = 0,
            tolerance: float = _options.TOLERANCE, max_iterations: int = _options.MAX_ITERATIONS,
@@ -135,23 +138,28 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         r.corner_uv                          # (#F, 3, 2), in the unit square
         r.charts                             # (#F,)
 
-    seams: 'auto', where distortion is saved; 'uv', the islands of uv (which is for this, and for
-    keep_seams, which cuts along their borders, too); 'sharp' or 'sharp=40', along
-    edges of that many degrees; or (#E, 2) vertices of edges. max_stretch: what no chart of 'auto' and
-    'sharp' exceeds, with charts='one' where one is left uncut, as estimated. charts: a number of them, and fill,
-    the part of the square that they fill: those of 'auto' and 'sharp' are divided until there is so much, or
-    nothing is gained any more. hide_from: the direction (3,) to the eye that seams keep out of sight of.
-    objects: (#F,) numbers of objects, each of which is unwrapped as if it were alone and has the unit square for itself;
-    saved as .obj, with an `o` for each, or .vtu; `report` has a list `objects` then. pack: into one square, padding pixels apart
-    where it has resolution pixels a side and a border as wide as padding. scale: 'unit' (default): that square is the unit
-    square, energies are those at the size of V; 'model' (default with pins or handles, whose targets
-    are in its units): uv has the units of V. normalize=True is scale='unit'. weld: what is one surface for the
-    map, 'auto', edges between equal positions (of seams 'uv' and edges only where no face shares a
-    vertex), 'no', nothing, or a distance up to which vertices become one; strict: refuse what would be
-    repaired (UnsupportedError). callback: called after every
-    step of charts with some thousand faces, and after the last one of those with fewer, which are
-    solved side by side; one that ends the run before the charts are packed leaves no layout, which
-    raises StoppedError. All else as for `parametrize`.
+    seams: 'auto', where distortion is saved; 'uv', the islands of uv (which is for this, and for keep_seams,
+    which cuts along their borders, too); 'sharp' or 'sharp=40', along edges of that many degrees; or (#E, 2)
+    vertices of edges. max_stretch: what no chart of 'auto' and 'sharp' exceeds, with charts='one' where one
+    is left uncut, as estimated. charts: a number of them, and fill, the part of the square that they fill:
+    those of 'auto' and 'sharp' are divided until there is so much, or nothing is gained any more. hide_from:
+    the direction (3,) to the eye that seams keep out of sight of. objects: (#F,) numbers of objects, each of
+    which is unwrapped as if it were alone and has the unit square for itself; saved as .obj, with an `o` for
+    each, or .vtu; `report` has a list `objects` then. pack: into one square, padding pixels (4) apart where
+    it has resolution pixels (1024) a side and a border as wide as padding. preset: 'paint', 'lightmap',
+    'game' or 'single', for max_stretch, charts, fill, padding and resolution that are not said. upright: the
+    axis of the mesh, 'x', 'y' or 'z', that points upwards in every chart. udim: up to so many tiles, of one
+    density. texel_density: pixels along a unit of V, a number, or (#F,) numbers, where they change the
+    surface is cut. stack: charts share a place, 'equal' where their surfaces are copies, 'mirrored' those of
+    mirror images, too; `check(..., stacked=True)` proves it. keep_shape: the islands of uv are moved and
+    turned only, with seams='uv'. groups: a saved .obj has a group for each chart. scale: 'unit' (default):
+    that square is the unit square, energies are those at the size of V; 'model' (default with pins or
+    handles, whose targets are in its units): uv has the units of V. normalize=True is scale='unit'. weld:
+    what is one surface for the map, 'auto', edges between equal positions (of seams 'uv' and edges only where
+    no face shares a vertex), 'no', nothing, or a distance up to which vertices become one; strict: refuse
+    what would be repaired (UnsupportedError). callback: called after every step of charts with some thousand
+    faces, and after the last one of those with fewer, which are solved side by side; one that ends the run
+    before the charts are packed leaves no layout, which raises StoppedError. All else as for `parametrize`.
     """
     said = {k: v for k, v in locals().items() if k not in ('V', 'F')}
     mesh = _arrays.mesh(V, F, uv)
@@ -169,25 +177,53 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         raise UsageError("uv is for seams='uv' and keep_seams; say one of them, or leave it out")
     if keep_seams and (uv is None or by_uv):
         raise UsageError("keep_seams cuts along the seams of uv, as seams='uv' does; give uv, and other seams")
-    if pack is False and (padding != _options.PADDING or resolution != _options.RESOLUTION):
+    if pack is False and not (padding is None and resolution is None):
         raise UsageError('padding and resolution are for packing; leave them out, or pack=False')
     if max_stretch is not None and not isinstance(seams, str):
         raise UsageError("max_stretch is of seams 'auto' and 'sharp'; leave it or the edges out")
     if objects is not None:
         _require_objects(said, seams, weld, scale)
+    said_charts, said_fill = charts is not None, fill is not None
+    divides = isinstance(seams, str) and not by_uv
+    _require_placeable(said, by_uv)
+    if preset is not None:
+        defaults = _core.presets[_options.choice('preset', preset, tuple(_core.presets))]
+        padding = defaults['padding'] if padding is None and pack is not False else padding
+        resolution = defaults['resolution'] if resolution is None and pack is not False else resolution
+        if divides:
+            max_stretch = defaults['max_stretch'] if max_stretch is None else max_stretch
+            charts = defaults['charts'] if not said_charts else charts
+            if not said_fill and charts == 'auto' and pack is not False and not _has_own_sizes(said):
+                fill = defaults['fill']
+    charts = 'auto' if charts is None else charts
+    padding = _options.PADDING if padding is None else padding
+    resolution = _options.RESOLUTION if resolution is None else resolution
     counted = isinstance(charts, int) and not isinstance(charts, bool)
     if (counted or fill is not None or hide_from is not None) and (by_uv or not isinstance(seams, str)):
-        raise UsageError("numbers of charts, fill and hide_from are of seams 'auto' and 'sharp'; leave them or the seams out")
+        raise UsageError("numbers of charts, fill and hide_from are of seams 'auto' and 'sharp'; leave them or the "
+                         'seams out')
     if fill is not None and (charts == 'one' or pack is False):
         raise UsageError("fill divides charts that are packed; leave it out, or charts='one' and pack=False")
     if fill is not None and counted:
         raise UsageError('fill and charts both say how far charts are divided; leave one of the two out')
+    padding = _options.number('padding', padding, 0, zero=True)
+    resolution = _options.number('resolution', resolution, 0)
+    if pack is not False and 2 * padding >= resolution:
+        raise UsageError(f'padding={padding:g} takes all of the {resolution:g} pixels of resolution on both sides; '
+                         'give less of the one or more of the other')
+    said.update(max_stretch=max_stretch, charts=charts, fill=fill, padding=padding, resolution=resolution)
     extra = {
         **_cuts(seams, uv, len(mesh.positions)),
         'max_stretch': None if max_stretch is None else _options.number('max_stretch', max_stretch, 1),
         'pack': _options.truth('pack', pack),
-        'padding': _options.number('padding', padding, 0, zero=True),
-        'resolution': _options.number('resolution', resolution, 0),
+        'padding': padding,
+        'resolution': resolution,
+        'upright': _options.choice('upright', upright, ('no', 'x', 'y', 'z')),
+        'udim': 0 if udim is None else _options.integer('udim', udim, 1, _core.most_tiles),
+        'texel_density': None if texel_density is None else _densities(texel_density, len(mesh.polygons[1]) - 1),
+        'stack': _options.choice('stack', stack, ('no', 'equal', 'mirrored')),
+        'keep_shape': keep_shape,
+        'groups': _options.truth('groups', groups),
         'scale': _options.choice('scale', scale, ('unit', 'model')),
         'weld_distance': None if weld in ('auto', 'no') else _options.number('weld', weld, 0, zero=True),
         'welds_nothing': weld == 'no',
@@ -212,6 +248,49 @@ def _require_objects(said: dict[str, Any], seams: Any, weld: Any, scale: str) ->
         raise UsageError('objects are unwrapped one by one: not with edges as seams, or a distance of weld')
     if said['degree'] != 1 or said['pack'] is False or scale != 'unit':
         raise UsageError("objects fill the unit square each: not with degree above 1, pack=False or scale='model'")
+
+
+def _has_own_sizes(said: dict[str, Any]) -> bool:
+    return said['udim'] is not None or said['texel_density'] is not None or said['stack'] != 'no'
+
+
+def _require_placeable(said: dict[str, Any], by_uv: bool) -> None:
+    """What the command refuses of its options of charts, in the words of this module."""
+    held = bool(said['pins']) or bool(said['handles'])
+    tiled = next((name for name in ('udim', 'texel_density') if said[name] is not None), None)
+    placed = [name for name in ('udim', 'texel_density') if said[name] is not None]
+    placed += [name for name in ('stack', 'upright') if said[name] != 'no']
+    keeps = _options.truth('keep_shape', said['keep_shape'])
+    placed += ['keep_shape'] if keeps else []
+    if placed and said['pack'] is False:
+        raise UsageError(f'{placed[0]} is for packing; leave it out, or pack=False')
+    if tiled and (said['scale'] == 'model' or held):
+        raise UsageError(f"{tiled} says how large the layout is, as scale='model', pins and handles do; leave one of "
+                         'the two out')
+    if said['objects'] is not None and (tiled or said['stack'] != 'no'):
+        raise UsageError(f'objects have the unit square each: not with {tiled or "stack"}; leave one of the two out')
+    if said['objects'] is not None and said['groups'] is True:
+        raise UsageError('groups are of one layout; leave out objects or groups')
+    if said['fill'] is not None and _has_own_sizes(said):
+        raise UsageError('fill divides charts of one scale on one square: not with udim, texel_density and stack; leave '
+                         'one of the two out')
+    if said['stack'] != 'no' and (held or said['degree'] != 1 or keeps):
+        raise UsageError('stack moves straight charts onto others: not with pins, handles, degree or keep_shape; leave '
+                         'one of the two out')
+    if keeps and not by_uv:
+        raise UsageError("keep_shape is of the islands of uv; give uv and seams='uv'")
+    if keeps and (held or said['degree'] != 1 or np.ndim(said['texel_density']) > 0):
+        raise UsageError('keep_shape maps nothing anew, at one scale: leave out pins, handles, degree and densities of '
+                         'faces')
+
+
+def _densities(density: Any, faces: int) -> list[float]:
+    if np.ndim(density) == 0:
+        return [_options.number('texel_density', density, 0)] * faces
+    array = _arrays.floats('texel_density', density, (faces,))
+    if not (array > 0).all():
+        raise UsageError('texel_density has numbers that are not positive')
+    return array.tolist()
 
 
 def _fill(fill: float) -> float:
@@ -292,7 +371,7 @@ def check(result: Map | str | os.PathLike, V: ArrayLike | None = None, F: Faces 
         name = _arrays.path(result)
         file = _core.read_map(name)[0]
     said = _options.choice('cuts', cuts, ('auto', 'none', 'free'))
-    limit = float('inf') if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True)
+    limit = float('inf') if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True, infinite=True)
     return Verdict(json.loads(_core.check_map(name, file, surface, said, _options.truth('certify', certify),
                                               _options.truth('seamless', seamless),
                                               _options.truth('stacked', stacked), limit)))

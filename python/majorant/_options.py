@@ -31,13 +31,14 @@ def integer(name: str, value: Any, low: int, high: int) -> int:
     return int(value)
 
 
-def number(name: str, value: Any, low: float, high: float = math.inf, *, zero: bool = False) -> float:
-    """Above low, or from low on where zero may be."""
+def number(name: str, value: Any, low: float, high: float = math.inf, *, zero: bool = False,
+           infinite: bool = False) -> float:
+    """Above low, or from low on where zero may be; finite, unless it may be infinite."""
     try:
         x = float(value)
     except (TypeError, ValueError):
         raise UsageError(f'{name}={value!r} is no number') from None
-    if not (low <= x if zero else low < x) or not x <= high:
+    if not (low <= x if zero else low < x) or not x <= high or (math.isinf(x) and not infinite):
         raise UsageError(f'{name}={value!r} is no number {"from" if zero else "above"} {low:g}'
                          + (f' to {high:g}' if high < math.inf else ''))
     return x
@@ -125,7 +126,7 @@ def keywords(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
         'tolerance': number('tolerance', get('tolerance', TOLERANCE), 0),
         'quadrature': integer('quadrature', get('quadrature', 0), 0, 10000),
         'max_iterations': integer('max_iterations', get('max_iterations', MAX_ITERATIONS), 0, 2**31 - 1),
-        'time_limit': math.inf if limit is None else number('time_limit', limit, 0, zero=True),
+        'time_limit': math.inf if limit is None else number('time_limit', limit, 0, zero=True, infinite=True),
         'threads': integer('threads', get('threads', 0), 0, 1024),
     }
     if any(not isinstance(e, str) for e, _ in summands):

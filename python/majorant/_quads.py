@@ -68,7 +68,7 @@ def quad_mesh(V: ArrayLike, F: Faces, *, count: int | None = None, edge_length: 
         'feature_edges': edges,
         'cones': pairs,
         'strict': _options.truth('strict', strict),
-        'time_limit': math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True),
+        'time_limit': math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True, infinite=True),
         'threads': _options.integer('threads', threads, 0, 1024),
         'as_json': json.dumps(said),
     }

@@ -153,4 +153,4 @@ def optimize(mesh: VolumeMesh, energy: str = 'symmetric-dirichlet', *, target: s
 
 
 def _limit(seconds: float | None) -> float:
-    return math.inf if seconds is None else _options.number('time_limit', seconds, 0, zero=True)
+    return math.inf if seconds is None else _options.number('time_limit', seconds, 0, zero=True, infinite=True)

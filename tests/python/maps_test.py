@@ -293,6 +293,41 @@ def test_the_status_of_objects_is_the_worst():
         assert r.status == r.report['status'] == 'max_iterations' and r.message == r.report['message']
 
 
+def test_unwrap_has_the_options_of_the_command(tmp_path):
+    V, F = helpers.octahedron()
+    V, F = np.vstack([V, V + [5, 0, 0], 0.5 * V + [9, 0, 0]]), np.vstack([F, F + 6, F + 12])
+    path = write_obj(tmp_path / 'three.obj', V, F)
+    for words, options in ((['--udim', '3'], {'udim': 3}), (['--texel-density', '40'], {'texel_density': 40}),
+                           (['--stack', 'equal'], {'stack': 'equal'}), (['--stack', 'mirrored'], {'stack': 'mirrored'}),
+                           (['--upright', 'z'], {'upright': 'z'}), (['--preset', 'lightmap'], {'preset': 'lightmap'}),
+                           (['--preset', 'game', '--padding', '2'], {'preset': 'game', 'padding': 2}),
+                           (['--preset', 'single'], {'preset': 'single'}), (['--groups'], {'groups': True})):
+        helpers.command('unwrap', path, '-o', tmp_path / 'command.obj', '-o', tmp_path / 'command.vtu', '--quiet',
+                        '--force', *words)
+        ours = majorant.unwrap(V, F, **options)
+        assert np.array_equal(ours.control_points, majorant.read(tmp_path / 'command.vtu').control_points), words
+        ours.save(tmp_path / 'ours.obj')
+        lines = [[line for line in (tmp_path / name).read_text().splitlines() if line.startswith(('g ', 'usemtl '))]
+                 for name in ('ours.obj', 'command.obj')]
+        assert lines[0] == lines[1], words
+    assert len(set(majorant.unwrap(V, F, texel_density=np.repeat([20.0, 40.0, 20.0], len(F) // 3)).charts)) >= 3
+    square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.0]])
+    uv = 0.1 * square[:, :2] * [1, 2]
+    kept = majorant.unwrap(square, [[0, 1, 2], [0, 2, 3]], seams='uv', uv=uv, keep_shape=True).corner_uv
+    sides = np.ptp(kept.reshape(-1, 2), axis=0)
+    assert sides.max() / sides.min() == pytest.approx(2)
+
+
+@pytest.mark.parametrize('options', [
+    {'udim': 0}, {'udim': 101}, {'udim': 2.5}, {'texel_density': 0}, {'texel_density': float('inf')},
+    {'texel_density': [1.0]}, {'stack': 'all'}, {'upright': 'w'}, {'preset': 'film'}, {'keep_shape': True},
+    {'udim': 2, 'pack': False}, {'udim': 2, 'scale': 'model'}, {'udim': 2, 'fill': 0.5}, {'stack': 'equal', 'degree': 2},
+    {'texel_density': 9, 'objects': [0] * 8}, {'padding': 600}, {'resolution': float('inf')}, {'groups': 'yes'}])
+def test_options_of_unwrap_that_are_refused(options):
+    with pytest.raises(majorant.UsageError):
+        majorant.unwrap(*helpers.octahedron(), **options)
+
+
 def test_unwrap_fits_the_unit_square():
     V, F = helpers.octahedron()
     r = majorant.unwrap(V, F)

@@ -1,0 +1,29 @@
+// Values that fit a use of a layout, where nothing else is said: `--preset`, `preset=`.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace majorant {
+
+struct LayoutPreset {
+  std::string_view name;
+  std::optional<double> max_stretch;         // none: what charts of that number have
+  bool is_one_chart;                         // of each piece, else as many as max_stretch needs
+  double fill;                               // of the square; 0: any
+  double padding, resolution;                // pixels
+  std::optional<int> uv_set = std::nullopt;  // that the layout becomes; none: the first
+};
+
+inline constexpr std::array<LayoutPreset, 4> kLayoutPresets{{
+    {"paint", 1.01, false, 0, 8, 4096},
+    {"lightmap", 1.03, false, 0.6, 2, 512, 1},
+    {"game", 1.01, false, 0.6, 4, 2048},
+    {"single", std::nullopt, true, 0, 4, 1024},
+}};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
