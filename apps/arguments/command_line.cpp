@@ -312,6 +312,9 @@ std::string about(const CLI::App& verb, const CLI::ParseError& error) {
   if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr)
     return text + "; leave one of the two out";
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
+  if (const std::size_t end = text.find(" was given a disallowed flag override");
+      end != std::string::npos)
+    return fmt::format("--{0}: takes no value; write --{0}, or leave it out", text.substr(0, end));
   const CLI::Option* option = verb.get_option_no_throw(text.substr(0, text.find(':')));
   if (option == nullptr) return text;
   if (text.ends_with(" missing")) return about_missing_value(*option);

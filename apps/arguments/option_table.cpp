@@ -13,7 +13,8 @@ struct Adder {
   const OptionRow& row;
 
   CLI::Option* operator()(bool* target) const {
-    return verb.add_flag(row.names, *target, row.help);
+    // CLI11 reads --quiet=nan as a number, with an exception of its own.
+    return verb.add_flag(row.names, *target, row.help)->disable_flag_override();
   }
   CLI::Option* operator()(std::vector<std::string>* target) const {
     CLI::Option* const option = verb.add_option(row.names, *target, row.help);
@@ -22,8 +23,10 @@ struct Adder {
   }
   CLI::Option* operator()(const std::function<void(const std::string&)>& target) const {
     if (row.rules.is_flag)
-      return verb.add_flag_function(
-          row.names, [target](std::int64_t) { target("true"); }, row.help);
+      return verb
+          .add_flag_function(
+              row.names, [target](std::int64_t) { target("true"); }, row.help)
+          ->disable_flag_override();
     return verb.add_option_function<std::string>(row.names, target, row.help);
   }
   template <class T>

@@ -32,6 +32,13 @@ class Usage(CommandTest):
         for verb in VERBS:  # interface.md: "Everywhere: ... --version"
             self.assertRegex(self.run_ok(*verb.split(), '--version').out, VERSION, verb)
 
+    def test_flags_take_no_value(self):
+        mesh, out = generated('cap'), self.path('out.obj')
+        for value in ('nan', 'inf', '99999999999999999999', '-1', '0', 'false'):
+            for verb, flag in (('parametrize', '--bijective'), ('unwrap', '--no-pack'), ('parametrize', '--quiet')):
+                self.refused(USAGE, verb, mesh, '-o', out, flag + '=' + value, says=[flag + ': takes no value'])
+        self.assertEqual(self.files(), [])
+
     def test_wrong_arguments(self):
         mesh, out = generated('cap'), self.path('out.vtu')
         for args in [
