@@ -150,7 +150,7 @@ std::string_view why_undivided(Status division, std::string_view nothing) {
 // A part of the square that one object of several takes, above which it is named.
 constexpr double kNearlyAll = 0.8;
 
-// What to do about an object that leaves the others next to nothing of the square; empty where
+// Returns advice on an object that leaves the others next to nothing of the square; empty where
 // there is none.
 std::string remark_on_sizes(const AtlasJob& job) {
   if (!job.atlas.packing || job.options.face_scale.size() > 0) return {};

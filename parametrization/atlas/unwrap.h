@@ -207,7 +207,7 @@ std::vector<BezierMap> maps_of(const Atlas& atlas);
 // instead, but not where the packing has tiles, whose borders are proven, too. None, and the atlas
 // as it was, where that does not help. Measures stay those in model units.
 std::optional<LayoutMotion> into_unit_square(Atlas& atlas);
-// Why into_unit_square() gives none, in words of one line without a full stop.
+// Returns the reason why into_unit_square() gives none, in words of one line without a full stop.
 std::string problem_in_unit_square(const Atlas& atlas);
 
 // The larger side of the box around all charts.

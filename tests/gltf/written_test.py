@@ -331,14 +331,23 @@ class Details(CommandTest):
         done = self.run_ok('unwrap', mesh, '-o', self.path('unwrap.glb'))
         self.assertIn("the image of material 'wood'", done.err)
 
-    def test_what_floats_turn_over_is_not_written(self):
-        """A triangle of 1e-9 in the middle of a square: as an OBJ it is valid, as floats it has no area."""
-        e = 1e-9
-        corners = [(0, 0), (1, 0), (1, 1), (0, 1), (0.3, 0.3), (0.3 + e, 0.3), (0.3, 0.3 + e)]
+    def converted(self, corners, code):
+        """A triangle of 1e-9 in the middle of a square; to an OBJ and a GLB."""
         faces = [(4, 5, 6), (0, 1, 5), (0, 5, 4), (1, 2, 5), (2, 6, 5), (2, 3, 6), (3, 0, 4), (3, 4, 6)]
         mesh = self.write('a.obj', obj_text([(x, y, 0) for x, y in corners], faces, corners))
         self.run_ok('check', mesh)
-        outcome = self.run_ok('convert', mesh, '-o', self.path('b.obj'), '-o', self.path('b.glb'), code=INVALID)
+        return self.run_ok('convert', mesh, '-o', self.path('b.obj'), '-o', self.path('b.glb'), code=code)
+
+    def test_what_rounding_turns_over_gets_room(self):
+        e = 1e-9
+        self.converted([(0, 0), (1, 0), (1, 1), (0, 1), (0.3, 0.3), (0.3 + e, 0.3), (0.3, 0.3 + e)], OK)
+        self.run_ok('check', self.path('b.glb'), '--surface', self.path('b.obj'))
+
+    def test_what_floats_turn_over_is_not_written(self):
+        """Far from the origin floats are farther apart than the square is wide."""
+        far, e = 2 ** 20, 2 ** -8
+        square = [(0, 0), (4, 0), (4, 4), (0, 4), (1, 1), (2, 1), (1, 2)]
+        outcome = self.converted([(far + e * x, far + e * y) for x, y in square], INVALID)
         self.assertIn('b.glb is not written, since what it says would not be valid', outcome.err)
         self.assertEqual(self.files(), ['a.obj', 'b.obj'])
 

@@ -126,7 +126,7 @@ double mean_stretch(const BezierMap& map) {
   return stretch.square / stretch.surface_area;
 }
 
-// As long as twice the area of the face.
+// Returns the normal of a face, as long as twice its area.
 Vector3 normal_of(const SurfaceMesh& mesh, Index face) {
   const auto corner = [&](Index k) -> Vector3 {
     return mesh.positions().row(mesh.faces()(face, k)).transpose();

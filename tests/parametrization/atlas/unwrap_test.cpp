@@ -553,7 +553,7 @@ TEST(Unwrap, ChartsKeepClearOfThemselves) {
   }
 }
 
-// What is packed when the run is stopped lies as it was arranged first, and says so.
+// Charts of a run that is stopped while packing lie as they were arranged first; the atlas says so.
 TEST(Unwrap, LaysChartsWhenItIsStoppedWhilePacking) {
   const PolygonMesh mesh = limbs_of(cube_sphere(4));
   UnwrapOptions options;
