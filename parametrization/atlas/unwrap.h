@@ -101,7 +101,8 @@ struct Chart {
 
 // What CutOptions::max_stretch is for maps of CutMethod::Automatic and Sharp. Kept: charts are
 // mapped, measured, cut again and mapped anew until each has no more; not those of one face, of
-// faces without an area alone or with pins or handles, and not once a limit of the run is reached. Reported: nothing is done.
+// faces without an area alone or with pins or handles, and not once a limit of the run is reached.
+// Reported: nothing is done.
 enum class StretchLimit { Kept, Reported };
 
 // The part of a time limit that cuts get at most, before those that suffice are taken as they are;

@@ -30,8 +30,9 @@ enum class TextureStart { Tried, Ignored };
 // LeftToCuts, such a chart is Failed where its faces overlap, so that it is cut instead.
 enum class UnfoldedOverlaps { Undone, LeftToCuts };
 
-// Of charts whose start is enormously far from its minimum, and does not get nearer: Waited, all
-// the iterations that there are; LeftToCuts, it ends Stalled, so that it is cut instead.
+// The end of a chart whose start is enormously far from its minimum and does not get nearer.
+// Waited: after all the iterations that there are. LeftToCuts: soon, as Stalled, so that it is cut
+// instead.
 enum class SlowStart { Waited, LeftToCuts };
 
 // Curved, or of unknown shape: Tutte's map is the start; Unfolds: the faces side by side.
