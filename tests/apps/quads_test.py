@@ -196,7 +196,7 @@ class Quads(CommandTest):
         path = self.write('edges.json', json.dumps({'edges': list(zip(edge, edge[1:]))}))
         one = self.made(cube, '--count', 100, '--features', path)['result']['quads']
         self.assertEqual(one['features'], {'requested': 1, 'covered': 1, 'relaxed': 0})
-        self.run_ok('check', quads, '--surface', cube, '--features', path)
+        self.run_ok('check', quads, '--surface', cube, '--features', path, '--max-distance', 0.1)
         plain = self.made(cube, '--count', 100, '--features', 'none')['result']['quads']
         self.assertEqual(plain['features'], {'requested': 0, 'covered': 0, 'relaxed': 0})
         bent = self.read('quads.obj').decode().split('\n')
@@ -279,6 +279,29 @@ class Quads(CommandTest):
                  (1 if i % 2 else 1.2) * math.sin(2 * math.pi * i / n)) for i in range(n)]
         quads = self.kept(self.prism('star.obj', star, 0.4), 320)
         self.assertEqual(quads['features']['covered'], 3 * n)
+
+    def test_ragged_borders(self):
+        """A plate whose border goes to and fro: each corner takes a quad unless it is smoothed."""
+        n = 20
+        points = [(i, j + (0.45 if i % 2 else -0.45) * (j in (0, n)), 0) if 0 < i < n else
+                  (i + (0.45 if j % 2 else -0.45) * (0 < j < n), j, 0) for i in range(n + 1) for j in range(n + 1)]
+        faces = []
+        for i in range(n):
+            for j in range(n):
+                a = i * (n + 1) + j
+                b = a + n + 1
+                faces += [(a, b, b + 1), (a, b + 1, a + 1)]
+        path = self.write('ragged.obj', helpers.obj_text(points, faces))
+        before = self.run_quads(path, 100)
+        quads = self.path('quads.obj')
+        self.run_ok('quads', path, '-o', quads, '--count', 100, '--border-corners', 180, '--force', '--report', self.path('r.json'))
+        after = json.loads(self.read('r.json'))['result']['quads']
+        self.assertLessEqual(abs(after['count'] - 100), 5)
+        self.assertGreater(before['count'], 2 * after['count'])
+        self.run_ok('check', quads, '--surface', path, '--border-corners', 180, '--max-distance', 0.1)
+        said = self.run_ok('check', quads, '--surface', path, '--max-distance', 0.1, code=INVALID).out
+        self.assertIn("corners of the surface's border have no vertex", said)
+        self.refused(USAGE, 'quads', path, '-o', self.path('o.obj'), '--border-corners', 181, says='--border-corners')
 
     def closed(self, path, count, components=2):
         quads = self.run_quads(path, count)
@@ -454,7 +477,7 @@ class Quads(CommandTest):
         """The limit ends the optimization of the map; so few quads take far less than the second they have."""
         buckle, quads = helpers.generated('buckle'), self.path('o.obj')
         self.run_ok('quads', buckle, '-o', quads, '--count', 100, '--time-limit', 0, code=helpers.LIMIT)
-        self.run_ok('check', quads, '--surface', buckle)
+        self.run_ok('check', quads, '--surface', buckle, '--max-distance', 1)
 
     @helpers.where(CLOSED)
     def test_public_closed_meshes(self):

@@ -265,13 +265,13 @@ def main():
                     q = json.load(file)['result']['quads']
                 features = q['features']
                 is_whole = features['relaxed'] == 0
-                check = subprocess.run([asked.binary, 'check', quads, '--surface', path] +
+                check = subprocess.run([asked.binary, 'check', quads, '--surface', path, '--max-distance', '1'] +
                                        (['--features', '35'] if is_whole else []), capture_output=True, text=True)
                 found = set()
                 is_plain = check.returncode == 0 and q['count'] <= JUDGED and 'repair' not in check.stdout
                 if is_plain and name.split()[0] in ('plate', 'tube', 'comb', 'triangle', 'needle', 'star', 'block', 'cylinder',
                                                     'shaft', 'L', 'gear'):
-                    found = judge(read_obj(quads), read_obj(path), 35 if is_whole else None)
+                    found = judge(read_obj(quads), read_obj(path), 35 if is_whole else None, near=1)
                 made += 1
                 whole += is_whole
                 close += abs(q['count'] - count) <= 0.05 * count
