@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "apps/command.h"
+#include "apps/output_request.h"
 #include "apps/outputs.h"
 #include "apps/page_content.h"
 #include "apps/run.h"
@@ -97,15 +98,19 @@ std::vector<std::string> left_out_of(const std::string& path, const MapFile& map
   return what;
 }
 
-// A line about cells that pictures show in magenta, or none.
+// Lines about cells that pictures show in magenta, and about those without an area.
 std::vector<std::string> turned_over_in_words(const ConvertRequest& request, const MapFile& map) {
   const auto is_picture = [](const std::string& path) {
     return extension(path) == ".svg" || extension(path) == ".png";
   };
   if (!std::any_of(request.outputs.begin(), request.outputs.end(), is_picture)) return {};
-  const std::size_t count = turned_over_cells(map).size();
-  if (count == 0) return {};
-  return {fmt::format("{}: {}, magenta in pictures", request.input, turned_over_words(count))};
+  std::vector<std::string> lines;
+  if (const std::size_t over = turned_over_cells(map).size(); over > 0)
+    lines.push_back(
+        fmt::format("{}: {}, magenta in pictures", request.input, turned_over_words(over)));
+  if (const std::size_t flat = cells_without_area(map).size(); flat > 0)
+    lines.push_back(fmt::format("{}: {}", request.input, without_area_words(flat)));
+  return lines;
 }
 
 // The map of the file as it is written.
@@ -135,6 +140,7 @@ void read(const ConvertRequest& request, Run& run, Conversion& c) {
   if (request.formats.turns_map(request.outputs)) align(c.map, request.input);
   c.surface = mesh_from_map(c.map, request.input);
   c.promise = promise_of(c.map, c.surface, request.input);
+  if (c.promise.cuts == CutRule::Seams) require_holds_seams(request.outputs);
   c.distortion = measure_distortion(c.map);
   // Arrays of a file whose scale is assumed would claim what it does not.
   c.map.face_distortion =

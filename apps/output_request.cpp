@@ -7,6 +7,8 @@
 
 #include "apps/arguments/option_table.h"
 #include "majorant/apps/jobs/model_texture.h"
+#include "majorant/apps/jobs/write_map.h"
+#include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files_below.h"
 
@@ -25,12 +27,23 @@ void OutputRequest::add_to(CLI::App& verb) {
         "boundary keep it from being turned"}});
 }
 
+void require_holds_seams(const std::vector<std::string>& files) {
+  for (const std::string& path : files)
+    if (is_gltf(path))
+      throw Error(
+          ErrorKind::Usage,
+          fmt::format("{}: holds floats, in which the sides of seams do not fit; write .obj, "
+                      ".ply, .vtu or .msh",
+                      path));
+}
+
 std::vector<OutputNames> OutputRequest::names() const {
   return {{files, extensions}, {{distortion}, {".csv"}}};
 }
 
 void OutputRequest::require_usable(const MapRequest& map) {
   if (!positional.empty()) files.push_back(positional);
+  if (map.seamless) require_holds_seams(files);
   require_some_output(files, extensions);
   formats.require_effect(files);
   if (normalize && !(map.pins.empty() && map.handles.empty()))

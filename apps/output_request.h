@@ -46,6 +46,10 @@ struct OutputRequest {
                                           const std::string& remedy) const;
 };
 
+// Throws Error(Usage) for a file that cannot hold the seams of a seamless map: their sides fit to
+// kSeamClose of the layout, floats to 1e-7.
+void require_holds_seams(const std::vector<std::string>& files);
+
 }  // namespace majorant::app
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

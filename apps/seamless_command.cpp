@@ -8,6 +8,7 @@
 #include "apps/arguments/suggestion.h"
 #include "apps/energy_option.h"
 #include "apps/map_run.h"
+#include "majorant/apps/jobs/write_map.h"
 #include "majorant/io/read_vertex_lists.h"
 
 namespace majorant::app {
@@ -46,6 +47,7 @@ void add_seamless(CLI::App& app, Action* run) {
       "make a seamless map with cones of a plain mesh, closed or bounded, of any genus");
   SeamlessRequest& r = *request;
   r.map.seamless = true;
+  std::erase_if(r.outputs.extensions, [](const std::string& e) { return is_gltf("map" + e); });
   r.add_to(verb);
   add_options(verb, OptionGroup::Charts,
               {{"--cones",

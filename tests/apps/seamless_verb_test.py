@@ -34,6 +34,19 @@ def octahedron(rounds=0, shape=lambda p: p):
     return [shape(p) for p in points], faces
 
 
+class Floats(CommandTest):
+    def test_what_cannot_hold_seams_is_refused_before_the_work(self):
+        mesh, out = generated('buckle'), self.path('a.glb')
+        self.refused(USAGE, 'seamless', mesh, '-o', out, says=['a.glb', 'floats', '.obj'])
+        offered = majorant('seamless', '--help').out.split('--output')[1].split('repeatable')[0]
+        self.assertIn('.ply', offered)
+        self.assertNotIn('.glb', offered)
+        self.run_ok('seamless', mesh, '-q', '-o', self.path('a.vtu'), '-o', self.path('a.obj'), '--degree', '1')
+        self.refused(USAGE, 'parametrize', self.path('a.obj'), '--seamless', '-o', out, says=['a.glb', '.vtu'])
+        self.refused(USAGE, 'convert', self.path('a.vtu'), '-o', out, says=['a.glb', '.vtu'])
+        self.assertEqual(self.files(), ['a.obj', 'a.vtu'])
+
+
 def scaled(mesh, factor):
     return [tuple(factor * x for x in p) for p in mesh[0]], mesh[1]
 
