@@ -153,8 +153,8 @@ void read_input(const MapRequest& request, MapJob& job, const StartMaker& make_s
     PolygonMesh polygons = within_memory(request.input, [&] {
       return read_mesh(request.input, job.record.start_stop(), strictness);
     });
-    say_warnings(polygons.warnings);
     job.open(std::make_shared<const PolygonMesh>(std::move(polygons)));
+    say_warnings(job.polygons->warnings);
   });
   if (make_start)
     or_interrupted("making the start of " + request.input, [&] { make_start(job); });

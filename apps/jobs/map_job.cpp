@@ -1,5 +1,6 @@
 #include "majorant/apps/jobs/map_job.h"
 
+#include <optional>
 #include <utility>
 
 #include "majorant/apps/jobs/global_verdict.h"
@@ -8,6 +9,7 @@
 #include "majorant/certify/cut_map.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/io.h"
+#include "majorant/mesh/plane_side.h"
 #include "majorant/parametrization/initialization/start.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
@@ -123,6 +125,13 @@ SeamlessMethod method_called(std::string_view name) {
 
 void MapJob::open(std::shared_ptr<const PolygonMesh> input) {
   polygons = std::move(input);
+  if (task == MapTask::Deform)
+    if (std::optional<PolygonMesh> turned = turned_counterclockwise(*polygons)) {
+      turned->warnings.push_back(
+          polygons->file + (polygons->file.empty() ? "" : ": ") +
+          "all faces are clockwise in the plane; they are turned, which is how results have them");
+      polygons = std::make_shared<const PolygonMesh>(*std::move(turned));
+    }
   record.announce("building the surface");
   mesh = std::make_shared<const SurfaceMesh>(
       SurfaceMesh::from_polygons(*polygons, record.start_stop()));

@@ -54,8 +54,9 @@ struct MapJob {
   MapJob(const MapJob&) = delete;  // films are told of by address
   MapJob& operator=(const MapJob&) = delete;
 
-  // The surface of the polygons. Throws as SurfaceMesh::from_polygons(), at the limits of the run's
-  // start.
+  // The surface of the polygons; to be deformed, a mesh of the plane that is all clockwise is
+  // turned (mesh/plane_side.h), and `polygons` says so. Throws as SurfaceMesh::from_polygons(), at
+  // the limits of the run's start.
   void open(std::shared_ptr<const PolygonMesh> input);
   // These set the start of the map, in place of a map of the surface as it is: the seams of its
   // texture coordinates; a seamless map that is made, its cones by vertex of the input (source: who

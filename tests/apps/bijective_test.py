@@ -115,6 +115,29 @@ class Deform(CommandTest):
                     self.run_ok('check', out, '--certify')
                     self.assertIs(vtu.claims['bijective'], True)
 
+    def test_clockwise_as_counterclockwise(self):
+        """A plane mesh has no side: targets and results are where they are."""
+        mesh, (file, handles) = self.bar(), self.targets()
+        points, _, faces, _ = read_obj(mesh)
+        turned = self.write('turned.obj', obj_text(points, [f[::-1] for f in faces]))
+        results = {}
+        for name in (mesh, turned):
+            outcome = self.run_ok('deform', name, '--handles', file, '--degree', 1, '-o', self.path('a.vtu'), '-o',
+                                  self.path('a.obj'), '--report', self.path('r.json'), '--force')
+            self.assertEqual('all faces are clockwise' in outcome.err, name == turned)
+            for out in ('a.vtu', 'a.obj'):
+                self.run_ok('check', self.path(out), '--certify', '--surface', name)
+            vtu = Vtu(self.path('a.vtu'))
+            place = dict(zip(vtu.arrays['input_vertex'], vtu.rows('uv')))
+            for h in handles:
+                self.assertLessEqual(math.dist(place[h['vertex']][:2], h['target']), 0.01 * math.hypot(4, 1))
+            results[name] = json.loads(self.read('r.json'))['result']['value']
+        self.assertAlmostEqual(results[turned], results[mesh], places=6)
+        bent = self.write('bent.obj', obj_text([(x, y, 0.1 * x * y) for x, y, _ in points], [f[::-1] for f in faces]))
+        mirrored = self.write('b.obj', obj_text([(x, y, 0.1 * x * y) for x, y, _ in points], faces,
+                                                [p[:2] for p in points]))
+        self.run_ok('check', mirrored, '--surface', bent, code=INVALID)  # what is not plane has a side
+
     def test_every_output(self):
         mesh, (file, _) = self.bar(), self.targets()
         self.run_ok('deform', mesh, '--handles', file, '--quiet', '-o', self.path('a.svg'),

@@ -1,0 +1,19 @@
+// The side of a mesh of the plane that is shown.
+//
+//   if (const auto up = turned_counterclockwise(polygons)) ...   // its faces were all clockwise
+#pragma once
+
+#include <optional>
+
+#include "majorant/mesh/polygon_mesh.h"
+
+namespace majorant {
+
+// Returns the mesh with its faces turned, if it lies in a plane z = const and none of its faces is
+// counterclockwise there: seen from above, as plots of the plane are. Nothing for other meshes.
+std::optional<PolygonMesh> turned_counterclockwise(const PolygonMesh& mesh);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
