@@ -170,6 +170,10 @@ class Charts {
 
 }  // namespace
 
+std::vector<Index> charts_of_cells(const MapFile& file, const std::string& name) {
+  return Charts(file, name).of_cells();
+}
+
 StackedCharts find_stacks(const MapFile& file, const std::string& name) {
   const Charts charts(file, name);
   StackedCharts out;

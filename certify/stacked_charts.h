@@ -34,6 +34,9 @@ struct StackedCharts {
   Index stacks = 0, stacked = 0, mirrored = 0;  // how many; stacked: charts in stacks
 };
 
+// The chart of every cell, as above. Throws Error(Unreadable) for cells that make no surface.
+std::vector<Index> charts_of_cells(const MapFile& file, const std::string& name);
+
 // Two charts are in one stack where they have the same polygons: control points of their sides, in
 // their order or against it, and whether the chart goes on beyond a side. Polygons are those of
 // input_face where their cells are a disc without a vertex inside, else single cells. Mirrored are

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "majorant/apps/jobs/global_verdict.h"
@@ -15,6 +17,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/io.h"
 #include "majorant/io/layout_scale.h"
+#include "majorant/io/mesh_objects.h"
 #include "majorant/maps/energy_text.h"
 #include "majorant/maps/rest_shapes_of.h"
 #include "majorant/mesh/refusal.h"
@@ -246,6 +249,76 @@ void check_stacks(const MapFile& file, const StackedCharts& found, const Claims&
       return findings.add_violation("charts lie on each other that are not claimed to");
 }
 
+// The charts of the file are those that continuity makes: edges that are not cut divide none. A map
+// that is not complete may lack what holds a chart together.
+void check_charts(const MapFile& file, const std::string& name, Findings& findings) {
+  std::map<Index, Index> piece_of, chart_of;  // by chart of the file; by piece
+  const std::vector<Index> pieces = charts_of_cells(file, name);
+  for (Index c = 0; c < file.chart.size(); ++c) {
+    const Index piece = pieces[to_size(c)], chart = file.chart[c];
+    if (const Index other = chart_of.try_emplace(piece, chart).first->second; other != chart)
+      return findings.add_violation(
+          fmt::format("cell {} is said to be of chart {}, and is of chart {}: no cut divides them",
+                      c, chart, other));
+    if (piece_of.try_emplace(chart, piece).first->second != piece && file.is_complete)
+      return findings.add_violation(
+          fmt::format("chart {} is in several pieces, one of them at cell {}", chart, c));
+  }
+}
+
+// Every chart belongs to one claimed object, and objects are those of the surface, of which a map
+// that is not complete may lack some.
+void check_objects(const MapFile& file, const std::string& name,
+                   const std::vector<ClaimedObject>& claimed, const PolygonMesh* surface,
+                   Findings& findings) {
+  const std::set<Index> charts(file.chart.begin(), file.chart.end());
+  const auto count = std::max(std::int64_t{1}, static_cast<std::int64_t>(charts.size()));
+  std::int64_t sum = 0;
+  for (const ClaimedObject& object : claimed) sum += object.charts;
+  if (!charts.empty() && (*charts.begin() != 0 || *charts.rbegin() + std::int64_t{1} != count)) {
+    if (file.is_complete) findings.add_violation("charts are not numbered from 0 on");
+    return;
+  }
+  if (sum != count)
+    return findings.add_violation(
+        fmt::format("objects are claimed to have {} charts, and there are {}", sum, count));
+  if (surface == nullptr || file.input_face.size() == 0) return;
+  const MeshObjects objects = objects_of(*surface);
+  if (file.is_complete && claimed.size() != objects.names.size())
+    return findings.add_violation(
+        fmt::format("{} claimed, and the surface has {}",
+                    count_text(static_cast<Index>(claimed.size()), "object"), objects.count()));
+  const std::vector<Index> object = *claimed_object_of_cells(file, name);
+  std::map<Index, Index> of_surface, of_claim;
+  for (Index c = 0; c < file.cells.rows(); ++c) {
+    const Index k = object[to_size(c)], o = objects.of_polygon[to_size(file.input_face[c])];
+    const std::string& said = claimed[to_size(k)].name;
+    if (said != objects.names[to_size(o)] || of_surface.try_emplace(k, o).first->second != o ||
+        of_claim.try_emplace(o, k).first->second != k)
+      return findings.add_violation(
+          fmt::format("cell {} is claimed to be of object '{}', and is of '{}' in the surface", c,
+                      said, objects.names[to_size(o)]));
+  }
+}
+
+// What a file says of its charts, cuts, objects and triangles.
+void check_parts(const MapFile& file, const CheckRequest& request, MapCheck& check) {
+  Findings& findings = check.findings;
+  const Claims& claims = check.claims;
+  if (const auto& edge = check.proof.cuts.not_cut; edge && request.cuts == CheckRequest::Cuts::Auto)
+    findings.add_violation(
+        fmt::format("edge ({}, {}) is claimed to be cut, and is not", (*edge)[0], (*edge)[1]));
+  const bool is_surface = request.surface && check.proof.surface.answer == ProofStatus::Proven;
+  if (is_surface && check.proof.other_triangles > 0)
+    findings.require(claims.other_triangles.value_or(true),
+                     "faces are in other triangles than the surface's, and none is claimed to be");
+  if (!check.proof.map()) return;
+  if (file.chart.size() > 0) check_charts(file, request.name, findings);
+  if (claims.objects)
+    check_objects(file, request.name, *claims.objects, is_surface ? request.surface : nullptr,
+                  findings);
+}
+
 // Returns the layer that each face is compared in. The first of charts on each other is alone in
 // its.
 std::vector<Index> layers_of(const CheckRequest& request, const StackedCharts& stacks) {
@@ -306,6 +379,7 @@ MapCheck::MapCheck(const MapFile& file, const CheckRequest& request, const RunRe
   }
   measure_overlap(*this, request, record.stop());
   if (claims.stacks && proof.map()) check_stacks(file, proof.stacks, claims, findings);
+  check_parts(file, request, *this);
   const std::vector<std::string>& list = findings.list();
   report.status = status();
   report.message = list.empty() ? "" : list.front();

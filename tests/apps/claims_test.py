@@ -65,5 +65,84 @@ class Claims(CommandTest):
         self.found(path, says='pin of vertex 2147483647')
 
 
+def ascii_vtu(points, uv, faces, charts, claims):
+    def array(kind, name, values, components=1, more=''):
+        return '<DataArray type="%s" Name="%s" NumberOfComponents="%d"%s format="ascii">\n%s\n</DataArray>\n' % (
+            kind, name, components, more, ' '.join(map(repr, values)))
+    flat = [v for face in faces for v in face]
+    text = json.dumps(claims).encode()
+    said = ''.join(['<FieldData>\n<DataArray type="UInt8" Name="majorant_claims" NumberOfTuples="%d" format="ascii">\n' %
+                    len(text), ' '.join(map(str, text)), '\n</DataArray>\n</FieldData>\n'])
+    cell_data = array('Int32', 'input_face', range(len(faces)))
+    if charts:
+        cell_data += array('Int32', 'chart', charts)
+    return ''.join([
+        '<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="2.2" byte_order="LittleEndian" '
+        'header_type="UInt64">\n<UnstructuredGrid>\n', said,
+        '<Piece NumberOfPoints="%d" NumberOfCells="%d">\n<PointData TCoords="uv">\n' % (len(points), len(faces)),
+        array('Float64', 'uv', [float(x) for p in uv for x in p], 2),
+        array('Int32', 'input_vertex', range(len(points))), '</PointData>\n<CellData>\n', cell_data,
+        '</CellData>\n<Points>\n', array('Float64', 'Points', [float(x) for p in points for x in p], 3),
+        '</Points>\n<Cells>\n', array('Int64', 'connectivity', flat),
+        array('Int64', 'offsets', [3 * k + 3 for k in range(len(faces))]), array('UInt8', 'types', [5] * len(faces)),
+        '</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n'])
+
+
+class FalseClaims(CommandTest):
+    """Each array and claim is proven, or a violation."""
+    # Two squares apart, of two triangles each.
+    POINTS = [(x + 3 * k, y, 0) for k in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    FACES = [(0, 1, 2), (0, 2, 3), (4, 5, 6), (4, 6, 7)]
+
+    def vtu(self, charts=(0, 0, 1, 1), **claims):
+        uv = [p[:2] for p in self.POINTS]
+        return self.write('claims.vtu', ascii_vtu(self.POINTS, uv, self.FACES, charts, {'version': '0.1.0', **claims}))
+
+    def surface(self, names):
+        lines = ['v %r %r %r' % p for p in self.POINTS]
+        for name, faces in zip(names, (self.FACES[:2], self.FACES[2:])):
+            lines += ['o ' + name] * bool(name) + ['f ' + ' '.join(str(v + 1) for v in f) for f in faces]
+        return self.write('surface.obj', '\n'.join(lines) + '\n')
+
+    @staticmethod
+    def objects(*charts):
+        return [{'name': 'o%d' % k, 'charts': n} for k, n in enumerate(charts)]
+
+    def test_true_ones(self):
+        for charts in ((0, 0, 1, 1), (1, 1, 0, 0), ()):
+            self.run_ok('check', self.vtu(charts), '--certify')
+        self.run_ok('check', self.vtu(objects=self.objects(1, 1), cuts=[]), '--certify', '--objects', 'separate',
+                    '--surface', self.surface(['o0', 'o1']))
+        self.run_ok('check', self.vtu(objects=self.objects(2)), '--surface', self.surface(['o0', '']))
+
+    def test_charts_that_continuity_does_not_make(self):
+        self.found(self.vtu((0, 1, 2, 2)), says='cell 1 is said to be of chart 1, and is of chart 0: no cut')
+        self.found(self.vtu((0, 0, 0, 0)), says='chart 0 is in several pieces')
+        self.found(self.vtu((0, 1, 2, 2), objects=self.objects(1, 2)), '--certify', '--objects', 'separate',
+                   says='no cut divides them')
+
+    def test_objects(self):
+        for charts in ((1, 1, 1), (1,), (0, 1)):
+            self.found(self.vtu(objects=self.objects(*charts)), says='objects are claimed to have %d chart' % sum(charts))
+        claimed = self.vtu(objects=self.objects(1, 1))
+        self.found(claimed, '--surface', self.surface(['o0', '']), says='surface has 1')
+        self.found(claimed, '--surface', self.surface(['o0', 'other']), says="of object 'o1', and is of 'other'")
+        self.found(claimed, '--surface', self.surface(['o1', 'o0']), says="of object 'o0', and is of 'o1'")
+
+    def test_cuts(self):
+        for edge in ((0, 2), (0, 1), (1, 4), (0, 77)):  # inside, on the border, none
+            self.found(self.vtu(cuts=[edge]), says='edge (%d, %d) is claimed to be cut, and is not' % edge)
+
+    def test_other_triangles(self):
+        points = self.POINTS[:4]
+        flat = points + [(2, 0, 0), (2, 1, 0)]
+        faces = [(0, 1, 3), (1, 2, 3), (1, 4, 5), (1, 5, 2)]
+        mesh = self.write('surface.obj', obj_text(flat, [(0, 1, 2), (0, 2, 3), (1, 4, 5), (1, 5, 2)]))
+        for said, code in ((True, OK), (False, INVALID)):
+            path = self.write('claims.vtu', ascii_vtu(flat, [p[:2] for p in flat], faces, (),
+                                                      {'version': '0.1.0', 'other_triangles': said}))
+            self.run_ok('check', path, '--surface', mesh, code=code)
+
+
 if __name__ == '__main__':
     main()
