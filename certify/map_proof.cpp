@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
@@ -24,6 +25,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/framework/side_task.h"
+#include "majorant/mesh/plane_side.h"
 #include "majorant/mesh/refusal.h"
 
 namespace majorant {
@@ -119,6 +121,13 @@ class AllowedEdges {
     if (is_any_) return true;
     const auto entry = left_.find(sorted(edge));
     return entry != left_.end() && entry->second-- > 0;
+  }
+
+  // The first edge that was not taken as often as it is listed.
+  std::optional<std::array<Index, 2>> left() const {
+    for (const auto& [edge, count] : left_)
+      if (count > 0) return edge;
+    return {};
   }
 
  private:
@@ -272,6 +281,15 @@ class MapProof::Judge {
         worst = fmt::format("cell {}: det J is not proven positive, nor is it refuted", c);
       }
     }
+    if (proof_.not_positive.empty() && !file_.folded.empty()) {
+      proof_.positive = {ProofStatus::Violated,
+                         fmt::format("face {} folds where programs cut it, from its first corner{}",
+                                     file_.folded.front(),
+                                     file_.folded.size() > 1
+                                         ? fmt::format(" ({} faces in all)", file_.folded.size())
+                                         : "")};
+      return;
+    }
     const std::size_t bad = proof_.not_positive.size();
     if (bad > 1) worst += fmt::format(" ({} cells in all)", bad);
     proof_.positive = bad == 0      ? Finding{ProofStatus::Proven,
@@ -323,20 +341,40 @@ class MapProof::Judge {
                                     *request_.unmapped)};
       return;
     }
-    SurfaceMatch match =
-        match_surface(cells, *request_.surface, labels, file_.points_rounding, unmapped);
+    SurfaceMatch match = match_with(*request_.surface, labels, unmapped);
+    // A mesh of the plane that is all clockwise may be shown from above.
     if (!match.defect.empty())
-      match = match_repaired(cells, *request_.surface, labels, request_.orientation,
-                             file_.points_rounding, unmapped)
-                  .value_or(match);
+      if (const auto turned = turned_counterclockwise(*request_.surface))
+        if (SurfaceMatch other = match_with(*turned, labels, unmapped); other.defect.empty())
+          match = std::move(other);
     if (!match.defect.empty()) {
       proof_.surface = {ProofStatus::Violated, match.defect};
       return;
     }
     proof_.surface = {ProofStatus::Proven, count_text(match.same + match.changed, "face")};
+    proof_.other_triangles = match.changed;
     if (match.changed > 0)
       proof_.surface.detail += fmt::format(", {} of them in other triangles", match.changed);
     if (left > 0) proof_.surface.detail += fmt::format(", {} more are not mapped", left);
+  }
+
+  SurfaceMatch match_with(const PolygonMesh& surface, const std::vector<Index>& labels,
+                          const std::vector<char>& unmapped) const {
+    SurfaceMatch match =
+        match_surface(cut_->surface(), surface, labels, file_.points_rounding, unmapped);
+    if (match.defect.empty()) return match;
+    return match_repaired(cut_->surface(), surface, labels, request_.orientation,
+                          file_.points_rounding, unmapped, polygons_of_file())
+        .value_or(match);
+  }
+
+  // Returns the polygon of each cell where that is what the file has: labels of a .vtu name faces
+  // of the surface, which are compared. None where all polygons are triangles.
+  std::vector<Index> polygons_of_file() const {
+    if (request_.labels == ProofRequest::FaceLabels::Compared) return {};
+    std::vector<Index> polygon(file_.input_face.begin(), file_.input_face.end());
+    const std::set<Index> different(polygon.begin(), polygon.end());
+    return different.size() < polygon.size() ? polygon : std::vector<Index>();
   }
 
   // Returns flags by polygon of the surface, none where all are to have cells.
@@ -372,11 +410,13 @@ class MapProof::Judge {
     const SurfaceMesh& surface = cut_->surface();
     const double close = kSeamClose * cut_->diagonal();
     is_free_.assign(to_size(surface.half_edge_count()), 0);
-    AllowedEdges allowed(request_.cut_edges);
+    AllowedEdges allowed(request_.cut_edges), claimed(request_.cut_edges);
     std::vector<Index> tears;  // differ, and are no edges that may
     Index first = -1;
     for (Index h = 0; h < surface.half_edge_count(); ++h) {
-      if (surface.opposite(h) < h || !cut_->differs(h)) continue;
+      if (surface.opposite(h) < h) continue;
+      if (cut_->differs(h) || cut_->is_unshared(h)) claimed.take(cut_->input_edge(h));
+      if (!cut_->differs(h)) continue;
       proof_.cuts.length += surface.edge_length(h);
       const bool is_allowed = allowed.take(cut_->input_edge(h));
       if (is_allowed && allows_seams(request_.cuts) && cut_->fit(h).mismatch <= close) {
@@ -388,6 +428,7 @@ class MapProof::Judge {
       if (first < 0) first = h;
       if (!is_allowed) tears.push_back(h);
     }
+    proof_.cuts.not_cut = claimed.left();
     if (!tears.empty()) {
       proof_.continuous = {
           ProofStatus::Violated,

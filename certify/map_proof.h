@@ -79,6 +79,9 @@ struct CutCount {
   Index seams = 0, others = 0;
   double length = 0;  // of both on the surface, model units
   Index charts = 1;
+  // The first of ProofRequest::cut_edges that is no cut: no inner edge of the cells whose sides
+  // differ, or share no points, or one that is listed more often than there are such edges.
+  std::optional<std::array<Index, 2>> not_cut = {};
 };
 
 // Number, in the input, of the vertex at corner 0, 1, 2 of a face of the map.
@@ -102,13 +105,14 @@ class MapProof {
 
   Finding surface;     // the cells are the faces of the surface, or of the part that is covered
   Finding flat;        // the surface's control points are those of flat triangles
-  Finding positive;    // det J > 0 on every closed cell
+  Finding positive;    // det J > 0 on every closed cell, and no polygon is MapFile::folded
   Finding continuous;  // no cut but as the request allows
   Finding angles;      // one full turn around inner vertices, quarter turns at those of seams
   Finding injective;   // nothing overlaps or touches
 
   CutCount cuts;
   StackedCharts stacks;                     // where they are allowed
+  Index other_triangles = 0;                // faces of the surface in other triangles than its own
   std::vector<Index> not_positive;          // cells, inverted or undecided
   std::vector<Cone> cones;                  // vertices of the input; of CutRule::Seams
   std::optional<GlobalInjectivity> global;  // when overlaps were asked for

@@ -1034,6 +1034,24 @@ RepairedSurface repair(const PolygonMesh& input, const RepairOptions& options,
   return collapsed.in_input(Repairing(collapsed.mesh(), options, stop).run());
 }
 
+namespace {
+
+// Returns whether corners of a polygon of more than three lie at one place: neither that nor their
+// numbers tell then which of them a welded vertex is.
+bool has_corners_at_one_place(const PolygonMesh& input, Index polygon) {
+  const auto& corners = input.polygons[polygon];
+  if (corners.size() == 3) return false;
+  std::vector<std::array<double, 3>> places;
+  for (const Index v : corners) {
+    const Vector3& p = input.positions[v];
+    places.push_back({p.x(), p.y(), p.z()});
+  }
+  std::sort(places.begin(), places.end());
+  return std::adjacent_find(places.begin(), places.end()) != places.end();
+}
+
+}  // namespace
+
 PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surface) {
   const SurfaceMesh& mesh = *surface.mesh;
   for (Index f = 0; f < mesh.face_count(); ++f)
@@ -1041,7 +1059,9 @@ PolygonMesh with_welded_vertices(PolygonMesh input, const RepairedSurface& surfa
       const std::span<Index> polygon = input.polygons[mesh.input_face(f)];
       Index& vertex = polygon[surface.polygon_corner(f, k)];
       const Index welded = mesh.input_vertex(mesh.faces()(f, k));
-      if (input.positions[vertex] != input.positions[welded]) vertex = welded;
+      if (vertex != welded && (input.positions[vertex] != input.positions[welded] ||
+                               has_corners_at_one_place(input, mesh.input_face(f))))
+        vertex = welded;
     }
   return input;
 }

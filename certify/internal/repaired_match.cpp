@@ -6,6 +6,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
@@ -94,16 +95,18 @@ class Triangle {
 
 class FaceMatcher {
  public:
+  // place: by vertex of the surface, the vertices that are one.
   FaceMatcher(const SurfaceMesh& cells, const PolygonMesh& surface, const RepairedSurface& repaired,
-              const std::vector<Index>& face_of_cell, double rounding,
-              const std::vector<char>& unmapped)
+              std::vector<Index> place, const std::vector<Index>& face_of_cell, double rounding,
+              const std::vector<char>& unmapped, const std::vector<Index>& polygon_of_cell)
       : cells_(cells),
         surface_(surface),
         repaired_(repaired),
         face_of_cell_(face_of_cell),
         unmapped_(unmapped),
+        polygon_of_cell_(polygon_of_cell),
         close_(match_tolerance(box_of(surface)) + rounding),
-        place_(weld(surface, 0)) {}
+        place_(std::move(place)) {}
 
   SurfaceMatch run() {
     SurfaceMatch match;
@@ -115,10 +118,12 @@ class FaceMatcher {
     for (Index f = 0; f < repaired_.mesh->face_count(); ++f)
       faces_of[repaired_.mesh->input_face(f)].push_back(f);
     collect_cells();
+    const std::vector<char> is_whole = take_polygons(faces_of);
+    match.same += static_cast<Index>(std::count(is_whole.begin(), is_whole.end(), 1));
     std::vector<Index> left;  // polygons without cells of their own, yet
     for (std::size_t p = 0; p < count; ++p) {
       const auto polygon = static_cast<Index>(p);
-      if (!unmapped_.empty() && unmapped_[p]) continue;
+      if (is_whole[p] || (!unmapped_.empty() && unmapped_[p])) continue;
       if (take_faces(polygon, faces_of[p]) || take_triangulation(polygon, faces_of[p]))
         ++match.same;
       else
@@ -127,7 +132,9 @@ class FaceMatcher {
     // Pieces last: a whole face may lie in a larger one.
     std::vector<Index> flat;  // faces without area
     for (const Index p : left) {
-      if (!face_of_cell_.empty() || !take_pieces(faces_of[p], flat)) {
+      // Pieces of neighbours have to fit where the surface hangs together: match_surface() asks
+      // that.
+      if (!face_of_cell_.empty() || !takes_apart(repaired_) || !take_pieces(faces_of[p], flat)) {
         match.defect = lack(p, faces_of[p].size());
         return match;
       }
@@ -208,6 +215,87 @@ class FaceMatcher {
     Corners out;
     for (Index k = 0; k < 3; ++k) out[k] = place_of_[cells_.faces()(cell, k)];
     return out;
+  }
+
+  // ---- Polygons of the file ----
+
+  // Directed edges, with how often each is passed more often than its opposite; ascending.
+  using Chain = std::vector<std::pair<std::pair<Index, Index>, int>>;
+
+  class ChainOfEdges {
+   public:
+    void add(Index from, Index to) {
+      if (from != to) times_[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+    Chain take() const {
+      Chain chain;
+      for (const auto& [edge, times] : times_)
+        if (times != 0) chain.emplace_back(edge, times);
+      return chain;
+    }
+
+   private:
+    std::map<std::pair<Index, Index>, int> times_;
+  };
+
+  // The places around a polygon of the surface, turned where repair() turns it; empty where its
+  // faces do not lie one way round.
+  std::vector<Index> places_around(Index p, const std::vector<Index>& faces) const {
+    std::vector<Index> around;
+    for (Index k = 0; k < static_cast<Index>(surface_.polygons[p].size()); ++k)
+      around.push_back(place(p, k));
+    const auto ascending = std::count_if(faces.begin(), faces.end(),
+                                         [&](Index f) { return is_ascending(polygon_corners(f)); });
+    if (ascending == 0) std::reverse(around.begin(), around.end());
+    return ascending == 0 || to_size(static_cast<Index>(ascending)) == faces.size()
+               ? around
+               : std::vector<Index>();
+  }
+
+  // Takes the polygons of the file that are polygons of the surface, and returns flags of these. A
+  // polygon is known by the chain of its sides: n - 2 cells over its corners whose edges add up to
+  // it are a triangulation of it.
+  std::vector<char> take_polygons(const std::vector<std::vector<Index>>& faces_of) {
+    std::vector<char> is_whole(surface_.polygons.size(), 0);
+    if (polygon_of_cell_.empty()) return is_whole;
+    std::map<std::pair<std::vector<Index>, Chain>, std::vector<Index>> with;  // corners, sides
+    for (std::size_t p = surface_.polygons.size(); p-- > 0;) {
+      const auto polygon = static_cast<Index>(p);
+      if (surface_.polygons[p].size() == 3 || (!unmapped_.empty() && unmapped_[p])) continue;
+      std::vector<Index> around = places_around(polygon, faces_of[p]);
+      if (around.empty()) continue;
+      ChainOfEdges sides;
+      for (std::size_t k = 0; k < around.size(); ++k)
+        sides.add(around[k], around[(k + 1) % around.size()]);
+      std::sort(around.begin(), around.end());
+      around.erase(std::unique(around.begin(), around.end()), around.end());
+      // The number of cells tells polygons apart that pass a place several times.
+      around.push_back(static_cast<Index>(surface_.polygons[p].size()) - 2);
+      with[{around, sides.take()}].push_back(polygon);
+    }
+    std::map<Index, std::vector<Index>> cells_of;  // by polygon of the file
+    for (Index c = 0; c < cells_.face_count(); ++c)
+      cells_of[polygon_of_cell_[cells_.input_face(c)]].push_back(c);
+    for (const auto& [ignored, cells] : cells_of) {
+      if (cells.size() < 2) continue;
+      std::vector<Index> corners;
+      ChainOfEdges sides;
+      for (const Index c : cells) {
+        const Corners at = places(c);
+        corners.insert(corners.end(), at.begin(), at.end());
+        for (Index k = 0; k < 3; ++k) sides.add(at[k], at[next(k)]);
+      }
+      std::sort(corners.begin(), corners.end());
+      corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+      if (corners.front() == kNew) continue;
+      corners.push_back(static_cast<Index>(cells.size()));
+      const auto found = with.find({corners, sides.take()});
+      if (found == with.end() || found->second.empty()) continue;
+      is_whole[to_size(found->second.back())] = 1;
+      found->second.pop_back();
+      take(cells);
+    }
+    return is_whole;
   }
 
   // ---- Whole faces ----
@@ -401,8 +489,9 @@ class FaceMatcher {
   const RepairedSurface& repaired_;
   const std::vector<Index>& face_of_cell_;
   const std::vector<char>& unmapped_;  // polygons without cells
+  const std::vector<Index>& polygon_of_cell_;
   double close_;
-  std::vector<Index> place_;     // by vertex of the surface: the first one exactly there
+  std::vector<Index> place_;     // by vertex of the surface: the one that stands for it
   std::vector<Index> place_of_;  // by vertex of the cells: the same, or kNew
   std::vector<std::vector<Index>> cells_at_;                             // by place
   std::map<std::pair<Index, Index>, std::vector<Index>> cells_left_of_;  // by vertices of the file
@@ -414,12 +503,21 @@ class FaceMatcher {
 std::optional<SurfaceMatch> match_repaired(const SurfaceMesh& cells, const PolygonMesh& surface,
                                            const std::vector<Index>& face_of_cell,
                                            Orientation orientation, double rounding,
-                                           const std::vector<char>& unmapped) {
+                                           const std::vector<char>& unmapped,
+                                           const std::vector<Index>& polygon_of_cell) {
   if (surface.polygons.empty()) return {};
   const RepairedSurface repaired =
       repair(surface, {.orientation = orientation, .numerics = Numerics::AsGiven});
-  if (!takes_apart(repaired)) return {};
-  return FaceMatcher(cells, surface, repaired, face_of_cell, rounding, unmapped).run();
+  // Only where repair() opens the surface may another vertex at the same place stand for one.
+  const bool is_open = takes_apart(repaired);
+  std::vector<Index> place(surface.positions.size());
+  std::iota(place.begin(), place.end(), 0);
+  if (is_open) place = weld(surface, 0);
+  SurfaceMatch match = FaceMatcher(cells, surface, repaired, std::move(place), face_of_cell,
+                                   rounding, unmapped, polygon_of_cell)
+                           .run();
+  if (!is_open && !match.defect.empty()) return {};
+  return match;
 }
 
 }  // namespace majorant
