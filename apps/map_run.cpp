@@ -102,14 +102,17 @@ class MapFiles {
     formats_.svg.points = formats_.png.points = shown_points(job);
     if (has_page(request.outputs.files)) formats_.page = page_of(job, request.map, report);
     formats_.page.scaffold = scaffold_;
+    split_ = split_faces(request.outputs.files, file_, input(), formats_);
   }
+
+  // Faces of the input that OBJ and PLY have triangles of.
+  const std::vector<Index>& split() const { return split_; }
 
   void write(const std::string& path) const {
     if (extension(path) == ".csv") return write_trace(path, job_.record.trace());
-    const PolygonMesh* const input = job_.result.other_triangles ? nullptr : job_.polygons.get();
-    write_map(path, file_, input, formats_,
+    write_map(path, file_, input(), formats_,
               proof_of_file(path, promise(job_, path), file_, formats_));
-    if (!request_.common.quiet) say_left_out(path, left_out(path, file_, formats_, input));
+    if (!request_.common.quiet) say_left_out(path, left_out(path, file_, formats_, input()));
   }
   void write_table(const std::string& path) const {
     const MapMeasures& measures = job_.result.measures;
@@ -122,11 +125,17 @@ class MapFiles {
   }
 
  private:
+  // The mesh whose polygons files keep; null where edges were flipped across them.
+  const PolygonMesh* input() const {
+    return job_.result.other_triangles ? nullptr : job_.polygons.get();
+  }
+
   const MapVerb& request_;
   const MapJob& job_;
   MapFile file_;
   FormatOptions formats_;
   std::optional<MapFile> scaffold_;
+  std::vector<Index> split_;
 };
 
 std::vector<MadeFile> files_of(const MapVerb& request, const std::shared_ptr<MapFiles>& files) {
@@ -169,8 +178,13 @@ Made made_of(const MapVerb& request, const MapJob& job, Run& run) {
                                       r.message.empty() ? "" : fmt::format(" ({})", r.message)));
     return made;
   }
-  made.files = files_of(request, std::make_shared<MapFiles>(request, job, made.report));
+  const auto files = std::make_shared<MapFiles>(request, job, made.report);
+  made.files = files_of(request, files);
+  if (run.has_report()) made.report.result["split_faces"] = files->split().size();
   if (job.cuts) made.remarks = untextured_in_words(request.map.input, *job.cuts);
+  if (!files->split().empty())
+    made.remarks.push_back(
+        fmt::format("{}: {}", request.map.input, split_in_words(files->split())));
   made.summary = [&](const WrittenFiles&) {
     return std::vector<std::string>{summary_of(request, job, run.seconds())};
   };

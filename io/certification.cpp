@@ -48,6 +48,9 @@ std::string unsaid_cone(const MapFile& file, const std::string& path, ProofReque
 void prove(const MapFile& map, const std::string& path, const ProofRequest& request) {
   const MapProof proof(map, path, request);
   if (proof.verdict() != ProofStatus::Proven) refuse(path, proof.first_defect());
+  if (!map.folded_otherwise.empty())
+    refuse(path,
+           fmt::format("face {} folds along its other diagonal", map.folded_otherwise.front()));
 }
 
 // judge: of the file of that name. What cannot be read back is not valid either.

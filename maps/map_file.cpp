@@ -119,10 +119,19 @@ MapFile to_map_file(const PolygonMesh& textured) {
       for (const int k : triangle) corners.emplace_back(polygon[k], texture[k]);
       faces.push_back(static_cast<Index>(p));
     };
-    if (polygon.size() == 3)
+    if (polygon.size() == 3) {
       add_cell({0, 1, 2});
-    else
-      for (const auto& triangle : triangles_of(textured, p)) add_cell(triangle);
+      continue;
+    }
+    for (const auto& triangle : triangles_of(textured, p)) add_cell(triangle);
+    std::vector<Vector3> in_space;
+    std::vector<Vector2> uv;
+    for (const Index v : polygon) in_space.push_back(textured.positions[v]);
+    for (const Index t : texture) uv.push_back(textured.texcoords[t]);
+    if (!is_unfolded_cut_from(0, in_space, uv, CutAsked::Read))
+      file.folded.push_back(static_cast<Index>(p));
+    else if (uv.size() == 4 && !is_unfolded_cut_from(1, in_space, uv, CutAsked::Read))
+      file.folded_otherwise.push_back(static_cast<Index>(p));
   }
   const auto [point, first] = numbered_in_order(static_cast<Index>(textured.positions.size()),
                                                 static_cast<Index>(corners.size()),

@@ -47,6 +47,9 @@ struct MapFile {
   // by their vertices.
   bool is_complete = true;
   IndexLists unmapped = {};
+  // The polygons of a file, 0-based and rising, that fold for programs that cut them from their
+  // first corner (is_unfolded_cut_from), and the quads that fold along the other diagonal alone.
+  std::vector<Index> folded = {}, folded_otherwise = {};
 };
 
 // Measures (distortion, min_det, face_distortion) and claims are left empty, cone and seam_edges

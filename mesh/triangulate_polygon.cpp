@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/internal/large_polygon.h"
 
 namespace majorant {
@@ -141,6 +142,34 @@ std::vector<std::array<int, 3>> triangulate_polygon(const std::vector<Vector3>& 
   if (flat.size() > kMostClipped) return triangulate_large_polygon(flat, stop);
   const StopCheck never;
   return EarClipping(std::move(flat), corners.size() > kSmall ? stop : never).triangles();
+}
+
+bool is_unfolded_cut_from(std::size_t first, const std::vector<Vector3>& corners,
+                          const std::vector<Vector2>& uv, CutAsked asked) {
+  // Heights over the longest side: below them a triangle has no area, or faces the other way. Some
+  // roundings of floats lie between what is written and what is read.
+  constexpr double kFlat = 1e-6;
+  const double flat = asked == CutAsked::Written ? kFlat / 2 : kFlat;
+  const double back = asked == CutAsked::Written ? 2 * kFlat : kFlat;
+  const std::size_t n = corners.size();
+  Vector3 normal = Vector3::Zero();
+  double area = 0;
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    normal += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
+    area += cross(Vector2(uv[k] - uv[0]), Vector2(uv[k + 1] - uv[0]));
+  }
+  normal = normal.stableNormalized();
+  const int side = area > 0 ? 1 : -1;
+  bool is_right = true;
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    const std::size_t a = first, b = (first + k) % n, c = (first + k + 1) % n;
+    const Vector3 ab = corners[b] - corners[a], ac = corners[c] - corners[a];
+    const double longest = std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
+    const double height = ab.cross(ac).dot(normal);  // times the longest side
+    if (!(height >= -back * longest)) return true;
+    if (height > flat * longest) is_right &= orientation(uv[a], uv[b], uv[c]) == side;
+  }
+  return is_right;
 }
 
 }  // namespace majorant

@@ -1,5 +1,7 @@
 #include "majorant/apps/jobs/write_map.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -8,9 +10,11 @@
 #include <string_view>
 
 #include "majorant/apps/jobs/corner_vertices.h"
+#include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/gltf_layout.h"
 #include "majorant/io/io.h"
+#include "majorant/mesh/repair.h"
 #include "majorant/pictures/first_view.h"
 
 namespace majorant {
@@ -81,6 +85,30 @@ std::vector<std::string> left_out(const std::string& path, const MapFile& map,
   if (is_gltf(path) && input != nullptr)
     for (std::string& part : left_out_of_gltf(*input)) what.push_back(std::move(part));
   return what;
+}
+
+std::vector<Index> split_faces(const std::vector<std::string>& paths, const MapFile& map,
+                               const PolygonMesh* input, const MapFormats& formats) {
+  const auto keeps_polygons = [](const std::string& path) {
+    return extension(path) == ".obj" || extension(path) == ".ply";
+  };
+  if (input == nullptr || !std::any_of(paths.begin(), paths.end(), keeps_polygons)) return {};
+  try {
+    return split_polygons(map, *input, formats.tessellation);
+  } catch (const Error&) {  // the files are refused, and say why
+    return {};
+  }
+}
+
+std::string split_in_words(const std::vector<Index>& faces) {
+  std::string list;
+  for (std::size_t k = 0; k < faces.size() && k < kNamedPlaces; ++k)
+    list += fmt::format("{}{}", k == 0 ? "" : ", ", faces[k] + 1);
+  if (faces.size() > kNamedPlaces) list += ", ...";
+  return faces.size() == 1
+             ? fmt::format("1 face of the input is triangles in .obj and .ply (face {})", list)
+             : fmt::format("{} faces of the input are triangles in .obj and .ply (faces {})",
+                           faces.size(), list);
 }
 
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,

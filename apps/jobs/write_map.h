@@ -56,6 +56,13 @@ FileVerification proof_of_file(const std::string& path, const ProofRequest& prom
 std::vector<std::string> left_out(const std::string& path, const MapFile& map,
                                   const MapFormats& formats, const PolygonMesh* input);
 
+// The faces of the input of more than three corners that some file of these names has pieces in
+// place of: .obj and .ply keep polygons, other formats have none. input may be null.
+std::vector<Index> split_faces(const std::vector<std::string>& paths, const MapFile& map,
+                               const PolygonMesh* input, const MapFormats& formats);
+// "2 faces of the input are triangles in .obj and .ply (faces 7, 9)", numbers from 1.
+std::string split_in_words(const std::vector<Index>& faces);
+
 // .vtu .msh .obj .ply .glb .gltf .svg .png .html; of other names nothing is written. input may be
 // null. verify: of formats that hold data; pictures (.svg, .png, .html) have nothing to verify.
 // Throws as the writers do.

@@ -77,7 +77,11 @@ class LayoutFiles {
       : run_(run), file_(atlas_file(run.job, &table_)), formats_(run.request.outputs.formats) {
     if (has_page(run.request.outputs.files)) formats_.page = page_of(run);
     if (run.job.atlas.packing) formats_.tessellation.overlap = Overlap::Excluded;
+    split_ = split_faces(run.request.outputs.files, file_, run.job.polygons.get(), formats_);
   }
+
+  // Faces of the input that OBJ and PLY have triangles of.
+  const std::vector<Index>& split() const { return split_; }
 
   void write_table(const std::string& path) const { write_distortion(path, file_, table_); }
   void write(const std::string& path) const {
@@ -108,6 +112,7 @@ class LayoutFiles {
   FaceDistortion table_;
   MapFile file_;
   FormatOptions formats_;
+  std::vector<Index> split_;
 };
 
 std::string chart_name(const AtlasJob& job, std::size_t k) {
@@ -233,7 +238,12 @@ class ObjectFiles {
       : run_(run), file_(map_of_objects(std::move(layouts))) {
     has_lines_ = run.request.unwrap.layout.groups || run.polygons.gltf;
     if (has_lines_) lines_ = with_lines();
+    split_ =
+        split_faces(run.request.outputs.files, file_, &run.polygons, run.request.outputs.formats);
   }
+
+  // Faces of the input that OBJ and PLY have triangles of.
+  const std::vector<Index>& split() const { return split_; }
 
   void write(const std::string& path) const {
     const bool is_marked = has_lines_ && extension(path) == ".obj";
@@ -258,6 +268,7 @@ class ObjectFiles {
   MapFile file_;
   bool has_lines_ = false;
   PolygonMesh lines_;
+  std::vector<Index> split_;
 };
 
 }  // namespace
@@ -282,6 +293,10 @@ Made made_of(const UnwrapRun& run, const Run& clock, bool is_reported) {
     }
   }
   made.remarks = remarks(run.job);
+  if (is_reported) made.report.result["split_faces"] = files->split().size();
+  if (!files->split().empty())
+    made.remarks.push_back(
+        fmt::format("{}: {}", run.request.map.input, split_in_words(files->split())));
   for (std::string& line : untextured_in_words(run.request.map.input, atlas.cuts))
     made.remarks.push_back(std::move(line));
   made.summary = [&](const WrittenFiles& written) {
@@ -312,6 +327,9 @@ Made made_of(const ObjectsRun& run, UnwrappedObjects objects) {
   const auto files = std::make_shared<ObjectFiles>(run, std::move(objects.layouts));
   for (const std::string& path : run.request.outputs.files)
     if (extension(path) != ".json") made.files.push_back({path, [=] { files->write(path); }});
+  if (!files->split().empty())
+    made.remarks.push_back(
+        fmt::format("{}: {}", run.request.map.input, split_in_words(files->split())));
   made.summary = [&](const WrittenFiles& written) {
     std::vector<std::string> list = run.lines;
     for (const std::string& path : run.request.outputs.files)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <ranges>
@@ -14,6 +16,7 @@
 #include "majorant/certify/box_pairs.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/exact_predicates.h"
+#include "majorant/mesh/triangulate_polygon.h"
 #include "majorant/parametrization/tessellation/internal/cut_pieces.h"
 #include "majorant/parametrization/tessellation/internal/map_pieces.h"
 
@@ -97,6 +100,78 @@ std::size_t corner_at(const MapFile& map, Index point, const PolygonMesh& input,
   return found;
 }
 
+// Returns the points around the cells from `first` to `last`, none unless they are one cycle.
+std::vector<Index> cycle_around(const MapFile& map, const CornerMesh& coarse, Index first,
+                                Index last) {
+  std::map<Index, Index> next_of;  // along the border
+  std::set<std::pair<Index, Index>> edges;
+  for (Index c = first; c < last; ++c)
+    for (Index k = 0; k < 3; ++k)
+      edges.emplace(map.cells(coarse.cell[c], k), map.cells(coarse.cell[c], (k + 1) % 3));
+  for (const auto& [from, to] : edges)
+    if (!edges.contains({to, from}) && !next_of.emplace(from, to).second) return {};
+  std::vector<Index> cycle;
+  for (Index p = next_of.empty() ? -1 : next_of.begin()->first; cycle.size() < next_of.size();) {
+    cycle.push_back(p);
+    const auto found = next_of.find(p);
+    if (found == next_of.end()) return {};
+    p = found->second;
+    if (p == cycle.front() && cycle.size() < next_of.size()) return {};
+  }
+  return cycle;
+}
+
+bool has_corners_at_one_place(const PolygonMesh& input, std::size_t face) {
+  const auto& polygon = input.polygons[face];
+  const auto at = [&](std::size_t k) -> const Vector3& { return input.positions[polygon[k]]; };
+  if (polygon.size() == 3) return at(0) == at(1) || at(1) == at(2) || at(2) == at(0);
+  std::vector<std::array<double, 3>> places;
+  for (const Index v : input.polygons[face]) {
+    const Vector3& p = input.positions[v];
+    places.push_back({p.x(), p.y(), p.z()});
+  }
+  std::sort(places.begin(), places.end());
+  return std::adjacent_find(places.begin(), places.end()) != places.end();
+}
+
+// Finds the corners of a polygon all at once, around it: where several are at one place, neither
+// that nor the number of a vertex that was welded tells one from the other. The way round on which
+// most numbers are right is taken; nothing changes where there is none.
+void find_corners_around(const MapFile& map, const PolygonMesh& input, std::size_t face,
+                         CornerMesh& coarse, InputFaces& faces) {
+  const auto& polygon = input.polygons[face];
+  const std::size_t n = polygon.size();
+  const std::vector<Index> cycle =
+      cycle_around(map, coarse, faces.first[face], faces.first[face + 1]);
+  if (cycle.size() != n) return;
+  const auto corner = [n](std::size_t start, bool is_turned, std::size_t k) {
+    return is_turned ? (start + n - k) % n : (start + k) % n;
+  };
+  std::optional<std::pair<std::size_t, bool>> best;
+  std::size_t most = 0;
+  for (const bool is_turned : {false, true})
+    for (std::size_t start = 0; start < n; ++start) {
+      std::size_t right = 0;
+      bool fits = true;
+      for (std::size_t k = 0; k < n && fits; ++k) {
+        const Index v = polygon[corner(start, is_turned, k)];
+        right += map.input_vertex.size() > 0 && map.input_vertex[cycle[k]] == v;
+        fits = Vector3(map.points.row(cycle[k])) == input.positions[v];
+      }
+      if (!fits || (best && right <= most)) continue;
+      best = {start, is_turned};
+      most = right;
+    }
+  if (!best) return;
+  std::map<Index, std::size_t> corner_of;  // by point
+  for (std::size_t k = 0; k < n; ++k) corner_of[cycle[k]] = corner(best->first, best->second, k);
+  for (Index c = faces.first[face]; c < faces.first[face + 1]; ++c)
+    for (Index k = 0; k < 3; ++k) {
+      faces.corners[c][k] = corner_of.at(map.cells(coarse.cell[c], k));
+      coarse.vertices(c, k) = polygon[faces.corners[c][k]];
+    }
+}
+
 // Gives the mesh of the cells the vertices of the input.
 InputFaces find_input(const MapFile& map, const PolygonMesh& input, CornerMesh& coarse) {
   InputFaces faces{std::vector<Index>(input.polygons.size() + 1, 0), {}, map.is_complete};
@@ -117,6 +192,8 @@ InputFaces find_input(const MapFile& map, const PolygonMesh& input, CornerMesh& 
     }
   }
   std::partial_sum(faces.first.begin(), faces.first.end(), faces.first.begin());
+  for (std::size_t p = 0; p < input.polygons.size(); ++p)
+    if (has_corners_at_one_place(input, p)) find_corners_around(map, input, p, coarse, faces);
   coarse.positions = input.positions;
   return faces;
 }
@@ -243,15 +320,39 @@ class PolygonTransfer {
     }
     const bool is_covered = std::ranges::count(texcoords, -1) == 0;
     // Cells over corners that are one vertex do not say which of them they are over.
-    if (!is_covered && has_each_vertex_once(face))
+    if (!is_covered && has_each_vertex_once(face) && !has_corners_at_one_place(input_, face))
       refuse_surface(fmt::format("face {} of the input is not covered by cells", face));
     if (!is_whole || !is_covered) return {};
+    if (texcoords.size() == 3) return texcoords;
+    std::vector<Vector2> uv;
+    std::vector<Vector3> corners;
+    for (const Index vt : texcoords) uv.push_back(pieces_.texcoords()[vt]);
+    for (const Index v : input_.polygons[face]) corners.push_back(input_.positions[v]);
     // Two positive triangles on both sides of a diagonal are a simple polygon.
     constexpr std::size_t kAlwaysSimple = 4;
-    if (texcoords.size() <= kAlwaysSimple) return texcoords;
-    std::vector<Vector2> uv;
-    for (const Index vt : texcoords) uv.push_back(pieces_.texcoords()[vt]);
-    return is_simple(uv) ? texcoords : std::vector<Index>();
+    if (uv.size() > kAlwaysSimple && !is_simple(uv)) return {};
+    if (is_turned(face)) {  // as it is written
+      std::reverse(uv.begin(), uv.end());
+      std::reverse(corners.begin(), corners.end());
+    }
+    const auto is_unfolded = [&](std::size_t first) {
+      return is_unfolded_cut_from(first, corners, uv, CutAsked::Written);
+    };
+    const bool is_quad = uv.size() == 4;
+    if (has_one_side(face) && !(is_unfolded(0) && (!is_quad || is_unfolded(1)))) return {};
+    return texcoords;
+  }
+
+  // Returns whether the triangles of a face turn the same way in the plane. Where they do not, the
+  // map is no result, and its polygons stay as they are.
+  bool has_one_side(std::size_t face) const {
+    int sum = 0;
+    for (Index c = faces_.first[face]; c < faces_.first[face + 1]; ++c) {
+      const auto& points = pieces_.points(c);
+      const auto uv = [&](std::size_t k) { return pieces_.texcoords()[points[k].vt]; };
+      sum += orientation(uv(0), uv(1), uv(2));
+    }
+    return std::abs(sum) == faces_.first[face + 1] - faces_.first[face];
   }
 
   void add_pieces(std::size_t face, Index c) {
@@ -333,6 +434,19 @@ PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
   MapPieces pieces(united ? *united : map, std::move(coarse), options.refine);
   cut_until_positive(pieces, options.overlap);
   return mesh_of(pieces, input, faces, origins);
+}
+
+std::vector<Index> split_polygons(const MapFile& map, const PolygonMesh& input,
+                                  const TessellationOptions& options) {
+  const auto is_triangle = [](const auto& polygon) { return polygon.size() == 3; };
+  if (std::all_of(input.polygons.begin(), input.polygons.end(), is_triangle)) return {};
+  std::vector<PolygonOrigin> origins;
+  tessellate_map(map, &input, options, &origins);
+  std::vector<Index> pieces(input.polygons.size(), 0), split;
+  for (const PolygonOrigin& origin : origins) ++pieces[to_size(origin.polygon)];
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    if (input.polygons[p].size() > 3 && pieces[p] > 1) split.push_back(static_cast<Index>(p));
+  return split;
 }
 
 }  // namespace majorant

@@ -45,11 +45,12 @@ struct PolygonOrigin {
 // `input`: the mesh that the map was made from, or null. The result has its vertices (also
 // unreferenced ones), then new ones; its polygons in their order, with groups, materials, normals
 // and colours. A polygon stays as it is where none of its cells is cut, no cut of the surface
-// crosses it and its image is a simple polygon; otherwise its triangles take its place, in the
-// order of cells. Normals and colours at new vertices are interpolated. A polygon whose cells run
-// backwards around it (the map has its other side up) is written as they run. Polygons without
-// cells, of a map that is not complete, stay without texture coordinates. Without `input`
-// (null): the triangles of mesh_from_map in their order.
+// crosses it, its image is a simple polygon and programs that cut it otherwise see the same
+// (is_unfolded_cut_from); otherwise its triangles take its place, in the order of cells. Normals
+// and colours at new vertices are interpolated. A polygon whose cells run backwards around it (the
+// map has its other side up) is written as they run. Polygons without cells, of a map that is not
+// complete, stay without texture coordinates. Without `input` (null): the triangles of
+// mesh_from_map in their order.
 //
 // Texture coordinates: one per corner point of the map in the order of the map's points, then those
 // of new vertices. A map of degree 1 with refine = 1 is taken as it is, whether positive or not.
@@ -60,6 +61,10 @@ struct PolygonOrigin {
 PolygonMesh tessellate_map(const MapFile& map, const PolygonMesh* input,
                            const TessellationOptions& options = {},
                            std::vector<PolygonOrigin>* origins = nullptr);
+
+// The polygons of the input of more than three corners that the result has pieces in place of.
+std::vector<Index> split_polygons(const MapFile& map, const PolygonMesh& input,
+                                  const TessellationOptions& options = {});
 
 }  // namespace majorant
 

@@ -88,6 +88,82 @@ class Polygons(CommandTest):
         self.layout_is_valid(points, [(0, 1, 2, 3)], texture)
 
 
+    def unwrapped(self, points, faces, *flags, uv=None, names=('.vtu', '.obj', '.ply', '.glb')):
+        """Every format, each judged again; the OBJ and the report."""
+        mesh = self.write('in.obj', obj_text(points, faces, uv))
+        outputs = [self.path('a' + end) for end in names]
+        outcome = self.run_ok('unwrap', mesh, *flags, '--force', '--report', self.path('r.json'),
+                              *(w for o in outputs for w in ('-o', o)))
+        for out in outputs:
+            self.run_ok('check', out, '--surface', mesh, '--certify')
+        with open(self.path('r.json')) as f:
+            return read_obj(self.path('a.obj')), json.load(f), outcome.err
+
+    def test_quads_that_share_two_edges(self):
+        """Cut along the diagonal that closes these edges, both have the same triangle."""
+        points = [(-0.1, 0.2, -0.1), (0, -1, 0), (0, -0.8, 0.9), (0.7, 0.5, 0.6), (-0.7, 0.3, 0.6)]
+        texture = [(1, 1.9), (0.6, 0), (0.8, -1.6), (2.8, 0.1), (-1.1, 0)]
+        faces = [(1, 2, 3, 0), (4, 2, 1, 0)]
+        self.unwrapped(points, faces, uv=texture)
+        self.unwrapped(points, faces)
+        self.unwrapped(points, faces, '--seams', 'uv', uv=texture)
+
+    def test_corners_at_one_place(self):
+        """Polygons whose corners lie on each other, in any order of their numbers."""
+        rng = random.Random(5)
+        for number in range(6):
+            places = [(math.cos(k), math.sin(k), 0) for k in range(6)]
+            points, ring = [], []
+            for place in places:
+                ring.append([len(points) + k for k in range(rng.choice((1, 2, 3)))])
+                points += [place] * len(ring[-1])
+            points += [(3, 0, 0.2), (3, 1, 0.2)]
+            first = [v for corner in ring for v in corner]
+            second = (ring[0] + ring[1])[::-1] + [len(points) - 2, len(points) - 1]
+            order = rng.sample(range(len(points)), len(points))
+            faces = [tuple(order.index(v) for v in face) for face in (first, second)]
+            with self.subTest(number=number):
+                self.unwrapped([points[v] for v in order], faces, names=('.vtu', '.obj', '.ply'))
+
+    def test_weld_that_leaves_faces_without_area(self):
+        """Two quads of six corners at one place, beside what has an area."""
+        points, faces = quads(1)
+        count = len(points)
+        points = points + [points[0]] * 6
+        for more in ([], faces):
+            mesh = more + [tuple(count + k for k in (0, 1, 2, 3)), tuple(count + k for k in (3, 2, 4, 5))]
+            self.unwrapped(points, mesh, '--weld', '0.0001', names=('.vtu', '.obj'))
+
+    def test_polygons_are_whole_however_they_are_cut(self):
+        """A quad that is convex in space and folds along one of its diagonals is written as triangles."""
+        points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+        folded = [(0, 0), (1, 0), (0.25, 0.25), (0, 1)]
+        other = [(1, 0), (0.25, 0.25), (0, 1), (0, 0)]
+        self.run_ok('check', self.write('a.obj', obj_text(points, [(0, 1, 2, 3)], folded)))
+        self.found(self.write('b.obj', obj_text(points, [(0, 1, 2, 3)], other)),
+                   says='positive: face 0 folds where programs cut it')
+        for texture in (folded, other):
+            mesh = self.write('c.obj', obj_text(points, [(0, 1, 2, 3)], texture))
+            self.run_ok('unwrap', mesh, '-o', self.path('d.obj'), '--seams', 'uv', '--keep-shape', '--force', '--report',
+                        self.path('r.json'))
+            self.assertEqual([len(f) for f in read_obj(self.path('d.obj'))[2]], [3, 3])
+            self.assertEqual(json.loads(self.read('r.json'))['result']['split_faces'], 1)
+        corner = [(0, 0, 0), (2, 0, 0), (2, 1, 0), (1, 1, 0), (1, 2, 0), (0, 2, 0)]
+        (_, _, faces, _), report, said = self.unwrapped(corner[1:] + corner[:1], [(0, 1, 2, 3, 4, 5)])
+        self.assertEqual([len(f) for f in faces], [6])  # it has to be cut by its shape anyway
+        self.assertEqual(report['result']['split_faces'], 0)
+        self.assertNotIn('triangles in .obj', said)
+
+    def test_quads_that_are_split_are_said(self):
+        points = [(0, 0, 0), (1, 0, 1.5), (1, 1, 0), (0, 1, 1.5)]
+        faces = [(0, 1, 2, 3)]
+        mesh = self.write('in.obj', obj_text(points, faces, [(0, 0), (1, 0), (1, 1), (0, 1)]))
+        outcome = self.run_ok('unwrap', mesh, '-o', self.path('a.obj'), '--charts', '2', '--report', self.path('r.json'))
+        split = sum(len(f) == 3 for f in read_obj(self.path('a.obj'))[2]) // 2
+        self.assertEqual(json.loads(self.read('r.json'))['result']['split_faces'], split)
+        self.assertEqual('1 face of the input is triangles in .obj and .ply (face 1)' in outcome.err, split == 1)
+
+
 class Energy(CommandTest):
     """What the verdict calls the energy."""
 

@@ -207,10 +207,33 @@ def _from_polygons(obj):
                                           [texture[k] for k in triangle])
                      for triangle in triangles):
             result.bad_polygons.append(name + ' (its decimals)')
+        elif not _unfolded_by_readers([obj.v[v] for v, _ in face], texture):
+            result.bad_polygons.append(name + ' (cut from its first corner)')
         for triangle in triangles or [(0, k, k + 1) for k in range(1, len(face) - 1)]:
             result.cells.append(Cell([face[k][0] for k in triangle],
                                      [texture[k] for k in triangle], name))
     return result
+
+
+def _unfolded_by_readers(corners, texture):
+    """Programs cut polygons from their first corner: where that is right in space, all triangles facing
+    one side, those with an area there are positive in the plane."""
+    fan = [(0, k, k + 1) for k in range(1, len(corners) - 1)]
+
+    def area_vector(a, b, c):
+        u, v = [corners[b][i] - corners[a][i] for i in range(3)], [corners[c][i] - corners[a][i] for i in range(3)]
+        return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    vectors = [area_vector(*t) for t in fan]
+    normal = [sum(v[i] for v in vectors) for i in range(3)]
+    length = math.hypot(*normal)
+    heights = []
+    for t, v in zip(fan, vectors):
+        longest = max(math.dist(corners[t[i]], corners[t[i - 1]]) for i in range(3))
+        heights.append(0 if length == 0 or longest == 0 else
+                       sum(x * n for x, n in zip(v, normal)) / length / longest ** 2)
+    if min(heights) < -1e-6:
+        return True
+    return all(height <= 1e-6 or orientation(*[texture[k] for k in t]) > 0 for t, height in zip(fan, heights))
 
 
 def _positive_as_written(words, points):
