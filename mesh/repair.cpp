@@ -981,7 +981,7 @@ class CollapsedPolygons {
   }
 
  private:
-  // Of the vertices that faces use.
+  // The extent of the vertices that faces use.
   static double size_of(const PolygonMesh& input) {
     Eigen::AlignedBox3d box;
     for (const Index v : input.polygons.indices()) box.extend(input.positions[v]);

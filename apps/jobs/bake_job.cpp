@@ -265,7 +265,7 @@ SurfaceValues values_of(const BakeJob& job, std::vector<std::string>& channels,
   return values;
 }
 
-// Of the vertices of a surface from another one.
+// Values at the vertices of a surface, from another one.
 double least_distance(const SurfaceMesh& surface, const SurfaceTree& tree) {
   double least = std::numeric_limits<double>::infinity();
   Index likely = -1;

@@ -301,7 +301,7 @@ void check_objects(const MapFile& file, const std::string& name,
   }
 }
 
-// What a file says of its charts, cuts, objects and triangles.
+// A file makes claims about its charts, cuts, objects and triangles.
 void check_parts(const MapFile& file, const CheckRequest& request, MapCheck& check) {
   Findings& findings = check.findings;
   const Claims& claims = check.claims;

@@ -257,7 +257,7 @@ std::optional<ModelTexture> find_gltf_texture(const PolygonMesh& polygons, const
   return texture;
 }
 
-// As many pixels as all images have, and no fewer along a side than one of them.
+// The side of an image with as many pixels as all images have, no shorter than that of any.
 int side_of(const TextureLayer& layer) {
   int side = 1;
   double pixels = 0;

@@ -117,7 +117,7 @@ bool is_shown_by(const Gltf& texture, std::size_t set) {
   return texture.contains("texCoord") ? texture["texCoord"] == set : set == 0;
 }
 
-// Which materials show textures by the old coordinates, of this set, and those that show them by
+// Materials that show textures by the old coordinates, of this set, and those that show them by
 // another one.
 class Materials {
  public:

@@ -45,7 +45,7 @@ py::dict defaults() {
   return all;
 }
 
-// By name: what each preset of `unwrap` says.
+// The values of each preset of `unwrap`, by its name.
 py::dict presets() {
   py::dict all;
   for (const LayoutPreset& preset : kLayoutPresets) {

@@ -159,7 +159,7 @@ class Smoother {
     return (p[2] - p[0]).cross(p[3] - p[1]);
   }
 
-  // As check_quads() has it, but for the corners of quads whose middle is right.
+  // The test of check_quads(), without the corners of quads whose middle is right.
   bool is_turned(Index q) {
     const std::array<Vector3, 4> p = corners_of(q);
     const NearestPoint nearest =
