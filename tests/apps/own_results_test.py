@@ -131,8 +131,12 @@ class Polygons(CommandTest):
         count = len(points)
         points = points + [points[0]] * 6
         for more in ([], faces):
-            mesh = more + [tuple(count + k for k in (0, 1, 2, 3)), tuple(count + k for k in (3, 2, 4, 5))]
-            self.unwrapped(points, mesh, '--weld', '0.0001', names=('.vtu', '.obj'))
+            flakes = [tuple(count + k for k in (0, 1, 2, 3)), tuple(count + k for k in (3, 2, 4, 5))]
+            mesh = self.write('in.obj', obj_text(points, more + flakes))
+            outputs = [self.path('a' + end) for end in ('.vtu', '.obj', '.ply')]
+            self.run_ok('unwrap', mesh, '--weld', '0.0001', '--force', *(w for o in outputs for w in ('-o', o)))
+            for out in outputs:
+                self.run_ok('check', out, '--certify')
 
     def test_polygons_are_whole_however_they_are_cut(self):
         """A quad that is convex in space and folds along one of its diagonals is written as triangles."""
