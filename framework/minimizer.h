@@ -22,8 +22,8 @@
 
 namespace majorant {
 
-// Whether the exact Hessian at a point is positive definite, but for what is 1e-8 of its mean
-// diagonal: there is a minimum then, else a saddle. Not where a term has no exact Hessian.
+// Says whether the exact Hessian at a point is positive definite, but for what is 1e-8 of its mean
+// diagonal: there is a minimum then, else a saddle. NotTested where a term has no exact Hessian.
 enum class Definite { NotTested, Yes, No };
 
 struct SolveResult {
@@ -88,7 +88,8 @@ class Minimizer {
 //       energy's domain, or neither, where the energy does not fall as its derivatives promise
 //     unbounded: an energy below -1e100 max(1, |E_0|): Failed, a minimum does not exist
 //     vanished: |E_{k-1}| and -g.p are at most s, and the energy does not fall as -g.p promises, or
-//       -g.p is at most s / 100: Converged. E_{k-1} stands for max(|E_{k-1}|, s) in all of these rules, where
+//       -g.p is at most s / 100: Converged. E_{k-1} stands for max(|E_{k-1}|, s) in all of these
+//       rules, where
 //         s = 1e-14 max(energy_scale, |E_j| of the last ten iterations),
 //       about what cancellation leaves of terms of that size: an energy that is 0 at its minimum
 //       has no scale of its own there

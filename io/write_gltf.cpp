@@ -109,7 +109,7 @@ class PlainFile {
     }
   }
 
-  // Returns the input's coordinates at a corner of a polygon: (0, 0) where it has no texture coordinates.
+  // Returns the input's coordinates at a corner of a polygon: (0, 0) where it has none.
   Index old_texcoord(std::size_t p, std::size_t corner) {
     const PlaceOnPolygon& place = origins_[p].corners[corner];
     const auto& texture = input_->polygon_texcoords[to_size(origins_[p].polygon)];

@@ -34,7 +34,7 @@ struct GltfDecoding {
 // Lists of the JSON have been checked to be lists of objects. Without the library it does nothing.
 void decode_meshopt(nlohmann::json& json, std::vector<std::string>& buffers,
                     const GltfDecoding& decoding);
-// What a primitive is decoded to stands in buffers behind the others.
+// The accessors of a decoded primitive show buffers of their own, behind the others.
 void decode_draco(nlohmann::json& json, std::vector<std::string>& buffers,
                   const GltfDecoding& decoding);
 

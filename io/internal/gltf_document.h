@@ -1,5 +1,6 @@
 // A glTF 2.0 file: its JSON and the binary data that it names, every access checked. Compressed
-// geometry is decoded (gltf_compression.h); all else of the JSON is kept as it is. Of "glTF 2.0 Specification" (Khronos): 3.6 binary data, 4 GLB.
+// geometry is decoded (gltf_compression.h); all else of the JSON is kept as it is. Source: "glTF
+// 2.0 Specification" (Khronos), 3.6 binary data, 4 GLB.
 //
 //   const GltfDocument document("cup.glb", read_whole_file("cup.glb"), {});
 //   const GltfElements places = document.elements(0, "POSITION");

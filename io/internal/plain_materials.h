@@ -1,7 +1,7 @@
 // The materials of an OBJ as those of a glTF file.
 //
 //   const PlainMaterials all = plain_materials(read_mesh("cup.obj"));
-//   for (const std::string& part : all.left_out) std::cerr << part << "\n";   // "map_Bump of 'wood'"
+//   for (const std::string& part : all.left_out) std::cerr << part << "\n";  // map_Bump of 'wood'
 //
 // Not for textures that move to other coordinates (apps/jobs/model_texture.h): images are embedded
 // as their files are.

@@ -181,7 +181,7 @@ struct Atlas {
   // The worst of the charts, those without a map among them, and of packing: Converged only if all
   // are.
   Status status() const;
-  // Of the first chart that ended so, or of packing; empty where all converged.
+  // The message of the first chart that ended so, or of packing; empty where all converged.
   std::string message() const;
   // Mean of the energy over the surface.
   double value() const;

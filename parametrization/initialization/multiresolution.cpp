@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "majorant/framework/error.h"
-#include "majorant/maps/newton_of_maps.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/framework/sigterm_gate.h"
 #include "majorant/maps/map_problem.h"
+#include "majorant/maps/newton_of_maps.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/parametrization/initialization/area_margin.h"
 #include "majorant/parametrization/initialization/internal/collapsing_mesh.h"

@@ -758,8 +758,8 @@ class InterpolatedNormals {
       if (weights[v] > 0) at_vertex_.row(v) /= weights[v];
   }
 
-  // The normal, of length 1, or 0 where the surface has none there: that of the flat face where normals around
-  // cancel out, or lead along it.
+  // The normal, of length 1, or 0 where the surface has none there: that of the flat face where
+  // normals around cancel out, or lead along it.
   Vector3 at(const SurfacePlace& place) const {
     Vector3 normal = Vector3::Zero();
     for (Index k = 0; k < 3; ++k)

@@ -36,12 +36,12 @@ struct CarrierPlace : SurfacePlace {
 // a miss. likely: the face of the last answer, or -1. From several threads at a time.
 using PlaceOf = std::function<std::optional<CarrierPlace>(const SurfacePlace& of, Index likely)>;
 
-// The same polygons, of the same vertices, by their numbers in the file: by input_face() and
+// Finds the same polygons, of the same vertices, by their numbers in the file: by input_face() and
 // input_vertex(), at equal positions within kTenDigits. A polygon that `carrier` has cut into other
 // triangles gives the nearest point of these. None where a polygon of `surface` is not in
 // `carrier`.
 std::optional<PlaceOf> same_places(const SurfaceMesh& surface, const SurfaceMesh& carrier);
-// Which way the faces of the carrier are turned, compared with the surface there.
+// The sense of the carrier's faces, compared with the surface there.
 enum class Sense { Equal, Reversed };
 // The sense that most of the surface has beside the carrier, no farther than `distance`; Equal
 // where nothing is near. tree: over the input positions of the carrier.

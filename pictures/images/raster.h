@@ -27,7 +27,7 @@ enum class PixelDepth { Eight, Sixteen, Float };
 // 1, directions. Linear: the numbers are what they are.
 enum class Transfer { Linear, Srgb, Signed };
 enum class Filter { Nearest, Bilinear };
-// What a texture shows beyond its square: copies; the pixels of its border; copies of which every
+// Beyond its square a texture shows copies; the pixels of its border; copies of which every
 // second one is mirrored.
 enum class Wrap { Repeat, Clamp, Mirror };
 struct Wraps {

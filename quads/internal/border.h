@@ -29,12 +29,12 @@ struct RoomySurface {
 // is_feature: as feature_lines() has it (features.h).
 RoomySurface with_room(const SurfaceMesh& mesh, const std::vector<char>& is_feature = {});
 
-// The same surface with every edge halved and every face cut into four; features, too.
+// Returns the surface with every edge halved and every face cut into four; features, too.
 RoomySurface halved(const RoomySurface& surface);
 
-// The same surface with a smoother border: vertices that are no corners lie where the border turns
-// little. Lengths of edges stay about as they are. Not for positions: quads lie on the border as
-// it is.
+// Returns the surface with a smoother border: vertices that are no corners lie where the border
+// turns little. Lengths of edges stay about as they are. Not for positions: quads lie on the border
+// as it is.
 RoomySurface with_smooth_border(const RoomySurface& surface);
 
 // #V: 1 at vertices of the border where it turns by so many degrees or more.

@@ -5,9 +5,9 @@
 //   const NearestPoint nearest = below.tree().nearest(centroid);
 //   if (below.is_turned(corners, nearest)) std::cerr << "turned over\n";
 //
-// What is nearest to the middle of a quad is not always what the quad lies on: in a thin wall, or
-// where another component touches, that may be the other side. Vertices lie on the surface, so
-// there the side that is meant is the one at no distance.
+// The surface nearest to the middle of a quad is not always the one that the quad lies on: in a
+// thin wall, or where another component touches, that may be the other side. Vertices lie on the
+// surface, so there the side that is meant is the one at no distance.
 #pragma once
 
 #include <array>
@@ -30,12 +30,11 @@ class SurfaceBelow {
   // Points at most this far from a place are at it.
   double close() const { return close_; }
 
-  // Whether a quad faces away from what is below its middle. nearest: the point of the surface
-  // nearest to its centroid. With n the normal of the quad, returns false if n . N >= 0 for the
-  // normals N of all faces there; and if all corners lie on the surface, up to kOnSurface of the
-  // quad's longer diagonal, and at each of
-  // them there is a face with n . N > 0: among all that are as near, or close() farther. Signs are
-  // exact.
+  // Returns whether a quad faces away from what is below its middle. nearest: the point of the
+  // surface nearest to its centroid. With n the normal of the quad, returns false if n . N >= 0
+  // for the normals N of all faces there; and if all corners lie on the surface, up to kOnSurface
+  // of the quad's longer diagonal, and at each of them there is a face with n . N > 0: among all
+  // that are as near, or close() farther. Signs are exact.
   bool is_away(const std::array<Vector3, 4>& corners, const NearestPoint& nearest) const;
   // is_away(), or three corners or more on the surface face away: where the middle is nearest to
   // another side, which agrees by chance.
