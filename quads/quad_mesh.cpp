@@ -359,12 +359,11 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
     attempt_for(Arcs::Joined, part);
   if (result.check.count > 0) return result;
   // How many would do. With features fewer of these are tried next.
-  constexpr double kMostTried = 64;
+  constexpr double kMostTried = 64, kMostQuadsTried = 20'000;  // which take seconds
   std::string remedy = "ask for more of them";
   for (double part = 2 * most; features.empty() && part <= kMostTried * most; part *= 2) {
-    if (part * asked > kMostQuads || !fits_into_memory(part * asked) ||
-        !attempt_for(Arcs::Joined, part))
-      continue;
+    if (part * asked > kMostQuadsTried) break;
+    if (!attempt_for(Arcs::Joined, part)) continue;
     remedy = fmt::format("ask for {:.4g} times as many, {} for {}", part, std::lround(part * asked),
                          result.asked);
     break;

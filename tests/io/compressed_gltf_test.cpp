@@ -58,8 +58,9 @@ std::string bytes_of(const std::vector<T>& values) {
 }
 
 Json data_buffer(const std::string& bytes) {
-  return {{"byteLength", bytes.size()},
-          {"uri", "data:application/octet-stream;base64," + encode_base64(bytes)}};
+  std::string uri = "data:application/octet-stream;base64,";
+  append_base64(bytes, uri);
+  return {{"byteLength", bytes.size()}, {"uri", uri}};
 }
 
 // A document without buffers and views: three accessors of one primitive.

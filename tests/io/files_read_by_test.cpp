@@ -214,8 +214,11 @@ TEST(MaterialLines, OptionsBeforeNames) {
   EXPECT_EQ(name("bump -bm 1.0"), "");
   EXPECT_EQ(name("bumpy a.png"), "-");
   EXPECT_EQ(name("Kd 1 1 1"), "-");
-  EXPECT_EQ(material_image("map_d -s 1 1 -mm 0 1 a.png")->options,
-            (std::vector<std::string_view>{"-s", "-mm"}));
+  const auto options = material_image("map_d -s 1 1 -mm 0 1 a.png")->options;
+  ASSERT_EQ(options.size(), 2u);
+  EXPECT_EQ(options[0].name, "-s");
+  EXPECT_EQ(options[1].name, "-mm");
+  EXPECT_EQ(options[1].values, (std::vector<std::string_view>{"0", "1"}));
 }
 
 }  // namespace
