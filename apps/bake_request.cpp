@@ -74,7 +74,7 @@ void BakeRequest::add_to(CLI::App& verb) {
          .check = word_or_file({kBakeAttributes.begin(), kBakeAttributes.end()})}}});
   add_options(
       verb, OptionGroup::Pictures,
-      {{"--size,--resolution",
+      {{"--size",
         &size,
         "pixels along both sides, or width and height (that of --image, else 1024)",
         {.type = "N|W,H"}},

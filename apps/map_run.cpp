@@ -91,7 +91,8 @@ void place(const MapVerb& request, MapJob& job) {
 // The files of a job that has a result.
 class MapFiles {
  public:
-  MapFiles(const MapVerb& request, const MapJob& job, const RunReport& report)
+  // report: gets what only files tell.
+  MapFiles(const MapVerb& request, const MapJob& job, RunReport& report)
       : request_(request), job_(job), file_(map_file(job)), formats_(request.outputs.formats) {
     if (job.options.map.injectivity == MapInjectivity::Global)
       formats_.tessellation.overlap = Overlap::Excluded;
@@ -100,9 +101,10 @@ class MapFiles {
                                             : *job.result.scaffold);
     formats_.svg.scaffold = formats_.png.scaffold = scaffold_;
     formats_.svg.points = formats_.png.points = shown_points(job);
+    split_ = split_faces(request.outputs.files, file_, input(), formats_);
+    report.result["split_faces"] = split_.size();
     if (has_page(request.outputs.files)) formats_.page = page_of(job, request.map, report);
     formats_.page.scaffold = scaffold_;
-    split_ = split_faces(request.outputs.files, file_, input(), formats_);
   }
 
   // Faces of the input that OBJ and PLY have triangles of.
@@ -180,7 +182,6 @@ Made made_of(const MapVerb& request, const MapJob& job, Run& run) {
   }
   const auto files = std::make_shared<MapFiles>(request, job, made.report);
   made.files = files_of(request, files);
-  if (run.has_report()) made.report.result["split_faces"] = files->split().size();
   if (job.cuts) made.remarks = untextured_in_words(request.map.input, *job.cuts);
   if (!files->split().empty())
     made.remarks.push_back(

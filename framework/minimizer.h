@@ -123,7 +123,7 @@ struct StoppingRules {
   // Tuned by bench/tune.py stopping.stall_step.
   double stall_step = 1e-3;
   // 0: the result of a stall is the last point, which has the least energy. Maps take another one
-  // (parametrization/solve/solver_rules.h).
+  // (maps/newton_of_maps.h).
   double fallback_step = 0;
   // The size that energies of this kind have, where the start does not show it: a descent that goes
   // on from a minimum of 0.

@@ -160,6 +160,7 @@ void NewtonStepper::advance(Vec& y, double& energy, Step& step) {
 void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   IterationRecord& r = step.record;
   lagged_->drop();
+  is_damped_ = false;
   if (solver_->bytes() >= kLargeFactor) release_free_memory();
   step.outcome = Outcome::Breakdown;  // whatever a step on a kept factor was
   if (!find_direction(y, r)) return;
@@ -287,6 +288,8 @@ bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   const ShiftedFactorization f =
       try_shifts([&](double shift) { return solve_shifted(shift, record); }, diagonal,
                  options_.shifts.least, stop_, first);
+  is_damped_ = first > options_.shifts.least;
+  fall_ = f.failed() > 0 || fall_ == 0 ? options_.shifts.fall : fall_ * fall_;
   if (first == 0 && f.failed() > 0) {
     shift_wait_ = next_wait_ = std::max(options_.shifts.wait, 2 * next_wait_);
   } else if (first == 0) {
@@ -306,7 +309,7 @@ double NewtonStepper::first_shift() {
   if (waits) --shift_wait_;
   if (is_raised_) return shift_;
   if (rules.fall == 0) return 0;
-  const double first = rules.fall * shift_;
+  const double first = fall_ * shift_;
   if (first >= rules.least) return first;
   return waits ? rules.least : 0;
 }
@@ -315,6 +318,7 @@ double NewtonStepper::first_shift() {
 // model holds next to y alone.
 void NewtonStepper::learn_shift(Step& step) {
   const ShiftRules& rules = options_.shifts;
+  step.is_damped = is_damped_;
   const bool is_whole = step.record.projection_weight >= 1 || !blends();
   const bool is_cut = step.outcome == Outcome::Blocked || step.outcome == Outcome::NoDecrease ||
                       (step.outcome == Outcome::Moved && step.record.step < rules.short_step);
@@ -322,6 +326,7 @@ void NewtonStepper::learn_shift(Step& step) {
                relative(step.energy_before, step.record.newton_decrement) > LineSearch::kResolution;
   step.is_direction_too_long = is_raised_;
   if (!is_raised_) return;
+  fall_ = rules.fall;
   const double missing = step.outcome == Outcome::Moved ? rules.short_step / step.record.step : 0;
   shift_ = std::max(rules.least, std::max(kRaisedShift, missing) * shift_);
 }

@@ -53,7 +53,8 @@ struct ShiftRules {
   // After a step that is shorter, as a part of its direction, the next one has a larger shift, by
   // the factor that is missing, or 10; 0: it has not.
   double short_step = 1e-3;
-  // The part of the last step's shift that a step begins with; 0: it begins without any.
+  // The part of the last step's shift that a step begins with, its square after a step that needed
+  // no more, and so on; 0: it begins without any.
   double fall = 1.0 / 3;
   // Steps that begin with `least` after a factorization without a shift has failed; twice as many
   // each time that it does.
@@ -155,8 +156,10 @@ class NewtonStepper final : public Stepper {
   int hold_ = 0;                                                         // steps that it stays
   int whole_steps_ = 0;                                                  // to come before it
   double shift_ = 0;                    // of the last step without a blend, relative
+  double fall_ = 0;                     // the part of it that the next step begins with
   int shift_wait_ = 0, next_wait_ = 0;  // steps until none is tried again
   bool is_raised_ = false;              // shift_ is what the next step begins with
+  bool is_damped_ = false;              // the step at hand began with a shift
   class LaggedFactor;
   std::unique_ptr<LaggedFactor> lagged_;
 };

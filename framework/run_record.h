@@ -104,6 +104,7 @@ struct StepResult {
   std::vector<Index> blocking;  // StepBound::blocking of the line search
   StepLimit limit = StepLimit::None;
   bool is_direction_too_long = false;  // the next one is shorter: bounds of this one say nothing
+  bool is_damped = false;  // by a shift that shortens the direction: -g.p is less than what is left
   Directive why = Directive::Continue;
   std::string why_none;  // of a Breakdown, where somebody looked into it: a sentence
 };

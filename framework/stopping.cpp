@@ -104,7 +104,7 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const bool is_rounding = before <= smallest && r.newton_decrement <= smallest;
   const double near =
       std::max(rules_.stall_decrement, rules_.tail_factor * rules_.relative_decrease);
-  const bool near_minimum = is_rounding || r.newton_decrement <= near * scale;
+  const bool near_minimum = is_rounding || (!step.is_damped && r.newton_decrement <= near * scale);
   if (step.outcome != StepResult::Outcome::Moved) {
     const bool held = step.outcome == StepResult::Outcome::Blocked ||
                       step.outcome == StepResult::Outcome::NoDecrease;
@@ -128,7 +128,8 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   remember(step, since);
   const bool plateau = on_plateau();
   const bool small = r.relative_decrease <= rules_.relative_decrease;
-  const bool in_tail = small && since == Since::Same && r.curvature != Curvature::Exact &&
+  const bool in_tail = small && !step.is_damped && since == Since::Same &&
+                       r.curvature != Curvature::Exact &&
                        r.newton_decrement <= rules_.tail_factor * rules_.relative_decrease * scale;
   const bool promises = r.newton_decrement > rules_.last_factor * rules_.relative_decrease * scale;
   in_tail_ += in_tail;

@@ -196,7 +196,7 @@ void write_ply(const std::string& path, const MapFile& map, const PolygonMesh* i
 // material follows (of a copy of the material where its meshes have other numbers of sets).
 // Vertices on cuts are there several times, with their tangents. Images that were beside the input
 // are in an output that is in another folder. Of new vertices, on straight pieces of curves, all
-// attributes lie between those of the corners. gltf_layout.h has other sets than TEXCOORD_0.
+// attributes lie between those of the corners.
 //
 // Other inputs become one mesh, of a primitive for each material of an OBJ, with normals where all
 // corners have them, colours where all vertices have one, and _INPUT_VERTEX, the vertex of the

@@ -1,8 +1,8 @@
 // Rules of Newton's method that were tuned on maps, whose energies are means over the surface and
 // do not see rotations, and whose barriers keep Hessians away from singular ones.
 //
-//   NewtonOptions options = newton_of_maps();
-//   options.stop = stop;
+//   const NewtonMinimizer newton(newton_of_maps());
+//   const SolveResult result = newton.minimize(problem, y0, nullptr);
 //
 // Not for other energies: NewtonOptions' own.
 #pragma once

@@ -273,9 +273,10 @@ bool has_too_many(const QuadMesh& made) {
 }
 
 // Returns the quads of a surface with these features (3 #F, or empty: none). Throws
-// Error(Infeasible) where there are none.
+// Error(Infeasible) where there are none, or none with at most `most_times` as many as asked for.
 QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
-                    const QuadMeshOptions& options, RunRecord& record, QuadSeconds& seconds) {
+                    const QuadMeshOptions& options, double most_times, RunRecord& record,
+                    QuadSeconds& seconds) {
   const StopCheck& stop = record.start_stop();
   QuadMesh result;
   const std::unique_ptr<const TracedMap> traced =
@@ -313,7 +314,11 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                      ? numbers.at(*options.edge_length / lattice.unit() / std::sqrt(part))
                      : numbers.for_count(part * asked);
         });
-    const double off = std::abs(static_cast<double>(quad_count(t_mesh, edges)) / asked - 1);
+    const long count = quad_count(t_mesh, edges);
+    if (static_cast<double>(count) > most_times * asked)
+      throw Error(ErrorKind::Infeasible,
+                  fmt::format("{}{} quads at least", message_prefix(mesh), count));
+    const double off = std::abs(static_cast<double>(count) / asked - 1);
     if (result.check.count > 0 && off >= least_off) return;
     JudgedQuads made = placer.place(edges);
     least_off = off;
@@ -409,9 +414,10 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   const ThreadCount threads(options.threads);
   QuadSeconds seconds;
   const std::vector<char> asked = asked_features(mesh, options);
-  const auto made_with = [&](const std::vector<char>& features) {
+  static constexpr double kAnyTimes = std::numeric_limits<double>::infinity();
+  const auto made_with = [&](const std::vector<char>& features, double most_times = kAnyTimes) {
     QuadMesh made = quads_with(mesh, has_any(features) ? features : std::vector<char>(), options,
-                               record, seconds);
+                               most_times, record, seconds);
     made.seconds = seconds;
     return made;
   };
@@ -421,7 +427,9 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   std::vector<char> tried;
   double shortest = length;
   std::string conflict;
-  // Short sides of steps and teeth are kept where that makes about as many quads as asked.
+  // Short sides of steps and teeth are kept where that makes about as many quads as asked; with
+  // many times as many, quads are not even placed.
+  constexpr double kMostTimesSharp = 2;
   for (ShortLines short_lines = ShortLines::SharpKept;; shortest *= 2) {
     const std::vector<char> features = without_short_lines(mesh, asked, shortest, short_lines);
     const bool has_sharp = short_lines == ShortLines::SharpKept;
@@ -432,7 +440,7 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
     if (features == tried) continue;
     tried = features;
     const auto make = [&] {
-      QuadMesh next = made_with(features);
+      QuadMesh next = made_with(features, has_sharp ? kMostTimesSharp : kAnyTimes);
       next.features = features;
       next.shortest_feature = shortest;
       made = std::move(next);

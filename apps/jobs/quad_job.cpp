@@ -263,7 +263,7 @@ void QuadJob::solve(const std::string& source) {
         fmt::format("{}: {} quads, {} asked: no valid mesh within {:.0f} % of that was found{}",
                     polygons.file, check.count, requested_count, 100 * kCountClose,
                     has_ragged_border(mesh) && options.border_turn <= kCornerTurn
-                        ? "; --border-corners 180 smooths the border"
+                        ? "; without corners of its ragged border there may be one"
                         : ""));
   if (!relaxed.empty()) warnings.push_back(relaxed_features(*this));
 }

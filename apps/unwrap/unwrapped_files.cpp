@@ -57,10 +57,12 @@ std::vector<std::string> replaced(const UnwrapRun& run) {
 }
 
 // Points with targets keep their charts where they put them.
-MapPage page_of(const UnwrapRun& run) {
+MapPage page_of(const UnwrapRun& run, std::size_t split_faces) {
   MapPage page;
   page.title = page_title(run.request.map.input);
-  page.facts = page_facts(atlas_report(run.job), run.request.map.inputs());
+  RunReport report = atlas_report(run.job);
+  report.result["split_faces"] = split_faces;
+  page.facts = page_facts(report, run.request.map.inputs());
   page.points = pulled_points(run.job.options.chart.map.handles, *run.job.surface.mesh);
   for (const Chart& chart : run.job.atlas.charts)
     for (const Pin& pin : chart.pins)
@@ -75,9 +77,9 @@ class LayoutFiles {
  public:
   explicit LayoutFiles(const UnwrapRun& run)
       : run_(run), file_(atlas_file(run.job, &table_)), formats_(run.request.outputs.formats) {
-    if (has_page(run.request.outputs.files)) formats_.page = page_of(run);
     if (run.job.atlas.packing) formats_.tessellation.overlap = Overlap::Excluded;
     split_ = split_faces(run.request.outputs.files, file_, run.job.polygons.get(), formats_);
+    if (has_page(run.request.outputs.files)) formats_.page = page_of(run, split_.size());
   }
 
   // Faces of the input that OBJ and PLY have triangles of.

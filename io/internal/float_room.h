@@ -1,7 +1,7 @@
 // Texture coordinates as floats that leave every triangle its room: for formats whose numbers are
 // floats.
 //
-//   const MapFile rounded = with_room_in_floats(map);    // u and 1 - v are floats, map as before
+//   const MapFile rounded = with_room_in_floats(file);    // u and 1 - v are floats
 //
 // Near 1 floats are 6e-8 apart. The image of a needle, or of a sliver of the model, may be thinner
 // than that, and the two sides of a slit nearer to each other; rounding alone turns such triangles

@@ -258,7 +258,7 @@ class DracoDecoder {
     const draco::Mesh& decoded = mesh_of(view, numbers);
     if (primitive.contains("mode") && primitive["mode"] != 4 && primitive["mode"] != 5)
       numbers.fail("mode of no triangles");
-    primitive["mode"] = 4;  // whatever it was, decoded are triangles
+    primitive["mode"] = 4U;  // whatever it was, decoded are triangles
     std::string bytes;
     for (std::uint32_t f = 0; f < decoded.num_faces(); ++f)
       for (const draco::PointIndex corner : decoded.face(draco::FaceIndex(f)))
@@ -270,7 +270,7 @@ class DracoDecoder {
       number = Numbers(primitive, "primitive", decoding_)["indices"];
       indices = accessor(*number, numbers);
     }
-    indices["componentType"] = static_cast<int>(Component::UInt);
+    indices["componentType"] = static_cast<unsigned>(Component::UInt);
     for (const char* bound : {"min", "max"}) indices.erase(bound);
     primitive["indices"] = set_accessor(number, std::move(indices), std::move(bytes),
                                         std::size_t{3} * decoded.num_faces(),
@@ -340,7 +340,7 @@ class DracoDecoder {
   std::size_t set_accessor(std::optional<std::size_t> number, Json entry, std::string bytes,
                            std::size_t count, std::optional<std::size_t> at) {
     decoding_.reserve(bytes.size());
-    Json view{{"buffer", buffers_.size()}, {"byteOffset", 0}, {"byteLength", bytes.size()}};
+    Json view{{"buffer", buffers_.size()}, {"byteLength", bytes.size()}};
     json_["buffers"].push_back({{"byteLength", bytes.size()}});
     buffers_.push_back(std::move(bytes));
     if (at)

@@ -2,9 +2,10 @@
 // KHR_draco_mesh_compression, of primitives. Each is decoded by the library of its authors, where
 // majorant was built with it.
 //
-//   decode_meshopt(json, buffers, fail);   // json, buffers: of the document
-//   decode_draco(json, buffers, fail);
-//   // json names plain buffers now, and neither extension
+//   nlohmann::json json;                // of a document, beside its buffers
+//   std::vector<std::string> buffers;
+//   decode_meshopt(json, buffers, {});
+//   decode_draco(json, buffers, {});    // names plain buffers now, and neither extension
 //
 // [glTF] EXT_meshopt_compression, KHR_draco_mesh_compression (Khronos' registry).
 #pragma once

@@ -1,8 +1,9 @@
 // The surface under the quads of a mesh: where it is nearest, and whether a quad faces its other
 // side.
 //
+//   const std::array<Vector3, 4> corners = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
 //   const SurfaceBelow below(*mesh);
-//   const NearestPoint nearest = below.tree().nearest(centroid);
+//   const NearestPoint nearest = below.tree().nearest({0.5, 0.5, 0});
 //   if (below.is_turned(corners, nearest)) std::cerr << "turned over\n";
 //
 // The surface nearest to the middle of a quad is not always the one that the quad lies on: in a

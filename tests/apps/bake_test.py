@@ -459,7 +459,7 @@ class Polygons(CommandTest):
         for carrier, flags in ((obj, ['--linear']), (obj, []), (self.path('color.glb'), []), (self.path('color.ply'), [])):
             for said in ([], ['--attribute', 'color']):
                 with self.subTest(carrier, flags=flags, said=said):
-                    self.run_ok('bake', self.new, '--from', carrier, '-o', self.path('out.png'), '--resolution', self.SIZE,
+                    self.run_ok('bake', self.new, '--from', carrier, '-o', self.path('out.png'), '--size', self.SIZE,
                                 '--force', *flags, *said)
                     found = np.asarray(Image.open(self.path('out.png'))).astype(int)
                     tolerance = 1 if flags else 4  # light is mixed between vertices that are far apart

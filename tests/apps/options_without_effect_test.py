@@ -44,6 +44,7 @@ CASES = {
     '--keep-shape': (['--keep-shape'], ['.obj'], 'add --seams uv'),
     '--groups': (['--groups'], ['.vtu'], 'add -o OUT.obj'),
     '--keep-seams': (['--seams', 'uv', '--keep-seams'], ['.vtu'], '--seams uv cuts along them already'),
+    '--uv-set': (['--uv-set', '1'], ['.vtu'], 'add -o OUT.glb'),
     '--fill': (['--charts', 'one', '--fill', '0.5'], ['.vtu'], '--charts one leaves them'),
     '--hide-from': (['--seams', 'FILE', '--hide-from', '1,0,0'], ['.vtu'], '--seams FILE says where'),
     '--curvature-alignment': (['--cones', 'FILE', '--curvature-alignment', '9'], ['.vtu'],

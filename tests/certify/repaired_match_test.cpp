@@ -124,9 +124,12 @@ TEST(RepairedMatch, WhatRepairMakesOfDefects) {
   EXPECT_EQ(defect(written(twice), twice), "");
 }
 
-TEST(RepairedMatch, SurfacesWithoutDefectsAreNotItsBusiness) {
+TEST(RepairedMatch, SurfacesWithoutDefectsAreMatchedOrNotItsBusiness) {
   const PolygonMesh surface = tetrahedron();
-  EXPECT_FALSE(match(written(surface), surface).has_value());
+  EXPECT_EQ(defect(written(surface), surface), "");
+  PolygonMesh open = surface;
+  open.polygons = {{0, 1, 2}};
+  EXPECT_FALSE(match(written(open), surface).has_value());
 }
 
 TEST(RepairedMatch, CoincidentVerticesAreOnePlace) {

@@ -173,6 +173,10 @@ class Reports(CommandTest):
         self.report('unwrap', self.write('soup.obj', helpers.obj_text(
             [points[v] for face in faces for v in face],
             [(3 * k, 3 * k + 1, 3 * k + 2) for k in range(len(faces))])), self.path('b.obj'))
+        fewer = self.write('fewer.off', 'OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n')
+        for verb in ('parametrize', 'unwrap'):
+            self.report(verb, fewer, self.path('b.obj'))
+        self.report('info', fewer)
         self.report('seamless', helpers.generated('buckle'), cut, '--degree', 1)
         self.report('parametrize', cut, self.path('b.vtu'), '--seamless', '--degree', 1)
         self.report('parametrize', overlapping, self.path('b.vtu'), '--init', 'input',
@@ -258,7 +262,9 @@ class Reports(CommandTest):
         report = self.path('report.json')
         self.run_ok('parametrize', helpers.generated('cap'), '--degree', 1, '-o', report, '--quiet')
         with open(report) as f:
-            text = f.read()
+            known = json.load(f)
+        known['result'].pop('split_faces')  # parts of a map have none
+        text = json.dumps(known)
         for path in ([], ['result'], ['result', 'distortion', 'area'], ['iterations', 0], ['options'], ['input']):
             for change in (lambda part: part.update(another=1), lambda part: part.popitem(),
                            lambda part: part.update({next(iter(part)): {}})):

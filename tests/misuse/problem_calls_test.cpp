@@ -239,7 +239,7 @@ const std::vector<Call> kCalls{
      "InvalidArgument: Evaluator::linearize: the projection weight of a curvature",
      [] {
        Vec g, h;
-       Evaluator(problem()).linearize(Vec::Zero(5), BlendedCurvature::projected(2), g, h);
+       Evaluator(problem()).linearize(Vec::Zero(5), BlendedCurvature::projected(2.5), g, h);
      }},
     {"violation_short", "InvalidArgument: Evaluator::violation: x has 2 numbers",
      [] { Evaluator(problem()).violation(Vec::Zero(2)); }},

@@ -139,7 +139,8 @@ TEST(QuadraticPenalty, WithElimination) {
   EXPECT_EQ(r.status, Status::Converged) << r.message;
   EXPECT_LE(r.iterations.size(), 2U);
   evaluator.linearize(r.y, Curvature::Exact, g, values);
-  EXPECT_LE(g.norm(), 1e-9);
+  // The Hessian is singular: its shift, 1e-9 of the mean diagonal, leaves so much of the step.
+  EXPECT_LE(g.norm(), 1e-8 * f);
 }
 
 TEST(QuadraticPenalty, Refusals) {
