@@ -272,6 +272,8 @@ bool has_too_many(const QuadMesh& made) {
   return made.least_count && made.check.count > made.asked + kFew;
 }
 
+constexpr double kAnyTimes = std::numeric_limits<double>::infinity();
+
 // Returns the quads of a surface with these features (3 #F, or empty: none). Throws
 // Error(Infeasible) where there are none, or none with at most `most_times` as many as asked for.
 QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
@@ -414,7 +416,6 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   const ThreadCount threads(options.threads);
   QuadSeconds seconds;
   const std::vector<char> asked = asked_features(mesh, options);
-  static constexpr double kAnyTimes = std::numeric_limits<double>::infinity();
   const auto made_with = [&](const std::vector<char>& features, double most_times = kAnyTimes) {
     QuadMesh made = quads_with(mesh, has_any(features) ? features : std::vector<char>(), options,
                                most_times, record, seconds);

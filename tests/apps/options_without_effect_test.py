@@ -65,6 +65,8 @@ OF_VERBS = {
     '--color-range': of_drawings('--color-range', '4,5', outputs=['.vtu']),
     '--color-by': of_drawings('--color-by', 'area', outputs=['.vtu']),
     '--transparent': of_drawings('--transparent', outputs=['.vtu', '.html']),
+    '--border-corners': {'check': (['--border-corners', '90'], [], 'is of meshes of quads'), 'quads': None},
+    '--max-distance': {'check': (['--max-distance', '0.1'], [], 'is of meshes of quads')},
     '--bake': {'unwrap': (['--bake'], ['.vtu'], '-o OUT.obj')},
     '--size': {**of_drawings('--size', '99,99', outputs=['.vtu']), 'bake': None},
     '--image': {**{verb: (['--image', 'PICTURE'], ['.svg'], 'add -o OUT.png') for verb in PICTURED}, 'bake': None},

@@ -234,6 +234,7 @@ TEST(Stopping, MinimizeReturnsToTheFallback) {
   builder.add(std::make_shared<const Wall>());
   NewtonOptions options;
   options.blend.below = 0;
+  options.shifts.short_step = 0;  // the direction is not too long, the way is too short
   NewtonStepper stepper(builder.build(), options);
   std::vector<double> points;
   StepObserver observer([&](const TraceEntry& row, const Vec& y) {
