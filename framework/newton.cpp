@@ -315,7 +315,7 @@ double NewtonStepper::first_shift() {
 }
 
 // A direction that is cut to almost nothing is that of a Hessian which is nearly singular, or whose
-// model holds next to y alone.
+// model holds next to y alone; near a minimum it is rounding that cuts it.
 void NewtonStepper::learn_shift(Step& step) {
   const ShiftRules& rules = options_.shifts;
   step.is_damped = is_damped_;
@@ -323,7 +323,8 @@ void NewtonStepper::learn_shift(Step& step) {
   const bool is_cut = step.outcome == Outcome::Blocked || step.outcome == Outcome::NoDecrease ||
                       (step.outcome == Outcome::Moved && step.record.step < rules.short_step);
   is_raised_ = rules.short_step > 0 && is_whole && is_cut && shift_ < kLargestShift &&
-               relative(step.energy_before, step.record.newton_decrement) > LineSearch::kResolution;
+               relative(step.energy_before, step.record.newton_decrement) >
+                   std::max(LineSearch::kResolution, options_.stopping.stall_decrement);
   step.is_direction_too_long = is_raised_;
   if (!is_raised_) return;
   fall_ = rules.fall;
