@@ -67,7 +67,7 @@ class MeantWords(CommandTest):
         for verb, wrong, right in [('unwrap', '--margin', '--padding'), ('unwrap', '--texture-size', '--resolution'),
                                    ('unwrap', '--texture-resolution=512', '--resolution'),
                                    ('unwrap', '--max-charts', '--charts'), ('unwrap', '-j', '--threads'),
-                                   ('parametrize', '--order', '--degree'), ('bake', '--texture-size', '--resolution'),
+                                   ('parametrize', '--order', '--degree'), ('bake', '--texture-size', '--size'),
                                    ('bake', '--margin', '--padding')]:
             run = [verb, mesh, '-o', self.path('o.png'), *(['--from', mesh] if verb == 'bake' else [])]
             self.assertIn("%s has no option '%s' (did you mean '%s'?)" % (verb, wrong.split('=')[0], right),
