@@ -272,12 +272,12 @@ bool has_too_many(const QuadMesh& made) {
   return made.least_count && made.check.count > made.asked + kFew;
 }
 
-constexpr double kAnyTimes = std::numeric_limits<double>::infinity();
+constexpr double kAnyCount = std::numeric_limits<double>::infinity();
 
 // Returns the quads of a surface with these features (3 #F, or empty: none). Throws
-// Error(Infeasible) where there are none, or none with at most `most_times` as many as asked for.
+// Error(Infeasible) where there are none, or none with at most `most_count` quads.
 QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
-                    const QuadMeshOptions& options, double most_times, RunRecord& record,
+                    const QuadMeshOptions& options, double most_count, RunRecord& record,
                     QuadSeconds& seconds) {
   const StopCheck& stop = record.start_stop();
   QuadMesh result;
@@ -317,7 +317,7 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                      : numbers.for_count(part * asked);
         });
     const long count = quad_count(t_mesh, edges);
-    if (static_cast<double>(count) > most_times * asked)
+    if (static_cast<double>(count) > most_count)
       throw Error(ErrorKind::Infeasible,
                   fmt::format("{}{} quads at least", message_prefix(mesh), count));
     const double off = std::abs(static_cast<double>(count) / asked - 1);
@@ -416,9 +416,9 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   const ThreadCount threads(options.threads);
   QuadSeconds seconds;
   const std::vector<char> asked = asked_features(mesh, options);
-  const auto made_with = [&](const std::vector<char>& features, double most_times = kAnyTimes) {
+  const auto made_with = [&](const std::vector<char>& features, double most_count = kAnyCount) {
     QuadMesh made = quads_with(mesh, has_any(features) ? features : std::vector<char>(), options,
-                               most_times, record, seconds);
+                               most_count, record, seconds);
     made.seconds = seconds;
     return made;
   };
@@ -428,9 +428,10 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   std::vector<char> tried;
   double shortest = length;
   std::string conflict;
-  // Short sides of steps and teeth are kept where that makes about as many quads as asked; with
-  // many times as many, quads are not even placed.
-  constexpr double kMostTimesSharp = 2;
+  // Short sides of steps and teeth are kept where that makes about as many quads as asked; many
+  // times as many are not even placed, unless that takes no time.
+  constexpr double kMostTimesSharp = 2, kSoonPlaced = 1000;
+  const double most_sharp = std::max(kMostTimesSharp * asked_of(mesh, options), kSoonPlaced);
   for (ShortLines short_lines = ShortLines::SharpKept;; shortest *= 2) {
     const std::vector<char> features = without_short_lines(mesh, asked, shortest, short_lines);
     const bool has_sharp = short_lines == ShortLines::SharpKept;
@@ -441,7 +442,7 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
     if (features == tried) continue;
     tried = features;
     const auto make = [&] {
-      QuadMesh next = made_with(features, has_sharp ? kMostTimesSharp : kAnyTimes);
+      QuadMesh next = made_with(features, has_sharp ? most_sharp : kAnyCount);
       next.features = features;
       next.shortest_feature = shortest;
       made = std::move(next);
