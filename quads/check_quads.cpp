@@ -679,9 +679,9 @@ void require_near(QuadCheck& check, const SurfaceMesh& surface, double max_dista
   const double size = diagonal(surface.positions());
   const auto judge = [&](double distance, std::string_view what) {
     if (!(distance <= max_distance * size))
-      check.defects.push_back(fmt::format(
-          "{}: up to {:.3g}, {:.3g} % of the surface's diagonal, more than {:g} %", what,
-          distance, 100 * distance / size, 100 * max_distance));
+      check.defects.push_back(
+          fmt::format("{}: up to {:.3g}, {:.3g} % of the surface's diagonal, more than {:g} %",
+                      what, distance, 100 * distance / size, 100 * max_distance));
   };
   judge(check.hausdorff.to_surface, "quads are away from the surface");
   judge(check.hausdorff.from_surface, "the surface is away from the quads");

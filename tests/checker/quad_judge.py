@@ -111,7 +111,7 @@ class Nearest:
 
 class Mesh:
     def __init__(self, positions, faces):
-        self.positions, self.faces = positions, faces
+        self.positions, self.faces = [tuple(p) for p in positions], faces
         self.sides = defaultdict(list)  # directed edge -> faces
         for f, face in enumerate(faces):
             for edge in zip(face, face[1:] + face[:1]):
