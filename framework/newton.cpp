@@ -329,7 +329,7 @@ void NewtonStepper::learn_shift(Step& step) {
   if (!is_raised_) return;
   fall_ = rules.fall;
   const double missing = step.outcome == Outcome::Moved ? rules.short_step / step.record.step : 0;
-  shift_ = std::max(rules.least, std::max(kRaisedShift, missing) * shift_);
+  shift_ = std::clamp(std::max(kRaisedShift, missing) * shift_, rules.least, kLargestShift);
 }
 
 // Chooses the next blend.

@@ -169,6 +169,10 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
   SolveResult& result = descent.result;
   StoppingTest test(rules, descent.energy);
   descent.set_fallback();
+  struct OfThisDescent {
+    double& scale;
+    ~OfThisDescent() { scale = 0; }
+  } const of_this_descent{smallest_scale_};
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
     smallest_scale_ = test.smallest_scale();
@@ -195,7 +199,6 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
       break;
     }
   }
-  smallest_scale_ = 0;
   if (stop->at_fallback) descent.return_to_fallback();
   result.status = stop->status;
   result.message = std::move(stop->message);

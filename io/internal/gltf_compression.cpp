@@ -14,7 +14,7 @@
 
 #include "majorant/io/read_mesh.h"
 
-#ifdef MAJORANT_HAS_MESHOPT
+#ifdef MAJORANT_HAS_MESHOPTIMIZER
 #include <meshoptimizer.h>
 #endif
 #ifdef MAJORANT_HAS_DRACO
@@ -103,7 +103,7 @@ bool is_meshopt_fallback(const Json& buffer) {
   return has_meshopt() && is_fallback && *is_fallback == true && !buffer.contains("uri");
 }
 
-#ifdef MAJORANT_HAS_MESHOPT
+#ifdef MAJORANT_HAS_MESHOPTIMIZER
 
 bool has_meshopt() { return true; }
 

@@ -13,7 +13,7 @@
 #ifdef MAJORANT_HAS_DRACO
 #include <draco/compression/encode.h>
 #endif
-#ifdef MAJORANT_HAS_MESHOPT
+#ifdef MAJORANT_HAS_MESHOPTIMIZER
 #include <meshoptimizer.h>
 #endif
 
@@ -147,7 +147,7 @@ class CompressedGltf : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-#ifdef MAJORANT_HAS_MESHOPT
+#ifdef MAJORANT_HAS_MESHOPTIMIZER
 
 // Three views that are compressed into buffer 0, and a fallback buffer that has no bytes.
 Json meshopt_document(const Grid& grid, std::string& compressed, bool is_strip_of_indices) {
