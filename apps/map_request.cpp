@@ -24,9 +24,8 @@
 namespace majorant::app {
 namespace {
 
-Curvature find_curvature(const std::string& name) {
-  for (const Curvature c : kCurvatures)
-    if (curvature_name(c) == name) return c;
+CurvatureChoice find_curvature(const std::string& name) {
+  if (const auto choice = curvature_choice(name)) return *choice;
   throw Error(ErrorKind::Usage, "no curvature model is called '" + name + "'");
 }
 

@@ -34,11 +34,9 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
 }
 
 void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
-  std::vector<std::string> curvatures;
-  for (const Curvature c : kCurvatures) curvatures.emplace_back(curvature_name(c));
   add_options(
       verb, OptionGroup::Solver,
-      {{"--curvature", &curvature, "second-order model (projected)", {.check = one_of(curvatures)}},
+      {{"--curvature", &curvature, "second-order model (projected)", {.check = one_of(curvature_choices())}},
        {"--elevation",
         &elevation,
         "how the degree is reached (incremental)",

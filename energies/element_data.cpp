@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/error.h"
 
@@ -13,20 +15,30 @@ void require_finite(const std::string& name, const RowMatrix& rows) {
 
 }  // namespace
 
+ElementRows::ElementRows(RowMatrix rows)
+    : size_(static_cast<Index>(rows.rows())), columns_(static_cast<Index>(rows.cols())) {
+  const auto owner = std::make_shared<const RowMatrix>(std::move(rows));
+  first_ = {owner, owner->data()};
+}
+
+ElementRows::ElementRows(const Vec& numbers, Index columns)
+    : first_(std::shared_ptr<void>(), numbers.data()),
+      size_(static_cast<Index>(numbers.size()) / std::max(columns, Index{1})),
+      columns_(columns) {}
+
 ElementRows ElementRows::of(std::span<const Index> elements) const {
-  RowMatrix part(elements.size(), rows_->cols());
+  RowMatrix part(elements.size(), columns_);
   for (std::size_t k = 0; k < elements.size(); ++k)
-    part.row(static_cast<Index>(k)) = rows_->row(elements[k]);
+    std::copy_n(first_.get() + elements[k] * columns_, columns_,
+                part.row(static_cast<Index>(k)).data());
   return ElementRows(std::move(part));
 }
 
-template class ElementValues<double>;
-
 namespace detail {
 
-ElementValues<double> element_data(const std::string& name, const Vec& numbers) {
+ElementScalars element_data(const std::string& name, const Vec& numbers) {
   require_finite(name, numbers);
-  return ElementValues<double>({numbers.begin(), numbers.end()});
+  return ElementScalars(ElementRows(RowMatrix(numbers)));
 }
 
 ElementRows element_data(const std::string& name, const RowMatrix& rows) {

@@ -44,7 +44,7 @@ void detail::refuse_asymmetric(std::string_view name, double ab, double ba) {
 
 DensityTraits detail::traits_of(std::string_view name, const Traits& traits,
                                 std::span<const bool> supported) {
-  DensityTraits all{std::string(name), {}, traits.barrier, traits.free_scale, {}, {}};
+  DensityTraits all{std::string(name), {}, traits.barrier, traits.free_scale};
   for (std::size_t k = 0; k < supported.size(); ++k)
     if (supported[k]) all.curvatures.push_back(kCurvatures[k]);
   return all;

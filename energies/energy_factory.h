@@ -33,11 +33,13 @@ struct DensityTraits {
   std::vector<Curvature> curvatures;  // supported
   Barrier barrier = Barrier::Weak;
   FreeScale free_scale = FreeScale::Determined;
-  // The density for these TermState::parameters; empty for a density without parameters.
-  std::function<std::shared_ptr<const void>(const Vec& parameters)> with_parameters;
+  // The density for these TermState::parameters, which it may refer to, and their number; empty
+  // for a density without parameters.
+  std::function<std::shared_ptr<const void>(const Vec& parameters)> with_parameters = {};
+  Index parameter_count = 0;
   // The number of elements that the density has data or turned frames for; none: it is the same on
   // every mesh.
-  std::optional<Index> elements;
+  std::optional<Index> elements = {};
 };
 
 class DensityTerm final : public EnergyTerm {
@@ -53,6 +55,7 @@ class DensityTerm final : public EnergyTerm {
   const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature curvature) const override;
   RuleId rule_count() const override { return static_cast<RuleId>(rules_.size()); }
+  Index parameter_count() const override { return traits_.parameter_count; }
   const DensityTraits& traits() const { return traits_; }
   // f = measure * mean density of each element.
   void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,

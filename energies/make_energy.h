@@ -12,8 +12,9 @@
 //   options.map.energy = {{energy_factory(mine), 1.0}};
 //
 // Kernels of the library call the formula point by point; energies/vectorized.h has others. A
-// density with a member `Density with_parameters(const Vec&) const` takes TermState::parameters,
-// which may change between steps.
+// density takes TermState::parameters, which may change between steps, by its members
+// `Index parameter_count() const` and `Density with_parameters(const Vec&) const`; what the latter
+// returns is used while these parameters live.
 //
 // Not for functions of few unknowns that integrate nothing, as springs or penalties: make_term()
 // (framework/terms/local_term.h).
@@ -52,8 +53,10 @@ namespace majorant {
 //   std::vector<Material> material(to_size(mesh->face_count()));        // a const Material&
 //
 // Rows are those of the elements: for parametrize(), the faces of the mesh. They follow the faces
-// through every degree and rule, and into the charts of unwrap(). Not for what changes while
-// solving: that is TermState.
+// through every degree and rule, and into the charts of unwrap(). Numbers (a double or a span) may
+// change between steps: they are TermState::parameters, row by row.
+//
+//   const Problem stiffer = problem.with({{id, {.parameters = 2 * stiffness}}});
 
 // Values of any type, one an element; copies share them.
 template <class T>
@@ -77,23 +80,40 @@ class ElementValues {
 // Holds as many numbers for each element as a matrix has columns.
 class ElementRows {
  public:
-  explicit ElementRows(RowMatrix rows)
-      : rows_(std::make_shared<const RowMatrix>(std::move(rows))) {}
-  Index size() const { return static_cast<Index>(rows_->rows()); }
+  explicit ElementRows(RowMatrix rows);
+  // Refers to numbers that live on: element e has those from e * columns on.
+  ElementRows(const Vec& numbers, Index columns);
+  Index size() const { return size_; }
+  Index columns() const { return columns_; }
   std::span<const double> operator[](Index e) const {
-    return {rows_->data() + e * rows_->cols(), static_cast<std::size_t>(rows_->cols())};
+    return {first_.get() + e * columns_, static_cast<std::size_t>(columns_)};
   }
   ElementRows of(std::span<const Index> elements) const;
 
  private:
-  std::shared_ptr<const RowMatrix> rows_;
+  std::shared_ptr<const double> first_;
+  Index size_, columns_;
 };
 
-extern template class ElementValues<double>;
+// Holds one number for each element.
+class ElementScalars {
+ public:
+  explicit ElementScalars(ElementRows rows) : rows_(std::move(rows)) {}
+  ElementScalars(const Vec& numbers, Index columns) : rows_(numbers, columns) {}
+  Index size() const { return rows_.size(); }
+  Index columns() const { return 1; }
+  double operator[](Index e) const { return rows_[e].front(); }
+  ElementScalars of(std::span<const Index> elements) const {
+    return ElementScalars(rows_.of(elements));
+  }
+
+ private:
+  ElementRows rows_;
+};
 
 namespace detail {
 // Throws InvalidArgument for numbers that are not finite; name: of the density.
-ElementValues<double> element_data(const std::string& name, const Vec& numbers);
+ElementScalars element_data(const std::string& name, const Vec& numbers);
 ElementRows element_data(const std::string& name, const RowMatrix& rows);
 template <class T>
 ElementValues<T> element_data(const std::string&, std::vector<T> values) {
@@ -122,6 +142,16 @@ class WithData : public Density {
   Index element_count() const { return data_.size(); }
   decltype(auto) data_of(Index element) const { return data_[element]; }
   WithData of(std::span<const Index> elements) const { return {*this, data_.of(elements)}; }
+  Index parameter_count() const
+    requires requires(const Data& data) { data.columns(); }
+  {
+    return data_.size() * data_.columns();
+  }
+  WithData with_parameters(const Vec& parameters) const
+    requires requires(const Data& data) { data.columns(); }
+  {
+    return {*this, Data(parameters, data_.columns())};
+  }
 
  private:
   Data data_;
@@ -237,10 +267,12 @@ EnergyFactory make_factory(std::shared_ptr<const Object> object, const DensityKe
   for (std::size_t k = 0; k < std::size(kCurvatures); ++k)
     supported[k] = density.supports(kCurvatures[k]);
   DensityTraits traits = traits_of(density.name(), density.traits, supported);
-  if constexpr (requires(Vec parameters) { density.with_parameters(parameters); })
+  if constexpr (requires(Vec parameters) { density.with_parameters(parameters); }) {
+    traits.parameter_count = density.parameter_count();
     traits.with_parameters = [object, called](const Vec& parameters) {
       return called(std::make_shared<const Object>(object->density.with_parameters(parameters)));
     };
+  }
   EnergyFactory::Part part;
   if constexpr (requires { density.element_count(); }) {
     traits.elements = density.element_count();

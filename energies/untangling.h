@@ -36,6 +36,7 @@ class UntanglingDensity final : public IsotropicDensity<UntanglingDensity, NoMaj
         eps_(eps),
         lambda_(lambda) {}
   // The one parameter is eps.
+  static Index parameter_count() { return 1; }
   UntanglingDensity with_parameters(const Vec& parameters) const {
     return UntanglingDensity(parameters[0], lambda_);
   }
@@ -85,6 +86,7 @@ class SolidUntanglingDensity final {
 
   // As of UntanglingDensity.
   explicit SolidUntanglingDensity(double eps, double lambda = 1.0) : eps_(eps), lambda_(lambda) {}
+  static Index parameter_count() { return 1; }
   SolidUntanglingDensity with_parameters(const Vec& parameters) const {
     return SolidUntanglingDensity(parameters[0], lambda_);
   }

@@ -421,6 +421,7 @@ class Phases {
     const bool last = m_ * mu <= options_.tolerance * scale();
     problem_.enter(themselves(mu));
     StoppingRules rules = options_.newton.stopping;
+    rules.scale = EnergyScale::Value;  // a phase begins near its minimum
     if (!last) {
       const double start = problem_.evaluator().value(problem_.y());
       rules = brief_rules(0, relative_to(start, options_.centred * m_ * mu));

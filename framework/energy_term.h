@@ -22,6 +22,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -52,13 +53,30 @@ struct ElementBatch {
   std::span<const Index> elements;  // at most kMaxSize
 };
 
+struct TermChange;
+
 // The part of a term that may change between steps without changing unknowns or sparsity pattern.
 struct TermState {
   double weight = 1.0;                    // of the whole term
   Vec element_weight = {};                // #E factors, empty = all 1
   std::vector<RuleId> element_rule = {};  // #E, empty = all 0
-  Vec parameters = {};  // the term's own scalars (annealed epsilon, say); usually empty
+  // EnergyTerm::parameter_count() numbers; empty: those that the term was made with.
+  Vec parameters = {};
+
+  operator TermChange() const;
 };
+
+// A change of a term's state: what is given replaces what the term has, the rest stays.
+struct TermChange {
+  std::optional<double> weight = {};
+  std::optional<Vec> element_weight = {};
+  std::optional<std::vector<RuleId>> element_rule = {};
+  std::optional<Vec> parameters = {};
+};
+
+inline TermState::operator TermChange() const {
+  return {weight, element_weight, element_rule, parameters};
+}
 
 // Scratch memory of one thread: grows, never shrinks, contents undefined.
 class Workspace {
@@ -92,6 +110,9 @@ class EnergyTerm {
   virtual const ElementDofs& element_dofs() const = 0;  // constant for the term's lifetime
   virtual bool supports(Curvature curvature) const = 0;
   virtual RuleId rule_count() const { return 1; }  // TermState::element_rule says one of these
+  // The number of TermState::parameters: numbers that the energy depends on beside x and that may
+  // change between steps, such as the point of a linearization or the parameter of a homotopy.
+  virtual Index parameter_count() const { return 0; }
 
   // f[p] = energy of the batch's element p at x, +inf outside the domain, never NaN. Weights are
   // not the term's business.

@@ -119,14 +119,33 @@ double Evaluator::linearize(VecIn y, BlendedCurvature curvature, Vec& gradient, 
   const AddedSeconds time(counters_.linearize_seconds);
   ++counters_.linearizations;
   hessian_values.setZero(problem_.pattern().nonzeros());
-  return assemble(y, curvature, gradient, &hessian_values, stop);
+  return assemble(y, curvature, problem_.terms(), gradient, &hessian_values, stop);
 }
 
 double Evaluator::gradient(VecIn y, Vec& gradient, const StopCheck& stop) {
   require_size("Evaluator::gradient: y", y.size(), problem_.size());
   const AddedSeconds time(counters_.gradient_seconds);
   ++counters_.gradients;
-  return assemble(y, Curvature::Projected, gradient, nullptr, stop);
+  return assemble(y, Curvature::Projected, problem_.terms(), gradient, nullptr, stop);
+}
+
+double Evaluator::gradient(TermId id, VecIn y, Vec& gradient, const StopCheck& stop) {
+  require_size("Evaluator::gradient: y", y.size(), problem_.size());
+  problem_.term(id);  // throws for a term that is not there
+  const AddedSeconds time(counters_.gradient_seconds);
+  ++counters_.gradients;
+  return assemble(y, Curvature::Projected, {&id, 1}, gradient, nullptr, stop);
+}
+
+Eigen::SparseMatrix<double> Evaluator::hessian(VecIn y, BlendedCurvature curvature,
+                                               const StopCheck& stop) {
+  Vec gradient, values;
+  linearize(y, curvature, gradient, values, stop);
+  const SparsePattern& pattern = problem_.pattern();
+  const Eigen::Map<const Eigen::SparseMatrix<double>> lower(
+      pattern.size, pattern.size, pattern.nonzeros(), pattern.column_starts.data(),
+      pattern.rows.data(), values.data());
+  return lower.selfadjointView<Eigen::Lower>();
 }
 
 std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
@@ -140,8 +159,8 @@ std::optional<Evaluator::Violation> Evaluator::violation(VecIn x) {
   return std::nullopt;
 }
 
-double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
-                           const StopCheck& stop) {
+double Evaluator::assemble(VecIn y, BlendedCurvature curvature, std::span<const TermId> terms,
+                           Vec& gradient, Vec* hessian_values, const StopCheck& stop) {
   require_no_stop("Evaluator: the stop check", stop, partition_of(problem_));
   ProblemParts::elimination(problem_).expand(y, x_);
   gradient.setZero(problem_.size());
@@ -149,7 +168,7 @@ double Evaluator::assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, V
     scratch_.push_back(std::make_unique<Scratch>());
   double total = 0;
   std::vector<double> energies;
-  for (const TermId k : problem_.terms()) {
+  for (const TermId k : terms) {
     assemble_term(k, curvature, gradient, hessian_values, stop, energies);
     for (const double e : energies) total += e;
   }

@@ -11,11 +11,13 @@
 //     energy_term.h               EnergyTerm: a sum over elements of functions of few unknowns;
 //                                 check_derivatives()
 //     curvature.h                 which matrix stands for second derivatives
+//     curvature_choice.h          these by name, with the rules that choose between them
 //     constraint.h                affine equations, eliminated exactly; points and single unknowns
 //                                 that are held
 //     feasibility.h               what a line search holds; bounds with barriers, and how far a
 //                                 start is outside of them, as an energy
 //     problem.h                   ProblemBuilder, Problem: terms, constraints, checkers; Evaluator
+//     hessian_factor.h            the Hessian at a point, to solve with
 //     dual2.h                     derivatives of formulas, of first and second order
 //
 // Minimizers:
@@ -41,11 +43,13 @@
 #include "majorant/framework/barrier_minimizer.h"
 #include "majorant/framework/constraint.h"
 #include "majorant/framework/curvature.h"
+#include "majorant/framework/curvature_choice.h"
 #include "majorant/framework/dual2.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/first_order.h"
+#include "majorant/framework/hessian_factor.h"
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/line_search.h"
 #include "majorant/framework/linear_solver.h"

@@ -94,7 +94,16 @@ class Minimizer {
 //       about what cancellation leaves of terms of that size: an energy that is 0 at its minimum
 //       has no scale of its own there
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
+//
+// EnergyScale::Value is what these rules say. With EnergyScale::Decrease
+//     max(min(|E_{k-1}|, E_0 - E_{k-1} - g.p), 1e-6 (E_j - E_{k-1}), r |E_{k-1}|, s)
+// stands for |E_{k-1}|, with E_j ten steps before and r = min(1, 5e-13 / relative_decrease), below
+// which decreases are rounding: a constant in the energy does not change what converges.
+enum class EnergyScale { Value, Decrease };
+
 struct StoppingRules {
+  // The energies of maps are means of densities: their values are what decreases are compared with.
+  EnergyScale scale = EnergyScale::Decrease;
   // Tuned by bench/tune.py stopping.relative_decrease.
   double relative_decrease = 1e-6;
   // -g.p is twice what is left, and that is 5 decreases where each step leaves 5/6.
@@ -162,6 +171,8 @@ class StoppingTest {
 
   // The least energy that decrements and decreases are relative to.
   double smallest_scale() const;
+  // The one that they are relative to in a step from `energy` whose -g.p is `decrement`.
+  double scale(double energy, double decrement) const;
 
   // The stop where the iterations are used up.
   std::optional<Stop> before_step() const;
@@ -172,14 +183,14 @@ class StoppingTest {
   Advice after(const StepResult& step, Since since = Since::Same);
 
  private:
-  void remember(const StepResult& step, Since since);
+  void remember(const StepResult& step, double decrease, Since since);
   bool on_plateau() const;
   bool falls_visibly() const;
   double remaining(std::ptrdiff_t window) const;
 
   StoppingRules rules_;
-  double start_;                 // |E_0|
-  std::deque<double> energies_;  // |E| of the last points
+  double start_;                 // E_0
+  std::deque<double> energies_;  // of the last points
   int steps_ = 0, idle_ = 0;
   int held_ = 0;                       // of idle_: a certified step below stall_step
   StepLimit limit_ = StepLimit::None;  // of the idle steps

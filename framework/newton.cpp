@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -36,8 +37,15 @@ constexpr double kRotationShift = 1.5;
 // The shift, of the mean diagonal, with which the Hessian of a minimum is definite: rounding errors
 // of entries and of their factorization are far below.
 constexpr double kSaddle = 1e-8;
+// Steps of inverse iteration for the direction of most negative curvature: the shift is at most ten
+// times what is needed, so that each step gains where the next eigenvalue is not close.
+constexpr int kInverseIterations = 30;
+// The first trial away from a saddle, as a part of |y|; the line search grows or shortens it.
+constexpr double kEscape = 1e-2;
 // The factor of a shift with which a step was much too short, and the largest that is tried.
 constexpr double kRaisedShift = 10, kLargestShift = 10;
+// BlendedCurvature::projection_weight of absolute eigenvalues.
+constexpr double kAbsoluteProjection = 2;
 // The values that t of a blend rises to when it was too small: by about a factor of 5, so that two
 // failures lead from the exact Hessian to one that is mostly projected.
 constexpr double kRaised[] = {0.1, 0.5, 1};
@@ -83,6 +91,16 @@ class NewtonStepper::LaggedFactor {
 
 namespace {
 
+// The unknowns by whose values the motions are told apart best: as many as there are motions.
+std::vector<Index> gauge_of(const Eigen::MatrixXd& motions, Index size) {
+  require_size("NewtonOptions: near_null_space", motions.rows(), size);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(motions.transpose());
+  std::vector<Index> unknowns;
+  for (Index k = 0; k < factors.rank(); ++k)
+    unknowns.push_back(factors.colsPermutation().indices()[k]);
+  return unknowns;
+}
+
 void require_rules(const BlendRules& rules) {
   require_in("NewtonOptions: blend.fall", rules.fall, 0, 1);
   require_in("NewtonOptions: blend.least", rules.least, 0, 1);
@@ -108,12 +126,21 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
       lagged_(std::make_unique<LaggedFactor>(options_.lagged)) {
   require_curvature(problem);
   require_in("NewtonOptions: forcing.largest", options_.forcing.largest, 0, 1);
-  if (!(options_.projection >= 1 && options_.projection <= 2))
-    throw InvalidArgument(fmt::format("NewtonOptions: projection is {:g}, it must lie in [1, 2]",
+  if (!(options_.projection >= 0 && options_.projection <= 2))
+    throw InvalidArgument(fmt::format("NewtonOptions: projection is {:g}, it must lie in [0, 2]",
                                       options_.projection));
-  if (options_.projection != 1 && options_.curvature != Curvature::Projected)
+  require_at_least("NewtonOptions: adaptive.tolerance", options_.adaptive.tolerance, 0);
+  if ((options_.projection != 1 || options_.adaptive.tolerance > 0) &&
+      options_.curvature != Curvature::Projected)
     throw InvalidArgument(
         "NewtonOptions: projection is that of Curvature::Projected, no other has one");
+  require_at_least("NewtonOptions: saddles_to_leave", options_.saddles_to_leave, 0);
+  if (options_.saddles_to_leave > 0 && !options_.tests_minimum)
+    throw InvalidArgument("NewtonOptions: saddles_to_leave needs tests_minimum");
+  if (options_.holds_null_space && !options_.near_null_space)
+    throw InvalidArgument("NewtonOptions: holds_null_space needs near_null_space");
+  if (options_.holds_null_space && partition_of(problem).ranks().count() > 1)
+    throw InvalidArgument("NewtonOptions: holds_null_space is for problems of one process");
   require_at_least("NewtonOptions: lagged.history", options_.lagged.history, 0);
   require_at_least("NewtonOptions: lagged.steps", options_.lagged.steps, 0);
   require_rules(options_.blend);
@@ -121,12 +148,18 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
   require_in("NewtonOptions: shifts.short_step", options_.shifts.short_step, 0, 1);
   require_in("NewtonOptions: shifts.fall", options_.shifts.fall, 0, 1);
   require_at_least("NewtonOptions: shifts.wait", options_.shifts.wait, 0);
+  whole_weight_ = first_projection();
   analyze();
 }
 
 void NewtonStepper::analyze() {
   const Problem& problem = evaluator_.problem();
-  if (options_.near_null_space) solver_->hint_near_null_space(options_.near_null_space(problem));
+  gauge_.clear();
+  if (options_.near_null_space) {
+    Eigen::MatrixXd motions = options_.near_null_space(problem);
+    if (options_.holds_null_space) gauge_ = gauge_of(motions, problem.size());
+    solver_->hint_near_null_space(std::move(motions));
+  }
   analyze_shared(*solver_, problem.pattern(), partition_of(problem));
 }
 
@@ -143,6 +176,7 @@ void NewtonStepper::reset(const Problem& problem) {
   shift_ = 0;
   shift_wait_ = next_wait_ = 0;
   is_raised_ = false;
+  whole_weight_ = first_projection();
   lagged_->drop();
   if (!same) analyze();
 }
@@ -177,7 +211,8 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   }
   last_gradient_norm_ = r.gradient_norm;
   if (step.outcome == Outcome::Breakdown) return;
-  relative_decrement_ = relative(before, r.newton_decrement);
+  relative_decrement_ = relative_decrement(before, r.newton_decrement);
+  learn_projection(step);
   learn_weight(step);
   // An iterative solver has no factor to keep: its solves are what costs.
   if (step.outcome == Outcome::Moved && r.solver_iterations == 0)
@@ -196,7 +231,7 @@ bool NewtonStepper::lagged_step(Vec& y, double& energy, Step& step) {
   const double before = energy;
   move_along(p_, 1.0, y, energy, step);
   if (step.outcome != Outcome::Moved) return false;
-  relative_decrement_ = relative(before, r.newton_decrement);
+  relative_decrement_ = relative_decrement(before, r.newton_decrement);
   lagged_->judge(r);
   return true;
 }
@@ -236,6 +271,15 @@ double NewtonStepper::mean_diagonal() const {
                                  partition_of(evaluator_.problem()));
 }
 
+// With g orthogonal to the motions N, (H + m E E^T) p = -g has the solution of H p = -g that is 0 at
+// the unknowns of E, if these tell the motions apart.
+void NewtonStepper::hold_gauge() {
+  if (gauge_.empty()) return;
+  const double mean = mean_diagonal();
+  const SparsePattern& pattern = evaluator_.problem().pattern();
+  for (const Index unknown : gauge_) hessian_[pattern.diagonal_slot(unknown)] += mean;
+}
+
 // Solves with hessian_ and gradient_ as they are.
 FactorStatus NewtonStepper::solve_shifted(double shift, IterationRecord& record) {
   Stopwatch watch;
@@ -258,6 +302,7 @@ bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
   const BlendedCurvature blend = BlendedCurvature::projected(projection_weight_);
   evaluator_.linearize(y, blend, gradient_, hessian_, stop_);
+  hold_gauge();
   record.seconds.assemble += watch.restart();
   const Partition& partition = partition_of(evaluator_.problem());
   record.shift = options_.blend.shift
@@ -277,9 +322,10 @@ bool NewtonStepper::solve_blend(const Vec& y, IterationRecord& record) {
 bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
   Stopwatch watch;
   const BlendedCurvature whole = options_.curvature == Curvature::Projected
-                                     ? BlendedCurvature::projected(options_.projection)
+                                     ? BlendedCurvature::projected(whole_weight_)
                                      : BlendedCurvature(options_.curvature);
   evaluator_.linearize(y, whole, gradient_, hessian_, stop_);
+  hold_gauge();
   record.curvature = whole.model;
   record.projection_weight = whole.projection_weight;
   record.seconds.assemble += watch.restart();
@@ -319,17 +365,32 @@ double NewtonStepper::first_shift() {
 void NewtonStepper::learn_shift(Step& step) {
   const ShiftRules& rules = options_.shifts;
   step.is_damped = is_damped_;
-  const bool is_whole = step.record.projection_weight >= 1 || !blends();
+  const bool is_whole = step.record.projection_weight >= whole_weight_ || !blends();
   const bool is_cut = step.outcome == Outcome::Blocked || step.outcome == Outcome::NoDecrease ||
                       (step.outcome == Outcome::Moved && step.record.step < rules.short_step);
   is_raised_ = rules.short_step > 0 && is_whole && is_cut && shift_ < kLargestShift &&
-               relative(step.energy_before, step.record.newton_decrement) >
+               relative_decrement(step.energy_before, step.record.newton_decrement) >
                    std::max(LineSearch::kResolution, options_.stopping.stall_decrement);
   step.is_direction_too_long = is_raised_;
   if (!is_raised_) return;
   fall_ = rules.fall;
   const double missing = step.outcome == Outcome::Moved ? rules.short_step / step.record.step : 0;
   shift_ = std::clamp(std::max(kRaisedShift, missing) * shift_, rules.least, kLargestShift);
+}
+
+double NewtonStepper::first_projection() const {
+  return options_.adaptive.tolerance > 0 ? kAbsoluteProjection : options_.projection;
+}
+
+// The quadratic model of a step s p with H p = -g promises (s - s^2 / 2) (-g.p).
+void NewtonStepper::learn_projection(const Step& step) {
+  if (options_.adaptive.tolerance == 0) return;
+  const IterationRecord& r = step.record;
+  const double promised = r.step * (1 - r.step / 2) * r.newton_decrement;
+  const double ratio =
+      step.outcome == Outcome::Moved ? (step.energy_before - r.energy) / promised : 0;
+  whole_weight_ =
+      std::abs(ratio - 1) <= options_.adaptive.tolerance ? 1 : kAbsoluteProjection;
 }
 
 // Chooses the next blend.
@@ -372,14 +433,73 @@ Definite NewtonStepper::definite_at(const Vec& y) {
   }
 }
 
+// Inverse iteration on H + shift: its least eigenvector is that of H.
+bool NewtonStepper::leave_saddle(Vec& y, double& energy) {
+  const Problem& problem = evaluator_.problem();
+  const Partition& partition = partition_of(problem);
+  evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_, stop_);
+  lagged_->drop();
+  IterationRecord unused;
+  const ShiftedFactorization factors =
+      try_shifts([&](double shift) { return solve_shifted(shift, unused); }, mean_diagonal(),
+                 kSaddle, stop_);
+  if (factors.status != FactorStatus::Ok || factors.shift == 0) return false;
+  Vec v = Vec::LinSpaced(problem.size(), 1, 2), next;
+  for (Index k = 1; k < v.size(); k += 2) v[k] = -v[k];
+  double curvature = 0;
+  for (int k = 0; k < kInverseIterations; ++k) {
+    v /= partition.norm(v);
+    solver_->solve(v, next, kPreconditionerTolerance);
+    curvature = 1 / partition.dot(v, next) - factors.shift;
+    std::swap(v, next);
+  }
+  if (!(curvature < 0)) return false;
+  const double size = partition.norm(y);
+  v *= (size > 0 ? kEscape * size : 1.0) / partition.norm(v);
+  if (partition.dot(gradient_, v) > 0) v = -v;
+  const double promised = -curvature / 2 * partition.squared_norm(v);
+  LineSearch search(evaluator_, options_.line_search, y, v, energy, promised, stop_);
+  if (search.find(1.0) != LineSearch::Result::Accepted || !(search.energy() < energy)) return false;
+  y += search.step() * v;
+  energy = search.energy();
+  return true;
+}
+
 SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0, RunObserver* observer) const {
   NewtonStepper stepper(problem, options_);
   SolveResult result = stepper.minimize(std::move(y0), options_.stopping, observer);
-  if (options_.tests_minimum && result.status == Status::Converged && result.y.size() > 0) {
-    result.definite = stepper.definite_at(result.y);
-    if (result.definite == Definite::No)
+  const auto test = [&] {
+    if (options_.tests_minimum && result.status == Status::Converged && result.y.size() > 0)
+      result.definite = stepper.definite_at(result.y);
+    return result.definite;
+  };
+  const auto leave = [&] {
+    try {
+      return stepper.leave_saddle(result.y, result.energy);
+    } catch (const Stopped&) {
+      return false;
+    }
+  };
+  for (int left = 0; test() == Definite::No; ++left) {
+    if (left == options_.saddles_to_leave || !leave()) {
       result.message += ", at a saddle: the exact Hessian is indefinite there";
+      break;
+    }
+    StoppingRules rules = options_.stopping;
+    const auto taken = static_cast<int>(result.iterations.size());
+    rules.max_iterations = std::max(0, rules.max_iterations - taken);
+    SolveResult rest =
+        stepper.descend_from(std::move(result.y), result.energy, rules, observer);
+    for (IterationRecord& record : rest.iterations) record.iteration += taken;
+    rest.iterations.insert(rest.iterations.begin(), result.iterations.begin(),
+                           result.iterations.end());
+    result = std::move(rest);
   }
+  if (options_.projection != 1 || options_.adaptive.tolerance > 0)
+    for (const TermId id : problem.terms())
+      if (!problem.term(id).supports(Curvature::Exact))
+        result.message +=
+            fmt::format("; term '{}' projects its Hessian by a rule of its own", problem.term(id).name());
   return result;
 }
 

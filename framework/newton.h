@@ -10,7 +10,9 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <vector>
 
+#include "majorant/framework/curvature_choice.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/stepper.h"
 
@@ -93,11 +95,19 @@ struct ForcingRules {
 };
 
 struct NewtonOptions {
+  // The model with its projection and its rules, of which the next three are the parts.
+  void set_curvature(const CurvatureChoice& choice) {
+    curvature = choice.model;
+    projection = choice.projection;
+    adaptive = choice.adaptive;
+  }
   Curvature curvature = Curvature::Projected;
-  // The weight of the projection far from a minimum, for Curvature::Projected: 1 sets negative
-  // eigenvalues to 0, 2 to their absolute values. The latter keeps directions short where a
-  // projected Hessian is nearly singular.
+  // The weight of the projection far from a minimum, in [0, 2], for Curvature::Projected: 0 is the
+  // exact Hessian, 1 sets negative eigenvalues to 0, 2 to their absolute values. The last keeps
+  // directions short where a projected Hessian is nearly singular. Terms without an exact Hessian
+  // project by their own rule; the message of the result names them where this is not 1.
   double projection = 1;
+  AdaptiveProjectionRules adaptive = {};
   BlendRules blend = {};
   ShiftRules shifts = {};
   LaggedFactorRules lagged = {};
@@ -107,8 +117,21 @@ struct NewtonOptions {
   SolverFactory linear_solver = [] { return make_direct_solver(); };
   // NewtonMinimizer tests where it has converged (SolveResult::definite).
   bool tests_minimum = true;
-  // LinearSolver::hint_near_null_space() of a problem, told before its analysis; empty: nothing is.
+  // The number of saddles that NewtonMinimizer leaves, along the direction of most negative
+  // curvature, where it has converged at one; the result may be a saddle after these. Needs
+  // tests_minimum.
+  int saddles_to_leave = 0;
+  // Motions that the energy does not see, a column each, on the unknowns of the problem: told to
+  // the solver before its analysis (LinearSolver::hint_near_null_space()); empty: nothing is.
   std::function<Eigen::MatrixXd(const Problem&)> near_null_space = {};
+  // A gauge: holds as many unknowns as near_null_space has columns, each by the mean diagonal that
+  // is added to its own, so that the Hessian of what nothing else holds is not singular. Steps are
+  // the same but for such motions. Translations of nodes of two unknowns:
+  //     options.near_null_space = [](const Problem& problem) -> Eigen::MatrixXd {
+  //       return Eigen::Matrix2d::Identity().replicate(problem.size() / 2, 1);
+  //     };
+  //     options.holds_null_space = true;
+  bool holds_null_space = false;
   StopCheck stop = {};  // ends a step between batches of elements, factorizations, trials
 };
 
@@ -128,6 +151,9 @@ class NewtonStepper final : public Stepper {
 
   // Costs an exact Hessian and a factorization.
   Definite definite_at(const Vec& y);
+  // Moves y down from a saddle, along a direction of negative curvature; energy of y in and out.
+  // Returns whether it found a way: y is as it was otherwise.
+  bool leave_saddle(Vec& y, double& energy);
 
  private:
   void advance(Vec& y, double& energy, Step& step) override;
@@ -140,21 +166,26 @@ class NewtonStepper final : public Stepper {
   bool solve_blend(const Vec& y, IterationRecord& record);
   bool solve_whole(const Vec& y, IterationRecord& record);
   double first_shift();
+  double first_projection() const;
   void learn_shift(Step& step);
   FactorStatus solve_shifted(double shift, IterationRecord& record);
   double tolerance() const;
   double mean_diagonal() const;
+  void hold_gauge();
   void learn_weight(const Step& step);
+  void learn_projection(const Step& step);
   void raise_weight(double failed);
 
   NewtonOptions options_;
   std::shared_ptr<LinearSolver> solver_;
+  std::vector<Index> gauge_;  // unknowns that are held
   Vec hessian_, p_;
   double last_gradient_norm_ = 0, last_tolerance_ = 0;  // of the step before; 0: there is none
   double relative_decrement_ = std::numeric_limits<double>::infinity();  // of the last step
   double projection_weight_ = 1;                                         // t of the next blend
   int hold_ = 0;                                                         // steps that it stays
   int whole_steps_ = 0;                                                  // to come before it
+  double whole_weight_ = 1;             // the projection of the next step without a blend
   double shift_ = 0;                    // of the last step without a blend, relative
   double fall_ = 0;                     // the part of it that the next step begins with
   int shift_wait_ = 0, next_wait_ = 0;  // steps until none is tried again

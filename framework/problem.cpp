@@ -190,7 +190,7 @@ const ScatterMap& ProblemParts::slots(const Problem& problem, TermId id) {
 }
 
 // Weights may be 0, but not negative: an energy that is turned over is unbounded below, and no
-// curvature model is definite. Which parameters a term takes is its own business.
+// curvature model is definite.
 void require_valid(const EnergyTerm& term, const TermState& state) {
   const auto refuse = [&](const std::string& what) {
     throw InvalidArgument(fmt::format("term '{}': {}", term.name(), what));
@@ -212,6 +212,9 @@ void require_valid(const EnergyTerm& term, const TermState& state) {
     if (state.element_rule[e] < 0 || state.element_rule[e] >= term.rule_count())
       refuse(fmt::format("the rule of element {} is {}, there are {}", e, state.element_rule[e],
                          term.rule_count()));
+  const Index parameters = state.parameters.size();
+  if (parameters != 0 && parameters != term.parameter_count())
+    refuse(fmt::format("{} parameters, it takes {}", parameters, term.parameter_count()));
   if (!state.parameters.allFinite()) refuse("its parameters are not finite");
 }
 
@@ -228,10 +231,23 @@ bool Problem::supports(Curvature curvature) const {
   return true;
 }
 
+namespace {
+
+TermState changed(TermState state, TermChange change) {
+  if (change.weight) state.weight = *change.weight;
+  if (change.element_weight) state.element_weight = std::move(*change.element_weight);
+  if (change.element_rule) state.element_rule = std::move(*change.element_rule);
+  if (change.parameters) state.parameters = std::move(*change.parameters);
+  return state;
+}
+
+}  // namespace
+
 Problem Problem::with(TermChanges changes) const {
   Problem other = *this;
-  for (auto& [id, state] : changes) {
+  for (auto& [id, change] : changes) {
     require_term("Problem::with", id);
+    TermState state = changed(other.states_[number(id)], std::move(change));
     require_valid(term(id), state);
     if (!same_rules(state.element_rule, other.states_[number(id)].element_rule))
       other.plans_[number(id)] = std::make_shared<const ColoredBatches>(

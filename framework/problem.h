@@ -7,13 +7,14 @@
 //   builder.add(std::make_shared<LocalInjectivity>(space, 2 * rest.measure));
 //   Problem problem = builder.build();
 //   SolveResult r = NewtonMinimizer().minimize(problem, problem.reduce(x), observer);
-//   Problem other = problem.with({{id, TermState{.weight = 2}}});  // everything else the same
+//   Problem other = problem.with({{id, {.weight = 2}}});      // everything else the same
 //
 // A Problem is immutable and cheap to copy. Solvers see the reduced unknowns y of x = Z y + c.
 //
 // Not for sums whose every element has many unknowns: matrices are sparse, local ones dense.
 #pragma once
 
+#include <Eigen/SparseCore>
 #include <memory>
 #include <optional>
 #include <span>
@@ -37,8 +38,8 @@ class Partition;
 // structure.
 enum class TermId : std::size_t {};
 
-// New states of terms.
-using TermChanges = std::vector<std::pair<TermId, TermState>>;
+// New states of terms, or parts of them.
+using TermChanges = std::vector<std::pair<TermId, TermChange>>;
 
 class Problem {
  public:
@@ -52,9 +53,10 @@ class Problem {
   const std::vector<std::shared_ptr<const FeasibilityChecker>>& checkers() const;
   bool supports(Curvature curvature) const;
 
-  // The same problem with other states of these terms, the rest kept: pattern, slots and (in a
-  // solver) the symbolic factor stay valid. Throws InvalidArgument for a term that the problem does
-  // not have and for what ProblemBuilder::add() would refuse.
+  // Returns the same problem with other states of these terms: pattern, slots and (in a solver) the
+  // symbolic factor stay valid. A TermState replaces all of a term's state, a TermChange what it
+  // names: {{id, {.parameters = numbers}}} keeps the weight. Throws InvalidArgument for a term that
+  // the problem does not have and for what ProblemBuilder::add() would refuse.
   Problem with(TermChanges changes) const;
   // The same unknowns and constraints with other terms in place of some, in their states, and with
   // these checkers: what a bound that is relaxed needs. Another structure. Throws InvalidArgument
@@ -104,7 +106,8 @@ class ProblemBuilder {
   };
 
   // add() throws InvalidArgument for null pointers, element_dofs that leave the unknowns, weights
-  // that are negative or not finite, states of another size, rules that a term does not have, and
+  // that are negative or not finite, states and parameters of another size, rules that a term does
+  // not have, and
   // constraints that leave a row open.
   explicit ProblemBuilder(Index full_size);
   AddedTerm add(std::shared_ptr<const EnergyTerm> term, double weight);
@@ -139,6 +142,7 @@ class ProblemBuilder {
 //   double energy = evaluator.value(y);                                 // line searches
 //   energy = evaluator.gradient(y, g);                                  // first-order methods
 //   energy = evaluator.linearize(y, Curvature::Projected, g, h);        // Newton
+//   const Eigen::SparseMatrix<double> H = evaluator.hessian(y);         // to look at
 //
 // One evaluator per solver: it owns scratch memory, counters and timers. Results do not depend on
 // the number of threads (parallel.h), to the last bit: batches are fixed, batches of one colour
@@ -170,6 +174,12 @@ class Evaluator {
                    const StopCheck& stop = {});
   // Energy and gradient at y, which lies in the domain: Z^T of the full gradient, size() entries.
   double gradient(VecIn y, Vec& gradient, const StopCheck& stop = {});
+  // Energy and gradient of one term's part, weights included.
+  double gradient(TermId id, VecIn y, Vec& gradient, const StopCheck& stop = {});
+  // The Hessian at y, which lies in the domain, both triangles. It is a copy: minimizers use
+  // linearize(), HessianFactor (hessian_factor.h) solves with it.
+  Eigen::SparseMatrix<double> hessian(VecIn y, BlendedCurvature curvature = Curvature::Exact,
+                                      const StopCheck& stop = {});
 
   struct Violation {
     const FeasibilityChecker* checker = nullptr;
@@ -190,8 +200,8 @@ class Evaluator {
 
  private:
   struct Scratch;
-  double assemble(VecIn y, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
-                  const StopCheck& stop);
+  double assemble(VecIn y, BlendedCurvature curvature, std::span<const TermId> terms, Vec& gradient,
+                  Vec* hessian_values, const StopCheck& stop);
   void assemble_term(TermId k, BlendedCurvature curvature, Vec& gradient, Vec* hessian_values,
                      const StopCheck& stop, std::vector<double>& batch_energies);
 

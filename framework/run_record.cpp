@@ -34,6 +34,20 @@ double relative_to(double energy, double value) {
   return value / std::max(std::abs(energy), std::numeric_limits<double>::min());
 }
 
+std::string_view limit_name(StepLimit limit) {
+  switch (limit) {
+    case StepLimit::None:
+      return "none";
+    case StepLimit::Energy:
+      return "energy";
+    case StepLimit::Domain:
+      return "domain";
+    case StepLimit::Checker:
+      return "checker";
+  }
+  return "unknown";
+}
+
 std::string_view phase_name(Phase phase) {
   switch (phase) {
     case Phase::Newton:

@@ -55,6 +55,16 @@ enum class Status {
 std::string_view status_name(Status status);
 Status stopped_status(Directive why);  // of a run that was stopped
 
+// The reason why a line search refused the last of the trials that were too long. Of several
+// reasons the last in this order is named.
+enum class StepLimit {
+  None,     // nothing: the first trial was good
+  Energy,   // it falls less than its derivatives promise, or not at all
+  Domain,   // it is not finite there
+  Checker,  // a FeasibilityChecker
+};
+std::string_view limit_name(StepLimit limit);  // "none", "energy", "domain", "checker"
+
 struct IterationRecord {
   int iteration = 0;                           // 1-based
   double energy = 0;                           // after the step
@@ -66,6 +76,7 @@ struct IterationRecord {
   double shift = 0;                            // added to the Hessian's diagonal
   Curvature curvature = Curvature::Projected;  // model that gave the direction
   double projection_weight = 1;                // BlendedCurvature::projection_weight of it
+  StepLimit limit = StepLimit::None;           // what cut the step
   int trials = 0;                              // energy evaluations of the line search
   double residual = 0;                         // Solution::residual, 0 with a direct solver
   int solver_iterations = 0;                   // Solution::iterations, of all solves
@@ -80,15 +91,6 @@ struct IterationRecord {
 // value / |energy|, 0 / 0 = 0: energies may vanish at their minimum.
 double relative_to(double energy, double value);
 
-// The reason why a line search refused the last of the trials that were too long. Of several
-// reasons the last in this order is named.
-enum class StepLimit {
-  None,     // nothing: the first trial was good
-  Energy,   // it falls less than its derivatives promise, or not at all
-  Domain,   // it is not finite there
-  Checker,  // a FeasibilityChecker
-};
-
 struct StepResult {
   enum class Outcome {
     Moved,
@@ -102,7 +104,6 @@ struct StepResult {
   double energy_before = 0;
   IterationRecord record;       // record.energy is the energy after the step
   std::vector<Index> blocking;  // StepBound::blocking of the line search
-  StepLimit limit = StepLimit::None;
   bool is_direction_too_long = false;  // the next one is shorter: bounds of this one say nothing
   bool is_damped = false;  // by a shift that shortens the direction: -g.p is less than what is left
   Directive why = Directive::Continue;

@@ -30,6 +30,10 @@ class Observed final : public Descent {
   RunObserver* observer_;
 };
 
+// The factor by which unknowns grow along an energy that falls without end: those of the start are
+// lost in their rounding then.
+constexpr double kUnboundedGrowth = 1e16;
+
 // Names the checker, what of it is violated, and by how much in its own measure.
 std::string why_violated(const FeasibilityChecker& checker, double margin,
                          const std::vector<Index>& blocking) {
@@ -90,8 +94,8 @@ Stepper::Step Stepper::step(Vec& y, double& energy) {
   return step;
 }
 
-double Stepper::relative(double energy, double part) const {
-  return relative_to(std::max(std::abs(energy), smallest_scale_), part);
+double Stepper::relative_decrement(double energy, double decrement) const {
+  return relative_to(test_ ? test_->scale(energy, decrement) : energy, decrement);
 }
 
 void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Step& step) {
@@ -105,7 +109,7 @@ void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Ste
     step.why_none = "the linear solver answers 0, and the gradient is not 0";
     return;
   }
-  if (relative(energy, r.newton_decrement) <= decrement_rule_) {
+  if (relative_decrement(energy, r.newton_decrement) <= decrement_rule_) {
     step.outcome = Outcome::AtMinimum;
     return;
   }
@@ -114,12 +118,14 @@ void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Ste
   const LineSearch::Result result = search.find(first);
   r.step_bound = search.bound().step;
   step.blocking = search.bound().blocking;
-  step.limit = search.limit();
+  r.limit = search.limit();
   r.trials += search.trials();
   if (result == LineSearch::Result::Accepted) {
     step.outcome = Outcome::Moved;
     r.step = search.step();
-    r.relative_decrease = relative(energy, energy - search.energy());
+    const double smallest = test_ ? test_->smallest_scale() : 0;
+    r.relative_decrease =
+        relative_to(std::max(std::abs(energy), smallest), energy - search.energy());
     r.energy = energy = search.energy();
     y += r.step * p;
   } else {
@@ -169,13 +175,14 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
   SolveResult& result = descent.result;
   StoppingTest test(rules, descent.energy);
   descent.set_fallback();
-  struct OfThisDescent {
-    double& scale;
-    ~OfThisDescent() { scale = 0; }
-  } const of_this_descent{smallest_scale_};
+  struct Applied {
+    const StoppingTest*& test;
+    ~Applied() { test = nullptr; }
+  } const applied{test_ = &test};
+  const Partition& partition = partition_of(evaluator_.problem());
+  double size = partition.norm(result.y);
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
-    smallest_scale_ = test.smallest_scale();
     Step step = this->step(result.y, descent.energy);
     Descent::Answer answer;
     if (step.outcome != Outcome::Stopped) {
@@ -184,9 +191,16 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
       if (step.outcome == Outcome::Moved) {
         step.record.iteration = static_cast<int>(result.iterations.size()) + 1;
         result.iterations.push_back(step.record);
+        const double now = partition.norm(result.y);
+        if (result.iterations.size() == 1) size = std::max(size, now);
+        if (now > kUnboundedGrowth * size) {
+          descent.after_step(step);
+          stop = Stop{Status::Failed, falls_without_end(now)};
+          break;
+        }
       }
       answer = descent.after_step(step);
-      answer.directive = partition_of(evaluator_.problem()).of_first(answer.directive);
+      answer.directive = partition.of_first(answer.directive);
     }
     if (step.outcome == Outcome::Breakdown && step.why_none.empty())
       step.why_none = why_no_direction(evaluator_, result.y, descent.energy, step.record.curvature);

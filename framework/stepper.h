@@ -88,8 +88,8 @@ class Stepper {
   // ascent, applies the decrement rule, searches the line from the trial step `first`, moves y.
   void move_along(const Vec& p, double first, Vec& y, double& energy, Step& step);
 
-  // Part of an energy: of |E|, or StoppingTest::smallest_scale() of the descent that runs.
-  double relative(double energy, double part) const;
+  // -g.p relative to StoppingTest::scale() of the descent that runs, or to |E|.
+  double relative_decrement(double energy, double decrement) const;
 
   Evaluator evaluator_;
   StopCheck stop_;
@@ -98,7 +98,7 @@ class Stepper {
  private:
   LineSearchOptions line_search_;
   double decrement_rule_;
-  double smallest_scale_ = 0;
+  const StoppingTest* test_ = nullptr;  // of the descent that runs
 };
 
 // True where result.y may be a start; fills result.energy then, else status Infeasible, message and

@@ -5,6 +5,7 @@
 
 #include "majorant/framework/internal/diagnosis.h"
 #include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/line_search.h"
 #include "majorant/framework/minimizer.h"
 
 namespace majorant {
@@ -15,6 +16,9 @@ namespace {
 // count for long.
 constexpr double kSmallestScale = 1e-14;
 constexpr std::size_t kScaleWindow = 10;
+// The part of what the last steps have decreased that is a scale: an energy that falls to 0 has no
+// other one, and from far above a minimum the decrease is not that of the minimum.
+constexpr double kDecreasePart = 1e-6;
 // The part of -g.p that a step gains at least where the energy is more than rounding: a quadratic
 // gains half of it.
 constexpr double kVisible = 0.1;
@@ -53,6 +57,7 @@ Stop no_step(const StepResult& step, const Stop& held) {
 
 StoppingRules first_order_rules() {
   StoppingRules rules;
+  rules.scale = EnergyScale::Value;
   // Below LineSearch::kResolution, so that only steps without a gain count.
   rules.relative_decrease = 1e-14;
   rules.plateau_factor = std::numeric_limits<double>::infinity();
@@ -68,6 +73,7 @@ StoppingRules first_order_rules() {
 
 StoppingRules brief_rules(int steps, double relative_decrease) {
   StoppingRules rules;
+  rules.scale = EnergyScale::Value;
   rules.relative_decrease = relative_decrease;
   // The first small step ends it, exact Hessian or not, and no other rule does.
   rules.tail_factor = 0;
@@ -81,13 +87,25 @@ StoppingRules brief_rules(int steps, double relative_decrease) {
 }
 
 StoppingTest::StoppingTest(const StoppingRules& rules, double energy)
-    : rules_(rules), start_(std::abs(energy)), energies_{start_} {
+    : rules_(rules), start_(energy), energies_{energy} {
   require_valid(rules_);
 }
 
 double StoppingTest::smallest_scale() const {
-  return kSmallestScale *
-         std::max(rules_.energy_scale, *std::max_element(energies_.begin(), energies_.end()));
+  double largest = rules_.energy_scale;
+  for (const double energy : energies_) largest = std::max(largest, std::abs(energy));
+  return kSmallestScale * largest;
+}
+
+double StoppingTest::scale(double energy, double decrement) const {
+  const double value = std::abs(energy), smallest = smallest_scale();
+  if (rules_.scale == EnergyScale::Value) return std::max(value, smallest);
+  const double fallen = std::max(0.0, start_ - energy) + decrement;
+  const double visible = rules_.relative_decrease > LineSearch::kResolution
+                             ? LineSearch::kResolution / rules_.relative_decrease
+                             : 1.0;
+  return std::max({std::min(value, fallen), kDecreasePart * (energies_.front() - energy),
+                   visible * value, smallest});
 }
 
 std::optional<Stop> StoppingTest::before_step() const {
@@ -100,7 +118,11 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   Advice advice;
   const IterationRecord& r = step.record;
   const double smallest = smallest_scale(), before = std::abs(step.energy_before);
-  const double scale = std::max(before, smallest);
+  const double scale = this->scale(step.energy_before, r.newton_decrement);
+  // Of the scale; the record has the part of the energy.
+  const double decrease = rules_.scale == EnergyScale::Value
+                              ? r.relative_decrease
+                              : r.relative_decrease * std::max(before, smallest) / scale;
   const bool is_rounding = before <= smallest && r.newton_decrement <= smallest;
   const double near =
       std::max(rules_.stall_decrement, rules_.tail_factor * rules_.relative_decrease);
@@ -110,24 +132,24 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
                       step.outcome == StepResult::Outcome::NoDecrease;
     if (!held || since == Since::Same || ++idle_ > rules_.stall_iterations)
       advice.stop =
-          no_step(step, near_minimum ? Stop{Status::Converged, near_minimum_at(step.limit)}
-                                     : Stop{Status::Stalled, stalled_at(step.limit)});
+          no_step(step, near_minimum ? Stop{Status::Converged, near_minimum_at(step.record.limit)}
+                                     : Stop{Status::Stalled, stalled_at(step.record.limit)});
     return advice;
   }
-  if (r.energy < -kUnbounded * std::max(1.0, start_)) {
+  if (r.energy < -kUnbounded * std::max(1.0, std::abs(start_))) {
     advice.stop = Stop{Status::Failed, unbounded_below(r.energy)};
     return advice;
   }
-  energies_.push_back(std::abs(r.energy));
+  energies_.push_back(r.energy);
   if (energies_.size() > kScaleWindow) energies_.pop_front();
   if (is_rounding && (r.newton_decrement <= kRoundoff * smallest ||
-                      r.relative_decrease * scale < kVisible * r.newton_decrement)) {
+                      decrease * scale < kVisible * r.newton_decrement)) {
     advice.stop = Stop{Status::Converged, "the energy vanishes"};
     return advice;
   }
-  remember(step, since);
+  remember(step, decrease, since);
   const bool plateau = on_plateau();
-  const bool small = r.relative_decrease <= rules_.relative_decrease;
+  const bool small = decrease <= rules_.relative_decrease;
   const bool in_tail = small && !step.is_damped && since == Since::Same &&
                        r.curvature != Curvature::Exact &&
                        r.newton_decrement <= rules_.tail_factor * rules_.relative_decrease * scale;
@@ -141,7 +163,7 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const bool held = r.step_bound < rules_.stall_step && !step.is_direction_too_long;
   idle_ = small || held ? idle_ + 1 : 0;
   held_ = idle_ == 0 ? 0 : held_ + held;
-  limit_ = idle_ == 0 ? StepLimit::None : std::max(limit_, held ? StepLimit::Checker : step.limit);
+  limit_ = idle_ == 0 ? StepLimit::None : std::max(limit_, held ? StepLimit::Checker : step.record.limit);
   const bool falls = plateau || (promises && since == Since::Same && falls_visibly());
   const bool goes_on = near_minimum && falls && held_ == 0;
   if (idle_ >= rules_.stall_iterations && !goes_on) {
@@ -155,10 +177,9 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   return advice;
 }
 
-void StoppingTest::remember(const StepResult& step, Since since) {
+void StoppingTest::remember(const StepResult& step, double decrease, Since since) {
   if (since == Since::ProblemChanged) decreases_.clear();
   definite_ = step.record.failed_factorizations > 0 ? 0 : definite_ + 1;
-  const double decrease = step.record.relative_decrease;
   decreases_.push_back(decrease > rules_.decrement ? decrease : 0.0);
   if (decreases_.size() > 2 * static_cast<std::size_t>(rules_.plateau_window))
     decreases_.pop_front();

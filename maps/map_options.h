@@ -24,7 +24,7 @@
 
 #include "majorant/elements/element_space.h"
 #include "majorant/energies/energy_factory.h"
-#include "majorant/framework/curvature.h"
+#include "majorant/framework/curvature_choice.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/types.h"
@@ -118,7 +118,7 @@ enum class Triangles { Kept, Flipped };
 enum class FactorCost { IfKnown, Measured };
 
 struct SolveOptions {
-  Curvature curvature = Curvature::Projected;
+  CurvatureChoice curvature = {};
   // Relative energy decrease per iteration. As StoppingRules::relative_decrease.
   double tolerance = 1e-6;
   Elevation elevation = Elevation::Incremental;

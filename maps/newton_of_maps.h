@@ -16,6 +16,7 @@ namespace majorant {
 // is the result.
 inline StoppingRules stopping_of_maps() {
   StoppingRules rules;
+  rules.scale = EnergyScale::Value;
   rules.fallback_step = 0.1;  // tuned by bench/tune.py stopping.fallback_step
   rules.energy_scale = 1;
   return rules;

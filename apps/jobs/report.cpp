@@ -191,6 +191,8 @@ Json iterations_section(const std::vector<TraceEntry>& trace) {
                     {"gradient_norm", r.gradient_norm},
                     {"newton_decrement", r.newton_decrement},
                     {"curvature", curvature_name(r.curvature)},
+                    {"projection_weight", r.projection_weight},
+                    {"limit", limit_name(r.limit)},
                     {"shift", r.shift},
                     {"factorizations", r.factorizations},
                     {"failed_factorizations", r.failed_factorizations},
@@ -267,7 +269,8 @@ void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) 
   std::string out =
       "iteration,degree,energy,relative_decrease,step,step_bound,gradient_norm,newton_decrement,"
       "shift,trials,assemble,factorize,solve,line_search,phase,remedy,level,outcome,minimized,"
-      "curvature,factorizations,failed_factorizations,other,elapsed,residual,solver_iterations\n";
+      "curvature,factorizations,failed_factorizations,other,elapsed,residual,solver_iterations,"
+      "projection_weight,limit\n";
   for (const TraceEntry& e : trace) {
     const IterationRecord& r = e.record;
     out += fmt::format("{},{},{},{},{},{},{},{},{},{},", r.iteration, e.degree, e.energy,
@@ -276,9 +279,10 @@ void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) 
     out += fmt::format("{},{},{},{},{},{},", r.seconds.assemble, r.seconds.factorize,
                        r.seconds.solve, r.seconds.line_search, phase_name(e.phase), remedy_of(e));
     out +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{}\n", e.level, outcome_name(e.outcome), r.energy,
+        fmt::format("{},{},{},{},{},{},{},{},{},{},", e.level, outcome_name(e.outcome), r.energy,
                     curvature_name(r.curvature), r.factorizations, r.failed_factorizations,
                     e.other_seconds, e.elapsed, r.residual, r.solver_iterations);
+    out += fmt::format("{},{}\n", r.projection_weight, limit_name(r.limit));
   }
   write_file_atomically(path, out);
 }

@@ -146,6 +146,12 @@ std::string unbounded_below(double energy) {
   return fmt::format("unbounded below: the energy falls to {:.3g}", energy);
 }
 
+std::string falls_without_end(double norm) {
+  return fmt::format(
+      "unbounded: the energy falls while the unknowns grow to {:.3g}, and no minimum is in sight",
+      norm);
+}
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -66,19 +66,20 @@ struct Residuals {
   static bool supports(Curvature c) {
     return c == Curvature::Exact || c == Curvature::Projected || c == Curvature::Reweighted;
   }
-  double value(Index e, const NodeValues<double, Block, N>& z) const {
+  template <class... Data>
+  double value(Index e, const NodeValues<double, Block, N>& z, const Data&... data) const {
     double s = 0;
-    for_each(f(e, z), [&s](double r) { s += r * r; });
+    for_each(f(e, z, data...), [&s](double r) { s += r * r; });
     return rho(s)[0] / 2;
   }
-  template <class Variable>
-  Variable model(Index e, const NodeValues<Variable, Block, N>& z,
-                 BlendedCurvature curvature) const {
+  template <class Variable, class... Data>
+  Variable model(Index e, const NodeValues<Variable, Block, N>& z, BlendedCurvature curvature,
+                 const Data&... data) const {
     constexpr std::size_t size = N * Block;
     const double exact =
         curvature.model == Curvature::Reweighted ? 0 : 1 - curvature.projection_weight;
     Variable sum;  // value |r|^2, gradient J^T r, second derivatives J^T J and what Exact adds
-    for_each(f(e, z), [&](const Variable& r) {
+    for_each(f(e, z, data...), [&](const Variable& r) {
       sum.v += r.v * r.v;
       for (std::size_t i = 0; i < size; ++i) sum.d[i] += r.v * r.d[i];
       if constexpr (Variable::order == 2)
@@ -120,13 +121,25 @@ struct Residuals {
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nodes, F residuals,
                                                      RobustLoss loss = {}) {
-  if constexpr (detail::require_function_of_elements<N, Block, F>()) {
-    using Model = detail::Residuals<N, Block, F>;
-    return std::make_shared<const detail::ElementTerm<Model>>(
-        std::move(name), std::move(nodes), Model{std::move(residuals), std::move(loss)});
-  } else {
+  if constexpr (detail::require_function_of_elements<N, Block, F>())
+    return detail::element_term(
+        std::move(name), std::move(nodes),
+        detail::Residuals<N, Block, F>{std::move(residuals), std::move(loss)});
+  else
     return nullptr;
-  }
+}
+
+// Residuals that take data which may change between steps, as local_term.h says.
+template <int N, int Block = 1, class F, class Matrix>
+std::shared_ptr<const EnergyTerm> make_least_squares(std::string name, Cells nodes, F residuals,
+                                                     const Eigen::MatrixBase<Matrix>& data,
+                                                     RobustLoss loss = {}) {
+  if constexpr (detail::require_function_of_elements<N, Block, F, detail::ElementNumbers::Row>())
+    return detail::element_term(
+        std::move(name), std::move(nodes),
+        detail::Residuals<N, Block, F>{std::move(residuals), std::move(loss)}, data);
+  else
+    return nullptr;
 }
 
 }  // namespace majorant

@@ -17,6 +17,22 @@
 // both (dual2.h has the list). Branches on values are fine where the energy stays continuous. It is
 // Eigen's algebra: expressions that are used twice want .eval(), and data enter as doubles.
 //
+// Numbers that change between steps - the point of a linearization, the last time step, the
+// parameter of a homotopy - are data of the term, which the lambda gets as a third argument:
+//
+//   const Vec stretched = make_rest_lengths();               // one number an element
+//   Cells pairs = Cells::Zero(stretched.size(), 2);
+//   pairs.col(1).setOnes();
+//   auto term = make_term<2, 3>("springs", pairs, [](Index e, const auto& z, const auto& length) {
+//     const auto stretch = (z.col(1) - z.col(0)).norm() - length[e];
+//     return stretch * stretch;
+//   }, stretched);
+//   const TermId id = builder.add(term, 10.0);
+//   const Problem now = builder.build().with({{id, {.parameters = 2 * stretched}}});
+//
+// A vector is passed whole, of a matrix every element gets its row; Problem::with() takes the rows
+// one after the other. Pattern and symbolic factor stay.
+//
 // NaN and +inf mean that z is outside of the domain: line searches stay inside. An exception thrown
 // by the lambda ends the solve and reaches the caller of minimize().
 //
@@ -72,11 +88,14 @@ struct LocalFunction {
   F f;
 
   static bool supports(Curvature c) { return c == Curvature::Exact || c == Curvature::Projected; }
-  double value(Index e, const NodeValues<double, Block, N>& z) const { return f(e, z); }
-  template <class Variable>
-  Variable model(Index e, const NodeValues<Variable, Block, N>& z,
-                 BlendedCurvature curvature) const {
-    Variable result = f(e, z);
+  template <class... Data>
+  double value(Index e, const NodeValues<double, Block, N>& z, const Data&... data) const {
+    return f(e, z, data...);
+  }
+  template <class Variable, class... Data>
+  Variable model(Index e, const NodeValues<Variable, Block, N>& z, BlendedCurvature curvature,
+                 const Data&... data) const {
+    Variable result = f(e, z, data...);
     if constexpr (Variable::order == 2) {
       if (!(curvature.projection_weight > 0)) return result;
       if constexpr (N == 2)
@@ -94,13 +113,24 @@ struct LocalFunction {
 // -> T. Throws InvalidArgument where `nodes` does not have N columns, and for negative nodes.
 template <int N, int Block = 1, class F>
 std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f) {
-  if constexpr (detail::require_function_of_elements<N, Block, F>()) {
-    using Model = detail::LocalFunction<N, Block, F>;
-    return std::make_shared<const detail::ElementTerm<Model>>(std::move(name), std::move(nodes),
-                                                              Model{std::move(f)});
-  } else {
+  if constexpr (detail::require_function_of_elements<N, Block, F>())
+    return detail::element_term(std::move(name), std::move(nodes),
+                                detail::LocalFunction<N, Block, F>{std::move(f)});
+  else
     return nullptr;
-  }
+}
+
+// f(Index e, NodeValues<T, Block, N> z, data) -> T. data: a vector, which every element gets, or
+// #E by K, of which element e gets row e; both arrive as a vector of doubles. Throws
+// InvalidArgument as above, and for data that are empty, not finite or not #E rows.
+template <int N, int Block = 1, class F, class Matrix>
+std::shared_ptr<const EnergyTerm> make_term(std::string name, Cells nodes, F f,
+                                            const Eigen::MatrixBase<Matrix>& data) {
+  if constexpr (detail::require_function_of_elements<N, Block, F, detail::ElementNumbers::Row>())
+    return detail::element_term(std::move(name), std::move(nodes),
+                                detail::LocalFunction<N, Block, F>{std::move(f)}, data);
+  else
+    return nullptr;
 }
 
 // A linear energy c.x: loads, gravity, prices.

@@ -91,9 +91,9 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
       bounds_(std::move(bounds)),
       prepared_(std::move(prepared)),
       built_([&] {
-        require_curvature(terms_, setup.solve.curvature);
+        require_curvature(terms_, setup.solve.curvature.model);
         if (setup.map.added)
-          require_curvature(*setup.map.added, bounds_.all, setup.solve.curvature);
+          require_curvature(*setup.map.added, bounds_.all, setup.solve.curvature.model);
         setup.stop.poll();
         MapProblem built = prepared_ ? prepared_->built : build();
         setup.stop.poll();  // what follows is the analysis of its pattern

@@ -62,11 +62,12 @@ void require_valid(const ParametrizationOptions& options) {
   if (how.threads < 0) refuse("the number of threads must not be negative");
   if (how.quadrature_points < 0) refuse("the number of quadrature points must not be negative");
   if (asked.injectivity == MapInjectivity::Global &&
-      (how.curvature == Curvature::Reweighted || how.curvature == Curvature::CompositeMajorizer))
+      (how.curvature.model == Curvature::Reweighted ||
+       how.curvature.model == Curvature::CompositeMajorizer))
     refuse(
         fmt::format("the scaffold's energy has no curvature model '{}'; use projected, majorizer "
                     "or exact",
-                    curvature_name(how.curvature)));
+                    curvature_name(how.curvature.model)));
   if (how.triangles == Triangles::Flipped &&
       (asked.face_weight.size() > 0 || knows_elements(asked.energy)))
     refuse("flipping edges changes the faces that weights and data are for; leave one out");

@@ -32,14 +32,15 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
   }
 }
 
-NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
-                             Ordering ordering, const SolverFactory& linear_solver) {
+NewtonOptions newton_options(const CurvatureChoice& curvature, const SolverRules& rules,
+                             const StopCheck& stop, Ordering ordering,
+                             const SolverFactory& linear_solver) {
   NewtonOptions options = newton_of_maps();
   options.stopping = rules.stopping;
   options.line_search = rules.line_search;
   options.blend = rules.blend;
   options.lagged = rules.lagged;
-  options.curvature = curvature;
+  options.set_curvature(curvature);
   options.stop = stop;
   options.linear_solver = [=] { return make_direct_solver(ordering); };
   if (linear_solver) {

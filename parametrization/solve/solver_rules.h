@@ -129,8 +129,9 @@ struct SolverRules {
 void require_curvature(const DensityTerms& terms, Curvature asked);
 
 // linear_solver: empty for the direct one with that ordering.
-NewtonOptions newton_options(Curvature curvature, const SolverRules& rules, const StopCheck& stop,
-                             Ordering ordering, const SolverFactory& linear_solver = {});
+NewtonOptions newton_options(const CurvatureChoice& curvature, const SolverRules& rules,
+                             const StopCheck& stop, Ordering ordering,
+                             const SolverFactory& linear_solver = {});
 
 // Returns whether a limit or Ctrl-C ended a solve.
 bool was_stopped(Status status);

@@ -36,11 +36,12 @@ double finite(double value) {
 class PythonTerm final : public EnergyTerm {
  public:
   PythonTerm(std::string name, ElementDofs element_dofs, py::object function,
-             std::vector<Curvature> curvatures)
+             std::vector<Curvature> curvatures, TermData data)
       : name_(std::move(name)),
         element_dofs_(std::move(element_dofs)),
         function_(std::move(function)),
-        curvatures_(std::move(curvatures)) {}
+        curvatures_(std::move(curvatures)),
+        data_(std::move(data)) {}
 
   std::string_view name() const override { return name_; }
   const ElementDofs& element_dofs() const override { return element_dofs_; }
@@ -48,23 +49,27 @@ class PythonTerm final : public EnergyTerm {
     return std::find(curvatures_.begin(), curvatures_.end(), c) != curvatures_.end();
   }
 
-  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
+  Index parameter_count() const override { return static_cast<Index>(data_.numbers.size()); }
+
+  void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace&,
               std::span<double> f) const override {
     const py::gil_scoped_acquire lock;
     const py::tuple at = arguments_of(element_dofs_, x, batch.elements);
-    const Doubles found = function_.get().attr("evaluate")(*at).cast<Doubles>();
+    const py::tuple data = data_of(state, batch.elements);
+    const Doubles found = function_.get().attr("evaluate")(*at, *data).cast<Doubles>();
     for (std::size_t p = 0; p < batch.elements.size(); ++p) f[p] = finite(found.at(p));
   }
 
-  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState&,
-             Workspace&, LocalSystem& out) const override {
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
+             const TermState& state, Workspace&, LocalSystem& out) const override {
     const py::gil_scoped_acquire lock;
     const int n = element_dofs_.local_size();
     const py::tuple at = arguments_of(element_dofs_, x, batch.elements);
     const double exact =
         curvature.model == Curvature::Reweighted ? 0 : 1 - curvature.projection_weight;
-    const Doubles value = function_.get().attr("evaluate")(*at).cast<Doubles>();
-    const py::tuple derivatives = function_.get().attr("differentiate")(*at, exact);
+    const py::tuple data = data_of(state, batch.elements);
+    const Doubles value = function_.get().attr("evaluate")(*at, *data).cast<Doubles>();
+    const py::tuple derivatives = function_.get().attr("differentiate")(*at, exact, *data);
     const Doubles gradient = derivatives[0].cast<Doubles>();
     const Doubles hessian = derivatives[1].cast<Doubles>();
     const bool clamps = !supports(Curvature::Reweighted) && curvature.projection_weight > 0;
@@ -83,10 +88,25 @@ class PythonTerm final : public EnergyTerm {
   }
 
  private:
+  // Nothing, the vector, or the rows of the elements.
+  py::tuple data_of(const TermState& state, std::span<const Index> batch) const {
+    if (data_.numbers.size() == 0) return py::tuple();
+    const Vec& numbers = state.parameters.size() > 0 ? state.parameters : data_.numbers;
+    if (data_.per_element == 0)
+      return py::make_tuple(Doubles(static_cast<py::ssize_t>(numbers.size()), numbers.data()));
+    Doubles rows({static_cast<py::ssize_t>(batch.size()),
+                  static_cast<py::ssize_t>(data_.per_element)});
+    for (std::size_t p = 0; p < batch.size(); ++p)
+      std::copy_n(numbers.data() + batch[p] * data_.per_element, data_.per_element,
+                  rows.mutable_data(static_cast<py::ssize_t>(p), 0));
+    return py::make_tuple(rows);
+  }
+
   std::string name_;
   ElementDofs element_dofs_;
   Kept function_;
   std::vector<Curvature> curvatures_;
+  TermData data_;
 };
 
 // g + slack > 0; paths are not certified. As Inequality has it (framework/terms/inequality.h).
@@ -156,9 +176,10 @@ Curvature curvature_named(const std::string& name) {
 
 std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs element_dofs,
                                               py::object function,
-                                              std::vector<Curvature> curvatures) {
+                                              std::vector<Curvature> curvatures, TermData data) {
   return std::make_shared<const PythonTerm>(std::move(name), std::move(element_dofs),
-                                            std::move(function), std::move(curvatures));
+                                            std::move(function), std::move(curvatures),
+                                            std::move(data));
 }
 
 std::shared_ptr<const BarrierChecker> python_inequality(std::string name, ElementDofs element_dofs,

@@ -1,9 +1,10 @@
 // Functions of few unknowns, written in Python for many elements at once: terms, and inequalities.
 //
 // A function has
-//     evaluate(z, e) -> (q,)
-//     differentiate(z, e, exact) -> gradients (q, k), Hessians (q, k, k)
-// with the unknowns z (q, k) of the elements e (q,). `exact` is 1 - projection_weight
+//     evaluate(z, e, *data) -> (q,)
+//     differentiate(z, e, exact, *data) -> gradients (q, k), Hessians (q, k, k)
+// with the unknowns z (q, k) of the elements e (q,), and of a term with data these, a vector (m,)
+// or the rows of the elements, (q, m). `exact` is 1 - projection_weight
 // (framework/curvature.h), 0 where the model is no Hessian.
 #pragma once
 
@@ -20,11 +21,18 @@ namespace majorant::python {
 
 Curvature curvature_named(const std::string& name);
 
+// The data of a term: TermState::parameters where these are empty.
+struct TermData {
+  Vec numbers = {};       // of a matrix row by row; empty: the function takes none
+  Index per_element = 0;  // columns; 0: a vector
+};
+
 // sum over elements of f(the element's unknowns). Where the curvatures have Reweighted f makes its
 // models itself and they are definite; else they are exact, and clamped here.
 std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs element_dofs,
                                               pybind11::object function,
-                                              std::vector<Curvature> curvatures);
+                                              std::vector<Curvature> curvatures,
+                                              TermData data = {});
 
 // g > 0 at every element: evaluate(z, e) is g, barrier(slack) the function -log(g + slack),
 // violation(margin) the function max(0, margin - g)^2.

@@ -70,8 +70,7 @@ ParametrizationOptions read_options(const py::dict& keywords, const SurfaceMesh&
   for (const StartMethod method : {StartMethod::Tutte, StartMethod::Multiresolution})
     map.start = pick(keywords, "init", start_name(method), method, map.start);
   SolveOptions& solve = options.solve;
-  for (const Curvature c : kCurvatures)
-    solve.curvature = pick(keywords, "curvature", curvature_name(c), c, solve.curvature);
+  solve.curvature = *curvature_choice(keyword<std::string>(keywords, "curvature"));
   solve.elevation = pick(keywords, "elevation", "direct", Elevation::Direct, solve.elevation);
   solve.tolerance = keyword<double>(keywords, "tolerance");
   solve.quadrature_points = keyword<int>(keywords, "quadrature");

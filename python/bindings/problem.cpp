@@ -13,6 +13,7 @@
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/first_order.h"
+#include "majorant/framework/hessian_factor.h"
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
@@ -58,9 +59,24 @@ class PythonProblem {
  public:
   explicit PythonProblem(Index size) : builder_(size), size_(size) {}
 
-  void add(const Term& term, double weight) {
-    builder_.add(term.term, weight);
+  // Returns the place of the term in their order.
+  std::size_t add(const Term& term, double weight) {
+    ProblemBuilder(size_).add(term.term, weight);  // throws before anything is kept
+    terms_.push_back({term.term, TermState{.weight = weight}});
     problem_.reset();
+    return terms_.size() - 1;
+  }
+  // Gives the term another state; what is analysed stays.
+  void update(std::size_t index, std::optional<double> weight,
+              const std::optional<Doubles>& parameters) {
+    TermState state = terms_.at(index).state;
+    if (weight) state.weight = *weight;
+    if (parameters) state.parameters = matrix<Vec>(*parameters);
+    if (problem_)
+      problem_ = problem_->with({{problem_->terms()[index], state}});
+    else
+      ProblemBuilder(size_).add(terms_[index].term, state);
+    terms_[index].state = std::move(state);
   }
   void constrain(const Integers& starts, const Integers& columns, const Doubles& values,
                  const Doubles& targets) {
@@ -76,7 +92,7 @@ class PythonProblem {
 
   // The terms and constraints, without bounds.
   const Problem& built() {
-    if (!problem_) problem_ = builder_.build();
+    if (!problem_) problem_ = with_terms().build();
     return *problem_;
   }
   Index full_size() const { return size_; }
@@ -87,7 +103,7 @@ class PythonProblem {
     std::vector<HeldBound> bounds;
   };
   Bounded bounded() const {
-    ProblemBuilder builder = builder_;
+    ProblemBuilder builder = with_terms();
     std::vector<HeldBound> held;
     for (const auto& bound : bounds_) {
       held.push_back({builder.add(bound->barrier(), 1.0), bound});
@@ -98,7 +114,18 @@ class PythonProblem {
   bool has_bounds() const { return !bounds_.empty(); }
 
  private:
-  ProblemBuilder builder_;
+  struct Part {
+    std::shared_ptr<const EnergyTerm> term;
+    TermState state;
+  };
+  ProblemBuilder with_terms() const {
+    ProblemBuilder builder = builder_;
+    for (const Part& part : terms_) builder.add(part.term, part.state);
+    return builder;
+  }
+
+  ProblemBuilder builder_;  // without the terms
+  std::vector<Part> terms_;
   Index size_;
   int constrained_ = 0;  // calls of constrain()
   std::optional<Problem> problem_;
@@ -110,16 +137,14 @@ std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& n
   return [] { return make_direct_solver(); };
 }
 
-// Eigenvalues of Curvature::Projected by absolute value.
-constexpr std::string_view kAbsolute = "absolute";
-
 template <class Options>
 Options filled(Options options, const py::dict& keywords, const StopCheck& stop) {
   const auto tolerance = keyword<std::optional<double>>(keywords, "tolerance");
-  const auto curvature = keyword<std::string>(keywords, "curvature");
-  options.curvature = curvature_named(curvature == kAbsolute ? "projected" : curvature);
+  const CurvatureChoice choice = *curvature_choice(keyword<std::string>(keywords, "curvature"));
   if constexpr (std::is_same_v<Options, NewtonOptions>)
-    options.projection = curvature == kAbsolute ? 2 : 1;
+    options.set_curvature(choice);
+  else
+    options.curvature = choice.model;
   options.stopping.max_iterations = keyword<int>(keywords, "max_iterations");
   if (tolerance) options.stopping.relative_decrease = *tolerance;
   options.linear_solver = solver_named(keyword<std::string>(keywords, "linear_solver"));
@@ -161,7 +186,9 @@ py::dict as_dict(const IterationRecord& r) {
                   "relative_decrease"_a = r.relative_decrease, "step"_a = r.step,
                   "step_bound"_a = r.step_bound, "gradient_norm"_a = r.gradient_norm,
                   "newton_decrement"_a = r.newton_decrement, "shift"_a = r.shift,
-                  "curvature"_a = curvature_name(r.curvature), "trials"_a = r.trials,
+                  "curvature"_a = curvature_name(r.curvature),
+                  "projection_weight"_a = r.projection_weight, "limit"_a = limit_name(r.limit),
+                  "trials"_a = r.trials,
                   "factorizations"_a = r.factorizations, "seconds"_a = r.seconds.sum());
 }
 
@@ -228,11 +255,11 @@ struct Linearized {
 py::tuple linearize(PythonProblem& p, const Doubles& y, const std::string& curvature) {
   const Problem& problem = p.built();
   const Vec at = matrix<Vec>(y);
-  const Curvature model = curvature_named(curvature);
+  const CurvatureChoice choice = *curvature_choice(curvature);
   Run run;
   Linearized out = run([&] {
     Linearized l;
-    l.energy = Evaluator(problem).linearize(at, model, l.gradient, l.hessian, run.stop());
+    l.energy = Evaluator(problem).linearize(at, choice.blend(), l.gradient, l.hessian, run.stop());
     return l;
   });
   const SparsePattern& pattern = problem.pattern();
@@ -244,14 +271,50 @@ py::tuple linearize(PythonProblem& p, const Doubles& y, const std::string& curva
       moved(std::move(out.hessian)));
 }
 
+py::array gradient_of(PythonProblem& p, std::size_t index, const Doubles& y) {
+  const Problem& problem = p.built();
+  const Vec at = matrix<Vec>(y);
+  Run run;
+  return moved(run([&] {
+    Vec gradient;
+    Evaluator(problem).gradient(problem.terms()[index], at, gradient, run.stop());
+    return gradient;
+  }));
+}
+
+std::shared_ptr<HessianFactor> factor(PythonProblem& p, const Doubles& y,
+                                      const std::string& curvature) {
+  const Problem& problem = p.built();
+  const Vec at = matrix<Vec>(y);
+  const CurvatureChoice choice = *curvature_choice(curvature);
+  Run run;
+  return run([&] {
+    return std::make_shared<HessianFactor>(problem, at, choice.blend());
+  });
+}
+
 }  // namespace
 
 void bind_problems(py::module_& module) {
+  py::class_<HessianFactor, std::shared_ptr<HessianFactor>>(module, "Factor")
+      .def(
+          "solve",
+          [](const HessianFactor& f, const Doubles& b) {
+            const Eigen::MatrixXd columns = matrix<RowMatrix>(b);
+            Run run;
+            RowMatrix x = run([&] { return RowMatrix(f.solve(columns)); });
+            return moved(std::move(x));
+          },
+          py::arg("b"));
   py::class_<PythonProblem>(module, "Problem")
       .def(py::init<Index>(), py::arg("size"))
       .def_property_readonly("full_size", &PythonProblem::full_size)
       .def_property_readonly("size", [](PythonProblem& p) { return p.built().size(); })
       .def("add", &PythonProblem::add, py::arg("term"), py::arg("weight"))
+      .def("update", &PythonProblem::update, py::arg("index"), py::arg("weight"),
+           py::arg("parameters"))
+      .def("factor", &factor, py::arg("y"), py::arg("curvature"))
+      .def("gradient_of", &gradient_of, py::arg("index"), py::arg("y"))
       .def("constrain", &PythonProblem::constrain, py::arg("starts"), py::arg("columns"),
            py::arg("values"), py::arg("targets"))
       .def("keep_injective", &PythonProblem::keep_injective, py::arg("space"))

@@ -55,10 +55,17 @@ Term linear(const Doubles& coefficients) {
 }
 
 Term element_term(const std::string& name, const Integers& nodes, int block,
-                  const py::object& function, const std::vector<std::string>& curvatures) {
+                  const py::object& function, const std::vector<std::string>& curvatures,
+                  const std::optional<Doubles>& data) {
   std::vector<Curvature> models;
   for (const std::string& model : curvatures) models.push_back(curvature_named(model));
-  return {python_term(name, ElementDofs{matrix<Cells>(nodes), block}, function, models)};
+  TermData numbers;
+  if (data) {
+    numbers.numbers = Eigen::Map<const Vec>(data->data(), data->size());
+    numbers.per_element = data->ndim() == 1 ? 0 : static_cast<Index>(data->shape(1));
+  }
+  return {python_term(name, ElementDofs{matrix<Cells>(nodes), block}, function, models,
+                      std::move(numbers))};
 }
 
 // rho, rho' and rho'' of the loss of that name at every s.
@@ -91,7 +98,7 @@ void bind_terms(py::module_& module) {
              py::arg("targets"));
   module.def("linear_term", &linear, py::arg("coefficients"));
   module.def("element_term", &element_term, py::arg("name"), py::arg("nodes"), py::arg("block"),
-             py::arg("function"), py::arg("curvatures"));
+             py::arg("function"), py::arg("curvatures"), py::arg("data"));
   module.def("robust_loss", &robust_loss, py::arg("name"), py::arg("width"), py::arg("s"));
 }
 

@@ -34,7 +34,8 @@ _LOST = (TypeError, ValueError, AttributeError)
 
 
 class PointFunction:
-    """value(points, *data) -> (q,), of points (q, ...); data has a row for each point, too.
+    """value(points, *data) -> (q,), of points (q, ...); data has a row for each point, too, but for
+    vectors behind the first of the data, which belong to all points.
 
     derivatives(points, *data) -> gradient (q, k) and Hessian (q, k, k) by the k entries of a point;
     None: from value alone. name and place ('point', 'element') are for messages; numbers of places
@@ -135,7 +136,7 @@ class PointFunction:
             rows = slice(begin, begin + _CHUNK)
             part = points[rows]
             try:
-                found = self._value(Dual.variables(part), *(d[rows] for d in data))
+                found = self._value(Dual.variables(part), *_rows_of(data, rows))
             except _LOST:
                 found = None
             follows = isinstance(found, Dual) and found.shape[:1] == (len(part),) and found.ndim <= 1 + self._rank
@@ -181,7 +182,7 @@ class PointFunction:
 
     def _values(self, points: np.ndarray, rows: np.ndarray, *data: Any) -> np.ndarray:
         """Of points that belong to these rows; not finite outside of the domain."""
-        found = self.evaluate(points, *(d[rows] for d in data))
+        found = self.evaluate(points, *_rows_of(data, rows))
         return found if self._inside is None else np.where(self._inside(points), found, np.inf)
 
     def _stencils(self, flat: np.ndarray, middle: np.ndarray, step: np.ndarray, rows: np.ndarray,
@@ -207,6 +208,11 @@ class PointFunction:
             hessian[low, high] = hessian[high, low] = mixed
             out.append((((up - down) / (2 * h)).T, np.moveaxis(hessian, -1, 0)))
         return out[0], out[1]
+
+
+def _rows_of(data: tuple[Any, ...], rows: Any) -> tuple[Any, ...]:
+    """The data of some points: numbers of places, and what belongs to these."""
+    return tuple(d if k > 0 and d.ndim == 1 else d[rows] for k, d in enumerate(data))
 
 
 def _disagreement(fine: Any, coarse: Any, value: np.ndarray, size: np.ndarray) -> np.ndarray:

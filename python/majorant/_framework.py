@@ -111,6 +111,19 @@ class Solution:
                 'iterations>')
 
 
+class Factor:
+    """A factorized Hessian: `Problem.factor`."""
+
+    def __init__(self, core: _core.Factor, size: int):
+        self._core, self._size = core, size
+
+    def solve(self, b: ArrayLike) -> Doubles:
+        """H^-1 b for b (size,) or (size, m), m right-hand sides."""
+        columns = _arrays.floats('b', b, (self._size,) if np.ndim(b) == 1 else (self._size, None))
+        x = self._core.solve(columns.reshape(self._size, -1))
+        return x[:, 0] if columns.ndim == 1 else x
+
+
 class Problem:
     """minimize sum of weight * term(x), subject to A x = b exactly, to inequalities and bounds, along
     injective maps if asked for.
@@ -129,6 +142,7 @@ class Problem:
     def __init__(self, size: int):
         self._core = _core.Problem(_options.integer('size', size, 1, 2**31 - 1))
         self._has_bounds = False
+        self._places: dict[Term, list[list[tuple[int, float]]]] = {}
 
     @property
     def full_size(self) -> int:
@@ -150,9 +164,31 @@ class Problem:
         if term._of_all and term._size != self.full_size:
             raise UsageError(f'{term.name} is of {term._size} unknowns, the problem has {self.full_size}')
         factor = _options.number('weight', weight, 0, _options.LARGEST, zero=True)
-        for part, own in term._parts:
-            self._core.add(part, factor * own)
+        self._places.setdefault(term, []).append([(self._core.add(part, factor * own), own) for part, own in term._parts])
         return self
+
+    def update(self, term: Term, *, weight: float | None = None, data: ArrayLike | None = None) -> 'Problem':
+        """Gives a term that was added another weight, or other data, of the shape that it was made with.
+        What is analysed stays: for what changes between solves, such as the last time step."""
+        places = self._places_of(term)
+        factor = None if weight is None else _options.number('weight', weight, 0, _options.LARGEST, zero=True)
+        numbers = None
+        if data is not None:
+            own = term._function._data if term._function is not None else ()
+            if not own:
+                raise UsageError(f'{term.name} was made without data')
+            numbers = _arrays.floats('data', data, own[0].shape).ravel()
+        for parts in places:
+            for place, own_weight in parts:
+                self._core.update(place, None if factor is None else factor * own_weight, numbers)
+        return self
+
+    def _places_of(self, term: Term) -> list[list[tuple[int, float]]]:
+        if not isinstance(term, Term):
+            raise UsageError(f'{term!r} is no Term')
+        if term not in self._places:
+            raise UsageError(f'{term.name} was not added to this problem')
+        return self._places[term]
 
     def constrain(self, A: Any, b: ArrayLike) -> 'Problem':
         """A x = b, exactly: a scipy.sparse matrix, or a dense one.
@@ -212,18 +248,29 @@ class Problem:
         """The energy; inf outside of its domain."""
         return self._core.value(_arrays.floats('y', y, (self.size,)))
 
-    def gradient(self, y: ArrayLike) -> Doubles:
-        """By y, inside of the domain."""
-        return self._core.linearize(_arrays.floats('y', y, (self.size,)), 'projected')[1]
+    def gradient(self, y: ArrayLike, term: Term | None = None) -> Doubles:
+        """By y, inside of the domain; of one term, with its weight, or of all."""
+        at = _arrays.floats('y', y, (self.size,))
+        if term is None:
+            return self._core.linearize(at, 'projected')[1]
+        return np.sum([self._core.gradient_of(place, at) for parts in self._places_of(term) for place, _ in parts],
+                      axis=0)
 
     def hessian(self, y: ArrayLike, curvature: str = 'exact') -> Any:
-        """By y, as scipy.sparse.csc_array, both triangles. curvature: 'exact', 'projected', 'majorizer',
+        """By y, as scipy.sparse.csc_matrix, both triangles. curvature: 'exact', 'projected', 'absolute'
+        (the projected one with negative eigenvalues by absolute value instead of 0), 'majorizer',
         'paper-majorizer', 'reweighted', where all terms have it."""
         import scipy.sparse
-        model = _curvature(curvature)
+        model = _curvature(curvature, 'absolute')
         _, _, starts, rows, values = self._core.linearize(_arrays.floats('y', y, (self.size,)), model)
         lower = scipy.sparse.csc_matrix((values, rows, starts), shape=(self.size, self.size))
         return (lower + scipy.sparse.tril(lower, -1).T).tocsc()
+
+    def factor(self, y: ArrayLike, curvature: str = 'exact') -> 'Factor':
+        """The factorized Hessian by y, to solve with: `problem.factor(y).solve(b)` is H^-1 b. Raises
+        UnsupportedError where it is not positive definite. curvature: as for `hessian`."""
+        return Factor(self._core.factor(_arrays.floats('y', y, (self.size,)), _curvature(curvature, 'absolute')),
+                      self.size)
 
     def minimize(self, x0: ArrayLike, method: str = 'newton', *, curvature: str = 'projected',
                  linear_solver: str = 'direct', tolerance: float | None = None,
@@ -236,8 +283,8 @@ class Problem:
         unknowns, whose damping is 'shift' of the iterations; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
         'ceres-nlcg', to compare with: those have no curvature and no linear_solver, and conjugate
         gradients end far from ill-conditioned minima (and tell stderr of their restarts).
-        curvature: as for `hessian`, and for 'newton' 'absolute', the projected one with negative
-        eigenvalues by absolute value instead of 0. linear_solver: 'direct' or 'eigen'. tolerance: relative decrease of the energy in one
+        curvature: as for `hessian`; 'absolute' and 'adaptive', which chooses between that and 'projected'
+        after every step, for 'newton' alone. linear_solver: 'direct' or 'eigen'. tolerance: relative decrease of the energy in one
         iteration to stop at; None: the method's own. callback(record, x), after every iteration:
         something true ends the run.
 
@@ -253,7 +300,7 @@ class Problem:
         limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True, infinite=True)
         keywords = {
             'method': _options.choice('method', method, _METHODS),
-            'curvature': _curvature(curvature, *(('absolute',) if method == 'newton' else ())),
+            'curvature': _curvature(curvature, *(('absolute', 'adaptive') if method == 'newton' else ())),
             'linear_solver': _options.choice('linear_solver', linear_solver, ('direct', 'eigen')),
             'tolerance': None if tolerance is None else _options.number('tolerance', tolerance, 0, zero=True),
             'max_iterations': _options.integer('max_iterations', max_iterations, 0, 2**31 - 1),

@@ -121,7 +121,7 @@ def keywords(mesh: _core.Mesh, said: Mapping[str, Any]) -> dict[str, Any]:
         'soft': number('soft', get('soft', SOFT), 1 / LARGEST, LARGEST, zero=True),
         'weights': None if weights is None else _weights(weights, faces),
         'curvature': choice('curvature', get('curvature', 'projected'),
-                            ('projected', 'majorizer', 'paper-majorizer', 'exact', 'reweighted')),
+                            ('projected', 'majorizer', 'paper-majorizer', 'exact', 'reweighted', 'absolute', 'adaptive')),
         'elevation': choice('elevation', get('elevation', 'incremental'), ('incremental', 'direct')),
         'tolerance': number('tolerance', get('tolerance', TOLERANCE), 0),
         'quadrature': integer('quadrature', get('quadrature', 0), 0, 10000),

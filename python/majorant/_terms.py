@@ -52,19 +52,21 @@ class Elements:
 class _Function:
     """A function of yours at elements, and whether its derivatives are right."""
 
-    def __init__(self, name: str, elements: Elements, function: PointFunction):
+    def __init__(self, name: str, elements: Elements, function: PointFunction, data: Doubles | None = None):
         self.name, self._elements, self._function = name, elements, function
+        self._data = () if data is None else (data,)
 
     @property
     def derivatives(self) -> str:
         """Where derivatives come from: 'given', 'dual numbers' or 'differences'."""
         sample = np.linspace(1, 2, self._elements.unknowns.shape[1])[None]
-        return self._function.derivatives((sample, self._elements.numbers[:1]))
+        return self._function.derivatives((sample, self._elements.numbers[:1],
+                                           *(d if d.ndim == 1 else d[:1] for d in self._data)))
 
     def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
         """Raises AssertionError, naming entry and element, where the derivatives at x, inside of the
         domain, are not those of the value."""
-        self._function.check(self._elements.of(x, self.name), tolerance, self._elements.numbers)
+        self._function.check(self._elements.of(x, self.name), tolerance, self._elements.numbers, *self._data)
 
 
 class Term:
@@ -118,7 +120,7 @@ def linear_term(c: ArrayLike) -> Term:
 
 
 def element_term(nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
-                 block: int = 1, name: str = 'element term') -> Term:
+                 block: int = 1, data: ArrayLike | None = None, name: str = 'element term') -> Term:
     """sum over elements e of f(the unknowns of e), with f in numpy, for many elements at once.
 
         def value(z, e):                      # z (q, k), e (q,): numbers of the elements -> (q,)
@@ -134,15 +136,18 @@ def element_term(nodes: ArrayLike, value: Callable[..., Any], derivatives: Calla
     k = block * nodes columns: z[:, block * i + c] = x[block * nodes[e, i] + c]. value may be inf or NaN
     outside of its domain. The Hessian is exact and symmetric (UsageError where it is not); solvers make
     it definite where they need that. `Term.check_derivatives` compares it with differences.
+
+    data: numbers that may change between solves (`Problem.update`), which the functions get as a third
+    argument: a vector (m,), which is passed whole, or (#E, m), of which they get the rows of e, (q, m).
     """
     elements = Elements(nodes, block)
     function = PointFunction(str(name), 'element', value, derivatives)
-    return _term(str(name), elements, function, _Plain(function), _EXACT)
+    return _term(str(name), elements, function, _Plain(function), _EXACT, _data(data, elements))
 
 
 def least_squares(nodes: ArrayLike, residuals: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
                   loss: str | None = None, width: float | None = None, block: int = 1,
-                  name: str = 'least squares') -> Term:
+                  data: ArrayLike | None = None, name: str = 'least squares') -> Term:
     """sum over elements e of rho(|r|^2) / 2, r the residuals of e, in numpy, for many elements at once.
 
         def residuals(z, e):                  # z (q, k), e (q,) -> (q,), or (q, m) for m residuals each
@@ -154,7 +159,7 @@ def least_squares(nodes: ArrayLike, residuals: Callable[..., Any], derivatives: 
     (logarithmic), 'arctan' (bounded), 'tukey' (constant: outliers do not count at all); None: rho(s) = s.
     Curvature: 'projected' and 'reweighted' are Gauss-Newton's, 'exact' has the bends of r, too.
     derivatives(z, e), if given, returns dr/dz, (q, k) or (q, m, k), or that and the second derivatives,
-    (q, k, k) or (q, m, k, k), without which there is no 'exact'. nodes, block: as for `element_term`.
+    (q, k, k) or (q, m, k, k), without which there is no 'exact'. nodes, block, data: as for `element_term`.
     """
     if loss is not None:
         _options.choice('loss', loss, LOSSES)
@@ -166,15 +171,27 @@ def least_squares(nodes: ArrayLike, residuals: Callable[..., Any], derivatives: 
     squares = _Squares(function, loss,
                        1.0 if width is None else _options.number('width', width, 0, _options.LARGEST))
     curvatures: tuple[str, ...] = ('projected', 'reweighted')
-    if derivatives is None or _gives_bends(derivatives, elements):
+    numbers = _data(data, elements)
+    if derivatives is None or _gives_bends(derivatives, elements, numbers):
         curvatures = ('exact', *curvatures)
-    return _term(str(name), elements, function, squares, curvatures)
+    return _term(str(name), elements, function, squares, curvatures, numbers)
 
 
-def _gives_bends(derivatives: Callable[..., Any], elements: Elements) -> bool:
+def _gives_bends(derivatives: Callable[..., Any], elements: Elements, data: Doubles | None) -> bool:
     sample = np.linspace(1, 2, elements.unknowns.shape[1])[None]
+    of_sample = () if data is None else (data if data.ndim == 1 else data[:1],)
     with np.errstate(all='ignore'):
-        return isinstance(derivatives(sample, elements.numbers[:1]), tuple)
+        return isinstance(derivatives(sample, elements.numbers[:1], *of_sample), tuple)
+
+
+def _data(data: ArrayLike | None, elements: Elements) -> Doubles | None:
+    """Numbers for all elements (m,), or a row for each."""
+    if data is None:
+        return None
+    array = _arrays.floats('data', data, (None,) if np.ndim(data) == 1 else (len(elements.cells), None))
+    if not array.size:
+        raise UsageError('data is empty')
+    return array
 
 
 def parameter_blocks(*blocks: tuple[ArrayLike, int]) -> Integers:
@@ -247,9 +264,10 @@ class Inequality:
         return f'<majorant.Inequality {self.name!r}>'
 
 
-def _term(name: str, elements: Elements, function: PointFunction, asked: Any, curvatures: tuple[str, ...]) -> Term:
-    part = _core.element_term(name, elements.cells, elements.block, asked, list(curvatures))
-    return Term([(part, 1.0)], elements.size, function=_Function(name, elements, function))
+def _term(name: str, elements: Elements, function: PointFunction, model: Any, curvatures: tuple[str, ...],
+          data: Doubles | None = None) -> Term:
+    part = _core.element_term(name, elements.cells, elements.block, model, list(curvatures), data)
+    return Term([(part, 1.0)], elements.size, function=_Function(name, elements, function, data))
 
 
 class _Plain:
@@ -259,8 +277,8 @@ class _Plain:
     def __init__(self, function: PointFunction):
         self.evaluate, self._function = function.evaluate, function
 
-    def differentiate(self, z: Doubles, e: Integers, exact: float) -> tuple[Doubles, Any]:
-        return self._function.differentiate(z, e)
+    def differentiate(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Any]:
+        return self._function.differentiate(z, e, *data)
 
 
 class _Outer:
@@ -296,12 +314,12 @@ class _Squares:
     def __init__(self, residuals: PointFunction, loss: str | None, width: float):
         self._residuals, self._loss, self._width = residuals, loss, width
 
-    def evaluate(self, z: Doubles, e: Integers) -> Doubles:
-        return self._rho((self._residuals.evaluate(z, e) ** 2).sum(1))[0] / 2
+    def evaluate(self, z: Doubles, e: Integers, *data: Doubles) -> Doubles:
+        return self._rho((self._residuals.evaluate(z, e, *data) ** 2).sum(1))[0] / 2
 
-    def differentiate(self, z: Doubles, e: Integers, exact: float) -> tuple[Doubles, Doubles]:
-        r = self._residuals.evaluate(z, e)
-        J, H = self._residuals.differentiate(z, e)
+    def differentiate(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Doubles]:
+        r = self._residuals.evaluate(z, e, *data)
+        J, H = self._residuals.differentiate(z, e, *data)
         _, slope, bend = self._rho((r ** 2).sum(1))
         gradient = np.einsum('qm,qmk->qk', r, J)
         model = np.einsum('qmi,qmj->qij', J, J)

@@ -10,6 +10,7 @@
 #include "majorant/energies/make_energy.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/problem.h"
 
 namespace majorant {
 namespace {
@@ -258,6 +259,33 @@ TEST(ElementData, StarsAreRefused) {
       "mine", [](const auto& J, double c) { return c * J.squaredNorm(); }, Vec(Vec::Ones(1)));
   const auto term = make_energy(t.space, t.rest, mine, {lattice_rule(1)});
   EXPECT_THROW(term->star(StarView{}, Vector2(0, 0)), InvalidArgument);
+}
+
+TEST(ElementData, NumbersChangeBetweenSteps) {
+  const Sheet s(2);
+  const Vec stiffness = random_rows(s.count(), 1).col(0);
+  const RowMatrix rows = random_rows(s.count(), 2);
+  const auto scalar = make_energy(
+      s.space, s.rest,
+      density<2, 2>("scaled", [](const auto& J, double k) { return k * J.squaredNorm(); },
+                    stiffness));
+  const auto spans = make_energy(
+      s.space, s.rest,
+      density<2, 2>("scaled", [](const auto& J, auto&& k) { return k[0] * J.squaredNorm() + k[1]; },
+                    rows));
+  for (const auto& [term, numbers] :
+       {std::pair{scalar, Vec(stiffness)},
+        std::pair{spans, Vec(rows.reshaped<Eigen::RowMajor>())}}) {
+    ProblemBuilder builder(s.space->node_count() * 2);
+    const TermId id = builder.add(term, 3.0);
+    const Problem problem = builder.build();
+    const Problem doubled = problem.with({{id, {.parameters = 2 * numbers}}});
+    const Vec before = element_values(problem, id, s.x), after = element_values(doubled, id, s.x);
+    EXPECT_NEAR((after - 2 * before).norm(), 0, 1e-13 * after.norm());
+    EXPECT_EQ(doubled.state(id).weight, 3.0);
+    EXPECT_EQ(term->parameter_count(), numbers.size());
+    EXPECT_THROW(problem.with({{id, {.parameters = Vec::Ones(3)}}}), InvalidArgument);
+  }
 }
 
 }  // namespace

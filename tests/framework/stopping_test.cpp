@@ -108,7 +108,7 @@ TEST(Stopping, AStallIsToldForWhatHeldTheSteps) {
     Advice advice;
     for (const StepLimit limit : limits) {
       StepResult step = moved(9e-7, 1e-2);
-      step.limit = limit;
+      step.record.limit = limit;
       advice = test.after(step);
     }
     return advice.stop ? advice.stop->message : "";
@@ -124,11 +124,11 @@ TEST(Stopping, AStallIsToldForWhatHeldTheSteps) {
                                        {Checker, "held at the limit of the feasible set"}}) {
     StoppingTest test(usual_rules(), 100);
     StepResult step = moved(9e-7, 1e-2);
-    step.limit = Checker;
+    step.record.limit = Checker;
     expect_goes_on(test.after(step));
     expect_goes_on(test.after(moved(0.1, 1e-2)));
     step = ended(Outcome::NoDecrease, 1e-2);
-    step.limit = limit;
+    step.record.limit = limit;
     expect_stop(test.after(step), Status::Stalled, message);
   }
 }

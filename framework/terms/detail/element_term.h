@@ -57,34 +57,77 @@ namespace detail {
 // z of Dual2 for more of them is no object for the stack.
 inline constexpr int kMostUnknowns = 30;
 
-// Says in one line each what a lambda of elements is not; true where it is one.
-template <int N, int Block, class F>
+// Numbers that a lambda takes beside z and that may change between steps: TermState::parameters.
+class ElementNumbers {
+ public:
+  using Row = Eigen::Map<const Vec>;
+  // A column: every element gets all of it. Another matrix: element e gets row e. Throws
+  // InvalidArgument for no numbers, for another number of rows, and for numbers that are not
+  // finite; term: the name of the term.
+  template <class Matrix>
+  ElementNumbers(const std::string& term, const Eigen::MatrixBase<Matrix>& data, Index elements) {
+    constexpr bool is_shared = Matrix::ColsAtCompileTime == 1;
+    const RowMatrix rows = data;
+    if (rows.size() == 0) throw InvalidArgument("term '" + term + "': its data are empty");
+    if (!is_shared && rows.rows() != elements)
+      throw InvalidArgument("term '" + term + "': " + std::to_string(rows.rows()) +
+                            " rows of data for " + std::to_string(elements) + " elements");
+    if (!rows.allFinite()) throw InvalidArgument("term '" + term + "': its data are not finite");
+    numbers_ = rows.template reshaped<Eigen::RowMajor>();
+    per_element_ = is_shared ? 0 : rows.cols();
+  }
+  Index count() const { return numbers_.size(); }
+  Row operator()(Index e, const TermState& state) const {
+    const Vec& now = state.parameters.size() > 0 ? state.parameters : numbers_;
+    if (per_element_ == 0) return {now.data(), now.size()};
+    return {now.data() + e * per_element_, per_element_};
+  }
+
+ private:
+  Vec numbers_;
+  Index per_element_;  // 0: an element gets all of them
+};
+
+// The numbers of a lambda that takes none.
+struct NoNumbers {
+  static constexpr Index count() { return 0; }
+};
+
+// Says in one line each what a lambda of elements is not; true where it is one. Data: the type of
+// what it takes beside z, or nothing.
+template <int N, int Block, class F, class... Data>
 constexpr bool require_function_of_elements() {
   using Numbers = NodeValues<double, Block, N>;
   using Variables = NodeValues<Dual1<double, N * Block>, Block, N>;
   constexpr bool few = N * Block <= kMostUnknowns;
-  constexpr bool fits = std::is_invocable_v<const F&, Index, const Numbers&> &&
-                        std::is_invocable_v<const F&, Index, const Variables&>;
+  constexpr bool fits = std::is_invocable_v<const F&, Index, const Numbers&, const Data&...> &&
+                        std::is_invocable_v<const F&, Index, const Variables&, const Data&...>;
   static_assert(few,
                 "an element has at most 30 unknowns, N Block: use a density for maps of higher "
                 "degree, an EnergyTerm for all else");
-  static_assert(fits, "the lambda takes (Index element, const auto& z), z being Block by N");
+  static_assert(fits,
+                "the lambda takes (Index element, const auto& z), z being Block by N, and with "
+                "data a third argument, const auto& data");
   return few && fits;
 }
 
 // A Model has, all const:
 //     nodes, block                       constexpr, N and Block
 //     supports(Curvature)
-//     value(e, z)                        of element e, z of doubles; NaN: outside the domain
-//     model(e, z, curvature)             z of Dual1 or Dual2; the second derivatives of what it
+//     value(e, z, data...)               of element e, z of doubles; NaN: outside the domain
+//     model(e, z, curvature, data...)    z of Dual1 or Dual2; the second derivatives of what it
 //                                        returns, if it has any, are the curvature
-template <class Model>
+// data is a row of `Numbers`, and is left out where these are NoNumbers.
+template <class Model, class Numbers = NoNumbers>
 class ElementTerm final : public EnergyTerm {
  public:
   static constexpr int N = Model::nodes, Block = Model::block, size = N * Block;
 
-  ElementTerm(std::string name, Cells nodes, Model model)
-      : name_(std::move(name)), element_dofs_{std::move(nodes), Block}, model_(std::move(model)) {
+  ElementTerm(std::string name, Cells nodes, Model model, Numbers numbers = {})
+      : name_(std::move(name)),
+        element_dofs_{std::move(nodes), Block},
+        model_(std::move(model)),
+        numbers_(std::move(numbers)) {
     if (element_dofs_.nodes.cols() != N)
       throw InvalidArgument("term '" + name_ + "': its lambda takes " + std::to_string(N) +
                             " nodes, the list has " + std::to_string(element_dofs_.nodes.cols()) +
@@ -101,40 +144,52 @@ class ElementTerm final : public EnergyTerm {
   std::string_view name() const override { return name_; }
   const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature curvature) const override { return model_.supports(curvature); }
+  Index parameter_count() const override { return numbers_.count(); }
 
-  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
+  void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace&,
               std::span<double> f) const override {
     NodeValues<double, Block, N> z;
     for (std::size_t p = 0; p < batch.elements.size(); ++p) {
       const Index e = batch.elements[p];
       for_each_unknown(e, [&](int k, Index unknown) { z(k % Block, k / Block) = x[unknown]; });
-      f[p] = inside_domain(model_.value(e, z));
+      f[p] = inside_domain(
+          with_numbers(e, state, [&](const auto&... data) { return model_.value(e, z, data...); }));
     }
   }
 
-  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState&,
-             Workspace&, LocalSystem& out) const override {
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
+             const TermState& state, Workspace&, LocalSystem& out) const override {
     if (out.hessian)
-      differentiate<Dual2<double, size>>(x, batch, curvature, out);
+      differentiate<Dual2<double, size>>(x, batch, curvature, state, out);
     else
-      differentiate<Dual1<double, size>>(x, batch, curvature, out);
+      differentiate<Dual1<double, size>>(x, batch, curvature, state, out);
   }
 
  private:
   template <class Variable>
   void differentiate(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
-                     LocalSystem& out) const {
+                     const TermState& state, LocalSystem& out) const {
     constexpr std::size_t stride = LocalSystem::stride;
     NodeValues<Variable, Block, N> z;
     for (int k = 0; k < size; ++k) z(k % Block, k / Block) = Variable::variable(0, k);
     for (std::size_t p = 0; p < batch.elements.size(); ++p) {
       const Index e = batch.elements[p];
       for_each_unknown(e, [&](int k, Index unknown) { z(k % Block, k / Block).v = x[unknown]; });
-      const Variable result = model_.model(e, z, curvature);
+      const Variable result = with_numbers(e, state, [&](const auto&... data) {
+        return model_.model(e, z, curvature, data...);
+      });
       out.value[p] = inside_domain(result.v);
       for (std::size_t k = 0; k < result.d.size(); ++k) out.gradient[k * stride + p] = result.d[k];
       for (std::size_t k = 0; k != result.h.size(); ++k) out.hessian[k * stride + p] = result.h[k];
     }
+  }
+  // call(the numbers of element e), or call() where there are none.
+  template <class Call>
+  auto with_numbers(Index e, const TermState& state, const Call& call) const {
+    if constexpr (std::is_same_v<Numbers, NoNumbers>)
+      return call();
+    else
+      return call(numbers_(e, state));
   }
   template <class Visit>
   void for_each_unknown(Index e, const Visit& visit) const {
@@ -148,7 +203,22 @@ class ElementTerm final : public EnergyTerm {
   std::string name_;
   ElementDofs element_dofs_;
   Model model_;
+  Numbers numbers_;
 };
+
+// The term of a model, with data or without.
+template <class Model, class... Matrix>
+std::shared_ptr<const EnergyTerm> element_term(std::string name, Cells nodes, Model model,
+                                               const Eigen::MatrixBase<Matrix>&... data) {
+  if constexpr (sizeof...(Matrix) == 0) {
+    return std::make_shared<const ElementTerm<Model>>(std::move(name), std::move(nodes),
+                                                      std::move(model));
+  } else {
+    ElementNumbers numbers(name, data..., static_cast<Index>(nodes.rows()));
+    return std::make_shared<const ElementTerm<Model, ElementNumbers>>(
+        std::move(name), std::move(nodes), std::move(model), std::move(numbers));
+  }
+}
 
 }  // namespace detail
 }  // namespace majorant

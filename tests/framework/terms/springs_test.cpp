@@ -2,9 +2,13 @@
 // vanish at their minimum.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "majorant/framework/argument_check.h"
+#include "majorant/framework/curvature_choice.h"
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/terms/least_squares.h"
@@ -60,6 +64,29 @@ TEST(Springs, RopesThatArePressedFallToAMinimum) {
         EXPECT_LT(r.energy, 1) << projection << " " << amplitude << " " << seed;
         if (seed < 3) RecordProperty("steps", static_cast<int>(r.iterations.size()));
       }
+}
+
+Vec free_net_at_rest(Index n) {
+  Vec x(2 * n * n);
+  for (Index k = 0; k < n * n; ++k) x.segment<2>(2 * k) << k % n, k / n;
+  return x;
+}
+
+// A net of n by n nodes whose springs do not all fit: the minimum is above 0.
+Problem free_net(Index n) {
+  std::vector<std::array<Index, 2>> edges;
+  for (Index k = 0; k < n * n; ++k) {
+    if (k % n + 1 < n) edges.push_back({k, k + 1});
+    if (k / n + 1 < n) edges.push_back({k, k + n});
+    if (k % n + 1 < n && k / n + 1 < n) edges.push_back({k, k + n + 1});
+  }
+  Cells pairs(static_cast<Index>(edges.size()), 2);
+  for (Index e = 0; e < pairs.rows(); ++e) pairs.row(e) << edges[to_size(e)][0], edges[to_size(e)][1];
+  const auto springs = make_term<2, 2>("net", pairs, [](Index e, const auto& z) {
+    const auto part = (z.col(1) - z.col(0)).norm() - (1 + 0.1 * (e % 5));
+    return part * part;
+  });
+  return ProblemBuilder(2 * n * n).add(springs, 1).build();
 }
 
 class OutsideADisk final : public FeasibilityChecker {
@@ -183,9 +210,57 @@ TEST(Newton, SaddlesAreSaid) {
   EXPECT_NEAR(at_minimum.energy, -0.25, 1e-9);
 }
 
+// x^2 - y^2 + y^4 in each pair of unknowns: 2^n saddles and minima, from a start on the ridge.
+TEST(Newton, LeavesSaddlesWhereItIsTold) {
+  Cells pairs(5, 2);
+  for (Index e = 0; e < 5; ++e) pairs.row(e) << 2 * e, 2 * e + 1;
+  const auto saddles = make_term<2>("saddles", pairs, [](Index, const auto& z) {
+    const auto square = z[1] * z[1];
+    return z[0] * z[0] - square + square * square;
+  });
+  const Problem problem = ProblemBuilder(10).add(saddles, 1).build();
+  Vec start = Vec::Zero(10);
+  for (Index e = 0; e < 5; ++e) start[2 * e] = 1;
+  NewtonOptions options;
+  options.saddles_to_leave = 6;
+  const SolveResult r = NewtonMinimizer(options).minimize(problem, start, {});
+  EXPECT_EQ(r.status, Status::Converged) << r.message;
+  EXPECT_EQ(r.definite, Definite::Yes) << r.message;
+  EXPECT_NEAR(r.energy, -1.25, 1e-9);
+  for (std::size_t k = 0; k < r.iterations.size(); ++k)
+    EXPECT_EQ(r.iterations[k].iteration, static_cast<int>(k) + 1);
+  options.tests_minimum = false;
+  EXPECT_THROW(NewtonStepper(problem, options), InvalidArgument);
+}
+
+// Nothing holds the springs of a net: two translations and a rotation are free.
+TEST(Newton, AGaugeHoldsWhatTheEnergyDoesNotSee) {
+  const Problem problem = free_net(12);
+  test::Random random(4);
+  const Vec start = free_net_at_rest(12) + random.vector(problem.size(), -0.2, 0.2);
+  NewtonOptions options;
+  const SolveResult free = NewtonMinimizer(options).minimize(problem, start, {});
+  options.near_null_space = [](const Problem& p) -> Eigen::MatrixXd {
+    return Eigen::Matrix2d::Identity().replicate(p.size() / 2, 1);
+  };
+  options.holds_null_space = true;
+  const SolveResult held = NewtonMinimizer(options).minimize(problem, start, {});
+  const auto failed = [](const SolveResult& r) {
+    int count = 0;
+    for (const IterationRecord& record : r.iterations) count += record.failed_factorizations;
+    return count;
+  };
+  EXPECT_EQ(held.status, Status::Converged) << held.message;
+  EXPECT_NEAR(held.energy, free.energy, 1e-9 * free.energy);
+  EXPECT_LE(failed(held), failed(free));
+  EXPECT_LE(held.iterations.size(), free.iterations.size() + 1);
+  options.near_null_space = {};
+  EXPECT_THROW(NewtonStepper(problem, options), InvalidArgument);
+}
+
 TEST(Newton, ProjectionsThatAreNone) {
   const Problem problem = rope().build();
-  for (const double projection : {0.5, 2.5, std::nan("")}) {
+  for (const double projection : {-0.5, 2.5, std::nan("")}) {
     NewtonOptions options;
     options.projection = projection;
     EXPECT_THROW(NewtonStepper(problem, options), InvalidArgument) << projection;
@@ -228,6 +303,103 @@ TEST(Newton, ADirectionOfZeroIsNoMinimum) {
       NewtonMinimizer(options).minimize(problem, problem.reduce(rough(0.1, 1)), {});
   EXPECT_EQ(r.status, Status::Failed);
   EXPECT_NE(r.message.find("answers 0"), std::string::npos) << r.message;
+}
+
+// The same run whatever constant the energy has, in whatever units it and the unknowns are, and
+// wherever their origin is.
+TEST(Newton, RunsAreTheSameInOtherUnits) {
+  struct Units {
+    double constant = 0, energy = 1, length = 1, origin = 0;
+  };
+  const auto run = [](const Units& u, int which, unsigned seed) {
+    const double length = u.length, energy = u.energy, origin = u.origin, constant = u.constant;
+    test::Random random(seed);
+    if (which == 0) {  // the net, shaken
+      const Index n = 7;
+      std::vector<std::array<Index, 2>> edges;
+      for (Index k = 0; k < n * n; ++k) {
+        if (k % n + 1 < n) edges.push_back({k, k + 1});
+        if (k / n + 1 < n) edges.push_back({k, k + n});
+        if (k % n + 1 < n && k / n + 1 < n) edges.push_back({k, k + n + 1});
+      }
+      Cells pairs(static_cast<Index>(edges.size()), 2);
+      for (Index e = 0; e < pairs.rows(); ++e)
+        pairs.row(e) << edges[to_size(e)][0], edges[to_size(e)][1];
+      const double share = constant / static_cast<double>(edges.size());
+      const auto springs = make_term<2, 2>("net", pairs, [=](Index e, const auto& z) {
+        const auto part = (z.col(1) - z.col(0)).norm() / length - (1 + 0.1 * (e % 5));
+        return energy * (part * part + share);
+      });
+      ProblemBuilder builder(2 * n * n);
+      builder.add(springs, 1);
+      const Vec rest = free_net_at_rest(n);
+      Vec start = rest + random.vector(rest.size(), -0.2, 0.2);
+      start = length * start + Vec::Constant(rest.size(), origin);
+      builder.add(FixedPoints::at({0, n - 1}, start));
+      const Problem problem = builder.build();
+      return NewtonMinimizer().minimize(problem, problem.reduce(start), {});
+    }
+    Cells pairs(9, 2);  // a chain of Rosenbrock's valleys
+    for (Index e = 0; e < 9; ++e) pairs.row(e) << e, e + 1;
+    const auto valleys = make_term<2>("valleys", pairs, [=](Index, const auto& z) {
+      const auto x = (z[0] - origin) / length, y = (z[1] - origin) / length;
+      const auto a = y - x * x, b = 1 - x;
+      return energy * (100.0 * a * a + b * b + constant / 9);
+    });
+    const Problem problem = ProblemBuilder(10).add(valleys, 1).build();
+    const Vec start = length * random.vector(10, -1, 1) + Vec::Constant(10, origin);
+    return NewtonMinimizer().minimize(problem, start, {});
+  };
+  for (const int which : {0, 1})
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      const SolveResult usual = run({}, which, seed);
+      ASSERT_EQ(usual.status, Status::Converged) << usual.message;
+      const double e0 = usual.iterations.front().energy;
+      std::vector<Units> all;
+      for (const double c : {-1.0, 1.0, 1e3, -1e3, 1e6, -1e6}) all.push_back({.constant = c * e0});
+      all.push_back({.constant = -usual.energy});
+      for (const double s : {1e-12, 1e-6, 1e6, 1e12}) all.push_back({.energy = s});
+      for (const double s : {1e-6, 1e-3, 1e3, 1e6}) all.push_back({.length = s});
+      for (const double s : {-1e3, 1e3}) all.push_back({.origin = s});
+      for (const Units& u : all) {
+        const SolveResult r = run(u, which, seed);
+        EXPECT_EQ(r.status, usual.status)
+            << r.message << " " << which << " " << seed << " constant " << u.constant << " energy "
+            << u.energy << " length " << u.length << " origin " << u.origin;
+        EXPECT_NEAR(static_cast<double>(r.iterations.size()),
+                    static_cast<double>(usual.iterations.size()), 1)
+            << r.message << " " << which << " " << seed << " constant " << u.constant << " energy "
+            << u.energy << " length " << u.length << " origin " << u.origin;
+      }
+    }
+}
+
+TEST(Newton, AnEnergyWithoutAMinimumEndsSoon) {
+  const auto falling = make_term<1>("-log", Cells::Zero(1, 1), [](Index, const auto& z) {
+    using std::log;
+    return -log(z[0]);
+  });
+  const Problem problem = ProblemBuilder(1).add(falling, 1).build();
+  for (const double start : {1e-3, 1.0, 1e3}) {
+    const SolveResult r = NewtonMinimizer().minimize(problem, Vec{{start}}, {});
+    EXPECT_EQ(r.status, Status::Failed) << r.message;
+    EXPECT_NE(r.message.find("unbounded"), std::string::npos) << r.message;
+    EXPECT_LE(r.iterations.size(), 60u) << start;
+  }
+}
+
+TEST(Newton, TheAdaptiveProjectionSolvesWhatBothDo) {
+  const Problem problem = rope().build();
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    NewtonOptions options;
+    options.set_curvature(*curvature_choice("adaptive"));
+    const SolveResult r =
+        NewtonMinimizer(options).minimize(problem, problem.reduce(rough(0.02, seed)), {});
+    EXPECT_EQ(r.status, Status::Converged) << r.message << " " << seed;
+    EXPECT_LT(r.energy, 1) << seed;
+    EXPECT_EQ(r.iterations.front().projection_weight, 2);
+  }
+  EXPECT_FALSE(curvature_choice("best"));
 }
 
 }  // namespace

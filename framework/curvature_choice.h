@@ -1,0 +1,50 @@
+// The choice of a second-order model by its name, as commands and scripts have it.
+//
+//   SolveOptions options;
+//   options.curvature = Curvature::Majorizer;            // a model of curvature.h
+//   options.curvature = *curvature_choice("adaptive");   // the projection by the last step
+//
+// Not for what a term is given: that is a BlendedCurvature (curvature.h).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "majorant/framework/curvature.h"
+
+namespace majorant {
+
+// The choice of the projection by the last step [CHLG24]: absolute eigenvalues (2) keep directions
+// short where the quadratic model is wrong, clamped ones (1) are faster where it is right. The
+// model is right where the ratio of the actual decrease to the one that it predicts is near 1.
+struct AdaptiveProjectionRules {
+  // |ratio - 1| up to which the next projection is 1, beyond 2; 0: NewtonOptions::projection stays.
+  // `adaptive` has 0.1; tuned by bench/newton_suite.
+  double tolerance = 0;
+};
+
+// A model with the options of Newton's method that belong to it (newton.h).
+struct CurvatureChoice {
+  CurvatureChoice(Curvature curvature = Curvature::Projected) : model(curvature) {}
+  // The matrix of a single evaluation.
+  BlendedCurvature blend() const {
+    return model == Curvature::Projected ? BlendedCurvature::projected(projection)
+                                         : BlendedCurvature(model);
+  }
+
+  Curvature model;
+  double projection = 1;
+  AdaptiveProjectionRules adaptive = {};
+};
+
+// The names of all choices: those of curvature_name(), "absolute" and "adaptive".
+std::vector<std::string> curvature_choices();
+// The choice of that name, if there is one.
+std::optional<CurvatureChoice> curvature_choice(std::string_view name);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
