@@ -60,11 +60,8 @@ class UntanglingDescent {
 
   void set_eps() {
     TermChanges changes;
-    for (const TermId energy : energies_) {
-      TermState state = problem_.state(energy);
-      state.parameters = Vec::Constant(1, eps_);
-      changes.emplace_back(energy, std::move(state));
-    }
+    for (const TermId energy : energies_)
+      changes.emplace_back(energy, TermChange{.parameters = Vec::Constant(1, eps_)});
     stepper_.reset(problem_.with(std::move(changes)));
   }
 

@@ -126,10 +126,8 @@ class FixedProblem final : public BarrierProblem {
         std::erase(checkers, bounds_[k]);
     }
     TermChanges changes;
-    for (const TermId id : problem_.terms()) {
-      changes.emplace_back(id, problem_.state(id));
-      changes.back().second.weight *= weight_of(id, stage);
-    }
+    for (const TermId id : problem_.terms())
+      changes.emplace_back(id, TermChange{.weight = problem_.state(id).weight * weight_of(id, stage)});
     const Problem problem =
         terms.empty() ? problem_ : problem_.exchanged(terms, std::move(checkers));
     stepper_.reset(problem.with(std::move(changes)));
@@ -372,11 +370,9 @@ class Phases {
     const std::vector<TermId> barriers = problem_.barriers();
     const Problem& present = problem_.evaluator().problem();
     TermChanges changes;
-    for (const TermId id : present.terms()) {
-      if (std::find(barriers.begin(), barriers.end(), id) != barriers.end()) continue;
-      changes.emplace_back(id, present.state(id));
-      changes.back().second.weight = 0;
-    }
+    for (const TermId id : present.terms())
+      if (std::find(barriers.begin(), barriers.end(), id) == barriers.end())
+        changes.emplace_back(id, TermChange{.weight = 0});
     const Problem problem = present.with(std::move(changes));
     if (!problem.supports(Curvature::Exact) || !problem.supports(Curvature::Projected))
       return false;

@@ -31,7 +31,7 @@ inline constexpr Curvature kCurvatures[] = {Curvature::Projected, Curvature::Maj
 //     H = H_exact + projection_weight (H_projected - H_exact).
 // A projection_weight of 0 is the exact Hessian, 1 the projected one, 2 that of the absolute values
 // of the eigenvalues; below 1 H may be indefinite. Other models have no such part: they are what
-// they are.
+// they are. A projection that is no clamping of eigenvalues, as that of least squares, ends at 1.
 struct BlendedCurvature {
   Curvature model = Curvature::Projected;
   double projection_weight = 1;  // in [0, 2]; 0 for Exact, 1 for all but Projected

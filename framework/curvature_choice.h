@@ -16,7 +16,7 @@
 
 namespace majorant {
 
-// The choice of the projection by the last step [CHLG24]: absolute eigenvalues (2) keep directions
+// The choice of the projection by the last step [CLJLZ24]: absolute eigenvalues (2) keep directions
 // short where the quadratic model is wrong, clamped ones (1) are faster where it is right. The
 // model is right where the ratio of the actual decrease to the one that it predicts is near 1.
 struct AdaptiveProjectionRules {

@@ -57,7 +57,7 @@ class DampedStepper final : public Stepper {
       // -g.p falls as damping rises, however far the minimum is: what steps promise without it.
       r.newton_decrement *= 1 + lambda_;
       if (step.outcome == Outcome::AtMinimum) {
-        if (relative_decrement(before, r.newton_decrement) > decrement_) step.outcome = Outcome::NoDecrease;
+        if (relative_decrement(before, r) > decrement_) step.outcome = Outcome::NoDecrease;
         return;
       }
       if (step.outcome == Outcome::Moved) {

@@ -15,6 +15,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "majorant/framework/problem.h"
@@ -25,6 +26,7 @@ namespace majorant {
 // Says whether the exact Hessian at a point is positive definite, but for what is 1e-8 of its mean
 // diagonal: there is a minimum then, else a saddle. NotTested where a term has no exact Hessian.
 enum class Definite { NotTested, Yes, No };
+std::string_view definite_name(Definite definite);  // "yes", "no", "not tested"
 
 struct SolveResult {
   Status status = Status::Failed;
@@ -96,9 +98,12 @@ class Minimizer {
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 //
 // EnergyScale::Value is what these rules say. With EnergyScale::Decrease
-//     max(min(|E_{k-1}|, E_0 - E_{k-1} - g.p), 1e-6 (E_j - E_{k-1}), r |E_{k-1}|, s)
-// stands for |E_{k-1}|, with E_j ten steps before and r = min(1, 5e-13 / relative_decrease), below
-// which decreases are rounding: a constant in the energy does not change what converges.
+//     max(min(G, max(|E_{k-1}|, G / 1000)), r |E_{k-1}|, s),
+//     G = min(E_0 - E_{k-1} - g.p, -g.p (1 + |y_{k-1} - y_0| / |p|)^2)
+// stands for |E_{k-1}|. G is what the run has gained, or would cost along p over the distance that
+// it has come, whichever is less, since a start far away has an energy without meaning at the
+// minimum; r = min(1, 5e-13 / relative_decrease) says where decreases are rounding. A constant in
+// the energy, units and the origin of unknowns hardly change when a run ends.
 enum class EnergyScale { Value, Decrease };
 
 struct StoppingRules {
@@ -129,6 +134,9 @@ struct StoppingRules {
   double stall_decrement = 1e-4;
   // Tuned by bench/tune.py stopping.stall_iterations.
   int stall_iterations = 3;
+  // Stalls that are answered by a step with the exact Hessian, if the method has one, before the run
+  // ends: -g.p of a model that is wrong says nothing about a minimum.
+  int second_chances = 1;
   // Tuned by bench/tune.py stopping.stall_step.
   double stall_step = 1e-3;
   // 0: the result of a stall is the last point, which has the least energy. Maps take another one
@@ -171,8 +179,8 @@ class StoppingTest {
 
   // The least energy that decrements and decreases are relative to.
   double smallest_scale() const;
-  // The one that they are relative to in a step from `energy` whose -g.p is `decrement`.
-  double scale(double energy, double decrement) const;
+  // The one that they are relative to in a step from `energy`.
+  double scale(double energy, const IterationRecord& step) const;
 
   // The stop where the iterations are used up.
   std::optional<Stop> before_step() const;
@@ -197,6 +205,7 @@ class StoppingTest {
   std::deque<double> decreases_;       // relative, since the problem has changed, the last ones
   int definite_ = std::numeric_limits<int>::max() / 2;  // steps since a factorization failed
   int in_tail_ = 0;                                     // small steps with a small decrement
+  int chances_ = 0;                                     // used
 };
 
 }  // namespace majorant

@@ -42,6 +42,8 @@ constexpr double kSaddle = 1e-8;
 constexpr int kInverseIterations = 30;
 // The first trial away from a saddle, as a part of |y|; the line search grows or shortens it.
 constexpr double kEscape = 1e-2;
+// The part of a direction below which a step says that the next shift must not be smaller.
+constexpr double kHalfStep = 0.5;
 // The factor of a shift with which a step was much too short, and the largest that is tried.
 constexpr double kRaisedShift = 10, kLargestShift = 10;
 // BlendedCurvature::projection_weight of absolute eigenvalues.
@@ -108,6 +110,7 @@ void require_rules(const BlendRules& rules) {
   require_at_least("NewtonOptions: blend.hold", rules.hold, 0);
   require_at_least("NewtonOptions: blend.short_step", rules.short_step, 0);
   require_at_least("NewtonOptions: blend.whole_steps", rules.whole_steps, 0);
+  require_at_least("NewtonOptions: blend.misled_steps", rules.misled_steps, 0);
 }
 
 }  // namespace
@@ -146,6 +149,7 @@ NewtonStepper::NewtonStepper(const Problem& problem, NewtonOptions options)
   require_rules(options_.blend);
   require_in("NewtonOptions: shifts.least", options_.shifts.least, 0, 1);
   require_in("NewtonOptions: shifts.short_step", options_.shifts.short_step, 0, 1);
+  require_in("NewtonOptions: shifts.cut_step", options_.shifts.cut_step, 0, 1);
   require_in("NewtonOptions: shifts.fall", options_.shifts.fall, 0, 1);
   require_at_least("NewtonOptions: shifts.wait", options_.shifts.wait, 0);
   whole_weight_ = first_projection();
@@ -177,11 +181,15 @@ void NewtonStepper::reset(const Problem& problem) {
   shift_wait_ = next_wait_ = 0;
   is_raised_ = false;
   whole_weight_ = first_projection();
+  misled_ = exact_wait_ = 0;
+  next_exact_wait_ = 1;
+  keeps_exact_ = false;
   lagged_->drop();
   if (!same) analyze();
 }
 
 void NewtonStepper::polish() {
+  keeps_exact_ = true;
   projection_weight_ = 0;
   hold_ = whole_steps_ = 0;
   lagged_->drop();
@@ -211,9 +219,12 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
   }
   last_gradient_norm_ = r.gradient_norm;
   if (step.outcome == Outcome::Breakdown) return;
-  relative_decrement_ = relative_decrement(before, r.newton_decrement);
+  relative_decrement_ = relative_decrement(before, r);
   learn_projection(step);
-  learn_weight(step);
+  if (is_exact_)
+    learn_exact(step);
+  else
+    learn_weight(step);
   // An iterative solver has no factor to keep: its solves are what costs.
   if (step.outcome == Outcome::Moved && r.solver_iterations == 0)
     lagged_->renew(from, gradient_, partition_of(evaluator_.problem()), r, relative_decrement_);
@@ -231,7 +242,7 @@ bool NewtonStepper::lagged_step(Vec& y, double& energy, Step& step) {
   const double before = energy;
   move_along(p_, 1.0, y, energy, step);
   if (step.outcome != Outcome::Moved) return false;
-  relative_decrement_ = relative_decrement(before, r.newton_decrement);
+  relative_decrement_ = relative_decrement(before, r);
   lagged_->judge(r);
   return true;
 }
@@ -244,6 +255,16 @@ bool NewtonStepper::blends() const {
 
 // Gradient, factors and direction at y.
 bool NewtonStepper::find_direction(const Vec& y, IterationRecord& record) {
+  is_exact_ = false;
+  if (tries_exact()) {
+    projection_weight_ = 0;
+    is_exact_ = solve_blend(y, record);
+    projection_weight_ = 1;
+    if (is_exact_) return true;
+    keeps_exact_ = false;
+    exact_wait_ = next_exact_wait_;
+    next_exact_wait_ *= 2;
+  }
   if (blends()) {
     if (whole_steps_ == 0) {
       for (; projection_weight_ < 1; raise_weight(projection_weight_))
@@ -335,7 +356,7 @@ bool NewtonStepper::solve_whole(const Vec& y, IterationRecord& record) {
       try_shifts([&](double shift) { return solve_shifted(shift, record); }, diagonal,
                  options_.shifts.least, stop_, first);
   is_damped_ = first > options_.shifts.least;
-  fall_ = f.failed() > 0 || fall_ == 0 ? options_.shifts.fall : fall_ * fall_;
+  fall_ = f.failed() > 0 || fall_ == 0 || fall_ == 1 ? options_.shifts.fall : fall_ * fall_;
   if (first == 0 && f.failed() > 0) {
     shift_wait_ = next_wait_ = std::max(options_.shifts.wait, 2 * next_wait_);
   } else if (first == 0) {
@@ -366,15 +387,20 @@ void NewtonStepper::learn_shift(Step& step) {
   const ShiftRules& rules = options_.shifts;
   step.is_damped = is_damped_;
   const bool is_whole = step.record.projection_weight >= whole_weight_ || !blends();
+  const bool is_energy = step.record.limit == StepLimit::Energy;
+  const double least = is_energy ? std::max(rules.short_step, rules.cut_step) : rules.short_step;
   const bool is_cut = step.outcome == Outcome::Blocked || step.outcome == Outcome::NoDecrease ||
-                      (step.outcome == Outcome::Moved && step.record.step < rules.short_step);
+                      (step.outcome == Outcome::Moved && step.record.step < least);
+  if (rules.short_step > 0 && is_whole && is_energy && step.outcome == Outcome::Moved &&
+      step.record.step < kHalfStep)
+    fall_ = 1;
   is_raised_ = rules.short_step > 0 && is_whole && is_cut && shift_ < kLargestShift &&
-               relative_decrement(step.energy_before, step.record.newton_decrement) >
+               relative_decrement(step.energy_before, step.record) >
                    std::max(LineSearch::kResolution, options_.stopping.stall_decrement);
   step.is_direction_too_long = is_raised_;
   if (!is_raised_) return;
   fall_ = rules.fall;
-  const double missing = step.outcome == Outcome::Moved ? rules.short_step / step.record.step : 0;
+  const double missing = step.outcome == Outcome::Moved ? least / step.record.step : 0;
   shift_ = std::clamp(std::max(kRaisedShift, missing) * shift_, rules.least, kLargestShift);
 }
 
@@ -393,10 +419,33 @@ void NewtonStepper::learn_projection(const Step& step) {
       std::abs(ratio - 1) <= options_.adaptive.tolerance ? 1 : kAbsoluteProjection;
 }
 
+bool NewtonStepper::tries_exact() {
+  const BlendRules& rules = options_.blend;
+  const Problem& problem = evaluator_.problem();
+  if (rules.misled_steps == 0 || options_.curvature == Curvature::Exact ||
+      !problem.supports(Curvature::Exact) || !problem.supports(Curvature::Projected))
+    return false;
+  if (keeps_exact_) return true;
+  if (misled_ < rules.misled_steps) return false;
+  if (exact_wait_ > 0) --exact_wait_;
+  return exact_wait_ == 0;
+}
+
+void NewtonStepper::learn_exact(const Step& step) {
+  keeps_exact_ = step.outcome == Outcome::Moved && step.record.step >= options_.blend.short_step;
+  if (keeps_exact_) {
+    next_exact_wait_ = 1;
+  } else {
+    misled_ = 0;
+  }
+}
+
 // Chooses the next blend.
 void NewtonStepper::learn_weight(const Step& step) {
   const IterationRecord& r = step.record;
   const BlendRules& rules = options_.blend;
+  const bool is_short = step.outcome != Outcome::Moved || r.step < rules.short_step;
+  misled_ = is_short ? misled_ + 1 : 0;
   // A decrease far below the model's -g.p / 2: the Hessian is misleading here - unless energies
   // cannot tell.
   const bool misled = step.outcome != Outcome::AtMinimum && r.projection_weight < 1 &&

@@ -37,6 +37,10 @@ struct BlendRules {
   // blend.short_step, blend.whole_steps.
   double short_step = 0.26;
   int whole_steps = 2;
+  // After so many short steps with t = 1 in a row the exact Hessian is tried at once, wherever the
+  // run is, and kept as long as its steps are not short; 0: never. A Gauss-Newton model with
+  // residuals that do not vanish, say, may be nearly singular where the exact Hessian is not.
+  int misled_steps = 3;
   // A shift of H, times 1 - t, from y and the gradient there; empty: none. rotation_shift() is one.
   std::function<double(const Vec& y, const Vec& gradient, const Partition&)> shift = {};
 };
@@ -55,6 +59,9 @@ struct ShiftRules {
   // After a step that is shorter, as a part of its direction, the next one has a larger shift, by
   // the factor that is missing, or 10; 0: it has not.
   double short_step = 1e-3;
+  // The same after a step that is shorter because the energy falls too little along it; after one
+  // that is shorter than half of its direction for that reason, the shift stays.
+  double cut_step = 0.1;
   // The part of the last step's shift that a step begins with, its square after a step that needed
   // no more, and so on; 0: it begins without any.
   double fall = 1.0 / 3;
@@ -174,6 +181,8 @@ class NewtonStepper final : public Stepper {
   void hold_gauge();
   void learn_weight(const Step& step);
   void learn_projection(const Step& step);
+  bool tries_exact();
+  void learn_exact(const Step& step);
   void raise_weight(double failed);
 
   NewtonOptions options_;
@@ -185,6 +194,10 @@ class NewtonStepper final : public Stepper {
   double projection_weight_ = 1;                                         // t of the next blend
   int hold_ = 0;                                                         // steps that it stays
   int whole_steps_ = 0;                                                  // to come before it
+  int misled_ = 0;               // short steps without a blend, in a row
+  bool is_exact_ = false;        // the step at hand is one of BlendRules::misled_steps
+  bool keeps_exact_ = false;     // and the next one is another
+  int exact_wait_ = 0, next_exact_wait_ = 1;  // steps until it is tried again
   double whole_weight_ = 1;             // the projection of the next step without a blend
   double shift_ = 0;                    // of the last step without a blend, relative
   double fall_ = 0;                     // the part of it that the next step begins with

@@ -73,6 +73,8 @@ struct IterationRecord {
   double step_bound = 0;                       // largest certified multiple
   double gradient_norm = 0;                    // before the step, reduced unknowns, Euclidean
   double newton_decrement = 0;                 // -g . p, an energy; before the step
+  double direction_norm = 0;                   // |p|, Euclidean
+  double distance = 0;                         // from the start of the descent; before the step
   double shift = 0;                            // added to the Hessian's diagonal
   Curvature curvature = Curvature::Projected;  // model that gave the direction
   double projection_weight = 1;                // BlendedCurvature::projection_weight of it

@@ -94,8 +94,8 @@ Stepper::Step Stepper::step(Vec& y, double& energy) {
   return step;
 }
 
-double Stepper::relative_decrement(double energy, double decrement) const {
-  return relative_to(test_ ? test_->scale(energy, decrement) : energy, decrement);
+double Stepper::relative_decrement(double energy, const IterationRecord& step) const {
+  return relative_to(test_ ? test_->scale(energy, step) : energy, step.newton_decrement);
 }
 
 void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Step& step) {
@@ -105,11 +105,13 @@ void Stepper::move_along(const Vec& p, double first, Vec& y, double& energy, Ste
   r.gradient_norm = partition.norm(gradient_);
   r.newton_decrement = -partition.dot(gradient_, p);
   if (!partition.all_finite(p) || !(r.newton_decrement >= 0)) return;
-  if (r.gradient_norm > 0 && partition.squared_norm(p) == 0 && p.size() > 0) {
+  r.direction_norm = partition.norm(p);
+  r.distance = distance_;
+  if (r.gradient_norm > 0 && r.direction_norm == 0 && p.size() > 0) {
     step.why_none = "the linear solver answers 0, and the gradient is not 0";
     return;
   }
-  if (relative_decrement(energy, r.newton_decrement) <= decrement_rule_) {
+  if (relative_decrement(energy, r) <= decrement_rule_) {
     step.outcome = Outcome::AtMinimum;
     return;
   }
@@ -176,10 +178,13 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
   StoppingTest test(rules, descent.energy);
   descent.set_fallback();
   struct Applied {
-    const StoppingTest*& test;
-    ~Applied() { test = nullptr; }
-  } const applied{test_ = &test};
+    Stepper& stepper;
+    ~Applied() { stepper.test_ = nullptr; }
+  } const applied{*this};
+  test_ = &test;
+  distance_ = 0;
   const Partition& partition = partition_of(evaluator_.problem());
+  const Vec start = rules.scale == EnergyScale::Decrease ? result.y : Vec();
   double size = partition.norm(result.y);
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
@@ -191,6 +196,7 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
       if (step.outcome == Outcome::Moved) {
         step.record.iteration = static_cast<int>(result.iterations.size()) + 1;
         result.iterations.push_back(step.record);
+        if (start.size() == result.y.size()) distance_ = partition.norm(result.y - start);
         const double now = partition.norm(result.y);
         if (result.iterations.size() == 1) size = std::max(size, now);
         if (now > kUnboundedGrowth * size) {

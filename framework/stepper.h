@@ -89,7 +89,7 @@ class Stepper {
   void move_along(const Vec& p, double first, Vec& y, double& energy, Step& step);
 
   // -g.p relative to StoppingTest::scale() of the descent that runs, or to |E|.
-  double relative_decrement(double energy, double decrement) const;
+  double relative_decrement(double energy, const IterationRecord& step) const;
 
   Evaluator evaluator_;
   StopCheck stop_;
@@ -99,6 +99,7 @@ class Stepper {
   LineSearchOptions line_search_;
   double decrement_rule_;
   const StoppingTest* test_ = nullptr;  // of the descent that runs
+  double distance_ = 0;                 // from where it began
 };
 
 // True where result.y may be a start; fills result.energy then, else status Infeasible, message and

@@ -16,9 +16,8 @@ namespace {
 // count for long.
 constexpr double kSmallestScale = 1e-14;
 constexpr std::size_t kScaleWindow = 10;
-// The part of what the last steps have decreased that is a scale: an energy that falls to 0 has no
-// other one, and from far above a minimum the decrease is not that of the minimum.
-constexpr double kDecreasePart = 1e-6;
+// The part of what a run gains that is a scale where the energy itself is smaller.
+constexpr double kLeastGain = 1e-3;
 // The part of -g.p that a step gains at least where the energy is more than rounding: a quadratic
 // gains half of it.
 constexpr double kVisible = 0.1;
@@ -55,9 +54,22 @@ Stop no_step(const StepResult& step, const Stop& held) {
 
 }  // namespace
 
+std::string_view definite_name(Definite definite) {
+  switch (definite) {
+    case Definite::Yes:
+      return "yes";
+    case Definite::No:
+      return "no";
+    case Definite::NotTested:
+      break;
+  }
+  return "not tested";
+}
+
 StoppingRules first_order_rules() {
   StoppingRules rules;
   rules.scale = EnergyScale::Value;
+  rules.second_chances = 0;
   // Below LineSearch::kResolution, so that only steps without a gain count.
   rules.relative_decrease = 1e-14;
   rules.plateau_factor = std::numeric_limits<double>::infinity();
@@ -74,6 +86,7 @@ StoppingRules first_order_rules() {
 StoppingRules brief_rules(int steps, double relative_decrease) {
   StoppingRules rules;
   rules.scale = EnergyScale::Value;
+  rules.second_chances = 0;
   rules.relative_decrease = relative_decrease;
   // The first small step ends it, exact Hessian or not, and no other rule does.
   rules.tail_factor = 0;
@@ -97,15 +110,16 @@ double StoppingTest::smallest_scale() const {
   return kSmallestScale * largest;
 }
 
-double StoppingTest::scale(double energy, double decrement) const {
+double StoppingTest::scale(double energy, const IterationRecord& step) const {
   const double value = std::abs(energy), smallest = smallest_scale();
   if (rules_.scale == EnergyScale::Value) return std::max(value, smallest);
-  const double fallen = std::max(0.0, start_ - energy) + decrement;
+  const double fallen = std::max(0.0, start_ - energy) + step.newton_decrement;
+  const double way = step.direction_norm > 0 ? 1 + step.distance / step.direction_norm : 1.0;
   const double visible = rules_.relative_decrease > LineSearch::kResolution
                              ? LineSearch::kResolution / rules_.relative_decrease
                              : 1.0;
-  return std::max({std::min(value, fallen), kDecreasePart * (energies_.front() - energy),
-                   visible * value, smallest});
+  const double gain = std::min(fallen, way * way * step.newton_decrement);
+  return std::max({std::min(gain, std::max(value, kLeastGain * gain)), visible * value, smallest});
 }
 
 std::optional<Stop> StoppingTest::before_step() const {
@@ -118,7 +132,7 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   Advice advice;
   const IterationRecord& r = step.record;
   const double smallest = smallest_scale(), before = std::abs(step.energy_before);
-  const double scale = this->scale(step.energy_before, r.newton_decrement);
+  const double scale = this->scale(step.energy_before, r);
   // Of the scale; the record has the part of the energy.
   const double decrease = rules_.scale == EnergyScale::Value
                               ? r.relative_decrease
@@ -130,10 +144,15 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   if (step.outcome != StepResult::Outcome::Moved) {
     const bool held = step.outcome == StepResult::Outcome::Blocked ||
                       step.outcome == StepResult::Outcome::NoDecrease;
-    if (!held || since == Since::Same || ++idle_ > rules_.stall_iterations)
+    const bool ends = !held || since == Since::Same || ++idle_ > rules_.stall_iterations;
+    if (ends && held && !near_minimum && chances_ < rules_.second_chances) {
+      ++chances_;
+      advice.polish = true;
+    } else if (ends) {
       advice.stop =
           no_step(step, near_minimum ? Stop{Status::Converged, near_minimum_at(step.record.limit)}
                                      : Stop{Status::Stalled, stalled_at(step.record.limit)});
+    }
     return advice;
   }
   if (r.energy < -kUnbounded * std::max(1.0, std::abs(start_))) {
@@ -170,8 +189,13 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
     if (near_minimum)
       advice.stop =
           Stop{Status::Converged, promises ? near_minimum_at(limit_) : "relative decrease"};
-    else
+    else if (chances_ < rules_.second_chances) {
+      ++chances_;
+      advice.polish = true;
+      idle_ = held_ = 0;
+    } else {
       advice.stop = Stop{Status::Stalled, stalled_at(limit_), rules_.fallback_step > 0};
+    }
   }
   advice.fallback = idle_ == 0 && r.step_bound >= rules_.fallback_step;
   return advice;

@@ -17,6 +17,7 @@ namespace majorant {
 inline StoppingRules stopping_of_maps() {
   StoppingRules rules;
   rules.scale = EnergyScale::Value;
+  rules.second_chances = 0;
   rules.fallback_step = 0.1;  // tuned by bench/tune.py stopping.fallback_step
   rules.energy_scale = 1;
   return rules;
@@ -24,6 +25,7 @@ inline StoppingRules stopping_of_maps() {
 
 inline BlendRules blend_of_maps() {
   BlendRules rules;
+  rules.misled_steps = 0;
   rules.shift = rotation_shift;
   return rules;
 }

@@ -18,7 +18,8 @@
 //     Projected, Reweighted        rho' J^T J + 2 max(rho'', 0) (J^T r) (J^T r)^T
 // The second one is Gauss-Newton; where rho'' < 0 it is that of iteratively reweighted least
 // squares, as Ceres has it. It needs no eigenvalues; a Newton run blends it with the exact Hessian
-// near the minimum and ends quadratically also where residuals are large.
+// near the minimum and ends quadratically also where residuals are large. A projection weight above
+// 1 is 1 here: Gauss-Newton has no negative eigenvalues.
 //
 // Losses bound what an outlier may cost:
 //
@@ -76,8 +77,9 @@ struct Residuals {
   Variable model(Index e, const NodeValues<Variable, Block, N>& z, BlendedCurvature curvature,
                  const Data&... data) const {
     constexpr std::size_t size = N * Block;
-    const double exact =
-        curvature.model == Curvature::Reweighted ? 0 : 1 - curvature.projection_weight;
+    const double exact = curvature.model == Curvature::Reweighted
+                             ? 0.0
+                             : std::max(0.0, 1 - curvature.projection_weight);
     Variable sum;  // value |r|^2, gradient J^T r, second derivatives J^T J and what Exact adds
     for_each(f(e, z, data...), [&](const Variable& r) {
       sum.v += r.v * r.v;

@@ -750,10 +750,9 @@ void DegreeSolver::enter(const BarrierStage& stage) {
                   same))
     return rebuild();
   TermChanges changes;
-  for (std::size_t k = 0; k < stage.bounds.size(); ++k) {
-    changes.emplace_back(barriers()[k], built_.problem.state(barriers()[k]));
-    changes.back().second.weight = weight_beside_map(stage.bounds[k], stage);
-  }
+  for (std::size_t k = 0; k < stage.bounds.size(); ++k)
+    changes.emplace_back(barriers()[k],
+                         TermChange{.weight = weight_beside_map(stage.bounds[k], stage)});
   built_.problem = built_.problem.with(std::move(changes));
   stepper_.reset(built_.problem);
 }

@@ -65,8 +65,9 @@ class PythonTerm final : public EnergyTerm {
     const py::gil_scoped_acquire lock;
     const int n = element_dofs_.local_size();
     const py::tuple at = arguments_of(element_dofs_, x, batch.elements);
-    const double exact =
-        curvature.model == Curvature::Reweighted ? 0 : 1 - curvature.projection_weight;
+    const double exact = curvature.model == Curvature::Reweighted
+                             ? 0.0
+                             : std::max(0.0, 1 - curvature.projection_weight);
     const py::tuple data = data_of(state, batch.elements);
     const Doubles value = function_.get().attr("evaluate")(*at, *data).cast<Doubles>();
     const py::tuple derivatives = function_.get().attr("differentiate")(*at, exact, *data);

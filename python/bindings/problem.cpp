@@ -137,12 +137,17 @@ std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& n
   return [] { return make_direct_solver(); };
 }
 
+void set_newton(NewtonOptions& options, const CurvatureChoice& choice, const py::dict& keywords) {
+  options.set_curvature(choice);
+  options.saddles_to_leave = keyword<int>(keywords, "saddles_to_leave");
+}
+
 template <class Options>
 Options filled(Options options, const py::dict& keywords, const StopCheck& stop) {
   const auto tolerance = keyword<std::optional<double>>(keywords, "tolerance");
   const CurvatureChoice choice = *curvature_choice(keyword<std::string>(keywords, "curvature"));
   if constexpr (std::is_same_v<Options, NewtonOptions>)
-    options.set_curvature(choice);
+    set_newton(options, choice, keywords);
   else
     options.curvature = choice.model;
   options.stopping.max_iterations = keyword<int>(keywords, "max_iterations");
@@ -198,7 +203,8 @@ py::dict as_dict(const BarrierPhase& phase) {
                   "iterations"_a = phase.iterations, "status"_a = status_name(phase.status));
 }
 
-// (x, energy, status, message, [record, ...], [phase, ...]); callback(record, x), as Run has it.
+// (x, energy, status, message, [record, ...], [phase, ...], definite); callback(record, x), as Run
+// has it.
 py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords,
                    const py::object& callback) {
   Run run(keyword<double>(keywords, "time_limit"), std::numeric_limits<int>::max(), py::none());
@@ -236,7 +242,7 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
   for (const IterationRecord& record : result.iterations) records.append(as_dict(record));
   for (const BarrierPhase& phase : result.phases) phases.append(as_dict(phase));
   return py::make_tuple(moved(problem.expand(result.y)), result.energy, status_name(result.status),
-                        result.message, records, phases);
+                        result.message, records, phases, definite_name(result.definite));
 }
 
 double value(PythonProblem& p, const Doubles& y) {

@@ -99,12 +99,14 @@ class Solution:
 
     phases: of a problem with bounds, a dictionary for each weight `mu` of their barriers: `gap`, which
     for convex problems bounds what `energy` is above the minimum, `iterations` and `status`.
+    definite: 'yes' where the exact Hessian is positive definite there, so that x is a minimum, 'no' at a
+    saddle, 'not tested' otherwise.
     """
 
     def __init__(self, x: Doubles, energy: float, status: str, message: str,
-                 iterations: list[dict[str, Any]], phases: list[dict[str, Any]]):
+                 iterations: list[dict[str, Any]], phases: list[dict[str, Any]], definite: str):
         self.x, self.energy, self.status, self.message = x, energy, status, message
-        self.iterations, self.phases = iterations, phases
+        self.iterations, self.phases, self.definite = iterations, phases, definite
 
     def __repr__(self) -> str:
         return (f'<majorant.Solution: energy {self.energy!r}, {self.status} after {len(self.iterations)} '
@@ -275,7 +277,7 @@ class Problem:
     def minimize(self, x0: ArrayLike, method: str = 'newton', *, curvature: str = 'projected',
                  linear_solver: str = 'direct', tolerance: float | None = None,
                  max_iterations: int = _options.MAX_ITERATIONS, time_limit: float | None = None, threads: int = 0,
-                 gap: float | None = None,
+                 gap: float | None = None, saddles_to_leave: int = 0,
                  callback: Callable[[dict[str, Any], Doubles], Any] | None = None) -> Solution:
         """A local minimum near x0, which satisfies the constraints.
 
@@ -288,6 +290,9 @@ class Problem:
         iteration to stop at; None: the method's own. callback(record, x), after every iteration:
         something true ends the run.
 
+        saddles_to_leave: how many saddles a run of 'newton' leaves along negative curvature, where it has
+        converged at one.
+
         Bounds and inequalities are met along barriers whose weight falls to 0, by 'newton' alone; x0 may
         violate them. gap: what the last barrier may cost, relative to the energy, 1e-8 if None.
         Status 'infeasible' says by how much: the violation has a minimum above 0, so that convex bounds
@@ -297,6 +302,8 @@ class Problem:
             raise UsageError(f"bounds and inequalities are for method='newton', not {method!r}")
         if gap is not None and not self._has_bounds:
             raise UsageError('gap is of bounds and inequalities; hold some, or leave it out')
+        if saddles_to_leave and (self._has_bounds or method != 'newton'):
+            raise UsageError("saddles_to_leave is of method='newton' without bounds")
         limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True, infinite=True)
         keywords = {
             'method': _options.choice('method', method, _METHODS),
@@ -307,6 +314,7 @@ class Problem:
             'time_limit': limit,
             'threads': _options.integer('threads', threads, 0, 1024),
             'gap': None if gap is None else _options.number('gap', gap, 0, 1),
+            'saddles_to_leave': _options.integer('saddles_to_leave', saddles_to_leave, 0, 2**31 - 1),
         }
         return Solution(*self._core.minimize(_arrays.floats('x0', x0, (self.full_size,)), keywords,
                                              _options.callback(callback)))
