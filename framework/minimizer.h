@@ -98,12 +98,12 @@ class Minimizer {
 // The decrement rule itself is applied inside a step, which it spares (Stepper::move_along).
 //
 // EnergyScale::Value is what these rules say. With EnergyScale::Decrease
-//     max(min(G, max(|E_{k-1}|, G / 1000)), r |E_{k-1}|, s),
+//     max(G / 100, r |E_{k-1}|, s),
 //     G = min(E_0 - E_{k-1} - g.p, -g.p (1 + |y_{k-1} - y_0| / |p|)^2)
 // stands for |E_{k-1}|. G is what the run has gained, or would cost along p over the distance that
 // it has come, whichever is less, since a start far away has an energy without meaning at the
-// minimum; r = min(1, 5e-13 / relative_decrease) says where decreases are rounding. A constant in
-// the energy, units and the origin of unknowns hardly change when a run ends.
+// minimum; r = min(1, 5e-13 / relative_decrease) says where decreases are rounding. Neither a
+// constant in the energy nor units nor the origin of the unknowns change when a run ends.
 enum class EnergyScale { Value, Decrease };
 
 struct StoppingRules {

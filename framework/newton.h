@@ -120,7 +120,8 @@ struct NewtonOptions {
   LaggedFactorRules lagged = {};
   ForcingRules forcing = {};
   StoppingRules stopping = {};
-  LineSearchOptions line_search = {};
+  // The barrier phase compares with |E|, which says something of barriers alone.
+  LineSearchOptions line_search = {.barrier_decrement = std::numeric_limits<double>::infinity()};
   SolverFactory linear_solver = [] { return make_direct_solver(); };
   // NewtonMinimizer tests where it has converged (SolveResult::definite).
   bool tests_minimum = true;

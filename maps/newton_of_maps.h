@@ -40,6 +40,7 @@ inline NewtonOptions newton_of_maps() {
   options.blend = blend_of_maps();
   options.shifts = shifts_of_maps();
   options.stopping = stopping_of_maps();
+  options.line_search = {};
   options.tests_minimum = false;  // runs on a map's energy end at one of many
   return options;
 }

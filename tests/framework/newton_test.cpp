@@ -111,6 +111,7 @@ TEST(Newton, RecordsCountFactorizations) {
     const test::ChainProblem chain(40);
     const auto counts = std::make_shared<test::SolverCounts>();
     NewtonOptions o = options(curvature);
+    o.blend.misled_steps = 0;
     o.linear_solver = test::counting(counts);
     NewtonStepper stepper(chain.problem, o);
     Vec y = chain.start;
@@ -170,6 +171,8 @@ TEST(Newton, NoBlendFarFromAMinimumNorAfterShortSteps) {
   const test::ChainProblem chain(60);
   const double start = Evaluator(chain.problem).value(chain.start);
   NewtonOptions o = options(Curvature::Projected);
+  o.blend.misled_steps = 0;
+  o.stopping.scale = EnergyScale::Value;
   for (const double below : {0.0, 3.0}) {
     o.blend.below = below;
     const SolveResult r = NewtonMinimizer(o).minimize(chain.problem, chain.start, {});

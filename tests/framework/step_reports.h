@@ -33,6 +33,7 @@ inline StepResult ended(StepResult::Outcome outcome, double decrement = 0) {
 inline StoppingRules usual_rules() {
   StoppingRules r;
   r.scale = EnergyScale::Value;  // reports of steps from the same energy
+  r.second_chances = 0;
   r.relative_decrease = 1e-6;
   r.tail_factor = 10;
   r.last_factor = std::numeric_limits<double>::infinity();

@@ -133,6 +133,26 @@ TEST(Stopping, AStallIsToldForWhatHeldTheSteps) {
   }
 }
 
+// A model that is wrong promises much at a minimum, too: the exact Hessian has a say first.
+TEST(Stopping, AStallIsAnsweredByTheExactHessianOnce) {
+  StoppingRules rules = usual_rules();
+  rules.second_chances = 1;
+  rules.max_iterations = 100;
+  StoppingTest test(rules, 100);
+  for (int k = 0; k < 2; ++k) expect_goes_on(test.after(moved(9e-7, 1e-2)));
+  Advice advice = test.after(moved(9e-7, 1e-2));
+  expect_goes_on(advice);
+  EXPECT_TRUE(advice.polish);
+  for (int k = 0; k < 2; ++k) expect_goes_on(test.after(moved(9e-7, 1e-2)));
+  expect_stop(test.after(moved(9e-7, 1e-2)), Status::Stalled, kNotAsPromised);
+
+  StoppingTest blocked(rules, 100);
+  advice = blocked.after(ended(Outcome::NoDecrease, 1e-2));
+  expect_goes_on(advice);
+  EXPECT_TRUE(advice.polish);
+  expect_stop(blocked.after(ended(Outcome::NoDecrease, 1e-2)), Status::Stalled, kNotAsPromised);
+}
+
 TEST(Stopping, IdleStepsNearAMinimumConvergeWhereTheyAre) {
   StoppingTest test(usual_rules(), 100);
   expect_goes_on(test.after(moved(9e-7, 9e-5)));
