@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -24,12 +26,28 @@ constexpr double kStep = 1e-5;
 constexpr double kOtherSize = 2;
 // The size of another step where an unknown has one size only, relative to that.
 constexpr double kSmaller = 0.1;
+// The entries of local Hessians that a sample has at most: about those of kMaxCheckedElements
+// elements of 30 unknowns. Elements of very many unknowns: so many of them all the same.
+constexpr Index kMaxCheckedEntries = 500000, kMinCheckedElements = 20;
+constexpr unsigned kSampleSeed = 1;
 // Lines of a message: mistakes are those of all elements, mostly.
 constexpr std::size_t kMostLines = 10;
 // The error that a gradient may have without being called wrong, relative to the Hessian times the
 // size and to the tolerance. An element at rest has no gradient but that of rounding; with the
 // usual tolerance this is a displacement of 1e-10 of the size.
 constexpr double kRest = 1e-5;
+
+// `size` of the numbers below `count`, ascending; all where there are no more.
+std::vector<Index> sampled(Index count, Index size) {
+  std::mt19937_64 random(kSampleSeed);
+  std::vector<Index> sample;
+  for (Index k = 0; k < count; ++k) {
+    const auto left = static_cast<std::uint64_t>(count - k);
+    const auto wanted = static_cast<std::uint64_t>(size - std::ssize(sample));
+    if (random() % left < wanted) sample.push_back(k);
+  }
+  return sample;
+}
 
 struct LocalValues {
   double value;
@@ -349,6 +367,8 @@ std::string DerivativeReport::message() const {
     text += fmt::format("... and {} more elements\n", more);
   else if (left > 0)
     text += fmt::format("... and {} more of the same elements\n", left);
+  if (!ok() && checked < elements)
+    text += fmt::format("{} of {} elements were checked\n", checked, elements);
   return text;
 }
 
@@ -365,7 +385,13 @@ DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double toler
                     x.size(), extent));
   require_finite("check_derivatives: x", x);
   DerivativeReport report;
-  for (Index e = 0; e < term.element_dofs().element_count(); ++e) {
+  const Index entries = s.local_size() * (s.local_size() + 1) / 2;
+  const Index most = std::clamp(kMaxCheckedEntries / std::max<Index>(1, entries),
+                                kMinCheckedElements, kMaxCheckedElements);
+  const std::vector<Index> sample = sampled(s.element_count(), most);
+  report.elements = s.element_count();
+  report.checked = static_cast<Index>(sample.size());
+  for (const Index e : sample) {
     ElementCheck check(term, state, e, x, tolerance);
     check.run();
     report.gradient_error = std::max(report.gradient_error, check.gradient.error);
@@ -375,7 +401,10 @@ DerivativeReport check_derivatives(const EnergyTerm& term, VecIn x, double toler
   }
   const ColoredBatches plan(term.element_dofs(), state.element_rule);
   BatchCheck together(term, state, x);
-  for (Index c = 0; c < plan.batch_count(); ++c)
+  // Batches with as many elements in all, or a few more.
+  const Index batches = 1 + (most - 1) / ElementBatch::kMaxSize;
+  for (const Index c :
+       sampled(plan.batch_count(), report.checked < report.elements ? batches : plan.batch_count()))
     together.run(plan.batch(c), tolerance, report.mismatches);
   return report;
 }

@@ -113,6 +113,9 @@ class EnergyTerm {
   // The number of TermState::parameters: numbers that the energy depends on beside x and that may
   // change between steps, such as the point of a linearization or the parameter of a homotopy.
   virtual Index parameter_count() const { return 0; }
+  // The number of unknowns that a problem with this term has to have; negative: any that has those
+  // of element_dofs().
+  virtual Index full_size() const { return -1; }
 
   // f[p] = energy of the batch's element p at x, +inf outside the domain, never NaN. Weights are
   // not the term's business.
@@ -137,7 +140,8 @@ class EnergyTerm {
 // semidefinite, blends of Exact and Projected to lie between them; local() without a Hessian has to
 // give the same gradient (a term that writes through the null pointer crashes here); elements
 // evaluated together have to give what each gives alone. x must lie inside the domain, away from
-// its boundary and from kinks.
+// its boundary and from kinks. Of more than kMaxCheckedElements elements a sample is checked, of
+// elements of more than 30 unknowns a smaller one: the same elements in every call.
 
 struct DerivativeMismatch {
   Index element;
@@ -150,9 +154,13 @@ struct DerivativeReport {
   double gradient_error = 0;  // largest, relative to the element's largest gradient entry
   double hessian_error = 0;   // likewise
   std::vector<DerivativeMismatch> mismatches;  // of each element at most one of every kind
+  Index checked = 0, elements = 0;             // so many of so many elements were checked
   bool ok() const { return mismatches.empty(); }
-  std::string message() const;  // one line per mismatch
+  // One line per mismatch, and a last one where these are of a sample; empty where ok().
+  std::string message() const;
 };
+
+inline constexpr Index kMaxCheckedElements = 1000;
 
 // tolerance: relative to the largest entry of the element's gradient or Hessian (plus the energy
 // itself divided by the size of the element, plus what 1e-5 of it changes). state: as for the

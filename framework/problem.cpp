@@ -45,6 +45,11 @@ void require_fitting(const EnergyTerm& term, Index full_size) {
   if (s.block < 1)
     throw InvalidArgument(
         fmt::format("term '{}': nodes of {} unknowns, at least 1 is needed", term.name(), s.block));
+  if (const Index own = term.full_size(); own >= 0 && own != full_size)
+    throw InvalidArgument(fmt::format(
+        "term '{}': it is of {} unknowns, the problem has {}: give a number for each, 0 "
+        "where there is none",
+        term.name(), own, full_size));
   const Index nodes = full_size / s.block;
   for (Index e = 0; e < s.nodes.rows(); ++e)
     for (Index k = 0; k < s.nodes.cols(); ++k)

@@ -23,6 +23,7 @@ class LinearTerm final : public EnergyTerm {
   std::string_view name() const override { return name_; }
   const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }
+  Index full_size() const override { return coefficients_.size(); }
 
   void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
               std::span<double> f) const override {

@@ -188,6 +188,83 @@ TEST(DerivativeCheck, DifferencesThatAgreeAreExpected) {
   EXPECT_NEAR(r.mismatches[0].expected, Wave::kSpeed * std::cos(1.0), 1e-3);
 }
 
+// (sum z^2)^2 / 4 of 60 unknowns each; the gradient of every third element is wrong if asked for.
+class Wide final : public EnergyTerm {
+ public:
+  static constexpr int kUnknowns = 60;
+  Wide(Index elements, bool is_right) : is_right_(is_right) {
+    element_dofs_.nodes.resize(elements, kUnknowns);
+    for (Index e = 0; e < elements; ++e)
+      for (int k = 0; k < kUnknowns; ++k) element_dofs_.nodes(e, k) = e + k;
+  }
+  std::string_view name() const override { return "wide"; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
+  bool supports(Curvature c) const override { return c == Curvature::Exact; }
+  void values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
+              std::span<double> f) const override {
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const double s = x.segment(batch.elements[p], kUnknowns).squaredNorm();
+      f[p] = 0.25 * s * s;
+    }
+    evaluations += static_cast<long>(batch.elements.size());
+  }
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState& state,
+             Workspace& workspace, LocalSystem& out) const override {
+    values(x, batch, state, workspace, {out.value, batch.elements.size()});
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
+      const auto z = x.segment(e, kUnknowns);
+      const double s = z.squaredNorm();
+      for (Index i = 0, k = 0; i < kUnknowns; ++i) {
+        const double off = is_right_ || e % 3 > 0 ? 1 : 1.01;
+        out.gradient[i * LocalSystem::stride + static_cast<Index>(p)] = off * s * z[i];
+        for (Index j = 0; out.hessian && j <= i; ++j, ++k)
+          out.hessian[k * LocalSystem::stride + static_cast<Index>(p)] =
+              2 * z[i] * z[j] + (i == j ? s : 0);
+      }
+    }
+  }
+  mutable long evaluations = 0;
+
+ private:
+  bool is_right_;
+  ElementDofs element_dofs_;
+};
+
+// Mistakes of many elements are found in a sample.
+TEST(DerivativeCheck, OfManyElementsASampleIsChecked) {
+  constexpr Index kElements = 2000;
+  const Vec x = Random(2).vector(kElements + Wide::kUnknowns - 1);
+  const Wide right(kElements, true);
+  const DerivativeReport r = check_derivatives(right, x);
+  EXPECT_TRUE(r.ok()) << r.message();
+  EXPECT_EQ(r.elements, kElements);
+  EXPECT_GE(r.checked, 200);
+  EXPECT_LE(r.checked, 400);
+  EXPECT_LT(right.evaluations, 500000) << "a million is too slow";
+  const Wide wrong(kElements, false);
+  const DerivativeReport w = check_derivatives(wrong, x);
+  EXPECT_GE(w.mismatches.size(), 50u);
+  for (const DerivativeMismatch& m : w.mismatches) EXPECT_EQ(m.element % 3, 0);
+  EXPECT_TRUE(w.message().ends_with(std::to_string(w.checked) + " of 2000 elements were checked\n"))
+      << w.message();
+}
+
+TEST(DerivativeCheck, OfFewElementsAllAreChecked) {
+  Random random(3);
+  const QuadraticTerm thousand(test::band_elements(kMaxCheckedElements, 2, 2), random, true);
+  const DerivativeReport all =
+      check_derivatives(thousand, random.vector(2 * (kMaxCheckedElements + 1)));
+  EXPECT_EQ(all.checked, kMaxCheckedElements);
+  EXPECT_EQ(all.elements, kMaxCheckedElements);
+  const QuadraticTerm more(test::band_elements(kMaxCheckedElements + 1, 2, 2), random, true);
+  const DerivativeReport some =
+      check_derivatives(more, random.vector(2 * (kMaxCheckedElements + 2)));
+  EXPECT_EQ(some.checked, kMaxCheckedElements);
+  EXPECT_EQ(some.elements, kMaxCheckedElements + 1);
+  EXPECT_EQ(some.message(), "");
+}
+
 TEST(DerivativeCheck, MessagesAreShort) {
   DerivativeReport report;
   for (Index e = 0; e < 100; ++e) report.mismatches.push_back({e / 2, "gradient[0]", 1, 2});

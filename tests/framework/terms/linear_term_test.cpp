@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/newton.h"
@@ -43,6 +44,22 @@ TEST(LinearTerm, NotFinite) {
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_THROW(linear_term("bad", Vec{{1, inf}}), Error);
   EXPECT_NO_THROW(linear_term("none", Vec::Zero(3)));
+}
+
+// A term that is shorter than the problem would leave the last unknowns without a load.
+TEST(LinearTerm, AProblemOfAnotherSizeRefusesIt) {
+  for (const Index size : {2, 4}) {
+    try {
+      ProblemBuilder(3).add(linear_term("load", Vec::Zero(size)), 1);
+      ADD_FAILURE() << size;
+    } catch (const InvalidArgument& e) {
+      EXPECT_NE(std::string(e.what()).find("term 'load': it is of " + std::to_string(size) +
+                                           " unknowns, the problem has 3"),
+                std::string::npos)
+          << e.what();
+    }
+  }
+  EXPECT_NO_THROW(ProblemBuilder(3).add(linear_term("load", Vec::Zero(3)), 1));
 }
 
 }  // namespace
