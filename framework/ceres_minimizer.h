@@ -1,13 +1,19 @@
-// First-order methods of the Ceres Solver [AMT22] on a Problem: L-BFGS and nonlinear conjugate
-// gradients with a Wolfe line search, for comparison and as an independent check.
+// The Ceres Solver [AMT22] on a Problem, for comparison and as an independent check: L-BFGS and
+// nonlinear conjugate gradients with a Wolfe line search, and for least squares
+// (framework/terms/least_squares.h) Levenberg-Marquardt and dogleg steps.
 //
-//   CeresMinimizer ceres(CeresOptions{.method = CeresOptions::Method::Lbfgs});
+//   CeresMinimizer ceres(CeresOptions{.method = CeresOptions::Method::LevenbergMarquardt});
 //   SolveResult result = ceres.minimize(problem, y0, observer);
+//
+// The latter two get the residuals of each element, their Jacobians in the unknowns that
+// constraints leave, weights and robust losses; Ceres assembles, factorizes and steps. Every term
+// has to be a ResidualTerm: bounds and loads are none.
 //
 // Not for maps that must be injective on the way: Ceres sees a failed evaluation where the energy
 // is not finite or a FeasibilityChecker refuses a point and shortens its step, so that all points
-// it accepts pass the checkers, but nothing certifies the paths between them. No metric either:
-// the number of iterations grows with the condition of the Hessian. first_order.h has both.
+// it accepts pass the checkers, but nothing certifies the paths between them. The first two have no
+// metric either: the number of their iterations grows with the condition of the Hessian.
+// first_order.h has both.
 //
 // Ceres is told to be silent, but reports restarts of conjugate gradients through glog, to stderr,
 // whatever its options say. glog's level belongs to the process, so the library leaves it alone: a
@@ -23,7 +29,7 @@ namespace majorant {
 //     max_i |g_k,i| <= gradient_tolerance / scale,
 //     |y_k - y_{k-1}| <= parameter_tolerance (|y_k| + parameter_tolerance).
 struct CeresOptions {
-  enum class Method { Lbfgs, NonlinearConjugateGradient };
+  enum class Method { Lbfgs, NonlinearConjugateGradient, LevenbergMarquardt, Dogleg };
   Method method = Method::Lbfgs;
   // As first_order_rules().
   int max_iterations = 10000;
@@ -34,7 +40,7 @@ struct CeresOptions {
   // 100 unit roundoffs, below which points do not differ.
   double parameter_tolerance = 1e-14;
   double scale = 1;  // Ceres minimizes scale * E; 1 / |E_0| makes gradient_tolerance relative
-  // Pairs that L-BFGS keeps. Ceres' default.
+  // Pairs that L-BFGS keeps, the other methods none. Ceres' default.
   int history = 20;
   StopCheck stop = {};  // ends a run between evaluations and batches of elements
 };
@@ -42,12 +48,15 @@ struct CeresOptions {
 class CeresMinimizer final : public Minimizer {
  public:
   explicit CeresMinimizer(CeresOptions options = {}) : options_(options) {}
-  // Throws InvalidArgument when Ceres refuses the options. Converged: the formula of
+  // Throws InvalidArgument when Ceres refuses the options, and, naming the term, where
+  // Levenberg-Marquardt or dogleg get one that is no ResidualTerm. Converged: the formula of
   // the gradient holds, or another one and no checker cut the last line search short. Stalled: a
   // checker did, or the line search found nothing. Failed: Ceres gave up elsewhere. The message is
   // that of Ceres. Records: step in multiples of Ceres' direction; step_bound, newton_decrement and
   // shift are 0, since nothing is certified and the direction is not known; trials: evaluations,
-  // those with gradients included; seconds.line_search: everything.
+  // those with gradients included; seconds.line_search: everything. Levenberg-Marquardt and dogleg:
+  // step 1, shift the inverse of the trust region's radius, factorizations the steps that were
+  // computed, refused ones included.
   SolveResult minimize(const Problem& problem, Vec y0, RunObserver* observer) const override;
 
  private:

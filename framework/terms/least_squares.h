@@ -100,11 +100,15 @@ struct Residuals {
     sum.v = rho0 / 2;
     return sum;
   }
-
- private:
+  template <class Z, class Visit, class... Data>
+  void visit_residuals(Index e, const Z& z, const Visit& visit, const Data&... data) const {
+    for_each(f(e, z, data...), visit);
+  }
   std::array<double, 3> rho(double s) const {
     return loss ? loss(s) : std::array<double, 3>{s, 1, 0};
   }
+
+ private:
   // Visits the one residual, or each of several.
   template <class R, class Visit>
   static void for_each(const R& residuals, const Visit& visit) {

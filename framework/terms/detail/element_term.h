@@ -4,16 +4,19 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "majorant/framework/dual2.h"
 #include "majorant/framework/energy_term.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/residual_term.h"
 
 // Dual numbers as the scalars of Eigen's small matrices, mixed with doubles. Norms, products,
 // determinants and inverses up to 4 by 4 work; decompositions do not.
@@ -117,9 +120,20 @@ constexpr bool require_function_of_elements() {
 //     value(e, z, data...)               of element e, z of doubles; NaN: outside the domain
 //     model(e, z, curvature, data...)    z of Dual1 or Dual2; the second derivatives of what it
 //                                        returns, if it has any, are the curvature
-// data is a row of `Numbers`, and is left out where these are NoNumbers.
+// data is a row of `Numbers`, and is left out where these are NoNumbers. A model of least squares
+// also has
+//     visit_residuals(e, z, visit, data...)    z of doubles or Dual1; calls visit(residual)
+//     rho(s)                                   as ResidualTerm::loss()
+struct NoResiduals {};
+template <class Model>
+inline constexpr bool has_residuals = requires(const Model& model) {
+  model.rho(1.0);
+};
+
 template <class Model, class Numbers = NoNumbers>
-class ElementTerm final : public EnergyTerm {
+class ElementTerm final
+    : public EnergyTerm,
+      public std::conditional_t<has_residuals<Model>, ResidualTerm, NoResiduals> {
  public:
   static constexpr int N = Model::nodes, Block = Model::block, size = N * Block;
 
@@ -157,15 +171,50 @@ class ElementTerm final : public EnergyTerm {
     }
   }
 
-  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
-             const TermState& state, Workspace&, LocalSystem& out) const override {
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
+             Workspace&, LocalSystem& out) const override {
     if (out.hessian)
       differentiate<Dual2<double, size>>(x, batch, curvature, state, out);
     else
       differentiate<Dual1<double, size>>(x, batch, curvature, state, out);
   }
 
+  // The members of ResidualTerm, where the model has residuals.
+  void residuals(VecIn x, Index element, const TermState& state, Vec& residuals,
+                 RowMatrix* jacobian) const {
+    if (jacobian) {
+      std::vector<Dual1<double, size>> all;
+      residuals_of<Dual1<double, size>>(x, element, state, all);
+      const auto count = static_cast<Index>(all.size());
+      residuals.resize(count);
+      jacobian->resize(count, size);
+      for (Index i = 0; i < count; ++i) {
+        residuals[i] = all[to_size(i)].v;
+        for (int k = 0; k < size; ++k) (*jacobian)(i, k) = all[to_size(i)].d[to_size(k)];
+      }
+    } else {
+      std::vector<double> all;
+      residuals_of<double>(x, element, state, all);
+      residuals = Eigen::Map<const Vec>(all.data(), static_cast<Index>(all.size()));
+    }
+  }
+  std::array<double, 3> loss(double s) const { return model_.rho(s); }
+
  private:
+  template <class T>
+  void residuals_of(VecIn x, Index e, const TermState& state, std::vector<T>& all) const {
+    NodeValues<T, Block, N> z;
+    for_each_unknown(e, [&](int k, Index unknown) {
+      if constexpr (std::is_same_v<T, double>)
+        z(k % Block, k / Block) = x[unknown];
+      else
+        z(k % Block, k / Block) = T::variable(x[unknown], k);
+    });
+    with_numbers(e, state, [&](const auto&... data) {
+      model_.visit_residuals(
+          e, z, [&all](const T& r) { all.push_back(r); }, data...);
+    });
+  }
   template <class Variable>
   void differentiate(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
                      const TermState& state, LocalSystem& out) const {
@@ -175,9 +224,8 @@ class ElementTerm final : public EnergyTerm {
     for (std::size_t p = 0; p < batch.elements.size(); ++p) {
       const Index e = batch.elements[p];
       for_each_unknown(e, [&](int k, Index unknown) { z(k % Block, k / Block).v = x[unknown]; });
-      const Variable result = with_numbers(e, state, [&](const auto&... data) {
-        return model_.model(e, z, curvature, data...);
-      });
+      const Variable result = with_numbers(
+          e, state, [&](const auto&... data) { return model_.model(e, z, curvature, data...); });
       out.value[p] = inside_domain(result.v);
       for (std::size_t k = 0; k < result.d.size(); ++k) out.gradient[k * stride + p] = result.d[k];
       for (std::size_t k = 0; k != result.h.size(); ++k) out.hessian[k * stride + p] = result.h[k];
