@@ -33,9 +33,10 @@ struct DensityTraits {
   std::vector<Curvature> curvatures;  // supported
   Barrier barrier = Barrier::Weak;
   FreeScale free_scale = FreeScale::Determined;
-  // The density for these TermState::parameters, which it may refer to, and their number; empty
-  // for a density without parameters.
+  // The density for these TermState::parameters, which it may refer to, those that it was made
+  // with, and their number; empty for a density without parameters.
   std::function<std::shared_ptr<const void>(const Vec& parameters)> with_parameters = {};
+  std::function<Vec()> parameters = {};
   Index parameter_count = 0;
   // The number of elements that the density has data or turned frames for; none: it is the same on
   // every mesh.
@@ -56,6 +57,11 @@ class DensityTerm final : public EnergyTerm {
   bool supports(Curvature curvature) const override;
   RuleId rule_count() const override { return static_cast<RuleId>(rules_.size()); }
   Index parameter_count() const override { return traits_.parameter_count; }
+  Vec parameters() const override { return traits_.parameters ? traits_.parameters() : Vec(); }
+  Index parameters_per_element() const override {
+    return traits_.elements && *traits_.elements > 0 ? traits_.parameter_count / *traits_.elements
+                                                     : 0;
+  }
   const DensityTraits& traits() const { return traits_; }
   // f = measure * mean density of each element.
   void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,

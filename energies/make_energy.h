@@ -13,8 +13,8 @@
 //
 // Kernels of the library call the formula point by point; energies/vectorized.h has others. A
 // density takes TermState::parameters, which may change between steps, by its members
-// `Index parameter_count() const` and `Density with_parameters(const Vec&) const`; what the latter
-// returns is used while these parameters live.
+// `Vec parameters() const`, those that it has, `Index parameter_count() const` and
+// `Density with_parameters(const Vec&) const`; what the last returns is used while these live.
 //
 // Not for functions of few unknowns that integrate nothing, as springs or penalties: make_term()
 // (framework/terms/local_term.h).
@@ -85,6 +85,7 @@ class ElementRows {
   ElementRows(const Vec& numbers, Index columns);
   Index size() const { return size_; }
   Index columns() const { return columns_; }
+  Vec all() const { return Eigen::Map<const Vec>(first_.get(), size_ * columns_); }
   std::span<const double> operator[](Index e) const {
     return {first_.get() + e * columns_, static_cast<std::size_t>(columns_)};
   }
@@ -102,6 +103,7 @@ class ElementScalars {
   ElementScalars(const Vec& numbers, Index columns) : rows_(numbers, columns) {}
   Index size() const { return rows_.size(); }
   Index columns() const { return 1; }
+  Vec all() const { return rows_.all(); }
   double operator[](Index e) const { return rows_[e].front(); }
   ElementScalars of(std::span<const Index> elements) const {
     return ElementScalars(rows_.of(elements));
@@ -146,6 +148,11 @@ class WithData : public Density {
     requires requires(const Data& data) { data.columns(); }
   {
     return data_.size() * data_.columns();
+  }
+  Vec parameters() const
+    requires requires(const Data& data) { data.columns(); }
+  {
+    return data_.all();
   }
   WithData with_parameters(const Vec& parameters) const
     requires requires(const Data& data) { data.columns(); }
@@ -269,6 +276,7 @@ EnergyFactory make_factory(std::shared_ptr<const Object> object, const DensityKe
   DensityTraits traits = traits_of(density.name(), density.traits, supported);
   if constexpr (requires(Vec parameters) { density.with_parameters(parameters); }) {
     traits.parameter_count = density.parameter_count();
+    traits.parameters = [object] { return object->density.parameters(); };
     traits.with_parameters = [object, called](const Vec& parameters) {
       return called(std::make_shared<const Object>(object->density.with_parameters(parameters)));
     };

@@ -37,6 +37,7 @@ class UntanglingDensity final : public IsotropicDensity<UntanglingDensity, NoMaj
         lambda_(lambda) {}
   // The one parameter is eps.
   static Index parameter_count() { return 1; }
+  Vec parameters() const { return Vec::Constant(1, eps_); }
   UntanglingDensity with_parameters(const Vec& parameters) const {
     return UntanglingDensity(parameters[0], lambda_);
   }
@@ -87,6 +88,7 @@ class SolidUntanglingDensity final {
   // As of UntanglingDensity.
   explicit SolidUntanglingDensity(double eps, double lambda = 1.0) : eps_(eps), lambda_(lambda) {}
   static Index parameter_count() { return 1; }
+  Vec parameters() const { return Vec::Constant(1, eps_); }
   SolidUntanglingDensity with_parameters(const Vec& parameters) const {
     return SolidUntanglingDensity(parameters[0], lambda_);
   }

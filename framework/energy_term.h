@@ -113,6 +113,10 @@ class EnergyTerm {
   // The number of TermState::parameters: numbers that the energy depends on beside x and that may
   // change between steps, such as the point of a linearization or the parameter of a homotopy.
   virtual Index parameter_count() const { return 0; }
+  // Those that the term was made with.
+  virtual Vec parameters() const { return {}; }
+  // K where element e depends on the parameters K e to K e + K - 1 alone; 0: on any of them.
+  virtual Index parameters_per_element() const { return 0; }
   // The number of unknowns that a problem with this term has to have; negative: any that has those
   // of element_dofs().
   virtual Index full_size() const { return -1; }

@@ -134,6 +134,7 @@ struct Problem::Structure {
   std::vector<ScatterMap> slots;
   std::shared_ptr<const LeadingTerms> leading;  // those that a problem before had, too
   Partition partition;
+  std::shared_ptr<const ConstraintRows> rows = {};  // what was eliminated
 
   // The first terms that are those of `other`, on the same unknowns.
   std::size_t shared_terms(const Structure& other) const {
@@ -184,6 +185,10 @@ const std::vector<std::shared_ptr<const FeasibilityChecker>>& Problem::checkers(
 
 const Elimination& ProblemParts::elimination(const Problem& problem) {
   return problem.structure_->elimination;
+}
+
+const ConstraintRows& ProblemParts::rows(const Problem& problem) {
+  return *problem.structure_->rows;
 }
 
 const ColoredBatches& ProblemParts::plan(const Problem& problem, TermId id) {
@@ -319,14 +324,15 @@ Problem ProblemBuilder::build_after(const Problem* before) const {
   require_expected_nodes(rows_, terms_);
   Problem::Structure s{terms_, {}, checkers_, Elimination(full_size_, rows_), {}, {}, {}, {}};
   s.partition = reduced_partition(partition_.get(), s.elimination);
+  s.rows = std::make_shared<const ConstraintRows>(rows_);
   return Problem::assembled(std::move(s), states_, before);
 }
 
 Problem Problem::exchanged(
     const std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>>& terms,
     std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const {
-  Structure s{structure_->terms,    {}, std::move(checkers), structure_->elimination, {}, {}, {},
-              structure_->partition};
+  Structure s{structure_->terms,     {}, std::move(checkers), structure_->elimination, {}, {}, {},
+              structure_->partition, structure_->rows};
   for (const auto& [id, term] : terms) {
     require_term("Problem::exchanged", id);
     require_given("Problem::exchanged: the term", term);

@@ -14,6 +14,7 @@ namespace majorant {
 
 struct ProblemParts {
   static const Elimination& elimination(const Problem& problem);
+  static const ConstraintRows& rows(const Problem& problem);
   static const ColoredBatches& plan(const Problem& problem, TermId id);
   static const ScatterMap& slots(const Problem& problem, TermId id);
   static const Partition& partition(const Problem& problem);

@@ -6,10 +6,13 @@
 #include <numeric>
 #include <utility>
 
+#include <pybind11/stl.h>
+
 #include "arrays.h"
 #include "kept.h"
 #include "majorant/framework/detail/packed_symmetric.h"
 #include "majorant/framework/feasibility.h"
+#include "majorant/framework/residual_term.h"
 
 namespace majorant::python {
 namespace {
@@ -33,7 +36,7 @@ double finite(double value) {
   return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
 }
 
-class PythonTerm final : public EnergyTerm {
+class PythonTerm : public EnergyTerm {
  public:
   PythonTerm(std::string name, ElementDofs element_dofs, py::object function,
              std::vector<Curvature> curvatures, TermData data)
@@ -50,6 +53,8 @@ class PythonTerm final : public EnergyTerm {
   }
 
   Index parameter_count() const override { return static_cast<Index>(data_.numbers.size()); }
+  Vec parameters() const override { return data_.numbers; }
+  Index parameters_per_element() const override { return data_.per_element; }
 
   void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace&,
               std::span<double> f) const override {
@@ -88,7 +93,8 @@ class PythonTerm final : public EnergyTerm {
     }
   }
 
- private:
+ protected:
+  const Kept& function() const { return function_; }
   // Nothing, the vector, or the rows of the elements.
   py::tuple data_of(const TermState& state, std::span<const Index> batch) const {
     if (data_.numbers.size() == 0) return py::tuple();
@@ -103,11 +109,37 @@ class PythonTerm final : public EnergyTerm {
     return py::make_tuple(rows);
   }
 
+ private:
   std::string name_;
   ElementDofs element_dofs_;
   Kept function_;
   std::vector<Curvature> curvatures_;
   TermData data_;
+};
+
+// Sums of squares, whose function has, besides,
+//     residuals(z, e, *data) -> residuals (q, m), derivatives (q, m, k)
+//     loss(s) -> rho, rho', rho''
+class PythonSquares final : public PythonTerm, public ResidualTerm {
+ public:
+  using PythonTerm::PythonTerm;
+  void residuals(VecIn x, Index element, const TermState& state, Vec& residuals,
+                 RowMatrix* jacobian) const override {
+    const py::gil_scoped_acquire lock;
+    const py::tuple at = arguments_of(element_dofs(), x, {&element, 1});
+    const py::tuple data = data_of(state, {&element, 1});
+    const py::tuple found = function().get().attr("residuals")(*at, *data);
+    const auto values = found[0].cast<Doubles>();
+    residuals = Eigen::Map<const Vec>(values.data(), values.size());
+    if (!jacobian) return;
+    const auto slopes = found[1].cast<Doubles>();
+    *jacobian = Eigen::Map<const RowMatrix>(slopes.data(), residuals.size(),
+                                            element_dofs().local_size());
+  }
+  std::array<double, 3> loss(double s) const override {
+    const py::gil_scoped_acquire lock;
+    return function().get().attr("loss")(s).cast<std::array<double, 3>>();
+  }
 };
 
 // g + slack > 0; paths are not certified. As Inequality has it (framework/terms/inequality.h).
@@ -178,6 +210,10 @@ Curvature curvature_named(const std::string& name) {
 std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs element_dofs,
                                               py::object function,
                                               std::vector<Curvature> curvatures, TermData data) {
+  if (std::find(curvatures.begin(), curvatures.end(), Curvature::Reweighted) != curvatures.end())
+    return std::make_shared<const PythonSquares>(std::move(name), std::move(element_dofs),
+                                                 std::move(function), std::move(curvatures),
+                                                 std::move(data));
   return std::make_shared<const PythonTerm>(std::move(name), std::move(element_dofs),
                                             std::move(function), std::move(curvatures),
                                             std::move(data));

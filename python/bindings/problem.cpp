@@ -17,6 +17,7 @@
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/sensitivity.h"
 #include "majorant/framework/terms/inequality.h"
 #include "module.h"
 #include "options.h"
@@ -81,6 +82,7 @@ class PythonProblem {
   void constrain(const Integers& starts, const Integers& columns, const Doubles& values,
                  const Doubles& targets) {
     builder_.add(Rows(++constrained_, starts, columns, values, targets));
+    row_count_ += static_cast<Index>(targets.size());
     problem_.reset();
   }
   void keep_injective(const Space& s) {
@@ -96,6 +98,7 @@ class PythonProblem {
     return *problem_;
   }
   Index full_size() const { return size_; }
+  Index row_count() const { return row_count_; }
 
   // With the bounds, and the barriers of these among its terms.
   struct Bounded {
@@ -128,6 +131,7 @@ class PythonProblem {
   std::vector<Part> terms_;
   Index size_;
   int constrained_ = 0;  // calls of constrain()
+  Index row_count_ = 0;
   std::optional<Problem> problem_;
   std::vector<std::shared_ptr<const BarrierChecker>> bounds_;
 };
@@ -203,8 +207,26 @@ py::dict as_dict(const BarrierPhase& phase) {
                   "iterations"_a = phase.iterations, "status"_a = status_name(phase.status));
 }
 
-// (x, energy, status, message, [record, ...], [phase, ...], definite); callback(record, x), as Run
-// has it.
+// The problem of a solution as it was solved, with bounds as the last phase had their barriers.
+struct Solved {
+  Problem problem;
+  SolveResult result;
+  Index row_count;  // of the constraints
+};
+
+Solved solved(const Problem& problem, const BarrierResult& result,
+              std::span<const HeldBound> bounds, Index row_count) {
+  TermChanges changes;
+  for (const HeldBound& bound : bounds)
+    changes.emplace_back(bound.barrier,
+                         TermChange{.weight = result.phases.empty() ? 0 : result.phases.back().mu});
+  Solved kept{problem.with(std::move(changes)), result, row_count};
+  if (!bounds.empty()) kept.result.blocking.clear();  // a barrier holds them, no checker
+  return kept;
+}
+
+// (x, energy, status, message, [record, ...], [phase, ...], definite, Solved); callback(record, x),
+// as Run has it.
 py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords,
                    const py::object& callback) {
   Run run(keyword<double>(keywords, "time_limit"), std::numeric_limits<int>::max(), py::none());
@@ -225,7 +247,7 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
   BarrierResult result;
   if (p.has_bounds()) {
     const BarrierMinimizer minimizer =
-        barrier_minimizer(std::move(bounded.bounds), keywords, run.record().stop());
+        barrier_minimizer(bounded.bounds, keywords, run.record().stop());
     result = run([&] {
       const ThreadCount count(threads);
       return minimizer.run(problem, problem.reduce(start), &watch);
@@ -242,7 +264,57 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
   for (const IterationRecord& record : result.iterations) records.append(as_dict(record));
   for (const BarrierPhase& phase : result.phases) phases.append(as_dict(phase));
   return py::make_tuple(moved(problem.expand(result.y)), result.energy, status_name(result.status),
-                        result.message, records, phases, definite_name(result.definite));
+                        result.message, records, phases, definite_name(result.definite),
+                        std::make_shared<Solved>(
+                            solved(problem, result, bounded.bounds, p.row_count())));
+}
+
+// The derivatives of a solution; one factorization serves all.
+class PythonSensitivity {
+ public:
+  explicit PythonSensitivity(std::shared_ptr<Solved> solved) : solved_(std::move(solved)) {
+    Run run;
+    run([&] {
+      sensitivity_.emplace(solved_->problem, solved_->result);
+      return 0;
+    });
+  }
+
+  py::array forward(const std::optional<Doubles>& right_hand_sides,
+                    const std::vector<std::pair<std::size_t, double>>& weights,
+                    const std::vector<std::pair<std::size_t, Doubles>>& parameters) const {
+    Sensitivity::Change change;
+    if (right_hand_sides) change.right_hand_sides = matrix<Vec>(*right_hand_sides);
+    for (const auto& [index, weight] : weights) change.weights.emplace_back(id(index), weight);
+    for (const auto& [index, numbers] : parameters)
+      change.parameters.emplace_back(id(index), matrix<Vec>(numbers));
+    Run run;
+    return moved(run([&] { return sensitivity_->forward(change); }));
+  }
+
+  // (by right-hand sides, by weights, [by parameters of each term]).
+  py::tuple adjoint(const Doubles& slope) const {
+    const Vec at = matrix<Vec>(slope);
+    Run run;
+    Sensitivity::Derivative d = run([&] { return sensitivity_->adjoint(at); });
+    py::list parameters;
+    for (Vec& part : d.parameters) parameters.append(moved(std::move(part)));
+    return py::make_tuple(moved(std::move(d.right_hand_sides)), d.weights, parameters);
+  }
+  double error() const { return sensitivity_->error(); }
+
+ private:
+  TermId id(std::size_t index) const { return solved_->problem.terms()[index]; }
+
+  std::shared_ptr<Solved> solved_;
+  std::optional<Sensitivity> sensitivity_;
+};
+
+py::array covariance_of(const Solved& solved, const std::vector<Index>& unknowns) {
+  Run run;
+  return moved(run([&] {
+    return RowMatrix(covariance(solved.problem, solved.result, unknowns));
+  }));
 }
 
 double value(PythonProblem& p, const Doubles& y) {
@@ -302,6 +374,15 @@ std::shared_ptr<HessianFactor> factor(PythonProblem& p, const Doubles& y,
 }  // namespace
 
 void bind_problems(py::module_& module) {
+  py::class_<Solved, std::shared_ptr<Solved>>(module, "Solved")
+      .def("covariance", &covariance_of, py::arg("unknowns"))
+      .def_property_readonly("row_count", [](const Solved& s) { return s.row_count; });
+  py::class_<PythonSensitivity>(module, "Sensitivity")
+      .def(py::init<std::shared_ptr<Solved>>(), py::arg("solved"))
+      .def("forward", &PythonSensitivity::forward, py::arg("right_hand_sides"), py::arg("weights"),
+           py::arg("parameters"))
+      .def("adjoint", &PythonSensitivity::adjoint, py::arg("slope"))
+      .def_property_readonly("error", &PythonSensitivity::error);
   py::class_<HessianFactor, std::shared_ptr<HessianFactor>>(module, "Factor")
       .def(
           "solve",

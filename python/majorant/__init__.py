@@ -20,7 +20,7 @@ from ._densities import Density
 from ._errors import (Error, InfeasibleError, InternalError, InvalidError, ReadError, StoppedError,
                       UnsupportedError, UsageError)
 from ._exchange import mesh_arrays
-from ._framework import Factor, Problem, Solution, Space
+from ._framework import Adjoint, Factor, Problem, Solution, Space
 from ._functions import (Verdict, check, deform, energies, flatten, kernels, parametrize, read, read_mesh,
                          seamless, unwrap)
 from ._maps import Map
@@ -31,7 +31,7 @@ from ._volumes import VolumeMesh, optimize
 
 __version__ = _core.version
 __all__ = [
-    'Density', 'Error', 'Factor', 'Inequality', 'InfeasibleError', 'InternalError', 'InvalidError', 'InverseMap', 'Map',
+    'Adjoint', 'Density', 'Error', 'Factor', 'Inequality', 'InfeasibleError', 'InternalError', 'InvalidError', 'InverseMap', 'Map',
     'NearestPoints', 'Places', 'Preimages', 'Problem', 'QuadMesh', 'ReadError', 'Solution', 'Space', 'Step',
     'StoppedError', 'SurfaceTree', 'Term', 'UnsupportedError', 'UsageError', 'Verdict', 'VolumeMesh',
     'check', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Callable
+from typing import Any, Callable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -104,13 +104,79 @@ class Solution:
     """
 
     def __init__(self, x: Doubles, energy: float, status: str, message: str,
-                 iterations: list[dict[str, Any]], phases: list[dict[str, Any]], definite: str):
+                 iterations: list[dict[str, Any]], phases: list[dict[str, Any]], definite: str,
+                 solved: _core.Solved, places: dict[Term, list[list[tuple[int, float]]]]):
         self.x, self.energy, self.status, self.message = x, energy, status, message
         self.iterations, self.phases, self.definite = iterations, phases, definite
+        self._solved, self._places = solved, places
+        self._sensitivity: _core.Sensitivity | None = None
+
+    def _derivatives(self) -> _core.Sensitivity:
+        if self._sensitivity is None:
+            self._sensitivity = _core.Sensitivity(self._solved)
+        return self._sensitivity
+
+    def forward(self, *, b: ArrayLike | None = None, weights: Mapping[Term, float] | None = None,
+                parameters: Mapping[Term, ArrayLike] | None = None) -> Doubles:
+        """How x moves with the data of the problem: dx along db of all rows of `Problem.constrain` in
+        their order, changes of weights {term: dw}, and of data {term: ddata}, of the term's shape.
+
+        The implicit function theorem at the minimum, with the exact Hessian, which is factorized once
+        for this and `adjoint`. Bounds and inequalities count by the barriers of the last phase.
+        Raises UnsupportedError at a saddle, where the energy does not see some motion of the unknowns,
+        and where a map is held back by `keep_injective`.
+        """
+        core = self._derivatives()
+        heavier = [(place, _options.number('weights', change, -_options.LARGEST, _options.LARGEST) * own)
+                   for term, change in (weights or {}).items() for place, own in self._parts(term)]
+        moved = []
+        for term, change in (parameters or {}).items():
+            own_data = term._function._data if term._function is not None else ()
+            if not own_data:
+                raise UsageError(f'{term.name} was made without data')
+            numbers = _arrays.floats('parameters', change, own_data[0].shape).ravel()
+            moved += [(place, numbers) for place, _ in self._parts(term)]
+        return core.forward(None if b is None else _arrays.floats('b', b, (self._solved.row_count,)),
+                            heavier, moved)
+
+    def adjoint(self, dL_dx: ArrayLike) -> 'Adjoint':
+        """The derivative of a function L of x by the data of the problem, given dL/dx at x: `b`, by the
+        right-hand sides of all rows of `Problem.constrain` in their order, `weights`, by term in the
+        order of `Problem.add`, and `parameters[term]`, of the shape of the term's data. As `forward`."""
+        slope = _arrays.floats('dL_dx', dL_dx, (len(self.x),))
+        b, weights, parameters = self._derivatives().adjoint(slope)
+        by_term: dict[Term, Doubles] = {}
+        sums = {}
+        for term, added in self._places.items():
+            for k, parts in enumerate(added):
+                sums[parts[0][0]] = sum(own * weights[place] for place, own in parts)
+            if term._function is not None and term._function._data:
+                by_term[term] = sum(parameters[place] for parts in added for place, _ in parts
+                                    ).reshape(term._function._data[0].shape)
+        return Adjoint(b, np.array([sums[place] for place in sorted(sums)]), by_term)
+
+    def covariance(self, indices: ArrayLike) -> Doubles:
+        """The covariance (m, m) of these entries of x: the block of (J^T J)^-1, of `least_squares` terms
+        alone; 0 for what constraints fix. Raises UnsupportedError for other terms and where the
+        residuals do not determine all unknowns."""
+        unknowns = _arrays.integers('indices', indices, (None,), len(self.x), 'unknowns')
+        return self._solved.covariance(unknowns.tolist())
+
+    def _parts(self, term: Term) -> list[tuple[int, float]]:
+        if term not in self._places:
+            raise UsageError(f'{getattr(term, "name", term)} is no term of the problem')
+        return [part for parts in self._places[term] for part in parts]
 
     def __repr__(self) -> str:
         return (f'<majorant.Solution: energy {self.energy!r}, {self.status} after {len(self.iterations)} '
                 'iterations>')
+
+
+class Adjoint:
+    """dL by the data of a problem: `Solution.adjoint`."""
+
+    def __init__(self, b: Doubles, weights: Doubles, parameters: dict[Term, Doubles]):
+        self.b, self.weights, self.parameters = b, weights, parameters
 
 
 class Factor:
@@ -317,7 +383,8 @@ class Problem:
             'saddles_to_leave': _options.integer('saddles_to_leave', saddles_to_leave, 0, 2**31 - 1),
         }
         return Solution(*self._core.minimize(_arrays.floats('x0', x0, (self.full_size,)), keywords,
-                                             _options.callback(callback)))
+                                             _options.callback(callback)),
+                        {term: [list(parts) for parts in added] for term, added in self._places.items()})
 
 
 def _curvature(name: Any, *more: str) -> str:

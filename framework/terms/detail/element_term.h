@@ -80,6 +80,8 @@ class ElementNumbers {
     per_element_ = is_shared ? 0 : rows.cols();
   }
   Index count() const { return numbers_.size(); }
+  const Vec& all() const { return numbers_; }
+  Index per_element() const { return per_element_; }
   Row operator()(Index e, const TermState& state) const {
     const Vec& now = state.parameters.size() > 0 ? state.parameters : numbers_;
     if (per_element_ == 0) return {now.data(), now.size()};
@@ -94,6 +96,8 @@ class ElementNumbers {
 // The numbers of a lambda that takes none.
 struct NoNumbers {
   static constexpr Index count() { return 0; }
+  static Vec all() { return {}; }
+  static constexpr Index per_element() { return 0; }
 };
 
 // Says in one line each what a lambda of elements is not; true where it is one. Data: the type of
@@ -159,6 +163,8 @@ class ElementTerm final
   const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature curvature) const override { return model_.supports(curvature); }
   Index parameter_count() const override { return numbers_.count(); }
+  Vec parameters() const override { return numbers_.all(); }
+  Index parameters_per_element() const override { return numbers_.per_element(); }
 
   void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace&,
               std::span<double> f) const override {

@@ -1,0 +1,108 @@
+// A solution as a function of the data of its problem, by the implicit function theorem: the
+// derivative of x* = argmin E(x; b, w, p) by right-hand sides b of constraints, weights w of terms
+// and of elements, and parameters p of terms.
+//
+//   const SolveResult result = NewtonMinimizer().minimize(problem, y0, nullptr);
+//   const Sensitivity s(problem, result);
+//   Sensitivity::Change change;                      // a direction in the data
+//   change.right_hand_sides = Vec::Ones(s.row_count());
+//   const Vec dx = s.forward(change);                // how x* moves along it
+//   const Vec gradient = problem.expand(y0);         // dL/dx at x* of some function L
+//   const Sensitivity::Derivative d = s.adjoint(gradient);
+//   const double slope = d.right_hand_sides.dot(change.right_hand_sides);   // = gradient . dx
+//
+// The exact Hessian at x* is factorized once. A result that stopped at a tolerance is polished
+// first by exact Newton steps; error() estimates what is left.
+//
+// Barriers of bounds are terms like others: give the problem the weights that the last phase had,
+//     problem.with({{wall, {.weight = result.phases.back().mu}}}),
+// and what comes out is the derivative of that phase's minimum, whose bias is of the size of its
+// gap. What the energy does not see (translations of what nothing holds) is given as null_space:
+// the derivative is the one of least norm then.
+//
+// Not for results at a saddle, nor where a checker holds them back: neither is a function of the
+// data. Not for maps of parametrize(), which rebuilds its problem.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/minimizer.h"
+#include "majorant/framework/problem.h"
+
+namespace majorant {
+
+struct SensitivityOptions {
+  SolverFactory linear_solver = [] { return make_direct_solver(); };
+  // Motions that the energy does not see, a column each, on the unknowns of the problem (as
+  // NewtonOptions::near_null_space); empty: there are none.
+  std::function<Eigen::MatrixXd(const Problem&)> null_space = {};
+  // Exact Newton steps at most, before the factor that serves.
+  int polishing_steps = 10;
+};
+
+class Sensitivity {
+ public:
+  // Throws InvalidArgument for a problem of several processes and a result of another size;
+  // Error(Unsupported) naming the reason where the derivative does not exist or cannot be had:
+  // the run failed, a checker holds the result, a term has no exact Hessian, the exact Hessian is
+  // indefinite (a saddle) or singular.
+  Sensitivity(const Problem& problem, const SolveResult& result, SensitivityOptions options = {});
+  ~Sensitivity();
+  Sensitivity(Sensitivity&&) noexcept;
+  Sensitivity& operator=(Sensitivity&&) noexcept;
+
+  // A direction in the data; what is empty does not change.
+  struct Change {
+    Vec right_hand_sides = {};  // of all rows, in the order of ProblemBuilder::add()
+    std::vector<std::pair<TermId, double>> weights = {};
+    std::vector<std::pair<TermId, Vec>> element_weights = {};  // #E each
+    std::vector<std::pair<TermId, Vec>> parameters = {};  // EnergyTerm::parameter_count() each
+  };
+  // dL/d(data), for a function L of x*.
+  struct Derivative {
+    Vec right_hand_sides;                // by all rows; where rows depend on each other, one choice
+    std::vector<double> weights;         // by term, in the order of Problem::terms()
+    std::vector<Vec> element_weights;    // by term: #E
+    std::vector<Vec> parameters;         // by term: parameter_count()
+  };
+
+  Index row_count() const;  // of the constraints
+  // The point that the derivatives belong to, full unknowns; its energy.
+  const Vec& point() const;
+  double energy() const;
+  // An estimate of |x - x*| / |x| after polishing.
+  double error() const;
+
+  // dx* along the change, full unknowns; a column for each of several changes. Throws
+  // InvalidArgument for sizes that do not fit, Error(Unsupported) where changes of rows that depend
+  // on each other contradict.
+  Vec forward(const Change& change) const;
+  Eigen::MatrixXd forward(const std::vector<Change>& changes) const;
+  // The derivative of L with this dL/dx at point(), full unknowns; of several, a column each.
+  // Parameters by differences of exact gradients, to about 1e-10 of them. Throws InvalidArgument
+  // for another number of unknowns; Error(Unsupported) for elements that depend on more than one of
+  // the parameters which all of them see, where there are more than 64 of these.
+  Derivative adjoint(const Vec& slope) const;
+  std::vector<Derivative> adjoint(const Eigen::MatrixXd& slopes) const;
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// The covariance of chosen unknowns of a least-squares solution: this block of (J^T J)^-1, J the
+// derivative of all residuals, losses and weights included as Gauss-Newton has them, by the
+// unknowns that constraints leave; 0 for what they fix. unknowns: full ones. All terms have to be
+// sums of squares (ResidualTerm). Throws Error(Unsupported) where a term is none, and where J^T J
+// is singular, InvalidArgument for unknowns out of range.
+Eigen::MatrixXd covariance(const Problem& problem, const SolveResult& result,
+                           const std::vector<Index>& unknowns);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
