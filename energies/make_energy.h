@@ -144,21 +144,14 @@ class WithData : public Density {
   Index element_count() const { return data_.size(); }
   decltype(auto) data_of(Index element) const { return data_[element]; }
   WithData of(std::span<const Index> elements) const { return {*this, data_.of(elements)}; }
-  Index parameter_count() const
-    requires requires(const Data& data) { data.columns(); }
-  {
-    return data_.size() * data_.columns();
+  Index parameter_count() const requires requires(const Data& data) { data.columns(); }
+  { return data_.size() * data_.columns(); }
+  Vec parameters() const requires requires(const Data& data) { data.columns(); }
+  { return data_.all(); }
+  WithData with_parameters(const Vec& parameters) const requires requires(const Data& data) {
+    data.columns();
   }
-  Vec parameters() const
-    requires requires(const Data& data) { data.columns(); }
-  {
-    return data_.all();
-  }
-  WithData with_parameters(const Vec& parameters) const
-    requires requires(const Data& data) { data.columns(); }
-  {
-    return {*this, Data(parameters, data_.columns())};
-  }
+  { return {*this, Data(parameters, data_.columns())}; }
 
  private:
   Data data_;

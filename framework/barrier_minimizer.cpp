@@ -127,7 +127,8 @@ class FixedProblem final : public BarrierProblem {
     }
     TermChanges changes;
     for (const TermId id : problem_.terms())
-      changes.emplace_back(id, TermChange{.weight = problem_.state(id).weight * weight_of(id, stage)});
+      changes.emplace_back(id,
+                           TermChange{.weight = problem_.state(id).weight * weight_of(id, stage)});
     const Problem problem =
         terms.empty() ? problem_ : problem_.exchanged(terms, std::move(checkers));
     stepper_.reset(problem.with(std::move(changes)));

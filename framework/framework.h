@@ -18,6 +18,7 @@
 //                                 start is outside of them, as an energy
 //     problem.h                   ProblemBuilder, Problem: terms, constraints, checkers; Evaluator
 //     hessian_factor.h            the Hessian at a point, to solve with
+//     residuals.h                 residuals of sums of squares and their Jacobian
 //     sensitivity.h               derivatives of a solution by the data of its problem; covariance
 //     residual_term.h             terms that are sums of squares: their residuals
 //     dual2.h                     derivatives of formulas, of first and second order
@@ -60,6 +61,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/problem.h"
 #include "majorant/framework/residual_term.h"
+#include "majorant/framework/residuals.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/framework/sensitivity.h"
 #include "majorant/framework/stepper.h"

@@ -22,10 +22,11 @@ class HessianFactor {
   // y: problem.size() unknowns inside the domain. Throws Error(Unsupported) where the Hessian is
   // not positive definite or not finite, InvalidArgument for another number of unknowns, a
   // curvature that a term has not, and a problem of several processes.
-  HessianFactor(const Problem& problem, VecIn y, BlendedCurvature curvature = Curvature::Exact,
-                const SolverFactory& linear_solver = [] { return make_direct_solver(); });
+  HessianFactor(
+      const Problem& problem, VecIn y, BlendedCurvature curvature = Curvature::Exact,
+      const SolverFactory& linear_solver = [] { return make_direct_solver(); });
 
-  double energy() const { return energy_; }        // at y
+  double energy() const { return energy_; }          // at y
   const Vec& gradient() const { return gradient_; }  // at y
   // H^-1 b for b of problem.size() rows, a column for each right-hand side. Throws InvalidArgument
   // for another number of rows.

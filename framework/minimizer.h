@@ -134,8 +134,8 @@ struct StoppingRules {
   double stall_decrement = 1e-4;
   // Tuned by bench/tune.py stopping.stall_iterations.
   int stall_iterations = 3;
-  // Stalls that are answered by a step with the exact Hessian, if the method has one, before the run
-  // ends: -g.p of a model that is wrong says nothing about a minimum.
+  // Stalls that are answered by a step with the exact Hessian, if the method has one, before the
+  // run ends: -g.p of a model that is wrong says nothing about a minimum.
   int second_chances = 1;
   // Tuned by bench/tune.py stopping.stall_step.
   double stall_step = 1e-3;

@@ -292,8 +292,8 @@ double NewtonStepper::mean_diagonal() const {
                                  partition_of(evaluator_.problem()));
 }
 
-// With g orthogonal to the motions N, (H + m E E^T) p = -g has the solution of H p = -g that is 0 at
-// the unknowns of E, if these tell the motions apart.
+// With g orthogonal to the motions N, (H + m E E^T) p = -g has the solution of H p = -g that is 0
+// at the unknowns of E, if these tell the motions apart.
 void NewtonStepper::hold_gauge() {
   if (gauge_.empty()) return;
   const double mean = mean_diagonal();
@@ -415,8 +415,7 @@ void NewtonStepper::learn_projection(const Step& step) {
   const double promised = r.step * (1 - r.step / 2) * r.newton_decrement;
   const double ratio =
       step.outcome == Outcome::Moved ? (step.energy_before - r.energy) / promised : 0;
-  whole_weight_ =
-      std::abs(ratio - 1) <= options_.adaptive.tolerance ? 1 : kAbsoluteProjection;
+  whole_weight_ = std::abs(ratio - 1) <= options_.adaptive.tolerance ? 1 : kAbsoluteProjection;
 }
 
 bool NewtonStepper::tries_exact() {
@@ -489,9 +488,8 @@ bool NewtonStepper::leave_saddle(Vec& y, double& energy) {
   evaluator_.linearize(y, Curvature::Exact, gradient_, hessian_, stop_);
   lagged_->drop();
   IterationRecord unused;
-  const ShiftedFactorization factors =
-      try_shifts([&](double shift) { return solve_shifted(shift, unused); }, mean_diagonal(),
-                 kSaddle, stop_);
+  const ShiftedFactorization factors = try_shifts(
+      [&](double shift) { return solve_shifted(shift, unused); }, mean_diagonal(), kSaddle, stop_);
   if (factors.status != FactorStatus::Ok || factors.shift == 0) return false;
   Vec v = Vec::LinSpaced(problem.size(), 1, 2), next;
   for (Index k = 1; k < v.size(); k += 2) v[k] = -v[k];
@@ -537,8 +535,7 @@ SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0, RunObserve
     StoppingRules rules = options_.stopping;
     const auto taken = static_cast<int>(result.iterations.size());
     rules.max_iterations = std::max(0, rules.max_iterations - taken);
-    SolveResult rest =
-        stepper.descend_from(std::move(result.y), result.energy, rules, observer);
+    SolveResult rest = stepper.descend_from(std::move(result.y), result.energy, rules, observer);
     for (IterationRecord& record : rest.iterations) record.iteration += taken;
     rest.iterations.insert(rest.iterations.begin(), result.iterations.begin(),
                            result.iterations.end());
@@ -547,8 +544,8 @@ SolveResult NewtonMinimizer::minimize(const Problem& problem, Vec y0, RunObserve
   if (options_.projection != 1 || options_.adaptive.tolerance > 0)
     for (const TermId id : problem.terms())
       if (!problem.term(id).supports(Curvature::Exact))
-        result.message +=
-            fmt::format("; term '{}' projects its Hessian by a rule of its own", problem.term(id).name());
+        result.message += fmt::format("; term '{}' projects its Hessian by a rule of its own",
+                                      problem.term(id).name());
   return result;
 }
 

@@ -195,16 +195,16 @@ class NewtonStepper final : public Stepper {
   double projection_weight_ = 1;                                         // t of the next blend
   int hold_ = 0;                                                         // steps that it stays
   int whole_steps_ = 0;                                                  // to come before it
-  int misled_ = 0;               // short steps without a blend, in a row
-  bool is_exact_ = false;        // the step at hand is one of BlendRules::misled_steps
-  bool keeps_exact_ = false;     // and the next one is another
+  int misled_ = 0;                            // short steps without a blend, in a row
+  bool is_exact_ = false;                     // the step at hand is one of BlendRules::misled_steps
+  bool keeps_exact_ = false;                  // and the next one is another
   int exact_wait_ = 0, next_exact_wait_ = 1;  // steps until it is tried again
-  double whole_weight_ = 1;             // the projection of the next step without a blend
-  double shift_ = 0;                    // of the last step without a blend, relative
-  double fall_ = 0;                     // the part of it that the next step begins with
-  int shift_wait_ = 0, next_wait_ = 0;  // steps until none is tried again
-  bool is_raised_ = false;              // shift_ is what the next step begins with
-  bool is_damped_ = false;              // the step at hand began with a shift
+  double whole_weight_ = 1;                   // the projection of the next step without a blend
+  double shift_ = 0;                          // of the last step without a blend, relative
+  double fall_ = 0;                           // the part of it that the next step begins with
+  int shift_wait_ = 0, next_wait_ = 0;        // steps until none is tried again
+  bool is_raised_ = false;                    // shift_ is what the next step begins with
+  bool is_damped_ = false;                    // the step at hand began with a shift
   class LaggedFactor;
   std::unique_ptr<LaggedFactor> lagged_;
 };

@@ -331,8 +331,15 @@ Problem ProblemBuilder::build_after(const Problem* before) const {
 Problem Problem::exchanged(
     const std::vector<std::pair<TermId, std::shared_ptr<const EnergyTerm>>>& terms,
     std::vector<std::shared_ptr<const FeasibilityChecker>> checkers) const {
-  Structure s{structure_->terms,     {}, std::move(checkers), structure_->elimination, {}, {}, {},
-              structure_->partition, structure_->rows};
+  Structure s{structure_->terms,
+              {},
+              std::move(checkers),
+              structure_->elimination,
+              {},
+              {},
+              {},
+              structure_->partition,
+              structure_->rows};
   for (const auto& [id, term] : terms) {
     require_term("Problem::exchanged", id);
     require_given("Problem::exchanged: the term", term);

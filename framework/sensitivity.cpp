@@ -197,8 +197,7 @@ class Sensitivity::Parts {
     require_size("SensitivityOptions: null_space", static_cast<Index>(motions.rows()),
                  problem_.size());
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> rows(motions.transpose());
-    for (Index k = 0; k < rows.rank(); ++k)
-      gauge_.push_back(rows.colsPermutation().indices()[k]);
+    for (Index k = 0; k < rows.rank(); ++k) gauge_.push_back(rows.colsPermutation().indices()[k]);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> columns(motions);
     motions_ = columns.householderQ() *
                Eigen::MatrixXd::Identity(motions.rows(), static_cast<Index>(columns.rank()));
@@ -277,8 +276,8 @@ class Sensitivity::Parts {
       visit_elements(problem_, id, x_, state, true, moves, [&](Index e, LocalSystem& local, int p) {
         gather(dofs, e, v, part);
         multiply(local, p, part);
-        ProblemParts::slots(problem_, id).add_gradient(e, local, p, weight_of(state, e),
-                                                       sum.data());
+        ProblemParts::slots(problem_, id)
+            .add_gradient(e, local, p, weight_of(state, e), sum.data());
       });
     }
   }
@@ -299,8 +298,8 @@ class Sensitivity::Parts {
     visit_elements(
         problem_, id, x_, state, false, [&](Index e) { return change[e] != 0; },
         [&](Index e, LocalSystem& local, int p) {
-          ProblemParts::slots(problem_, id).add_gradient(e, local, p, state.weight * change[e],
-                                                         sum.data());
+          ProblemParts::slots(problem_, id)
+              .add_gradient(e, local, p, state.weight * change[e], sum.data());
         });
   }
 
@@ -331,14 +330,12 @@ class Sensitivity::Parts {
     TermState state = problem_.state(id);
     for (const auto& [multiple, coefficient] : kStencil) {
       state.parameters = base + multiple * steps;
-      visit_elements(problem_, id, x_, state, false, kAll,
-                     [&](Index e, LocalSystem& local, int p) {
-                       if (!std::isfinite(local.value[p]))
-                         refuse(fmt::format(
-                             "term '{}' is not finite beside the parameters of element {}",
+      visit_elements(problem_, id, x_, state, false, kAll, [&](Index e, LocalSystem& local, int p) {
+        if (!std::isfinite(local.value[p]))
+          refuse(fmt::format("term '{}' is not finite beside the parameters of element {}",
                              problem_.term(id).name(), e));
-                       visit(e, local, p, coefficient);
-                     });
+        visit(e, local, p, coefficient);
+      });
     }
   }
 
@@ -357,12 +354,11 @@ class Sensitivity::Parts {
     // The change that is, in none of the parameters, more than the step of differences.
     const double h = kDifference / change.cwiseAbs().cwiseQuotient(sizes(base)).maxCoeff();
     const TermState& state = problem_.state(id);
-    differentiate(id, base, h * change,
-                  [&](Index e, LocalSystem& local, int p, double coefficient) {
-                    ProblemParts::slots(problem_, id)
-                        .add_gradient(e, local, p, weight_of(state, e) * coefficient / h,
-                                      sum.data());
-                  });
+    differentiate(
+        id, base, h * change, [&](Index e, LocalSystem& local, int p, double coefficient) {
+          ProblemParts::slots(problem_, id)
+              .add_gradient(e, local, p, weight_of(state, e) * coefficient / h, sum.data());
+        });
   }
 
   void require_parameters(TermId id, const Vec& change) const {
@@ -387,7 +383,8 @@ class Sensitivity::Parts {
         const Index k = parameter(e);
         if (k < 0) return;
         gather(term.element_dofs(), e, ux, part);
-        out[k] -= weight_of(problem_.state(id), e) * coefficient * product(local, p, part) / size[k];
+        out[k] -=
+            weight_of(problem_.state(id), e) * coefficient * product(local, p, part) / size[k];
       });
     };
     if (own > 0) {
@@ -413,16 +410,16 @@ class Sensitivity::Parts {
   // a bit, then those that have it not; the gradients that change spell the number.
   std::vector<Index> parameter_of_elements(TermId id, const Vec& base, const Vec& size) {
     const EnergyTerm& term = problem_.term(id);
-    const Index elements = term.element_dofs().element_count(), n = term.element_dofs().local_size();
+    const Index elements = term.element_dofs().element_count(),
+                n = term.element_dofs().local_size();
     const auto gradients = [&](const Vec& parameters) {
       RowMatrix all(elements, n);
       TermState state = problem_.state(id);
       state.parameters = parameters;
-      visit_elements(problem_, id, x_, state, false, kAll,
-                     [&](Index e, LocalSystem& local, int p) {
-                       for (Index k = 0; k < n; ++k)
-                         all(e, k) = local.gradient[to_size(k) * LocalSystem::stride + to_size(p)];
-                     });
+      visit_elements(problem_, id, x_, state, false, kAll, [&](Index e, LocalSystem& local, int p) {
+        for (Index k = 0; k < n; ++k)
+          all(e, k) = local.gradient[to_size(k) * LocalSystem::stride + to_size(p)];
+      });
       return all;
     };
     const RowMatrix before = gradients(base);
@@ -436,9 +433,10 @@ class Sensitivity::Parts {
       for (Index e = 0; e < elements; ++e) {
         const bool by_set = set.row(e) != before.row(e), by_clear = clear.row(e) != before.row(e);
         if (by_set && by_clear)
-          refuse(fmt::format("element {} of term '{}' depends on several of {} parameters that all "
-                             "elements see; give each element a row of its own",
-                             e, term.name(), base.size()));
+          refuse(
+              fmt::format("element {} of term '{}' depends on several of {} parameters that all "
+                          "elements see; give each element a row of its own",
+                          e, term.name(), base.size()));
         depends[to_size(e)] = depends[to_size(e)] || by_set || by_clear;
         if (by_set) seen[to_size(e)] |= Index{1} << bit;
       }
@@ -469,15 +467,15 @@ class Sensitivity::Parts {
           if (place(e, k) >= 0) return weight_of(state, e) != 0;
         return false;
       };
-      visit_elements(problem_, id, x_, state, true, touches,
-                     [&](Index e, LocalSystem& local, int p) {
-                       gather(dofs, e, ux, part);
-                       multiply(local, p, part);
-                       for (Index k = 0; k < part.size(); ++k)
-                         if (const Index at = place(e, k); at >= 0)
-                           rest[at] -= weight_of(state, e) *
-                                       local.gradient[to_size(k) * LocalSystem::stride + to_size(p)];
-                     });
+      visit_elements(
+          problem_, id, x_, state, true, touches, [&](Index e, LocalSystem& local, int p) {
+            gather(dofs, e, ux, part);
+            multiply(local, p, part);
+            for (Index k = 0; k < part.size(); ++k)
+              if (const Index at = place(e, k); at >= 0)
+                rest[at] -= weight_of(state, e) *
+                            local.gradient[to_size(k) * LocalSystem::stride + to_size(p)];
+          });
     }
     return factors_->solve(rest);
   }
@@ -489,7 +487,8 @@ class Sensitivity::Parts {
     held_count_ = 0;
     for (std::size_t row = 0; row < rows.size(); ++row)
       for (const auto* e = rows.begin(row); e != rows.end(row); ++e) {
-        Index& place = e->unknown >= 0 ? held_[to_size(e->unknown)] : auxiliary[to_size(-1 - e->unknown)];
+        Index& place =
+            e->unknown >= 0 ? held_[to_size(e->unknown)] : auxiliary[to_size(-1 - e->unknown)];
         if (place < 0) place = held_count_++;
         entries.emplace_back(place, static_cast<Index>(row), e->coefficient);
       }
@@ -508,9 +507,9 @@ class Sensitivity::Parts {
   Vec y_, x_, gradient_;
   double energy_ = 0, error_ = 0, mean_diagonal_ = 0;
   std::vector<Index> gauge_;
-  Eigen::MatrixXd motions_;   // orthonormal columns
-  std::vector<Index> held_;   // by full unknown: its place among those that rows have, or -1
-  Index held_count_ = 0;      // with auxiliary ones
+  Eigen::MatrixXd motions_;  // orthonormal columns
+  std::vector<Index> held_;  // by full unknown: its place among those that rows have, or -1
+  Index held_count_ = 0;     // with auxiliary ones
   std::optional<Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>> factors_;
 };
 
@@ -558,8 +557,7 @@ Eigen::MatrixXd covariance(const Problem& problem, const SolveResult& result,
   std::vector<LinearSolver::SparseColumn> columns;
   for (const Index i : unknowns) {
     if (i < 0 || i >= problem.full_size())
-      throw InvalidArgument(
-          fmt::format("covariance: unknown {} of {}", i, problem.full_size()));
+      throw InvalidArgument(fmt::format("covariance: unknown {} of {}", i, problem.full_size()));
     LinearSolver::SparseColumn& column = columns.emplace_back();
     for (const auto& e : ProblemParts::elimination(problem).row(i))
       column.emplace_back(e.reduced, e.coefficient);

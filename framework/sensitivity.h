@@ -60,14 +60,14 @@ class Sensitivity {
     Vec right_hand_sides = {};  // of all rows, in the order of ProblemBuilder::add()
     std::vector<std::pair<TermId, double>> weights = {};
     std::vector<std::pair<TermId, Vec>> element_weights = {};  // #E each
-    std::vector<std::pair<TermId, Vec>> parameters = {};  // EnergyTerm::parameter_count() each
+    std::vector<std::pair<TermId, Vec>> parameters = {};       // EnergyTerm::parameter_count() each
   };
   // dL/d(data), for a function L of x*.
   struct Derivative {
-    Vec right_hand_sides;                // by all rows; where rows depend on each other, one choice
-    std::vector<double> weights;         // by term, in the order of Problem::terms()
-    std::vector<Vec> element_weights;    // by term: #E
-    std::vector<Vec> parameters;         // by term: parameter_count()
+    Vec right_hand_sides;              // by all rows; where rows depend on each other, one choice
+    std::vector<double> weights;       // by term, in the order of Problem::terms()
+    std::vector<Vec> element_weights;  // by term: #E
+    std::vector<Vec> parameters;       // by term: parameter_count()
   };
 
   Index row_count() const;  // of the constraints

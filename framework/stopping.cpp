@@ -183,7 +183,8 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const bool held = r.step_bound < rules_.stall_step && !step.is_direction_too_long;
   idle_ = small || held ? idle_ + 1 : 0;
   held_ = idle_ == 0 ? 0 : held_ + held;
-  limit_ = idle_ == 0 ? StepLimit::None : std::max(limit_, held ? StepLimit::Checker : step.record.limit);
+  limit_ = idle_ == 0 ? StepLimit::None
+                      : std::max(limit_, held ? StepLimit::Checker : step.record.limit);
   const bool falls = plateau || (promises && since == Since::Same && falls_visibly());
   const bool goes_on = near_minimum && falls && held_ == 0;
   if (idle_ >= rules_.stall_iterations && !goes_on) {

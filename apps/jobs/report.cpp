@@ -278,10 +278,9 @@ void write_trace(const std::string& path, const std::vector<TraceEntry>& trace) 
                        r.newton_decrement, r.shift, r.trials);
     out += fmt::format("{},{},{},{},{},{},", r.seconds.assemble, r.seconds.factorize,
                        r.seconds.solve, r.seconds.line_search, phase_name(e.phase), remedy_of(e));
-    out +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},", e.level, outcome_name(e.outcome), r.energy,
-                    curvature_name(r.curvature), r.factorizations, r.failed_factorizations,
-                    e.other_seconds, e.elapsed, r.residual, r.solver_iterations);
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},", e.level, outcome_name(e.outcome), r.energy,
+                       curvature_name(r.curvature), r.factorizations, r.failed_factorizations,
+                       e.other_seconds, e.elapsed, r.residual, r.solver_iterations);
     out += fmt::format("{},{}\n", r.projection_weight, limit_name(r.limit));
   }
   write_file_atomically(path, out);

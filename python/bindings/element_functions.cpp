@@ -1,12 +1,12 @@
 #include "element_functions.h"
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
-
-#include <pybind11/stl.h>
 
 #include "arrays.h"
 #include "kept.h"
@@ -65,8 +65,8 @@ class PythonTerm : public EnergyTerm {
     for (std::size_t p = 0; p < batch.elements.size(); ++p) f[p] = finite(found.at(p));
   }
 
-  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature,
-             const TermState& state, Workspace&, LocalSystem& out) const override {
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
+             Workspace&, LocalSystem& out) const override {
     const py::gil_scoped_acquire lock;
     const int n = element_dofs_.local_size();
     const py::tuple at = arguments_of(element_dofs_, x, batch.elements);
@@ -101,8 +101,8 @@ class PythonTerm : public EnergyTerm {
     const Vec& numbers = state.parameters.size() > 0 ? state.parameters : data_.numbers;
     if (data_.per_element == 0)
       return py::make_tuple(Doubles(static_cast<py::ssize_t>(numbers.size()), numbers.data()));
-    Doubles rows({static_cast<py::ssize_t>(batch.size()),
-                  static_cast<py::ssize_t>(data_.per_element)});
+    Doubles rows(
+        {static_cast<py::ssize_t>(batch.size()), static_cast<py::ssize_t>(data_.per_element)});
     for (std::size_t p = 0; p < batch.size(); ++p)
       std::copy_n(numbers.data() + batch[p] * data_.per_element, data_.per_element,
                   rows.mutable_data(static_cast<py::ssize_t>(p), 0));
@@ -133,8 +133,8 @@ class PythonSquares final : public PythonTerm, public ResidualTerm {
     residuals = Eigen::Map<const Vec>(values.data(), values.size());
     if (!jacobian) return;
     const auto slopes = found[1].cast<Doubles>();
-    *jacobian = Eigen::Map<const RowMatrix>(slopes.data(), residuals.size(),
-                                            element_dofs().local_size());
+    *jacobian =
+        Eigen::Map<const RowMatrix>(slopes.data(), residuals.size(), element_dofs().local_size());
   }
   std::array<double, 3> loss(double s) const override {
     const py::gil_scoped_acquire lock;

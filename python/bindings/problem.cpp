@@ -17,6 +17,7 @@
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/residuals.h"
 #include "majorant/framework/sensitivity.h"
 #include "majorant/framework/terms/inequality.h"
 #include "module.h"
@@ -191,14 +192,13 @@ BarrierMinimizer barrier_minimizer(std::vector<HeldBound> bounds, const py::dict
 
 py::dict as_dict(const IterationRecord& r) {
   using namespace py::literals;
-  return py::dict("iteration"_a = r.iteration, "energy"_a = r.energy,
-                  "relative_decrease"_a = r.relative_decrease, "step"_a = r.step,
-                  "step_bound"_a = r.step_bound, "gradient_norm"_a = r.gradient_norm,
-                  "newton_decrement"_a = r.newton_decrement, "shift"_a = r.shift,
-                  "curvature"_a = curvature_name(r.curvature),
-                  "projection_weight"_a = r.projection_weight, "limit"_a = limit_name(r.limit),
-                  "trials"_a = r.trials,
-                  "factorizations"_a = r.factorizations, "seconds"_a = r.seconds.sum());
+  return py::dict(
+      "iteration"_a = r.iteration, "energy"_a = r.energy,
+      "relative_decrease"_a = r.relative_decrease, "step"_a = r.step, "step_bound"_a = r.step_bound,
+      "gradient_norm"_a = r.gradient_norm, "newton_decrement"_a = r.newton_decrement,
+      "shift"_a = r.shift, "curvature"_a = curvature_name(r.curvature),
+      "projection_weight"_a = r.projection_weight, "limit"_a = limit_name(r.limit),
+      "trials"_a = r.trials, "factorizations"_a = r.factorizations, "seconds"_a = r.seconds.sum());
 }
 
 py::dict as_dict(const BarrierPhase& phase) {
@@ -263,10 +263,10 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
   py::list records, phases;
   for (const IterationRecord& record : result.iterations) records.append(as_dict(record));
   for (const BarrierPhase& phase : result.phases) phases.append(as_dict(phase));
-  return py::make_tuple(moved(problem.expand(result.y)), result.energy, status_name(result.status),
-                        result.message, records, phases, definite_name(result.definite),
-                        std::make_shared<Solved>(
-                            solved(problem, result, bounded.bounds, p.row_count())));
+  return py::make_tuple(
+      moved(problem.expand(result.y)), result.energy, status_name(result.status), result.message,
+      records, phases, definite_name(result.definite),
+      std::make_shared<Solved>(solved(problem, result, bounded.bounds, p.row_count())));
 }
 
 // The derivatives of a solution; one factorization serves all.
@@ -312,9 +312,7 @@ class PythonSensitivity {
 
 py::array covariance_of(const Solved& solved, const std::vector<Index>& unknowns) {
   Run run;
-  return moved(run([&] {
-    return RowMatrix(covariance(solved.problem, solved.result, unknowns));
-  }));
+  return moved(run([&] { return RowMatrix(covariance(solved.problem, solved.result, unknowns)); }));
 }
 
 double value(PythonProblem& p, const Doubles& y) {
@@ -360,15 +358,27 @@ py::array gradient_of(PythonProblem& p, std::size_t index, const Doubles& y) {
   }));
 }
 
+// (r, starts, columns, values): J in compressed rows.
+py::tuple residuals(PythonProblem& p, std::size_t index, const Doubles& y) {
+  const Problem& problem = p.built();
+  const Vec at = matrix<Vec>(y);
+  Run run;
+  Residuals found = run([&] { return residuals_at(problem, problem.terms()[index], at); });
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> rows = found.jacobian;
+  return py::make_tuple(
+      moved(std::move(found.values)),
+      Integers(static_cast<py::ssize_t>(rows.outerSize() + 1), rows.outerIndexPtr()),
+      Integers(static_cast<py::ssize_t>(rows.nonZeros()), rows.innerIndexPtr()),
+      Doubles(static_cast<py::ssize_t>(rows.nonZeros()), rows.valuePtr()));
+}
+
 std::shared_ptr<HessianFactor> factor(PythonProblem& p, const Doubles& y,
                                       const std::string& curvature) {
   const Problem& problem = p.built();
   const Vec at = matrix<Vec>(y);
   const CurvatureChoice choice = *curvature_choice(curvature);
   Run run;
-  return run([&] {
-    return std::make_shared<HessianFactor>(problem, at, choice.blend());
-  });
+  return run([&] { return std::make_shared<HessianFactor>(problem, at, choice.blend()); });
 }
 
 }  // namespace
@@ -402,6 +412,7 @@ void bind_problems(py::module_& module) {
            py::arg("parameters"))
       .def("factor", &factor, py::arg("y"), py::arg("curvature"))
       .def("gradient_of", &gradient_of, py::arg("index"), py::arg("y"))
+      .def("residuals", &residuals, py::arg("index"), py::arg("y"))
       .def("constrain", &PythonProblem::constrain, py::arg("starts"), py::arg("columns"),
            py::arg("values"), py::arg("targets"))
       .def("keep_injective", &PythonProblem::keep_injective, py::arg("space"))

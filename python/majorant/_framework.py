@@ -334,6 +334,16 @@ class Problem:
         lower = scipy.sparse.csc_matrix((values, rows, starts), shape=(self.size, self.size))
         return (lower + scipy.sparse.tril(lower, -1).T).tocsc()
 
+    def residuals(self, y: ArrayLike, term: Term) -> tuple[Doubles, Any]:
+        """The residuals of a `least_squares` term, times the roots of weights, and their derivative by y,
+        scipy.sparse.csr_matrix."""
+        import scipy.sparse
+        at = _arrays.floats('y', y, (self.size,))
+        parts = [self._core.residuals(place, at) for added in self._places_of(term) for place, _ in added]
+        rows = [scipy.sparse.csr_matrix((values, columns, starts), shape=(len(r), self.size))
+                for r, starts, columns, values in parts]
+        return np.concatenate([part[0] for part in parts]), scipy.sparse.vstack(rows, 'csr')
+
     def factor(self, y: ArrayLike, curvature: str = 'exact') -> 'Factor':
         """The factorized Hessian by y, to solve with: `problem.factor(y).solve(b)` is H^-1 b. Raises
         UnsupportedError where it is not positive definite. curvature: as for `hessian`."""

@@ -267,15 +267,14 @@ TEST(ElementData, NumbersChangeBetweenSteps) {
   const RowMatrix rows = random_rows(s.count(), 2);
   const auto scalar = make_energy(
       s.space, s.rest,
-      density<2, 2>("scaled", [](const auto& J, double k) { return k * J.squaredNorm(); },
-                    stiffness));
+      density<2, 2>(
+          "scaled", [](const auto& J, double k) { return k * J.squaredNorm(); }, stiffness));
   const auto spans = make_energy(
       s.space, s.rest,
-      density<2, 2>("scaled", [](const auto& J, auto&& k) { return k[0] * J.squaredNorm() + k[1]; },
-                    rows));
-  for (const auto& [term, numbers] :
-       {std::pair{scalar, Vec(stiffness)},
-        std::pair{spans, Vec(rows.reshaped<Eigen::RowMajor>())}}) {
+      density<2, 2>(
+          "scaled", [](const auto& J, auto&& k) { return k[0] * J.squaredNorm() + k[1]; }, rows));
+  for (const auto& [term, numbers] : {std::pair{scalar, Vec(stiffness)},
+                                      std::pair{spans, Vec(rows.reshaped<Eigen::RowMajor>())}}) {
     ProblemBuilder builder(s.space->node_count() * 2);
     const TermId id = builder.add(term, 3.0);
     const Problem problem = builder.build();

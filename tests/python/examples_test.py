@@ -14,8 +14,8 @@ EXAMPLES = re.findall(r'^```python\n(.*?)^```', PAGE, re.S | re.M)
 TUTORIALS = re.findall(r'^```python\n(.*?)^```', (helpers.SOURCE / 'docs/start.md').read_text(), re.S | re.M)
 
 
-def test_there_are_ten():
-    assert len(EXAMPLES) == 10 and PAGE.count('```python') == 10 and 'Each of the ten examples' in PAGE
+def test_there_are_twelve():
+    assert len(EXAMPLES) == 12 and PAGE.count('```python') == 12 and 'Each of the twelve examples' in PAGE
     assert TUTORIALS
 
 

@@ -113,6 +113,19 @@ def test_the_hessian_its_factor_and_gradients_of_terms():
     assert np.allclose(absolute, 2 * clamped - exact)
 
 
+def test_residuals_and_their_jacobian():
+    t = np.linspace(0, 1, 7)
+    term = majorant.least_squares([[0, 1]] * 7, lambda z, e: z[:, 0] * np.exp(z[:, 1] * t[e]) - 1)
+    problem = majorant.Problem(3).add(term, 4.0).constrain([[0, 1, -2.0]], [0])
+    y = np.array([0.3, 0.7])
+    r, J = problem.residuals(y, term)
+    assert J.shape == (7, 2) and np.allclose(J.T @ r, problem.gradient(y), rtol=1e-12)
+    assert problem.value(y) == pytest.approx(r @ r / 2)
+    with pytest.raises(majorant.UnsupportedError, match='sum of squares'):
+        other = majorant.element_term([[0]], lambda z, e: z[:, 0] ** 2)
+        majorant.Problem(1).add(other).residuals([1.0], other)
+
+
 def test_the_choice_of_curvature_and_saddles():
     saddle = majorant.element_term([[0, 1]], lambda z, e: z[:, 0] ** 2 - z[:, 1] ** 2 + z[:, 1] ** 4)
     problem = majorant.Problem(2).add(saddle)

@@ -1,5 +1,7 @@
 // Derivatives of solutions by the data of their problems, against differences of whole solves;
 // covariances against dense inverses.
+#include "majorant/framework/sensitivity.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -11,7 +13,6 @@
 #include "majorant/framework/barrier_minimizer.h"
 #include "majorant/framework/hessian_factor.h"
 #include "majorant/framework/newton.h"
-#include "majorant/framework/sensitivity.h"
 #include "majorant/framework/terms/inequality.h"
 #include "majorant/framework/terms/least_squares.h"
 #include "majorant/framework/terms/local_term.h"
@@ -25,7 +26,7 @@ using Change = Sensitivity::Change;
 // The data of a problem, and how it is made of them.
 struct Data {
   Vec right_hand_sides;
-  double weight = 1;   // of the first term
+  double weight = 1;    // of the first term
   Vec element_weights;  // of the first term
   Vec parameters;       // of the first term
 };
@@ -74,7 +75,8 @@ Vec differences(const Maker& make, const Data& at, const Data& d) {
 void expect_derivatives(const Maker& make, const Data& at, unsigned seed, double tolerance = 1e-7) {
   test::Random random(seed);
   Data d{random.vector(at.right_hand_sides.size(), -1, 1), random.uniform(-1, 1),
-         random.vector(at.element_weights.size(), -1, 1), random.vector(at.parameters.size(), -1, 1)};
+         random.vector(at.element_weights.size(), -1, 1),
+         random.vector(at.parameters.size(), -1, 1)};
   const Made made = make(at);
   const SolveResult r = solved(made);
   ASSERT_EQ(r.status, Status::Converged) << r.message;
@@ -122,7 +124,8 @@ Maker net(Index n, bool rows) {
     Vec load = Vec::Zero(3 * n * n), x(3 * n * n);
     for (Index k = 0; k < n * n; ++k) {
       load[3 * k + 2] = 0.05;
-      x.segment<3>(3 * k) << k % n, k / n, -0.3 * std::sin(3.0 * (k % n) / (n - 1)) * (k / n + 1) / n;
+      x.segment<3>(3 * k) << k % n, k / n,
+          -0.3 * std::sin(3.0 * (k % n) / (n - 1)) * (k / n + 1) / n;
     }
     ProblemBuilder builder(3 * n * n);
     const TermId id =
@@ -204,7 +207,8 @@ TEST(Sensitivity, OfRowsThatDependOnEachOther) {
 
 // The barrier that is left counts as a term.
 TEST(Sensitivity, OfAProblemWithBounds) {
-  const Cells pairs = (Cells(9, 2) << 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 9).finished();
+  const Cells pairs =
+      (Cells(9, 2) << 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8, 8, 9).finished();
   const auto make = [&](double pull) {
     const auto chain = make_term<2>(
         "chain", pairs,
@@ -283,10 +287,9 @@ TEST(Sensitivity, OfLeastNormWhereNothingHolds) {
 }
 
 TEST(Sensitivity, RefusesWhatIsNoFunctionOfTheData) {
-  const auto saddle = make_term<2>("saddle", (Cells(1, 2) << 0, 1).finished(),
-                                   [](Index, const auto& z) {
-                                     return z[0] * z[0] - z[1] * z[1] + z[1] * z[1] * z[1] * z[1];
-                                   });
+  const auto saddle = make_term<2>(
+      "saddle", (Cells(1, 2) << 0, 1).finished(),
+      [](Index, const auto& z) { return z[0] * z[0] - z[1] * z[1] + z[1] * z[1] * z[1] * z[1]; });
   const Problem problem = ProblemBuilder(2).add(saddle, 1).build();
   const SolveResult r = NewtonMinimizer().minimize(problem, Vec{{1, 0}}, nullptr);
   EXPECT_THROW(Sensitivity(problem, r), Error);
@@ -347,8 +350,8 @@ TEST(Covariance, IsTheBlockOfTheInverse) {
   const Problem open = ProblemBuilder(2).add(flat, 1).build();
   const SolveResult some = NewtonMinimizer().minimize(open, Vec::Zero(2), nullptr);
   EXPECT_THROW(covariance(open, some, {0}), Error);
-  const auto square = make_term<1>("square", Cells::Zero(1, 1),
-                                   [](Index, const auto& z) { return z[0] * z[0]; });
+  const auto square =
+      make_term<1>("square", Cells::Zero(1, 1), [](Index, const auto& z) { return z[0] * z[0]; });
   const Problem other = ProblemBuilder(1).add(square, 1).build();
   EXPECT_THROW(covariance(other, NewtonMinimizer().minimize(other, Vec::Zero(1), nullptr), {0}),
                Error);

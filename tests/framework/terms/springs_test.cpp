@@ -81,7 +81,8 @@ Problem free_net(Index n) {
     if (k % n + 1 < n && k / n + 1 < n) edges.push_back({k, k + n + 1});
   }
   Cells pairs(static_cast<Index>(edges.size()), 2);
-  for (Index e = 0; e < pairs.rows(); ++e) pairs.row(e) << edges[to_size(e)][0], edges[to_size(e)][1];
+  for (Index e = 0; e < pairs.rows(); ++e)
+    pairs.row(e) << edges[to_size(e)][0], edges[to_size(e)][1];
   const auto springs = make_term<2, 2>("net", pairs, [](Index e, const auto& z) {
     const auto part = (z.col(1) - z.col(0)).norm() - (1 + 0.1 * (e % 5));
     return part * part;

@@ -1,13 +1,15 @@
-// Numbers of lambdas that change between steps; Hessians, their factors and gradients of single terms
-// as matrices and vectors of one's own.
+// Numbers of lambdas that change between steps; Hessians, their factors and gradients of single
+// terms as matrices and vectors of one's own.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/hessian_factor.h"
 #include "majorant/framework/newton.h"
+#include "majorant/framework/residuals.h"
 #include "majorant/framework/terms/least_squares.h"
 #include "majorant/framework/terms/local_term.h"
 #include "random.h"
@@ -84,7 +86,8 @@ TEST(TermData, OtherNumbersOfThemAreRefused) {
                InvalidArgument);
   // A term without data takes none: they would be ignored.
   const Cells nodes = Cells::Zero(1, 1);
-  const auto square = make_term<1>("square", nodes, [](Index, const auto& z) { return z[0] * z[0]; });
+  const auto square =
+      make_term<1>("square", nodes, [](Index, const auto& z) { return z[0] * z[0]; });
   EXPECT_THROW(ProblemBuilder(1).add(square, TermState{.parameters = Vec::Ones(1)}),
                InvalidArgument);
   const auto scaled = [&](const auto& data) {
@@ -133,8 +136,7 @@ TEST(HessianInTheHand, IsTheMatrixOfDifferencesAndItsFactorSolves) {
   evaluator.gradient(y - h * d, down);
   EXPECT_NEAR(((up - down) / (2 * h) - H * d).norm(), 0, 1e-7 * (H * d).norm());
   const double energy = evaluator.gradient(y, g);
-  const double parts =
-      evaluator.gradient(first, y, part) + evaluator.gradient(second, y, other);
+  const double parts = evaluator.gradient(first, y, part) + evaluator.gradient(second, y, other);
   EXPECT_NEAR(parts, energy, 1e-12 * energy);
   EXPECT_NEAR((part + other - g).norm(), 0, 1e-12 * g.norm());
   const HessianFactor factor(problem, y);
@@ -144,9 +146,31 @@ TEST(HessianInTheHand, IsTheMatrixOfDifferencesAndItsFactorSolves) {
   EXPECT_NEAR((H * factor.solve(b) - b).norm(), 0, 1e-9 * b.norm());
   EXPECT_THROW(factor.solve(Eigen::MatrixXd::Ones(3, 1)), InvalidArgument);
   EXPECT_THROW(HessianFactor(problem, Vec::Zero(3)), InvalidArgument);
-  EXPECT_THROW(HessianFactor(ProblemBuilder(kCount + 1).add(quartic, 1.0).build(),
-                             Vec::Zero(kCount + 1)),
-               Error);
+  EXPECT_THROW(
+      HessianFactor(ProblemBuilder(kCount + 1).add(quartic, 1.0).build(), Vec::Zero(kCount + 1)),
+      Error);
+}
+
+TEST(ResidualsInTheHand, GiveTheGradientThroughTheirJacobian) {
+  const Cells pairs = (Cells(3, 2) << 0, 1, 1, 2, 2, 3).finished();
+  const auto term = make_least_squares<2>("valleys", pairs, [](Index e, const auto& z) {
+    return std::array{10.0 * (z[1] - z[0] * z[0]), 1.0 - z[0] + 0.1 * e};
+  });
+  ProblemBuilder builder(4);
+  const TermId id = builder.add(term, TermState{.weight = 3, .element_weight = Vec{{1, 0.5, 2}}});
+  builder.add(FixedUnknowns({{1, 0.3}}));
+  const Problem problem = builder.build();
+  const Vec y{{0.2, -0.4, 0.9}};
+  const Residuals r = residuals_at(problem, id, y);
+  Vec g;
+  const double energy = Evaluator(problem).gradient(y, g);
+  EXPECT_EQ(r.values.size(), 6);
+  EXPECT_NEAR(r.values.squaredNorm() / 2, energy, 1e-12 * energy);
+  EXPECT_NEAR((r.jacobian.transpose() * r.values - g).norm(), 0, 1e-12 * g.norm());
+  const auto other =
+      make_term<1>("square", Cells::Zero(1, 1), [](Index, const auto& z) { return z[0] * z[0]; });
+  const Problem plain = ProblemBuilder(1).add(other, 1).build();
+  EXPECT_THROW(residuals_at(plain, TermId(0), Vec::Ones(1)), Error);
 }
 
 }  // namespace
