@@ -136,6 +136,12 @@ concept DataOfElements = requires(const std::string& name, const Data& data) {
   detail::element_data(name, data);
 };
 
+// Data that are numbers: they may change between steps, as TermState::parameters.
+template <class Data>
+concept NumbersOfElements = requires(const Data& data) {
+  data.columns();
+};
+
 // A density whose formula is also told of the element: f(..., data[e]).
 template <class Density, class Data>
 class WithData : public Density {
@@ -144,14 +150,13 @@ class WithData : public Density {
   Index element_count() const { return data_.size(); }
   decltype(auto) data_of(Index element) const { return data_[element]; }
   WithData of(std::span<const Index> elements) const { return {*this, data_.of(elements)}; }
-  Index parameter_count() const requires requires(const Data& data) { data.columns(); }
-  { return data_.size() * data_.columns(); }
-  Vec parameters() const requires requires(const Data& data) { data.columns(); }
-  { return data_.all(); }
-  WithData with_parameters(const Vec& parameters) const requires requires(const Data& data) {
-    data.columns();
+  Index parameter_count() const requires NumbersOfElements<Data> {
+    return data_.size() * data_.columns();
   }
-  { return {*this, Data(parameters, data_.columns())}; }
+  Vec parameters() const requires NumbersOfElements<Data> { return data_.all(); }
+  WithData with_parameters(const Vec& parameters) const requires NumbersOfElements<Data> {
+    return {*this, Data(parameters, data_.columns())};
+  }
 
  private:
   Data data_;
