@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <complex>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -166,6 +167,36 @@ TEST(LocalTerm, OneOfTwoConcurrentSolvesThrows) {
     EXPECT_EQ(other.energy, alone.energy);
     EXPECT_EQ(other.y, alone.y);  // to the bit
   }
+}
+
+// docs/energies.md: complex numbers of duals, against the same formula in real ones.
+TEST(LocalTerm, ComplexNumbersOfDuals) {
+  const Cells pair{{0, 1}};
+  const auto by_complex = make_term<2, 2>("complex", pair, [](Index, const auto& z) {
+    using T = typename std::decay_t<decltype(z)>::Scalar;
+    const std::complex<T> a(z(0, 0), z(1, 0)), b(z(0, 1), z(1, 1));
+    return norm(a * a / b - conj(b));
+  });
+  const auto by_hand = make_term<2, 2>("real", pair, [](Index, const auto& z) {
+    const auto x = z(0, 0), y = z(1, 0), u = z(0, 1), v = z(1, 1);
+    const auto n = u * u + v * v, p = x * x - y * y, q = 2.0 * x * y;
+    const auto re = (p * u + q * v) / n - u, im = (q * u - p * v) / n + v;
+    return re * re + im * im;
+  });
+  const Vec x{{0.8, -0.3, 1.1, 0.6}};
+  const DerivativeReport report = check_derivatives(*by_complex, x);
+  EXPECT_TRUE(report.ok()) << report.message();
+  Vec g[2], h[2];
+  double f[2];
+  int k = 0;
+  for (const auto& term : {by_complex, by_hand}) {
+    const Problem problem = ProblemBuilder(4).add(term, 1).build();
+    f[k] = Evaluator(problem).linearize(x, Curvature::Exact, g[k], h[k]);
+    ++k;
+  }
+  EXPECT_NEAR(f[0], f[1], 1e-14 * f[1]);
+  EXPECT_LE((g[0] - g[1]).norm(), 1e-13 * g[1].norm());
+  EXPECT_LE((h[0] - h[1]).norm(), 1e-13 * h[1].norm());
 }
 
 }  // namespace
