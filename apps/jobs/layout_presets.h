@@ -11,7 +11,7 @@ struct LayoutPreset {
   std::string_view name;
   std::optional<double> max_stretch;         // none: what charts of that number have
   bool is_one_chart;                         // of each piece, else as many as max_stretch needs
-  double fill;                               // of the square; 0: any
+  double fill;                               // of the square; 0: charts are not divided for it
   double padding, resolution;                // pixels
   std::optional<int> uv_set = std::nullopt;  // that the layout becomes; none: the first
 };

@@ -55,9 +55,9 @@ std::string wrong_direction(const std::string& word) {
 }
 
 std::string wrong_fill(const std::string& word) {
-  const double fill = number_in(word).value_or(0);
-  if (fill > 0 && fill < 1) return {};
-  return fmt::format("'{}' is no part of a square, above 0 and below 1", word);
+  const double fill = number_in(word).value_or(1);
+  if (fill >= 0 && fill < 1) return {};
+  return fmt::format("'{}' is no part of a square, from 0 on and below 1", word);
 }
 
 // The distance that the word is; none for the other words.
@@ -123,7 +123,9 @@ void UnwrapRequest::add_to(CLI::App& verb) {
         {.type = "auto|one|N", .check = checked_by(wrong_charts)}},
        {"--fill",
         &fill,
-        "divide charts until they fill this part of the square, below 1, if they can",
+        fmt::format("divide charts until they fill this part of the square, below 1, if they can; "
+                    "0: for no fill (up to {:g} where that takes little seam)",
+                    kUsualFill),
         {.check = checked_by(wrong_fill), .excludes = {"--no-pack"}}},
        {"--hide-from",
         &hide_from,
@@ -160,16 +162,16 @@ void UnwrapRequest::require_divisible() const {
                 fmt::format("--hide-from is of --seams auto and sharp; --seams {} says where to "
                             "cut; leave one of the two out",
                             seams.seams));
-  const char* const flag = chart_count(charts) ? "--charts" : fill > 0 ? "--fill" : nullptr;
+  const char* const flag = chart_count(charts) ? "--charts" : fill ? "--fill" : nullptr;
   if (flag && !seams.divides())
     throw Error(ErrorKind::Usage,
                 fmt::format("{} divides charts of --seams auto and sharp; --seams {} says where to "
                             "cut; leave one of the two out",
                             flag, seams.seams));
-  if (fill > 0 && charts == kOneChart)
+  if (fill && charts == kOneChart)
     throw Error(ErrorKind::Usage,
                 "--fill divides charts, --charts one leaves them; leave one of the two out");
-  if (fill > 0 && chart_count(charts))
+  if (fill && chart_count(charts))
     throw Error(ErrorKind::Usage,
                 fmt::format("--fill divides charts until they fill so much, --charts {} until "
                             "there are so many; leave one of the two out",
@@ -225,7 +227,7 @@ Json UnwrapRequest::to_json() const {
                   {"weld", weld_distance(weld) ? Json(*weld_distance(weld)) : Json(weld)},
                   {"keep_seams", keep_seams},
                   {"charts", chart_count(charts) ? Json(*chart_count(charts)) : Json(charts)},
-                  {"fill", fill > 0 ? Json(fill) : Json(nullptr)},
+                  {"fill", fill ? Json(*fill) : Json(nullptr)},
                   {"hide_from", hide_from.empty() ? Json(nullptr) : Json(hide_from)},
                   {"preset", preset.empty() ? Json(nullptr) : Json(preset)}});
   options.update(layout.to_json());
@@ -415,7 +417,7 @@ void require_layout(const UnwrapVerb& request) {
                 "the two out");
   require_stackable(request);
   require_uv_set(request);
-  if (request.unwrap.fill > 0 && layout.has_own_sizes())
+  if (request.unwrap.fill && layout.has_own_sizes())
     throw Error(ErrorKind::Usage,
                 "--fill divides charts of one scale on one square: not with --udim, "
                 "--texel-density and --stack; leave one of the two out");

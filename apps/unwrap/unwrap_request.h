@@ -29,9 +29,9 @@ struct UnwrapRequest {
   std::string weld = "auto";
   bool keep_seams = false;
   std::string charts = "auto";
-  double fill = 0;        // any
-  std::string preset;     // empty: none
-  std::string hide_from;  // empty: all sides
+  std::optional<double> fill;  // none: what costs little seam
+  std::string preset;          // empty: none
+  std::string hide_from;       // empty: all sides
   double padding = PackOptions().padding_pixels, resolution = PackOptions().resolution;
   bool no_pack = false;
   std::string scale;          // empty: as `map` allows

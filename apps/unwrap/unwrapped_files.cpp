@@ -185,6 +185,26 @@ std::string remark_on_sizes(const AtlasJob& job) {
       100 * share);
 }
 
+// Returns how many charts stretch more than the limit where charts may not be cut, and what forbids
+// that; empty where there are none. Islands that are kept have the stretch that the file gives
+// them.
+std::string remark_on_stretch(const AtlasJob& job) {
+  const UnwrapOptions& options = job.options;
+  const bool is_one = options.limit == StretchLimit::Reported;
+  if (options.islands == Islands::Kept || (!is_one && chooses_cuts(options.cuts.method))) return {};
+  Index count = 0;
+  double most = 0;
+  for (const Chart& chart : job.atlas.charts) {
+    if (!exceeds_stretch(options, chart)) continue;
+    ++count;
+    most = std::max(most, chart.stretch.l2);
+  }
+  if (count == 0) return {};
+  return fmt::format("{}: {} more than {:g}, up to {:.4f}: {} forbids cutting", job.polygons->file,
+                     count == 1 ? "1 chart stretches" : fmt::format("{} charts stretch", count),
+                     options.cuts.max_stretch, most, is_one ? "--charts one" : "--seams");
+}
+
 // Lines about repairs, and about requests that the layout does not meet.
 std::vector<std::string> remarks(const AtlasJob& job) {
   std::vector<std::string> lines;
@@ -200,10 +220,12 @@ std::vector<std::string> remarks(const AtlasJob& job) {
                     count > options.least_charts
                         ? "fewer would stretch more than --max-stretch, or join pieces"
                         : why_undivided(atlas.division, "none can be divided further")));
-  if (options.least_fill > 0 && atlas.packing && atlas.packing->fill < options.least_fill)
+  if (options.least_fill && atlas.packing && atlas.packing->fill < *options.least_fill)
     lines.push_back(fmt::format("{}: fill {:.3f}, not --fill {:g}: {}", input, atlas.packing->fill,
-                                options.least_fill,
+                                *options.least_fill,
                                 why_undivided(atlas.division, "dividing charts gains no more")));
+  if (std::string stretch = remark_on_stretch(job); !stretch.empty())
+    lines.push_back(std::move(stretch));
   if (std::string sizes = remark_on_sizes(job); !sizes.empty()) lines.push_back(std::move(sizes));
   return lines;
 }

@@ -24,6 +24,7 @@
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/kept_factor_memory.h"
+#include "majorant/framework/minimizer.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/stopwatch.h"
 #include "majorant/maps/rest_shapes_of.h"
@@ -91,6 +92,9 @@ constexpr Index kLargeChart = 5000;
 
 // Charts of so few faces are not divided for the sake of the layout.
 constexpr Index kFewestFaces = 2;
+// A chart that has not converged after so many iterations is cut like one that has stalled; smaller
+// limits are somebody's wish.
+const int kLongSolve = StoppingRules().max_iterations;
 // A chart is cut further so often, then it is parted.
 constexpr int kMostCuts = 2;
 // Where the larger part of a chart has more of its area, and stretches too much again, it is halved
@@ -115,8 +119,19 @@ constexpr double kClosed = 1e-9;
 // known to take: 2 to 5 for the stretch, as many for what is asked for, one or two for each of the
 // layouts on the way to a fill.
 constexpr int kMostPasses = 100;
-// Layouts packed at most on the way to a fill, each of which takes as long as the first one.
-constexpr int kMostFills = 16;
+// Layouts packed at most on the way to a fill, each of which takes as long as the first one: where
+// it is asked for, and where it is not.
+constexpr int kMostFills = 16, kMostUsualFills = 6;
+// Charts that are looked at in a layout on the way to the usual fill: those that leave most of
+// their boxes empty.
+constexpr std::size_t kMostCandidates = 4;
+// The squares of the longer sides of boxes count so much beside the square that holds them all,
+// where divisions are compared: of two charts as long as the square both must be divided before it
+// gets smaller.
+constexpr double kLongBoxes = 0.05;
+// Layouts that do not get to the usual fill must have gained so many times as much of their fill as
+// their seams have, each as a part of what there was.
+constexpr double kWorthSeam = 2;
 
 // In square roots of the surface's area: how near parts of a chart's border may come to each other
 // that are no neighbours along it. Floats, which rounding moves by up to 4e-8 of a square that is
@@ -133,10 +148,8 @@ bool may_cut(const UnwrapOptions& options) {
          chooses_cuts(options.cuts.method);
 }
 
-// Charts of faces without an area alone have no stretch that a cut would mend.
 bool is_stretched(const UnwrapOptions& options, const Chart& chart) {
-  return may_cut(options) && chart.stretch.l2 > options.cuts.max_stretch &&
-         chart.map->mesh().rest_triangles().size() < chart.faces.size();
+  return may_cut(options) && exceeds_stretch(options, chart);
 }
 
 // The way in which a chart can be divided.
@@ -173,8 +186,9 @@ struct Task {
   ParametrizationOptions options;
   CutPreferences wanted = {};  // of the mesh
   Vec parent = {};             // u, v per vertex: the map of what it was cut from, or nothing
-  int cuts = 0;                // since it was made or parted
-  double share = 1;            // of the area of what it was parted from
+  ParentMap parent_map = ParentMap::Slit;
+  int cuts = 0;                           // since it was made or parted
+  double share = 1;                       // of the area of what it was parted from
   std::optional<Division> division = {};  // once it was looked for
 };
 
@@ -220,7 +234,7 @@ class Unwrapping {
     scale_charts();
     if (options_.packing && atlas_.status() != Status::Failed) place_charts_in_any_case();
     if (atlas_.packing && atlas_.is_complete() && atlas_.packed == Status::Converged &&
-        options_.least_fill > 0 && may_cut(options_) && is_of_one_scale())
+        may_cut(options_) && is_of_one_scale())
       fill_square();
     const double left = record_.seconds() - started - seconds_.cut - seconds_.map - seconds_.pack;
     seconds_.recut = std::max(0.0, left);
@@ -391,7 +405,10 @@ class Unwrapping {
     const Chart& chart = atlas_.charts[k];
     if (task.mesh->face_count() == 1 || is_held(task)) return false;
     if (chart.status == Status::Failed) return true;
-    const bool is_done = chart.status == Status::Converged || chart.status == Status::Stalled;
+    const bool is_at_end =
+        chart.status == Status::MaxIterations && record_.iterations_left() >= kLongSolve;
+    const bool is_done =
+        chart.status == Status::Converged || chart.status == Status::Stalled || is_at_end;
     return is_done && is_stretched(options_, chart);
   }
 
@@ -528,6 +545,7 @@ class Unwrapping {
         if (cuts[i][h]) half_edges.push_back(3 * parent.faces[face_of(h)] + corner_of(h));
       std::size_t at = bad[i];
       std::vector<Index> uncut_vertex;
+      const bool is_good = map.status != Status::Failed && !is_stretched(options_, map);
       for (SurfacePiece& piece : parent.mesh->cut_along(cuts[i], &uncut_vertex).split()) {
         std::vector<Index> faces;
         for (const Index f : piece.face) faces.push_back(parent.faces[f]);
@@ -538,7 +556,9 @@ class Unwrapping {
         Task& task = tasks_[at] = task_of(std::move(piece.mesh), std::move(faces));
         if (map.status != Status::Failed) task.parent = points_of(map, piece.vertex, uncut_vertex);
         task.share = task.mesh->area() / parent.mesh->area();
-        task.cuts = task.faces.size() < parent.faces.size() ? 1 : parent.cuts + 1;
+        const bool is_part = task.faces.size() < parent.faces.size();
+        task.cuts = is_part ? 1 : parent.cuts + 1;
+        if (is_part && is_good) task.parent_map = ParentMap::Whole;
         changed.push_back(at);
         at = tasks_.size();
       }
@@ -835,6 +855,7 @@ class Unwrapping {
     RunRecord record = record_.part(observer, std::move(starting));
     ChartHints hints;
     hints.parent = task.parent;
+    hints.parent_map = task.parent_map;
     hints.clearance = clearance_;
     if (options_.cuts.method == CutMethod::Texture && is_textured(*task.mesh, 0))
       hints.texture = TextureStart::Tried;
@@ -874,28 +895,51 @@ class Unwrapping {
            options_.packing->tiles <= 1;
   }
 
+  struct Layout {
+    std::vector<Task> tasks;
+    Atlas atlas;
+  };
+  Layout layout() const { return {tasks_, atlas_}; }
+  void go_back_to(Layout before) {
+    tasks_ = std::move(before.tasks);
+    atlas_ = std::move(before.atlas);
+  }
+
+  // Divides charts as UnwrapOptions::least_fill says.
+  void fill_square() {
+    if (options_.least_fill)
+      fill_whatever_it_costs(*options_.least_fill);
+    else if (is_filled_as_usual() && atlas_.packing->fill < kUsualFill)
+      fill_for_little_seam();
+  }
+
+  // Not where somebody else says how many charts there are or how large the square is, nor charts
+  // that are not what they are to be.
+  bool is_filled_as_usual() const {
+    const bool has_fixed = std::any_of(atlas_.charts.begin(), atlas_.charts.end(),
+                                       [](const Chart& chart) { return !chart.pins.empty(); });
+    const Status status = atlas_.status();
+    return options_.least_charts == 0 && !options_.packing->side && !has_fixed &&
+           (status == Status::Converged || status == Status::Stalled);
+  }
+
   // Divides charts, those first that save most area for what that costs, until they fill as much of
   // the square as is asked for, or nothing is saved any more. The best of all layouts stays.
-  void fill_square() {
-    struct Layout {
-      std::vector<Task> tasks;
-      Atlas atlas;
-    };
-    Layout best{tasks_, atlas_};
-    const Status why = fill_until_done([&] {
-      if (atlas_.packing->fill > best.atlas.packing->fill) best = {tasks_, atlas_};
+  void fill_whatever_it_costs(double least_fill) {
+    Layout best = layout();
+    const Status why = fill_until_done(least_fill, [&] {
+      if (atlas_.packing->fill > best.atlas.packing->fill) best = layout();
     });
-    tasks_ = std::move(best.tasks);
-    atlas_ = std::move(best.atlas);
+    go_back_to(std::move(best));
     if (why != Status::Converged) atlas_.division = why;
   }
 
   // Calls after_layout() after every packing; Atlas::division.
-  Status fill_until_done(const std::function<void()>& after_layout) {
+  Status fill_until_done(double least_fill, const std::function<void()>& after_layout) {
     try {
-      for (int k = 0; atlas_.packing->fill < options_.least_fill; ++k) {
+      for (int k = 0; atlas_.packing->fill < least_fill; ++k) {
         if (k == kMostFills) return Status::MaxIterations;
-        const std::vector<std::size_t> next = fullest_next();
+        const std::vector<std::size_t> next = fullest_next(least_fill);
         if (next.empty()) break;
         if (!divide(next)) return why_over();
         place_charts(PackOptions::Effort::Smallest, record_.start_stop());
@@ -907,10 +951,119 @@ class Unwrapping {
     return Status::Converged;
   }
 
+  // Divides charts one by one until they fill kUsualFill of the square, or more seam would be added
+  // than kLittleSeam or kMoreSeam. The first layout that fills so much stays, else the fullest of
+  // those whose fill has grown kWorthSeam times as much as their seams.
+  void fill_for_little_seam() {
+    const Layout first = layout();
+    Layout best = first;
+    const double fill = atlas_.packing->fill, seams = border_length() / 2;
+    const double allowed = (fill < kLowFill ? kMoreSeam : kLittleSeam) * seams;
+    const auto added = [&] { return atlas_.cuts.length - first.atlas.cuts.length; };
+    try {
+      for (int k = 0; k < kMostUsualFills && atlas_.packing->fill < kUsualFill; ++k) {
+        const std::optional<std::size_t> next = cheapest_to_fill(allowed - added());
+        if (!next || !divide({*next}) || added() > allowed) break;
+        place_charts(PackOptions::Effort::Smallest, record_.start_stop());
+        const double aim = std::min(kUsualFill, fill * (1 + kWorthSeam * added() / seams));
+        if (atlas_.packing->fill > best.atlas.packing->fill && atlas_.packing->fill >= aim)
+          best = layout();
+      }
+    } catch (const Stopped&) {
+    } catch (const Error& e) {  // no room for the padding of more charts
+      if (e.kind() != ErrorKind::Unsupported) throw;
+    }
+    go_back_to(std::move(best));
+  }
+
+  // Of all charts, in the surface.
+  double border_length() const {
+    double length = 0;
+    for (const Task& task : tasks_)
+      for (Index h = 0; h < task.mesh->half_edge_count(); ++h)
+        if (task.mesh->opposite(h) < 0) length += task.mesh->edge_length(h);
+    return length;
+  }
+
+  // A division, and what its boxes would need.
+  struct Attempt {
+    std::size_t chart = 0;
+    PathAcross path;
+    double side = 0;  // of the square
+    double gain =
+        0;  // of the area of the square and that of long boxes, for the length of the path
+    double price = 0;  // the length of the path for the area of its smaller side
+  };
+
+  // The chart whose division, which is its division_of() then, is the cheapest one of those that
+  // lead to kUsualFill, or gains most for its length; where none gains anything, the one that is
+  // shortest for its smaller side, since smaller charts leave less between them. None where all are
+  // longer than that. Stopped.
+  std::optional<std::size_t> cheapest_to_fill(double most_length) {
+    std::vector<Vector2> boxes;
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < tasks_.size(); ++k) {
+      const SmallestRectangle box = box_of(atlas_.charts[k], all_vertices(k));
+      boxes.push_back(sides_of(box));
+      const double left = area_of(box) - atlas_.charts[k].stretch.image_area;
+      if (may_be_divided(k)) order.emplace_back(-left, k);
+    }
+    std::sort(order.begin(), order.end());
+    order.resize(std::min(order.size(), kMostCandidates));
+    const double side = side_of_shelves(boxes, *options_.packing);
+    const double before = size_of(boxes, side);
+    // Outlines leave less between them than boxes, now as after a division.
+    const double aim = side * std::sqrt(atlas_.packing->fill / kUsualFill);
+    std::optional<Attempt> best;
+    for (const auto& [unused, k] : order) {
+      record_.announce(fmt::format("where chart {} of {} divides best", k + 1, tasks_.size()));
+      for (PathAcross& path :
+           paths_across(*tasks_[k].mesh, tasks_[k].wanted, corners_of(k), record_.stop())) {
+        if (path.length > most_length) continue;
+        Attempt attempt{k, std::move(path)};
+        std::vector<Vector2> after = boxes;
+        after[k] = sides_of(box_of(atlas_.charts[k], attempt.path.outlines[0]));
+        after.push_back(sides_of(box_of(atlas_.charts[k], attempt.path.outlines[1])));
+        attempt.side = side_of_shelves(after, *options_.packing);
+        if (!std::isfinite(attempt.side)) continue;
+        attempt.gain = (before - size_of(after, attempt.side)) / attempt.path.length;
+        attempt.price = attempt.path.length / attempt.path.smaller_area;
+        if (!best || is_cheaper(attempt, *best, aim)) best = std::move(attempt);
+      }
+    }
+    if (!best) return std::nullopt;
+    Task& task = tasks_[best->chart];
+    task.division =
+        Division{.cut = cut_along_path(*task.mesh, task.wanted, best->path, record_.stop())};
+    return best->chart;
+  }
+
+  static bool is_cheaper(const Attempt& a, const Attempt& b, double aim) {
+    const bool suffices = a.side <= aim, other_suffices = b.side <= aim;
+    if (suffices != other_suffices) return suffices;
+    if (suffices) return a.path.length < b.path.length;
+    return std::max(a.gain, b.gain) > 0 ? a.gain > b.gain : a.price < b.price;
+  }
+
+  static Vector2 sides_of(const SmallestRectangle& box) {
+    return {std::max(box.along, box.across), std::min(box.along, box.across)};
+  }
+  static double size_of(const std::vector<Vector2>& boxes, double side) {
+    double size = side * side;
+    for (const Vector2& box : boxes) size += kLongBoxes * box.x() * box.x();
+    return size;
+  }
+
+  // u, v of the vertices of a chart.
+  Vec corners_of(std::size_t k) const {
+    const std::vector<Index> all = all_vertices(k);
+    return points_of(atlas_.charts[k], all, all);
+  }
+
   // As many as fill the square if all goes as with their boxes; where no division makes boxes
   // smaller, the one that costs least for the area of its smaller part: smaller charts leave less
   // between them.
-  std::vector<std::size_t> fullest_next() {
+  std::vector<std::size_t> fullest_next(double least_fill) {
     std::vector<std::pair<double, std::size_t>> order, by_price;
     const double area = surface_.area();
     double boxes = 0;
@@ -925,7 +1078,7 @@ class Unwrapping {
     if (order.empty() && !by_price.empty())
       return {std::min_element(by_price.begin(), by_price.end())->second};
     std::sort(order.begin(), order.end());
-    const double aim = boxes * atlas_.packing->fill / options_.least_fill;
+    const double aim = boxes * atlas_.packing->fill / least_fill;
     std::vector<std::size_t> next;
     for (const auto& [unused, k] : order) {
       if (boxes <= aim) break;
@@ -1141,6 +1294,11 @@ Stretch measure_stretch(const BezierMap& map) {
   for (Index q = 0; q < rule.size(); ++q) visit(rule.points.row(q), rule.weights[q]);
   for (const Barycentric& xi : points_on_edges(map.degree())) visit(xi, 0);
   return normalized(s);
+}
+
+bool exceeds_stretch(const UnwrapOptions& options, const Chart& chart) {
+  return chart.stretch.l2 > options.cuts.max_stretch &&
+         chart.map->mesh().rest_triangles().size() < chart.faces.size();
 }
 
 std::string why_stretched(const UnwrapOptions& options, const Chart& chart) {

@@ -101,13 +101,20 @@ struct Chart {
 
 // What CutOptions::max_stretch is for maps of CutMethod::Automatic and Sharp. Kept: charts are
 // mapped, measured, cut again and mapped anew until each has no more; not those of one face, of
-// faces without an area alone or with pins or handles, and not once a limit of the run is reached.
+// faces without an area alone or with pins or handles, and not once a limit of the run is reached;
+// a thousand iterations are no such limit, but the end of what a chart is worth.
 // Reported: nothing is done.
 enum class StretchLimit { Kept, Reported };
 
 // The part of a time limit that cuts get at most, before those that suffice are taken as they are;
 // the rest is for maps.
 inline constexpr double kCuttingShare = 0.4;
+
+// What charts fill of the square unless something else is asked for, if that is to be had for this
+// part of their borders more of seams (half of the length of all borders, which is that of the
+// seams of a closed surface); where they fill less than kLowFill alone, for that part. Borders are
+// counted since a sheet, which has no seam, is divided, too. Tuned by bench/atlas.py.
+inline constexpr double kUsualFill = 0.5, kLittleSeam = 0.15, kLowFill = 0.4, kMoreSeam = 0.6;
 
 // What becomes of the islands of CutMethod::Texture. Kept: they are the charts, in the shapes that
 // they have in the file, all at one scale; at degree 1, without pins and handles,
@@ -125,12 +132,14 @@ struct UnwrapOptions {
   CutOptions cuts = {};
   StretchLimit limit = StretchLimit::Kept;
   // Where the limit is kept of Automatic or Sharp cuts, charts are divided until there are so many
-  // of them, and then until they fill so much of the packing's square; with 0 where the layout
-  // costs less then (docs/atlas.md, "One chart or many"). Fewer, and less, where that is not
-  // possible (Atlas::division); least_fill is not looked at with Stacking, face_scale and several
-  // tiles.
+  // of them; with 0 where the layout costs less then (docs/atlas.md, "One chart or many"). Fewer
+  // where that is not possible (Atlas::division).
   Index least_charts = 0;
-  double least_fill = 0;
+  // Then charts are divided until they fill so much of the packing's square, whatever that costs,
+  // or less where that is not possible; 0: for no fill. None: until they fill kUsualFill of it,
+  // where that takes little seam (kLittleSeam, kMoreSeam); not with least_charts and a given side.
+  // Not looked at with Stacking, face_scale and several tiles.
+  std::optional<double> least_fill = {};
   // Seconds from the start of the run after which cuts that suffice are not made shorter.
   double cutting_seconds = std::numeric_limits<double>::infinity();
   Islands islands = Islands::Mapped;
@@ -195,6 +204,9 @@ struct Atlas {
 Atlas unwrap(const std::shared_ptr<const SurfaceMesh>& surface, const UnwrapOptions& options,
              RunRecord& record);
 
+// Returns whether a chart stretches more than options.cuts.max_stretch, limit or not. Charts of
+// faces without an area alone do not: no cut would mend what they have.
+bool exceeds_stretch(const UnwrapOptions& options, const Chart& chart);
 // Why a chart stretches more than options.cuts.max_stretch, where that is a limit that is kept, in
 // words; empty where it is not, or the chart does not.
 std::string why_stretched(const UnwrapOptions& options, const Chart& chart);

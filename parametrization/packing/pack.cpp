@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -352,6 +353,23 @@ Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options,
   packing.has_tiles = has_tiles(options);
   packing.fill *= part * part;
   return packing;
+}
+
+double side_of_shelves(const std::vector<Vector2>& boxes, const PackOptions& options) {
+  const double part = 1 - 2 * options.padding_pixels / options.resolution;
+  if (!(part > 0)) return std::numeric_limits<double>::infinity();
+  PackingJob job;
+  job.gap = options.padding_pixels / options.resolution / part;
+  for (const Vector2& size : boxes) {
+    ChartOutline& chart = job.charts.emplace_back();
+    chart.size = size;
+    job.area += size.prod();
+  }
+  job.fixed.resize(boxes.size());
+  const auto shelves = [&](double width) { return skyline_strip(job, width); };
+  const std::optional<Placements> square = smallest_square(
+      job, shelves, {kFirstWidth * std::sqrt(job.area), kSkylineFactor, kSkylineTries});
+  return square ? square->side / part : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace majorant

@@ -89,6 +89,11 @@ struct Packing {
 Packing pack(const std::vector<BezierMap>& charts, const PackOptions& options = {},
              const StopCheck& stop = {});
 
+// Returns the side of the square, its border included, that shelves of boxes of these sizes need:
+// an estimate of Packing::side for charts with such boxes, which outlines mostly allow to be
+// smaller. Infinity where the padding leaves no room.
+double side_of_shelves(const std::vector<Vector2>& boxes, const PackOptions& options = {});
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

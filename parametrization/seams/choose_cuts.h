@@ -127,6 +127,21 @@ std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& wan
 enum class PathsAcross { BetweenEnds, FromOverlaps };
 std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,
                              PathsAcross paths, const StopCheck& stop = {});
+// A path that divides a chart in two.
+struct PathAcross {
+  std::vector<Index> half_edges;               // that are cut, one side of each edge
+  double length = 0;                           // of these, model units
+  double smaller_area = 0;                     // of what lies on one side of it, in the map
+  std::array<std::vector<Index>, 2> outlines;  // vertices around each part, but for its holes
+};
+// Paths from boundary to boundary, each the cheapest one between two stretches of the outer
+// boundary: between the ends of the chart, and from the bottoms of bays in its outline, for who
+// looks for parts of another shape. uv: 2 #V, where an injective map has the vertices. Stopped.
+std::vector<PathAcross> paths_across(const SurfaceMesh& chart, const CutPreferences& wanted,
+                                     const Vec& uv, const StopCheck& stop = {});
+// The flags of a path, or of a straighter one nearby.
+std::vector<char> cut_along_path(const SurfaceMesh& chart, const CutPreferences& wanted,
+                                 const PathAcross& path, const StopCheck& stop = {});
 // Of cuts (3 #F flags, both sides): their length, a quarter of it along creases, in model units.
 double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,
                     const std::vector<char>& is_cut);

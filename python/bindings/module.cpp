@@ -52,7 +52,7 @@ py::dict presets() {
     py::dict values;
     values["max_stretch"] = preset.max_stretch ? py::cast(*preset.max_stretch) : py::none();
     values["charts"] = preset.is_one_chart ? "one" : "auto";
-    values["fill"] = preset.fill > 0 ? py::cast(preset.fill) : py::none();
+    values["fill"] = preset.fill;
     values["padding"] = preset.padding;
     values["resolution"] = preset.resolution;
     all[py::str(std::string(preset.name))] = values;

@@ -88,7 +88,7 @@ void open_job(AtlasJob& job, Run& run, PolygonMesh polygons, const py::dict& key
   if (keyword<bool>(keywords, "keep_seams")) job.old_seams = OldSeams::Cut;
   if (keyword<bool>(keywords, "one_chart")) job.options.limit = StretchLimit::Reported;
   job.options.least_charts = keyword<Index>(keywords, "least_charts");
-  job.options.least_fill = keyword<double>(keywords, "least_fill");
+  job.options.least_fill = keyword<std::optional<double>>(keywords, "least_fill");
   if (const auto to_eye = keyword<std::optional<std::array<double, 3>>>(keywords, "hide_from"))
     job.hide_from = Vector3((*to_eye)[0], (*to_eye)[1], (*to_eye)[2]);
   job.options.cutting_seconds = kCuttingShare * keyword<double>(keywords, "time_limit");

@@ -141,8 +141,9 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
     seams: 'auto', where distortion is saved; 'uv', the islands of uv (which is for this, and for keep_seams,
     which cuts along their borders, too); 'sharp' or 'sharp=40', along edges of that many degrees; or (#E, 2)
     vertices of edges. max_stretch: what no chart of 'auto' and 'sharp' exceeds, with charts='one' where one
-    is left uncut, as estimated. charts: a number of them, and fill, the part of the square that they fill:
-    those of 'auto' and 'sharp' are divided until there is so much, or nothing is gained any more. hide_from:
+    is left uncut, as estimated. charts: a number of them, and fill, the part of the square that they fill
+    (0.5 where that takes little seam; 0: any): those of 'auto' and 'sharp' are divided until there is so much,
+    or nothing is gained any more. hide_from:
     the direction (3,) to the eye that seams keep out of sight of. objects: (#F,) numbers of objects, each of
     which is unwrapped as if it were alone and has the unit square for itself; saved as .obj, with an `o` for
     each, or .vtu; `report` has a list `objects` then. pack: into one square, padding pixels (4) apart where
@@ -231,7 +232,7 @@ def unwrap(V: ArrayLike, F: Faces, *, seams: str | ArrayLike = 'auto', max_stret
         'one_chart': not counted and _options.choice('charts', charts, ('auto', 'one')) == 'one',
         'least_charts': _options.integer('charts', charts, 1, 2**31 - 1) if counted else 0,
         'hide_from': None if hide_from is None else _direction(hide_from),
-        'least_fill': 0.0 if fill is None else _fill(fill),
+        'least_fill': None if fill is None else _fill(fill),
         'strict': _options.truth('strict', strict),
         'objects': None if objects is None else _arrays.integers(
             'objects', objects, (len(mesh.polygons[1]) - 1,), 2**31 - 1, 'numbers of objects').tolist(),
@@ -294,9 +295,9 @@ def _densities(density: Any, faces: int) -> list[float]:
 
 
 def _fill(fill: float) -> float:
-    part = _options.number('fill', fill, 0, 1)
+    part = _options.number('fill', fill, 0, 1, zero=True)
     if part == 1:
-        raise UsageError(f'fill={fill!r} is no number above 0 and below 1')
+        raise UsageError(f'fill={fill!r} is no number from 0 on and below 1')
     return part
 
 

@@ -75,9 +75,9 @@ class Creases(UnwrapTest):
             with self.subTest(n=n):
                 points, faces = model('gear', n, variant)
                 mesh = self.mesh(points, faces)
-                _, report = self.unwrap(mesh)
+                _, report = self.unwrap(mesh, '--fill', 0)
                 self.assertLessEqual(report['result']['charts'], 6)
-                self.run_ok('unwrap', mesh, self.path('cuts.vtu'))
+                self.run_ok('unwrap', mesh, self.path('cuts.vtu'), '--fill', 0)
                 height = max(p[2] for p in points)
                 faces = seam_where(self.path('cuts.vtu'), points, lambda p: p[2] in (0, height))
                 inside = seam_where(self.path('cuts.vtu'), points,
@@ -155,15 +155,26 @@ class OneOrMany(UnwrapTest):
 
     def test_fill(self):
         mesh = self.mesh(*sphere(8))
-        _, auto = self.unwrap(mesh)
+        _, undivided = self.unwrap(mesh, '--fill', 0)
         _, full = self.unwrap(mesh, '--fill', 0.6)
-        self.assertLess(auto['result']['fill'], 0.6)
+        self.assertEqual((undivided['options']['fill'], undivided['result']['charts']), (0, 1))
+        self.assertLess(undivided['result']['fill'], 0.6)
         self.assertGreaterEqual(full['result']['fill'], 0.6)
         outcome = self.run_ok('unwrap', mesh, self.path('o.obj'), '--fill', 0.99)
         self.assertIn('not --fill 0.99', outcome.err)
         for flags in (('--fill', 0.99), ('--charts', 99)):
             outcome = self.run_ok('unwrap', mesh, self.path('o.obj'), '--time-limit', 0, *flags, code=LIMIT)
             self.assertRegex(outcome.err, 'not %s %s: the time limit was reached' % flags)
+
+    def test_charts_that_may_not_be_cut_are_counted(self):
+        cap = self.mesh(*open_box(4, 1, 1, 1))
+        outcome = self.run_ok('unwrap', cap, self.path('o.obj'), '--charts', 'one', '--max-stretch', 1.001)
+        self.assertNotIn('forbids', outcome.err)
+        points, faces = sphere(4)
+        edges = self.write('seams.json', '{"edges": [[%d, %d]]}' % tuple(faces[0][:2]))
+        ball = self.mesh(points, faces)
+        outcome = self.run_ok('unwrap', ball, self.path('o.obj'), '--seams', edges)
+        self.assertRegex(outcome.err, r'1 chart stretches more than 1\.015, up to \d\.\d+: --seams forbids cutting')
 
     def test_presets(self):
         mesh = self.mesh(*open_box(2, 1, 1, 1))

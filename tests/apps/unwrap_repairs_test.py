@@ -15,7 +15,7 @@ class Repairs(UnwrapTest):
     def test_moebius(self):
         points, faces = moebius(20)
         mesh = self.mesh(points, faces)
-        layout, report = self.unwrap(mesh)
+        layout, report = self.unwrap(mesh, '--fill', 0)
         repairs = self.repaired(report)
         self.assertEqual(repairs['cut_edge'], 1)
         seam = report['result']
@@ -69,7 +69,7 @@ class Repairs(UnwrapTest):
     def test_a_duplicate_face(self):
         points, faces = sphere(3)
         for twin in (faces[7], faces[7][::-1]):
-            layout, report = self.clean(self.mesh(points, faces + [twin]))
+            layout, report = self.clean(self.mesh(points, faces + [twin]), '--fill', 0)
             self.assertEqual(self.repaired(report), {'duplicate_face': 1})
             self.assertEqual(sorted(map(len, layout.charts)), [1, len(faces)])
 
@@ -92,7 +92,7 @@ class Repairs(UnwrapTest):
         self.assertEqual(len(layout.charts), 2)
 
     def test_a_soup_is_welded(self):
-        layout, report = self.clean(self.mesh(*soup(*sphere(2))))
+        layout, report = self.clean(self.mesh(*soup(*sphere(2))), '--fill', 0)
         self.assertEqual(self.repaired(report), {'welded': 3 * 48 - 26})
         self.assertEqual(len(layout.charts), 1)
 

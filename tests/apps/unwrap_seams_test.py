@@ -62,7 +62,7 @@ class Seams(UnwrapTest):
                      self.path('no.json'), says='no.json')
 
     def test_sharp(self):
-        layout, report = self.clean(self.box(), '--seams', 'sharp')
+        layout, report = self.clean(self.box(), '--seams', 'sharp', '--fill', 0)
         self.judged()
         self.assertGreater(report['result']['seam_length'], 6.999)  # a cross, or it in two parts
         self.assertAlmostEqual(report['result']['value'], 4, places=6)

@@ -17,7 +17,7 @@ class Surfaces(UnwrapTest):
                                    ('sphere', sphere(4), 1), ('torus', torus(12, 8, 0), 1),
                                    ('two', both(sphere(3), torus(12, 8, 0)), 2)]:
             with self.subTest(name):
-                layout, report = self.clean(self.mesh(*mesh))
+                layout, report = self.clean(self.mesh(*mesh), '--fill', 0)
                 self.judged()
                 self.assertEqual((report['status'], report['repairs']), ('converged', []))
                 self.assertEqual(len(layout.charts), charts)
@@ -25,7 +25,7 @@ class Surfaces(UnwrapTest):
                 self.assertEqual(report['result']['degree'], 1)
 
     def test_a_cube_is_unfolded_whole(self):
-        _, report = self.clean(self.mesh(cube(3)[0], triangles(cube(3)[1])))
+        _, report = self.clean(self.mesh(cube(3)[0], triangles(cube(3)[1])), '--fill', 0)
         self.assertAlmostEqual(report['result']['value'], 4, places=9)
         self.assertAlmostEqual(report['result']['stretch_max'], 1, places=5)
         self.assertAlmostEqual(report['result']['seam_length'], 7, places=9)
@@ -157,7 +157,7 @@ class Files(UnwrapTest):
         for degree in (1, 2, 3):
             out = self.path('%d.vtu' % degree)
             outcome = self.run_ok('unwrap', mesh, '-o', out, '-o', self.path('%d.obj' % degree),
-                                  '--degree', degree, '--refine', 2, '--max-stretch', 1.1,  # the same cuts
+                                  '--degree', degree, '--refine', 2, '--max-stretch', 1.1, '--fill', 0,  # the same cuts
                                   '--report', self.path('r.json'))
             for line in re.findall(r'^proof: majorant (.*)$', outcome.err, re.M):
                 self.run_ok(*shlex.split(line))
@@ -251,7 +251,7 @@ l 1 9
 
     def test_numbers_of_the_report_are_those_of_the_layout(self):
         points, faces = both(sphere(2), torus(6, 4, 0))
-        layout, report = self.clean(self.mesh(points, faces), '--scale', 'model')
+        layout, report = self.clean(self.mesh(points, faces), '--scale', 'model', '--fill', 0)
         sides = {}
         for face, texture in zip(layout.faces, layout.texture):
             for i in range(3):

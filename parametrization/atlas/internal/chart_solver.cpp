@@ -289,7 +289,9 @@ Chart ChartSolver::solve_within_limits(RunRecord& record) {
   const auto has_start = [&] { return !is_done_ && !is_left; };
   if (has_start() && hints_.shape == ChartShape::Unfolds) try_unfolded(record);
   const bool is_cut_since = hints_.parent.size() > 0;
-  if (has_start() && is_cut_since && !starts_anew(*mesh_, options_.map)) try_parent(record);
+  const bool is_slit = hints_.parent_map == ParentMap::Slit;
+  if (has_start() && is_cut_since && !(is_slit && starts_anew(*mesh_, options_.map)))
+    try_parent(record);
   if (has_start()) try_tutte(record);
   if (!is_done_) keep_start(record);
   if (is_left) {

@@ -38,6 +38,10 @@ enum class SlowStart { Waited, LeftToCuts };
 // Curved, or of unknown shape: Tutte's map is the start; Unfolds: the faces side by side.
 enum class ChartShape { Curved, Unfolds };
 
+// The map of what a chart was cut from. Slit: open slits are to become of cuts in it. Whole: the
+// chart is a part of it, and that map was good.
+enum class ParentMap { Slit, Whole };
+
 struct ChartHints {
   TextureStart texture = TextureStart::Ignored;
   ChartShape shape = ChartShape::Curved;
@@ -45,6 +49,7 @@ struct ChartHints {
   SlowStart slow = SlowStart::Waited;
   // u, v per vertex: the map of the chart that this one was cut from, or no numbers. May overlap.
   Vec parent = {};
+  ParentMap parent_map = ParentMap::Slit;
   // Model units: parts of the border that are no neighbours are so far apart in a map that is found
   // without a scaffold.
   double clearance = 0;

@@ -1,4 +1,5 @@
-// cut_in_two(), cut_across(), cost_of_cuts(), unfolds() and unfolds_at_creases() of choose_cuts.h.
+// cut_in_two(), cut_across(), paths_across(), cost_of_cuts(), unfolds() and unfolds_at_creases() of
+// choose_cuts.h.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -6,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <queue>
 #include <set>
 #include <tuple>
@@ -271,39 +273,67 @@ class Across {
     std::size_t longest = 0;
     for (std::size_t l = 1; l < loops.size(); ++l)
       if (loops[l].size() > loops[longest].size()) longest = l;
-    outer_ = loops[longest];
-    for (std::size_t i = 0; i < outer_.size(); ++i) place_[outer_[i]] = static_cast<Index>(i);
+    take_outer(loops[longest]);
+  }
+
+  // Paths across the chart as a map lays it out. uv: 2 #V, injective.
+  Across(const SurfaceMesh& mesh, const CutPreferences& wanted, const Vec& uv)
+      : Across(mesh, wanted) {
+    const auto& loops = mesh.boundary_loops();
+    const auto area = [&](const std::vector<Index>& loop) { return enclosed_area(uv, loop); };
+    take_outer(*std::max_element(loops.begin(), loops.end(),
+                                 [&](const auto& a, const auto& b) { return area(a) < area(b); }));
+    uv_ = uv;
   }
 
   std::vector<char> cut(PathsAcross paths, const StopCheck& stop) {
     const auto n = static_cast<Index>(outer_.size());
     const Index v = paths == PathsAcross::FromOverlaps ? most_turned() : -1;
+    const auto take = [&](const Search& search, Index end) { take_if_better(search, end); };
     if (v >= 0) {
       for (Index k = 0; k < kWindows; ++k) {
         stop.poll();
         const Index from = k * n / kWindows, to = (k + 1) * n / kWindows;
-        try_between({v}, [&](Index w) {
-          const Index i = (place_[w] - place_[v] + n) % n;
-          return w != v && i >= from && i < to;
-        });
+        search_between(
+            {v},
+            [&](Index w) {
+              const Index i = (place_[w] - place_[v] + n) % n;
+              return w != v && i >= from && i < to;
+            },
+            take);
       }
     } else {
-      const Index one = farthest(distances(outer_[0]));
-      const Vec far = distances(one);
-      const Index other = farthest(far);
-      const Index along = (place_[other] - place_[one] + n) % n;
-      for (Index k = 1; k + 2 < kWindows; ++k) {
-        stop.poll();
-        const double low = far[other] * k / kWindows, high = far[other] * (k + 2) / kWindows;
-        const auto is_in = [&](Index w) { return far[w] >= low && far[w] <= high; };
-        const auto is_left = [&](Index w) { return (place_[w] - place_[one] + n) % n < along; };
-        std::vector<Index> sources;
-        for (const Index w : outer_)
-          if (w != one && is_in(w) && is_left(w)) sources.push_back(w);
-        try_between(sources, [&](Index w) { return w != other && is_in(w) && !is_left(w); });
-      }
+      search_between_ends(stop, take);
     }
     return best_.empty() ? std::vector<char>(to_size(mesh_.half_edge_count()), 0) : best_;
+  }
+
+  // Those between the ends, one a window, and from each bottom of a bay to every part of the outer
+  // loop and every other bottom.
+  std::vector<PathAcross> all_paths(const StopCheck& stop) {
+    std::vector<PathAcross> paths;
+    const auto take = [&](const Search& search, Index end) {
+      if (std::optional<PathAcross> path = path_of(search, end)) paths.push_back(std::move(*path));
+    };
+    search_between_ends(stop, take);
+    const auto n = static_cast<Index>(outer_.size());
+    const std::vector<Index> bottoms = bottoms_of_bays();
+    for (const Index v : bottoms) {
+      stop.poll();
+      const Search search = search_from({v}, [](Index) { return false; });
+      std::vector<Index> nearest(kParts, -1);
+      for (const Index w : outer_) {
+        if (w == v || search.entered[to_size(w)].first < 0) continue;
+        Index& best = nearest[to_size((place_[w] - place_[v] + n) % n * kParts / n)];
+        if (best < 0 || search.distance[to_size(w)] < search.distance[to_size(best)]) best = w;
+      }
+      nearest.insert(nearest.end(), bottoms.begin(), bottoms.end());
+      std::sort(nearest.begin(), nearest.end());
+      nearest.erase(std::unique(nearest.begin(), nearest.end()), nearest.end());
+      for (const Index w : nearest)
+        if (w >= 0 && w != v) take(search, w);
+    }
+    return paths;
   }
 
  private:
@@ -311,7 +341,145 @@ class Across {
     Index to, half_edge;
     double cost;
   };
+  struct Search {
+    std::vector<double> distance;
+    std::vector<std::pair<Index, Index>> entered;  // vertex, half-edge; -1 where it starts
+  };
+  using Found = std::function<void(const Search&, Index end)>;
   static constexpr Index kWindows = 8;  // a part has an eighth of the way at least
+  // Parts of the outer loop that paths from the bottom of a bay are looked for to.
+  static constexpr Index kParts = 12;
+  // Bottoms of bays at most, the largest bays first.
+  static constexpr std::size_t kMostBays = 8;
+  // Parts of the square root of the area of the outer loop: smaller wiggles are no bays.
+  static constexpr double kBay = 0.06;
+  // The smaller side of a path, as a part of the area, at least.
+  static constexpr double kSmallestSide = 0.04;
+
+  void take_outer(const std::vector<Index>& loop) {
+    outer_ = loop;
+    std::fill(place_.begin(), place_.end(), -1);
+    for (std::size_t i = 0; i < outer_.size(); ++i) place_[outer_[i]] = static_cast<Index>(i);
+  }
+
+  static double enclosed_area(const Vec& uv, const std::vector<Index>& loop) {
+    double twice = 0;
+    const Vector2 origin = uv.segment<2>(2 * loop.front());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vector2 a = uv.segment<2>(2 * loop[i]) - origin,
+                    b = uv.segment<2>(2 * loop[(i + 1) % loop.size()]) - origin;
+      twice += cross(a, b);
+    }
+    return twice / 2;
+  }
+
+  void search_between_ends(const StopCheck& stop, const Found& found) {
+    const auto n = static_cast<Index>(outer_.size());
+    const Index one = farthest(distances(outer_[0]));
+    const Vec far = distances(one);
+    const Index other = farthest(far);
+    const Index along = (place_[other] - place_[one] + n) % n;
+    for (Index k = 1; k + 2 < kWindows; ++k) {
+      stop.poll();
+      const double low = far[other] * k / kWindows, high = far[other] * (k + 2) / kWindows;
+      const auto is_in = [&](Index w) { return far[w] >= low && far[w] <= high; };
+      const auto is_left = [&](Index w) { return (place_[w] - place_[one] + n) % n < along; };
+      std::vector<Index> sources;
+      for (const Index w : outer_)
+        if (w != one && is_in(w) && is_left(w)) sources.push_back(w);
+      search_between(
+          sources, [&](Index w) { return w != other && is_in(w) && !is_left(w); }, found);
+    }
+  }
+
+  Vector2 place_of(Index vertex) const { return uv_.segment<2>(2 * vertex); }
+
+  // Vertices of the outer loop where its outline, but for wiggles, turns to the right: corners of
+  // an L, ends of the bays between limbs.
+  std::vector<Index> bottoms_of_bays() const {
+    const auto n = static_cast<Index>(outer_.size());
+    const double size = std::sqrt(enclosed_area(uv_, outer_));
+    const std::vector<Index> corners = corners_of_outline(kBay * size);
+    std::vector<std::pair<double, Index>> bays;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto at = [&](std::size_t i) {
+        return place_of(outer_[to_size(corners[i % corners.size()] % n)]);
+      };
+      const Vector2 in = at(k) - at(k + corners.size() - 1), out = at(k + 1) - at(k);
+      const double depth = -cross(in, out) / std::max(in.norm(), out.norm());
+      if (depth > kBay * size) bays.emplace_back(-depth, outer_[to_size(corners[k])]);
+    }
+    std::sort(bays.begin(), bays.end());
+    if (bays.size() > kMostBays) bays.resize(kMostBays);
+    std::vector<Index> bottoms;
+    for (const auto& [unused, v] : bays) bottoms.push_back(v);
+    return bottoms;
+  }
+
+  // Places of the corners of a polygon that the outer loop is nowhere farther from than this
+  // [DP73], from the two that are farthest from each other on.
+  std::vector<Index> corners_of_outline(double tolerance) const {
+    const auto n = static_cast<Index>(outer_.size());
+    const auto at = [&](Index i) { return place_of(outer_[to_size(i % n)]); };
+    const auto farthest_from = [&](Index i) {
+      Index most = i;
+      for (Index k = 0; k < n; ++k)
+        if ((at(k) - at(i)).squaredNorm() > (at(most) - at(i)).squaredNorm()) most = k;
+      return most;
+    };
+    const Index first = farthest_from(0), second = farthest_from(first);
+    std::vector<Index> corners;
+    std::vector<std::pair<Index, Index>> runs{{second, first + (first < second ? n : 0)},
+                                              {first, second + (second < first ? n : 0)}};
+    while (!runs.empty()) {
+      const auto [from, to] = runs.back();
+      runs.pop_back();
+      const Vector2 chord = at(to) - at(from);
+      const double squared = chord.squaredNorm();
+      Index most = -1;
+      double far = tolerance;
+      for (Index k = from + 1; k < to; ++k) {
+        const Vector2 p = at(k) - at(from);
+        const double t = squared > 0 ? std::clamp(p.dot(chord) / squared, 0.0, 1.0) : 0;
+        if (const double d = (p - t * chord).norm(); d > far) far = d, most = k;
+      }
+      if (most < 0) {
+        corners.push_back(from % n);
+        continue;
+      }
+      runs.emplace_back(most, to);
+      runs.emplace_back(from, most);
+    }
+    return corners;
+  }
+
+  // None where one side has next to no area, or nothing is cut.
+  std::optional<PathAcross> path_of(const Search& search, Index end) const {
+    PathAcross path;
+    std::vector<Index> vertices{end};
+    for (Index v = end; search.entered[to_size(v)].first >= 0;) {
+      const auto [before, h] = search.entered[to_size(v)];
+      if (mesh_.opposite(h) >= 0) path.half_edges.push_back(h);
+      vertices.push_back(v = before);
+    }
+    if (path.half_edges.empty()) return std::nullopt;
+    std::reverse(vertices.begin(), vertices.end());
+    const auto n = static_cast<Index>(outer_.size());
+    const auto add_outer = [&](Index from, Index to, std::vector<Index>& outline) {
+      for (Index i = (from + 1) % n; i != to; i = (i + 1) % n)
+        outline.push_back(outer_[to_size(i)]);
+    };
+    path.outlines[0] = vertices;
+    add_outer(place_[end], place_[vertices.front()], path.outlines[0]);
+    path.outlines[1].assign(vertices.rbegin(), vertices.rend());
+    add_outer(place_[vertices.front()], place_[end], path.outlines[1]);
+    const double all = enclosed_area(uv_, outer_);
+    path.smaller_area =
+        std::min(enclosed_area(uv_, path.outlines[0]), enclosed_area(uv_, path.outlines[1]));
+    if (!(path.smaller_area > kSmallestSide * all)) return std::nullopt;
+    for (const Index h : path.half_edges) path.length += mesh_.edge_length(h);
+    return path;
+  }
 
   // The boundary vertex around which there is most, if that is more than fits into the plane.
   Index most_turned() const {
@@ -349,38 +517,51 @@ class Across {
                              [&](Index a, Index b) { return distance[a] < distance[b]; });
   }
 
-  void try_between(const std::vector<Index>& sources, const std::function<bool(Index)>& is_target) {
-    std::vector<double> distance(to_size(mesh_.vertex_count()), kFar);
-    std::vector<std::pair<Index, Index>> entered(distance.size(), {-1, -1});  // vertex, half-edge
+  // Paths touch the outer loop at their ends only.
+  Search search_from(const std::vector<Index>& sources, const std::function<bool(Index)>& is_end,
+                     Index* end = nullptr) const {
+    Search search{std::vector<double>(to_size(mesh_.vertex_count()), kFar),
+                  std::vector<std::pair<Index, Index>>(to_size(mesh_.vertex_count()), {-1, -1})};
+    std::vector<double>& distance = search.distance;
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
     for (const Index v : sources) {
       distance[v] = 0;
       front.emplace(0, v);
     }
-    Index end = -1;
-    while (!front.empty() && end < 0) {
+    while (!front.empty()) {
       const auto [d, v] = front.top();
       front.pop();
       if (d > distance[v]) continue;
       if (d > 0 && place_[v] >= 0) {
-        if (is_target(v)) end = v;
-        continue;  // nowhere else along the outer loop
+        if (!is_end(v)) continue;  // nowhere else along the outer loop
+        *end = v;
+        break;
       }
       for (const Way& way : leaving_[v]) {
         const bool is_outer = mesh_.opposite(way.half_edge) < 0 && place_[v] >= 0;
         if (is_outer || d + way.cost >= distance[way.to]) continue;
         distance[way.to] = d + way.cost;
-        entered[way.to] = {v, way.half_edge};
+        search.entered[way.to] = {v, way.half_edge};
         front.emplace(distance[way.to], way.to);
       }
     }
-    if (end < 0) return;
+    return search;
+  }
+
+  void search_between(const std::vector<Index>& sources, const std::function<bool(Index)>& is_end,
+                      const Found& found) const {
+    Index end = -1;
+    const Search search = search_from(sources, is_end, &end);
+    if (end >= 0) found(search, end);
+  }
+
+  void take_if_better(const Search& search, Index end) {
     std::vector<char> is_cut(to_size(mesh_.half_edge_count()), 0);
-    for (Index v = end; entered[v].first >= 0; v = entered[v].first)
-      if (const Index h = entered[v].second, o = mesh_.opposite(h); o >= 0)
+    for (Index v = end; search.entered[v].first >= 0; v = search.entered[v].first)
+      if (const Index h = search.entered[v].second, o = mesh_.opposite(h); o >= 0)
         is_cut[h] = is_cut[o] = 1;
-    const double price = distance[end] / smaller_area(is_cut);
+    const double price = search.distance[end] / smaller_area(is_cut);
     if (!(price < price_)) return;
     price_ = price;
     best_ = std::move(is_cut);
@@ -401,7 +582,8 @@ class Across {
   const Vec cost_;
   std::vector<std::vector<Way>> leaving_;
   std::vector<Index> place_;  // #V: place in the outer loop, -1 elsewhere
-  std::vector<Index> outer_;  // the loop with most vertices
+  std::vector<Index> outer_;  // the loop with most vertices, or the outer one of the map
+  Vec uv_;                    // 2 #V, or nothing
   std::vector<char> best_;
   double price_ = kFar;
 };
@@ -431,6 +613,18 @@ std::vector<char> cut_in_two(const SurfaceMesh& chart, const CutPreferences& wan
 std::vector<char> cut_across(const SurfaceMesh& chart, const CutPreferences& wanted,
                              PathsAcross paths, const StopCheck& stop) {
   return smoothed(chart, wanted, Across(chart, wanted).cut(paths, stop), stop);
+}
+
+std::vector<PathAcross> paths_across(const SurfaceMesh& chart, const CutPreferences& wanted,
+                                     const Vec& uv, const StopCheck& stop) {
+  return Across(chart, wanted, uv).all_paths(stop);
+}
+
+std::vector<char> cut_along_path(const SurfaceMesh& chart, const CutPreferences& wanted,
+                                 const PathAcross& path, const StopCheck& stop) {
+  std::vector<char> is_cut(to_size(chart.half_edge_count()), 0);
+  for (const Index h : path.half_edges) is_cut[h] = is_cut[chart.opposite(h)] = 1;
+  return smoothed(chart, wanted, std::move(is_cut), stop);
 }
 
 double cost_of_cuts(const SurfaceMesh& mesh, const CutPreferences& wanted,

@@ -116,7 +116,9 @@ TEST(Unwrap, SeveralComponentsOfAnyGenus) {
   const PolygonMesh mesh = together(together(cube_sphere(3), moved(torus(10, 8, 0), {5, 0, 0})),
                                     moved(grid(4, bumpy), {0, 0, 9}));
   const RepairedSurface surface = repair(mesh);
-  const Atlas atlas = unwrapped(mesh, of_degree(1));
+  UnwrapOptions options;
+  options.least_fill = 0;
+  const Atlas atlas = unwrapped(mesh, options);
   EXPECT_EQ(atlas.status(), Status::Converged);
   EXPECT_EQ(atlas.charts.size(), 3U);
   expect_layout(atlas, *surface.mesh);
@@ -343,6 +345,51 @@ TEST(Unwrap, ChartsThatMayNotBeCutAreNotDivided) {
   reported.limit = StretchLimit::Reported;
   for (const UnwrapOptions& kept : {given, reported})
     EXPECT_EQ(unwrapped(arch(), kept).charts.size(), 1U);
+}
+
+// Two arms as wide as this part of their length, in the plane.
+PolygonMesh ell(int width) {
+  constexpr int kLength = 20;
+  std::set<int> gone;
+  for (int j = width; j < kLength; ++j)
+    for (int i = width; i < kLength; ++i) gone.insert(j * kLength + i);
+  return grid_without(kLength, gone);
+}
+
+// Half of the border of a chart is what seams are compared with: 2 of the L, whose arms are 1 long.
+TEST(Unwrap, FillsHalfOfTheSquareWhereThatTakesLittleSeam) {
+  UnwrapOptions plain;
+  plain.least_fill = 0;
+  for (const PolygonMesh& mesh : {ell(3), ell(4)}) {
+    const std::shared_ptr<const SurfaceMesh> surface = repair(mesh).mesh;
+    const Atlas before = unwrapped(mesh, plain), after = unwrapped(mesh, {});
+    EXPECT_EQ(before.charts.size(), 1U);
+    EXPECT_LT(before.packing->fill, kLowFill);
+    EXPECT_GE(after.packing->fill, kUsualFill);
+    expect_layout(after, *surface);
+    double border = 0;
+    for (Index h = 0; h < surface->half_edge_count(); ++h)
+      if (surface->opposite(h) < 0) border += surface->edge_length(h);
+    EXPECT_GT(after.cuts.length, 0);
+    EXPECT_LE(after.cuts.length, kMoreSeam * border / 2);
+    EXPECT_EQ(after.division, Status::Converged);
+  }
+  // Of 0.44 of the square: a cut of 0.25 is an eighth of that, a second one too much, and the first
+  // one gains nothing.
+  const Atlas kept = unwrapped(ell(5), {});
+  EXPECT_EQ(kept.charts.size(), 1U);
+  EXPECT_GT(kept.packing->fill, kLowFill);
+  EXPECT_LT(kept.packing->fill, kUsualFill);
+}
+
+TEST(Unwrap, DividesForNoFillWhereOthersSayHowMuchThereIs) {
+  UnwrapOptions counted, sized, tiled, loose;
+  counted.least_charts = 1;
+  sized.packing->side = 2;
+  tiled.packing->tiles = 2;
+  loose.packing.reset();
+  for (const UnwrapOptions& options : {counted, sized, tiled, loose})
+    EXPECT_EQ(unwrapped(ell(4), options).charts.size(), 1U);
 }
 
 TEST(Unwrap, SaysWhyTheDivisionEnded) {

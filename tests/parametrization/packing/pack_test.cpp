@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -186,6 +187,19 @@ TEST(Pack, the_same_charts_are_packed_the_same_way) {
     for (std::size_t k = 0; k < charts.size(); ++k)
       EXPECT_EQ(one.charts[k].control_points(), other.charts[k].control_points());
   }
+}
+
+TEST(Pack, shelves_of_boxes_are_an_estimate) {
+  const std::vector<Vector2> sizes{{3, 1}, {2, 1.5}, {1, 1}, {0.5, 0.2}};
+  std::vector<BezierMap> charts;
+  for (const Vector2& size : sizes)
+    charts.push_back(test::polygon_chart(test::rectangle(size.x(), size.y())));
+  const double estimate = side_of_shelves(sizes), side = pack(charts).side;
+  EXPECT_GE(estimate, side * (1 - 1e-4));
+  EXPECT_LE(estimate, 1.25 * side);
+  EXPECT_NEAR(side_of_shelves({{2, 1}}), pack({charts[0]}).side * 2 / 3, 1e-4);
+  EXPECT_EQ(side_of_shelves({{1, 1}, {1, 1}}, {.padding_pixels = 600}),
+            std::numeric_limits<double>::infinity());
 }
 
 // The smallest box of a cross of five squares lies at 45 degrees.

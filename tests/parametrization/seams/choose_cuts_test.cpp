@@ -453,6 +453,34 @@ TEST(CutChart, AcrossWhereThatIsShort) {
   EXPECT_NEAR(cost_of_cuts(mesh, {}, flags), 3.0 / 24, 1e-12);
 }
 
+// From the inner corner of an L to either side, among others; every path parts its outline.
+TEST(CutChart, PathsStartAtTheBottomsOfBays) {
+  std::set<int> gone;
+  for (int j = 4; j < 12; ++j)
+    for (int i = 4; i < 12; ++i) gone.insert(j * 12 + i);
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(grid_without(12, gone));
+  Vec uv(2 * mesh.vertex_count());
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    uv.segment<2>(2 * v) = mesh.positions().row(v).head<2>().transpose();
+  int straight = 0;
+  for (const PathAcross& path : paths_across(mesh, {}, uv)) {
+    const std::vector<char> flags = cut_along_path(mesh, {}, path);
+    const std::vector<SurfaceMesh> parts = pieces_of(mesh, flags);
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_NEAR(path.smaller_area, std::min(parts[0].area(), parts[1].area()), 0.03);
+    std::set<Index> all(path.outlines[0].begin(), path.outlines[0].end());
+    all.insert(path.outlines[1].begin(), path.outlines[1].end());
+    for (const Index v : mesh.boundary_loops()[0]) EXPECT_TRUE(all.count(v));
+    const Vector3 ends[2] = {mesh.positions().row(path.outlines[0].front()),
+                             mesh.positions().row(path.outlines[1].front())};
+    const Vector3 corner(1.0 / 3, 1.0 / 3, 0);
+    const bool is_at_corner =
+        (ends[0] - corner).norm() < 1e-12 || (ends[1] - corner).norm() < 1e-12;
+    straight += is_at_corner && std::abs(path.length - 1.0 / 3) < 1e-12;
+  }
+  EXPECT_GE(straight, 2);
+}
+
 TEST(CutChart, ThroughItsCorners) {
   const SurfaceMesh box = open_box(1);
   const std::vector<char> flags = cut_corners(box, {});
