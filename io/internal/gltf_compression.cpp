@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -190,6 +191,8 @@ bool has_draco() { return true; }
 
 namespace {
 
+// Targets of bufferViews: vertex attributes, indices.
+constexpr unsigned kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 enum class Component { Byte = 5120, UByte, Short, UShort, UInt = 5125, Float };
 
 template <class T>
@@ -197,39 +200,63 @@ void append(T value, std::string& bytes) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-// The values of an attribute at every point, each of `width` components of type T.
+// The values of an attribute, as an accessor shows them.
+struct AttributeValues {
+  std::string bytes;
+  std::size_t stride = 0;  // of a vertex: a multiple of 4, as glTF asks of vertex attributes
+  Json low, high;          // of each component; null where values are not finite
+};
+
+// The values at every point, each of `width` components of type T; none where they are not T.
 template <class T>
-bool append_values(const draco::PointAttribute& attribute, std::size_t points, int width,
-                   std::string& bytes) {
-  std::array<T, 16> value{};  // of the widest type, a matrix
+std::optional<AttributeValues> values_as(const draco::PointAttribute& attribute, std::size_t points,
+                                         int width) {
+  constexpr std::size_t kAlignment = 4;
+  const std::size_t components = static_cast<std::size_t>(width), size = components * sizeof(T);
+  AttributeValues out;
+  out.stride = (size + kAlignment - 1) / kAlignment * kAlignment;
+  out.bytes.reserve(points * out.stride);
+  std::array<T, 16> value{}, low{}, high{};  // of the widest type, a matrix
+  bool is_finite = points > 0;
   for (std::size_t p = 0; p < points; ++p) {
     const auto k = attribute.mapped_index(draco::PointIndex(static_cast<std::uint32_t>(p)));
     if (k.value() >= attribute.size() ||
         !attribute.ConvertValue<T>(k, static_cast<std::int8_t>(width), value.data()))
-      return false;
-    bytes.append(reinterpret_cast<const char*>(value.data()),
-                 sizeof(T) * static_cast<std::size_t>(width));
+      return std::nullopt;
+    out.bytes.append(reinterpret_cast<const char*>(value.data()), size);
+    out.bytes.append(out.stride - size, '\0');
+    for (std::size_t c = 0; c < components; ++c) {
+      is_finite = is_finite && std::isfinite(static_cast<double>(value[c]));
+      low[c] = p == 0 ? value[c] : std::min(low[c], value[c]);
+      high[c] = p == 0 ? value[c] : std::max(high[c], value[c]);
+    }
   }
-  return true;
+  if (!is_finite) return out;
+  out.low = out.high = Json::array();
+  for (std::size_t c = 0; c < components; ++c) {
+    out.low.push_back(low[c]);
+    out.high.push_back(high[c]);
+  }
+  return out;
 }
 
-bool append_attribute(const draco::PointAttribute& attribute, Component type, std::size_t points,
-                      int width, std::string& bytes) {
+std::optional<AttributeValues> values_of(const draco::PointAttribute& attribute, Component type,
+                                         std::size_t points, int width) {
   switch (type) {
     case Component::Byte:
-      return append_values<std::int8_t>(attribute, points, width, bytes);
+      return values_as<std::int8_t>(attribute, points, width);
     case Component::UByte:
-      return append_values<std::uint8_t>(attribute, points, width, bytes);
+      return values_as<std::uint8_t>(attribute, points, width);
     case Component::Short:
-      return append_values<std::int16_t>(attribute, points, width, bytes);
+      return values_as<std::int16_t>(attribute, points, width);
     case Component::UShort:
-      return append_values<std::uint16_t>(attribute, points, width, bytes);
+      return values_as<std::uint16_t>(attribute, points, width);
     case Component::UInt:
-      return append_values<std::uint32_t>(attribute, points, width, bytes);
+      return values_as<std::uint32_t>(attribute, points, width);
     case Component::Float:
-      return append_values<float>(attribute, points, width, bytes);
+      return values_as<float>(attribute, points, width);
   }
-  return false;
+  return std::nullopt;
 }
 
 int width_of(const std::string& type) {
@@ -272,9 +299,9 @@ class DracoDecoder {
     }
     indices["componentType"] = static_cast<unsigned>(Component::UInt);
     for (const char* bound : {"min", "max"}) indices.erase(bound);
-    primitive["indices"] = set_accessor(number, std::move(indices), std::move(bytes),
-                                        std::size_t{3} * decoded.num_faces(),
-                                        is_first ? std::optional(view) : std::nullopt);
+    primitive["indices"] = set_accessor(
+        number, std::move(indices), std::move(bytes), std::size_t{3} * decoded.num_faces(),
+        is_first ? std::optional(view) : std::nullopt, {{"target", kElementArrayBuffer}});
     const Json* attributes = member(compressed, "attributes");
     if (!attributes || !attributes->is_object()) numbers.fail("attributes is no object");
     for (const auto& [name, id] : attributes->items())
@@ -300,11 +327,22 @@ class DracoDecoder {
     const std::size_t type = fields["componentType"], points = decoded.num_points();
     if (width == 0 || width != values->num_components())
       numbers.fail(fmt::format("{} has other components than its accessor", name));
-    std::string bytes;
-    if (!append_attribute(*values, static_cast<Component>(type), points, width, bytes))
-      numbers.fail(fmt::format("{} cannot be had as its accessor says", name));
-    primitive["attributes"][name] =
-        set_accessor(number, std::move(entry), std::move(bytes), points, std::nullopt);
+    std::optional<AttributeValues> found =
+        values_of(*values, static_cast<Component>(type), points, width);
+    if (!found) numbers.fail(fmt::format("{} cannot be had as its accessor says", name));
+    // Quantization moves values, and so their bounds.
+    const auto set_bound = [&entry](const char* bound, Json values) {
+      if (!entry.contains(bound)) return;
+      if (values.is_null())
+        entry.erase(bound);
+      else
+        entry[bound] = std::move(values);
+    };
+    set_bound("min", std::move(found->low));
+    set_bound("max", std::move(found->high));
+    Json view{{"byteStride", found->stride}, {"target", kArrayBuffer}};
+    primitive["attributes"][name] = set_accessor(number, std::move(entry), std::move(found->bytes),
+                                                 points, std::nullopt, std::move(view));
   }
 
   Json accessor(std::size_t k, const Numbers& numbers) const {
@@ -337,10 +375,13 @@ class DracoDecoder {
   // Puts these bytes into a buffer and a view of their own, and the accessor that shows them to its
   // place, or, where another primitive has put its own there, behind all others; returns its
   // number. at: a view whose compressed bytes are needed by nobody else, which gives its place.
+  // view: what the view has beside its place.
   std::size_t set_accessor(std::optional<std::size_t> number, Json entry, std::string bytes,
-                           std::size_t count, std::optional<std::size_t> at) {
+                           std::size_t count, std::optional<std::size_t> at,
+                           Json view = Json::object()) {
     decoding_.reserve(bytes.size());
-    Json view{{"buffer", buffers_.size()}, {"byteLength", bytes.size()}};
+    view["buffer"] = buffers_.size();
+    view["byteLength"] = bytes.size();
     json_["buffers"].push_back({{"byteLength", bytes.size()}});
     buffers_.push_back(std::move(bytes));
     if (at)

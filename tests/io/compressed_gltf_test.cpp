@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -20,6 +21,7 @@
 #include "io/io_test_helpers.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/base64.h"
+#include "majorant/io/internal/gltf_compression.h"
 #include "majorant/io/read_mesh.h"
 
 namespace majorant {
@@ -296,6 +298,74 @@ TEST_F(CompressedGltf, DracoIsDecoded) {
     json["meshes"][0]["primitives"].push_back(json["meshes"][0]["primitives"][0]);
     EXPECT_EQ(read_mesh(written(json)).polygons.size(), 2 * 98u);  // of one compressed mesh
   }
+}
+
+// Quantized positions leave the bounds that their accessor had; colours of three bytes take four.
+TEST_F(CompressedGltf, AccessorsShowWhatDracoDecoded) {
+  const Grid grid = bumpy_grid(7);
+  const auto points = static_cast<std::uint32_t>(grid.positions.size());
+  draco::Mesh mesh;
+  mesh.set_num_points(points);
+  draco::GeometryAttribute position, color;
+  position.Init(draco::GeometryAttribute::POSITION, nullptr, 3, draco::DT_FLOAT32, false, 12, 0);
+  color.Init(draco::GeometryAttribute::COLOR, nullptr, 3, draco::DT_UINT8, true, 3, 0);
+  const int positions = mesh.AddAttribute(position, true, points),
+            colors = mesh.AddAttribute(color, true, points);
+  for (std::uint32_t p = 0; p < points; ++p) {
+    const std::array<std::uint8_t, 3> code{static_cast<std::uint8_t>(p), 200, 7};
+    mesh.attribute(positions)->SetAttributeValue(draco::AttributeValueIndex(p),
+                                                 grid.positions[p].data());
+    mesh.attribute(colors)->SetAttributeValue(draco::AttributeValueIndex(p), code.data());
+  }
+  for (std::size_t k = 0; k < grid.indices.size(); k += 3)
+    mesh.AddFace({{draco::PointIndex(grid.indices[k]), draco::PointIndex(grid.indices[k + 1]),
+                   draco::PointIndex(grid.indices[k + 2])}});
+  draco::Encoder encoder;
+  encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 5);
+  draco::EncoderBuffer buffer;
+  ASSERT_TRUE(encoder.EncodeMeshToBuffer(mesh, &buffer).ok());
+
+  Json json = document_of(grid);
+  require(json, "KHR_draco_mesh_compression");
+  json["accessors"][0]["max"] = {1, 1, 0.0441};
+  json["accessors"][1] = {{"componentType", 5121}, {"type", "VEC3"}, {"normalized", true}};
+  json["accessors"][1]["count"] = points;
+  json["buffers"].push_back({{"byteLength", buffer.size()}});
+  json["bufferViews"].push_back({{"buffer", 0}, {"byteLength", buffer.size()}});
+  Json& primitive = json["meshes"][0]["primitives"][0];
+  primitive["attributes"] = {{"POSITION", 0}, {"COLOR_0", 1}};
+  primitive["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", 0},
+      {"attributes",
+       {{"POSITION", mesh.attribute(positions)->unique_id()},
+        {"COLOR_0", mesh.attribute(colors)->unique_id()}}}};
+  json = Json::parse(json.dump());  // its numbers as a file has them
+  std::vector<std::string> buffers{std::string(buffer.data(), buffer.size())};
+  decode_draco(json, buffers, {[](const std::string& problem) { FAIL() << problem; }, [](auto) {}});
+
+  const auto shown = [&](const char* name) {
+    const std::size_t number = json["meshes"][0]["primitives"][0]["attributes"][name];
+    const Json& accessor = json["accessors"][number];
+    return std::pair(accessor, json["bufferViews"][accessor["bufferView"].get<std::size_t>()]);
+  };
+  const auto& [places, of_places] = shown("POSITION");
+  const std::string& bytes = buffers[of_places["buffer"].get<std::size_t>()];
+  ASSERT_EQ(bytes.size(), places["count"].get<std::size_t>() * 12);
+  std::array<float, 3> low{1, 1, 1}, high{0, 0, 0};
+  for (std::size_t at = 0; at < bytes.size(); at += 12)
+    for (std::size_t c = 0; c < 3; ++c) {
+      float value = 0;
+      std::memcpy(&value, bytes.data() + at + 4 * c, sizeof value);
+      low[c] = std::min(low[c], value);
+      high[c] = std::max(high[c], value);
+    }
+  EXPECT_NE(high[2], 0.0441F);
+  EXPECT_EQ((places["min"].get<std::array<float, 3>>()), low);
+  EXPECT_EQ((places["max"].get<std::array<float, 3>>()), high);
+  const auto& [codes, of_codes] = shown("COLOR_0");
+  EXPECT_EQ(of_codes["byteStride"], 4);
+  EXPECT_EQ(of_codes["byteLength"], 4 * codes["count"].get<std::size_t>());
+  EXPECT_FALSE(codes.contains("max"));
 }
 
 TEST_F(CompressedGltf, DamagedDraco) {
