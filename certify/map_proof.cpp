@@ -353,6 +353,7 @@ class MapProof::Judge {
     }
     proof_.surface = {ProofStatus::Proven, count_text(match.same + match.changed, "face")};
     proof_.other_triangles = match.changed;
+    proof_.unmapped = left;
     if (match.changed > 0)
       proof_.surface.detail += fmt::format(", {} of them in other triangles", match.changed);
     if (left > 0) proof_.surface.detail += fmt::format(", {} more are not mapped", left);

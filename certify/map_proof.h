@@ -113,6 +113,7 @@ class MapProof {
   CutCount cuts;
   StackedCharts stacks;                     // where they are allowed
   Index other_triangles = 0;                // faces of the surface in other triangles than its own
+  Index unmapped = 0;                       // polygons of the surface without cells
   std::vector<Index> not_positive;          // cells, inverted or undecided
   std::vector<Cone> cones;                  // vertices of the input; of CutRule::Seams
   std::optional<GlobalInjectivity> global;  // when overlaps were asked for

@@ -301,6 +301,25 @@ void check_objects(const MapFile& file, const std::string& name,
   }
 }
 
+// Faces in other triangles than the surface's are there exactly if the file claims so, and faces
+// without cells, too. Inside of a polygon of more than three corners no triangulation is the
+// surface's own.
+void check_coverage(const PolygonMesh& surface, const MapProof& proof, const Claims& claims,
+                    Findings& findings) {
+  const bool has_own_triangles =
+      std::all_of(surface.polygons.begin(), surface.polygons.end(),
+                  [](const auto& polygon) { return polygon.size() == 3; });
+  if (proof.other_triangles > 0)
+    findings.require(claims.other_triangles.value_or(true),
+                     "faces are in other triangles than the surface's, and none is claimed to be");
+  else if (has_own_triangles)
+    findings.require(!claims.other_triangles.value_or(false),
+                     "faces are claimed to be in other triangles than the surface's, and none is");
+  if (!claims.complete.value_or(true))
+    findings.require(proof.unmapped > 0,
+                     "the map is claimed to lack faces, and all of the surface's have cells");
+}
+
 // A file makes claims about its charts, cuts, objects and triangles.
 void check_parts(const MapFile& file, const CheckRequest& request, MapCheck& check) {
   Findings& findings = check.findings;
@@ -309,9 +328,7 @@ void check_parts(const MapFile& file, const CheckRequest& request, MapCheck& che
     findings.add_violation(
         fmt::format("edge ({}, {}) is claimed to be cut, and is not", (*edge)[0], (*edge)[1]));
   const bool is_surface = request.surface && check.proof.surface.answer == ProofStatus::Proven;
-  if (is_surface && check.proof.other_triangles > 0)
-    findings.require(claims.other_triangles.value_or(true),
-                     "faces are in other triangles than the surface's, and none is claimed to be");
+  if (is_surface) check_coverage(*request.surface, check.proof, claims, findings);
   if (!check.proof.map()) return;
   if (file.chart.size() > 0) check_charts(file, request.name, findings);
   if (claims.objects)

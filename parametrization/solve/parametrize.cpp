@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/argument_check.h"
@@ -30,6 +32,20 @@ namespace majorant {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) { throw InvalidArgument(what); }
+
+// The vertices of the faces, in an order that numbers of faces and first corners do not change.
+std::vector<std::array<Index, 3>> triangles_of(const BezierMap& map) {
+  const Cells& faces = map.mesh().faces();
+  std::vector<std::array<Index, 3>> triangles;
+  triangles.reserve(to_size(map.mesh().face_count()));
+  for (Index f = 0; f < faces.rows(); ++f) {
+    std::array<Index, 3>& corners =
+        triangles.emplace_back(std::array{faces(f, 0), faces(f, 1), faces(f, 2)});
+    std::sort(corners.begin(), corners.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
 
 void require_valid(const MapOptions& asked) {
   if (asked.degree < 1 || asked.degree > BezierTriangleSpace::kMaxDegree)
@@ -265,7 +281,8 @@ class Run {
     result_.optimize_seconds += record_.seconds() - started;
     result_.flips.intended += improved.flips.intended;
     result_.flips.performed += improved.flips.performed;
-    result_.other_triangles = improved.flips.performed > 0;
+    // Edges may have been flipped back.
+    result_.other_triangles = triangles_of(improved.map) != triangles_of(*result_.map);
     result_.map = std::move(improved.map);
     take_measures();
   }

@@ -65,7 +65,7 @@ class Claims(CommandTest):
         self.found(path, says='pin of vertex 2147483647')
 
 
-def ascii_vtu(points, uv, faces, charts, claims):
+def ascii_vtu(points, uv, faces, charts, claims, input_face=()):
     def array(kind, name, values, components=1, more=''):
         return '<DataArray type="%s" Name="%s" NumberOfComponents="%d"%s format="ascii">\n%s\n</DataArray>\n' % (
             kind, name, components, more, ' '.join(map(repr, values)))
@@ -73,7 +73,7 @@ def ascii_vtu(points, uv, faces, charts, claims):
     text = json.dumps(claims).encode()
     said = ''.join(['<FieldData>\n<DataArray type="UInt8" Name="majorant_claims" NumberOfTuples="%d" format="ascii">\n' %
                     len(text), ' '.join(map(str, text)), '\n</DataArray>\n</FieldData>\n'])
-    cell_data = array('Int32', 'input_face', range(len(faces)))
+    cell_data = array('Int32', 'input_face', input_face or range(len(faces)))
     if charts:
         cell_data += array('Int32', 'chart', charts)
     return ''.join([
@@ -142,6 +142,26 @@ class FalseClaims(CommandTest):
             path = self.write('claims.vtu', ascii_vtu(flat, [p[:2] for p in flat], faces, (),
                                                       {'version': '0.1.0', 'other_triangles': said}))
             self.run_ok('check', path, '--surface', mesh, code=code)
+
+    def test_other_triangles_that_are_the_surfaces(self):
+        names = ['', '']
+        for said in (True, False):
+            self.run_ok('check', self.vtu(other_triangles=said), '--surface', self.surface(names),
+                        code=INVALID if said else OK)
+        self.found(self.vtu(other_triangles=True), '--surface', self.surface(names), says='and none is')
+        # A polygon has no triangles of its own.
+        squares = self.write('squares.obj', obj_text(self.POINTS, [(0, 1, 2, 3), (4, 5, 6, 7)]))
+        cells = ascii_vtu(self.POINTS, [p[:2] for p in self.POINTS], self.FACES, (),
+                          {'version': '0.1.0', 'other_triangles': True}, (0, 0, 1, 1))
+        self.run_ok('check', self.write('cells.vtu', cells), '--surface', squares)
+
+    def test_missing_faces(self):
+        whole = self.surface(['', ''])
+        self.found(self.vtu(complete=False), '--surface', whole, says='all of the surface')
+        half = ascii_vtu(self.POINTS[:4], [p[:2] for p in self.POINTS[:4]], self.FACES[:2], (),
+                         {'version': '0.1.0', 'complete': False})
+        self.run_ok('check', self.write('half.vtu', half), '--surface', whole)
+        self.run_ok('check', self.vtu(complete=False))  # of a surface that is not known
 
 
 if __name__ == '__main__':
