@@ -173,8 +173,8 @@ RowMatrix read_npy_rows(const std::string& path, const StopCheck& stop) {
   const auto type = std::find_if(kNpyTypes.begin(), kNpyTypes.end(),
                                  [&](const NpyType& t) { return t.name == type_text; });
   if (type == kNpyTypes.end()) throw fail(fmt::format("type {} is not read", in_quotes(type_text)));
-  if (header.find("'fortran_order': False") == std::string_view::npos)
-    throw fail("its columns are stored one after the other");
+  const std::string_view order = npy_value(header, "'fortran_order': ", ',');
+  if (order != "False" && order != "True") throw fail("its header has no order");
   const std::vector<std::size_t> shape = npy_shape(npy_value(header, "'shape'", ')'));
   if (shape.empty() || shape.size() > 2 || shape.back() == 0) throw fail("it has another shape");
   const std::size_t columns = shape.size() == 2 ? shape[1] : 1;
@@ -182,8 +182,12 @@ RowMatrix read_npy_rows(const std::string& path, const StopCheck& stop) {
       shape[0] * columns * type->bytes != data.size())
     throw fail("its size is not that of its shape");
   ReadingLimit(path).require(bytes.size() + shape[0] * columns * sizeof(double));
-  RowMatrix rows(static_cast<Index>(shape[0]), static_cast<Index>(columns));
+  const auto row_count = static_cast<Index>(shape[0]), column_count = static_cast<Index>(columns);
+  const bool is_by_columns = order == "True";
+  RowMatrix rows =
+      is_by_columns ? RowMatrix(column_count, row_count) : RowMatrix(row_count, column_count);
   type->fill(data.data(), rows);
+  if (is_by_columns) rows.transposeInPlace();
   return rows;
 }
 

@@ -164,6 +164,11 @@ class Values(BakeTest):
         self.run_ok('bake', flat, '--from', flat, '--attribute', self.path('rows.npy'), '--size', '8', '-o',
                     self.path('t.npy'))
         np.testing.assert_allclose(np.load(self.path('t.npy'))[3], (np.arange(8) + 0.5) / 8, atol=1e-6)
+        np.save(self.path('columns.npy'), np.asfortranarray([(p[0], 2 - p[1], 3) for p in points]))
+        self.run_ok('bake', flat, '--from', flat, '--attribute', self.path('columns.npy'), '--size', '8', '-o',
+                    self.path('k.npy'))
+        middle = (np.arange(8) + 0.5) / 8
+        np.testing.assert_allclose(np.load(self.path('k.npy'))[2, 5], (middle[5], 1 + middle[2], 3), atol=1e-6)
         self.run_ok('bake', flat, '--from', flat, '--attribute', 'distortion', '--size', '8', '-o', self.path('d.npy'))
         np.testing.assert_allclose(np.load(self.path('d.npy')), 1, atol=1e-5)
 
