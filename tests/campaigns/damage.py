@@ -162,6 +162,21 @@ def change_json(content, rng):
         return change_bytes(content, rng)
 
 
+def change_glb_json(content, rng):
+    """Some values of the JSON of a GLB become others; lengths of chunks fit."""
+    try:
+        size, = struct.unpack_from('<I', content, 12)
+        document = json.loads(content[20:20 + size])
+    except (ValueError, RecursionError, struct.error):
+        return change_binary_number(content, rng)
+    for _ in range(rng.choice((1, 1, 1, 2, 4))):
+        document = change_document(document, rng)
+    text = json.dumps(document).encode()
+    text += b' ' * (-len(text) % 4)
+    rest = content[20 + size:]
+    return content[:8] + struct.pack('<III', 20 + len(text) + len(rest), len(text), 0x4E4F534A) + text + rest
+
+
 # ------------------------------------------------------------------ VTU
 def change_claims(content, rng):
     """The claims become others, or the file gets some; its arrays stay good."""
@@ -322,6 +337,10 @@ VTU = 3 * [change_claims, add_array] + 8 * [change_array_values] \
 
 def damages(kind):
     """The damages that fit a kind of file, some of them several times."""
+    if 'GLB' in kind:
+        return [change_bytes, truncate, repeat] + 2 * [change_binary_number] + 8 * [change_glb_json]
+    if kind == 'PVTU':
+        return ANY + 4 * [change_attribute, change_element]
     if 'VTU' in kind:
         return ANY + (VTU if 'ascii' not in kind else VTU + 6 * [nudge_number, copy_number])
     if 'binary' in kind:

@@ -37,8 +37,10 @@ CHECKER = common.ROOT / 'tests/checker/check_map.py'
 SHARES = {'OBJ': 3, 'OFF': 1, 'PLY ascii': 2, 'PLY binary': 2, 'STL ascii': 1, 'STL binary': 1, 'VTU': 6,
           'VTU ascii': 2, 'VTU appended': 1, 'small map VTU': 5, 'small map OBJ': 2, 'pins JSON': 1,
           'handles JSON': 1, 'cones JSON': 1, 'weights': 1, 'GLB binary': 3, 'glTF JSON': 3, 'MSH map': 2,
-          'volume MSH': 2, 'volume MSH binary': 1, 'volume MFEM': 1, 'volume Medit': 1, 'PNG binary': 1,
-          'JPEG binary': 1, 'EXR binary': 1}
+          'volume MSH': 2, 'volume MSH binary': 2, 'volume MFEM': 3, 'volume Medit': 1, 'volume VTU ascii': 2,
+          'OBJ with materials': 2, 'MTL': 1, 'NPY binary': 1, 'PVTU': 1, 'PNG binary': 1, 'JPEG binary': 1,
+          'EXR binary': 1}
+MORE = 4                                          # of the files of --more, together
 LISTS = ('pins JSON', 'handles JSON', 'cones JSON', 'weights')
 ENERGIES = ['symmetric-dirichlet', 'asap', 'mips', 'arap', 'symmetric-arap', 'log-isometric', 'authalic',
             'amips-exponential', 'symmetric-dirichlet + 0.1*asap']
@@ -117,9 +119,21 @@ def unwrap(rng, mesh):
         + some(rng, 0.2, ['--weld', 'no']) + some(rng, 0.1, ['--no-pack']) + some(rng, 0.3, ['--report', 'OUT.json'])
 
 
-def bake(rng, layout, surface, image=None):
-    what = ['--image', image] if image else ['--attribute', rng.choice(('position', 'normal', 'face'))]
-    return ['bake', layout, '--from', surface, *what, '-o', 'OUT.png' if image else 'OUT.npy', '--size', '16,16'] \
+def unwrap_with_texture(rng, mesh):
+    return ['unwrap', mesh, '--bake', '--resolution', '32', '-o', 'OUT.' + rng.choice(('obj', 'glb'))] + limits(rng)
+
+
+def quads(rng, mesh):
+    return ['quads', mesh, '-o', 'OUT.' + rng.choice(('obj', 'ply')), '--count', rng.choice(('6', '30')),
+            '--time-limit', '0.3'] + some(rng, 0.3, ['--features', rng.choice(('none', '10', '170'))])
+
+
+def bake(rng, layout, surface, image=None, rows=None):
+    """rows: a table of numbers; neither: an attribute, or what the surface shows itself."""
+    attribute = rows or rng.choice(('position', 'normal', 'face', 'color', 'distortion', ''))
+    what = ['--image', image] if image else ['--attribute', attribute] if attribute else []
+    out = 'OUT.png' if image or not what else 'OUT.npy'
+    return ['bake', layout, '--from', surface, *what, '-o', out, '--size', '16,16'] \
         + some(rng, 0.3, ['--method', rng.choice(('same', 'nearest'))]) + some(rng, 0.3, ['--report', 'OUT.json'])
 
 
@@ -167,13 +181,20 @@ def command(rng, seed, good):
     textured = str(good / 'textured.obj')
     if seed.name.endswith(('.png', '.jpg', '.exr')):
         return bake(rng, textured, textured, '{}')
+    if seed.kind == 'NPY binary':
+        return bake(rng, textured, str(good / 'patch.obj'), rows='{}')
+    if seed.kind == 'MTL':
+        return rng.choice((unwrap_with_texture, lambda rng, mesh: bake(rng, textured, mesh)))(rng, 'BESIDE.obj')
+    if seed.kind.startswith('volume') and rng.random() < 0.3:
+        return ['mesh', 'optimize', '{}', '-o', 'OUT' + rng.choice(('.msh', Path(seed.name).suffix))] + limits(rng)
     if seed.kind.startswith('volume'):
         return ['mesh', 'check', '{}'] + some(rng, 0.3, ['--report', 'OUT.json'])
     is_map, is_closed = 'map' in seed.kind or 'VTU' in seed.kind, seed.name.startswith(('closed', 'annulus', 'seams'))
     verbs = {'map': 60 if is_map else 15, 'parametrize': 10 if is_closed else 45, 'seamless': 30 if is_closed else 15,
              'deform': 30 if seed.name.startswith('flat') else 1, 'info': 8, 'compare': 5,
              'convert': 10 if seed.name.endswith(('.obj', '.glb', '.gltf')) else 0, 'unwrap': 0 if is_map else 30,
-             'bake': 5}
+             'bake': 10, 'quads': 0 if is_map else 10,
+             'texture': 60 if 'materials' in seed.kind else 5 if 'GLB' in seed.kind else 0}
     verb = rng.choices(list(verbs), verbs.values())[0]
     if verb == 'map':
         return on_map(rng, seed, good)
@@ -181,6 +202,10 @@ def command(rng, seed, good):
         return ['deform', '{}', '--handles', str(good / 'handles.json')] + solve_options(rng)
     if verb == 'info':
         return ['info', '{}'] + some(rng, 0.5, ['--report', 'OUT.json'])
+    if verb == 'quads':
+        return quads(rng, '{}')
+    if verb == 'texture':
+        return unwrap_with_texture(rng, '{}')
     if verb == 'bake':
         return bake(rng, *rng.choice((('{}', textured), (textured, '{}'), ('{}', '{}'))))
     words = {'parametrize': parametrize, 'seamless': seamless, 'compare': compare, 'convert': convert,
@@ -229,7 +254,8 @@ def keep(options, index, path, words, done, bad):
 def one(options, kinds, index, work, good):
     """Damages one file and runs one verb."""
     rng = random.Random('%d %d' % (options.seed, index))
-    kind = rng.choices(list(SHARES), SHARES.values())[0]
+    shares = dict(SHARES, **{kind: MORE for kind in kinds if kind.startswith('more')})
+    kind = rng.choices(list(shares), shares.values())[0]
     seed = rng.choice(kinds[kind])
     content, how = damage(seed.content, kind, rng)
     words = command(rng, seed, good)
@@ -238,7 +264,12 @@ def one(options, kinds, index, work, good):
     folder.mkdir()
     path = folder / ('%d_%s' % (index, seed.name))
     path.write_bytes(content)
-    words = [str(path) if w == '{}' else str(folder / w) if w.startswith('OUT') else w for w in words]
+    for name in seed.beside:
+        shutil.copy(good / name, folder)
+    if seed.kind == 'MTL':                        # under the name that the OBJ has for it
+        path = path.rename(folder / seed.name)
+    places = {'{}': str(path), 'BESIDE.obj': str(folder / 'painted.obj')}
+    words = [places.get(w, str(folder / w) if w.startswith('OUT') else w) for w in words]
     done = common.run([options.binary.resolve()] + words, options.timeout, ENVIRONMENT)
     verdict, bad = None, ''
     if done.code not in range(6):
@@ -282,6 +313,7 @@ def main():
     parser.add_argument('--jobs', type=int, default=2, help='processes at a time')
     parser.add_argument('--seed', type=int, default=1)
     parser.add_argument('--judged', type=float, default=0.05, help='share of the written maps that are judged')
+    parser.add_argument('--more', type=Path, help='folder of GLB files that are damaged, too: compressed ones, say')
     parser.add_argument('--keep', type=Path, help='folder for the files that something bad happened with')
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix='majorant_mutate_') as name:

@@ -25,8 +25,9 @@ import common  # noqa: E402
 MAPS = common.ROOT / 'tests/data/maps'
 JSON_KINDS = {'pins': 'pins JSON', 'handles': 'handles JSON', 'cones': 'cones JSON'}
 
-# name: of the file; kind: what is damaged; surface: path of the mesh that a map is of, or None
-Seed = namedtuple('Seed', 'name kind content surface')
+# name: of the file; kind: what is damaged; surface: path of the mesh that a map is of, or None; beside: names of good
+# files that it needs in its folder
+Seed = namedtuple('Seed', 'name kind content surface beside', defaults=[()])
 
 
 # ------------------------------------------------------------------ meshes
@@ -186,10 +187,34 @@ def msh_4(points, cells, kind):
                       '$EndElements', ''])
 
 
-def mfem(points, cells):
-    return '\n'.join(['MFEM mesh v1.0', '', 'dimension', '3', '', 'elements', str(len(cells)),
-                      *('1 4 ' + ' '.join(map(str, c)) for c in cells), '', 'boundary', '0', '', 'vertices',
-                      str(len(points)), '3', *('%r %r %r' % tuple(p) for p in points), ''])
+def mfem(points, cells, version='1.0'):
+    lines = ['MFEM mesh v' + version, '', 'dimension', '3', '', 'elements', str(len(cells)),
+             *('1 4 ' + ' '.join(map(str, c)) for c in cells), '']
+    lines += ['attribute_sets', '2', '"the base" 1', '1', 'all 1', '1', ''] if version == '1.3' else []
+    lines += ['boundary', '0', '']
+    lines += ['bdr_attribute_sets', '0', ''] if version == '1.3' else []
+    lines += ['vertices', str(len(points)), '3', *('%r %r %r' % tuple(p) for p in points), '']
+    return '\n'.join(lines + ['mfem_mesh_end', ''] * (version != '1.0'))
+
+
+def mfem_curved(collection):
+    """A tetrahedron whose nodes are in a collection of degree 2."""
+    return '\n'.join(['MFEM mesh v1.0', '', 'dimension', '3', '', 'elements', '1', '1 4 0 1 2 3', '', 'boundary', '0',
+                      '', 'vertices', '4', '', 'nodes', 'FiniteElementSpace', 'FiniteElementCollection: ' + collection,
+                      'VDim: 3', 'Ordering: 1', '', *('%r %r %r' % p for p in QUADRATIC), ''])
+
+
+def volume_vtu(kind, points):
+    """One cell of a type of VTK."""
+    array = lambda of, name, words, more='': '<DataArray type="%s" Name="%s" %sformat="ascii">\n%s\n</DataArray>\n' % (
+        of, name, more, words)
+    return ('<VTKFile type="UnstructuredGrid" version="2.2" byte_order="LittleEndian">\n<UnstructuredGrid>\n'
+            '<Piece NumberOfPoints="%d" NumberOfCells="1">\n<Points>\n%s</Points>\n<Cells>\n%s%s%s</Cells>\n</Piece>\n'
+            '</UnstructuredGrid>\n</VTKFile>\n' % (
+                len(points), array('Float64', 'Points', ' '.join('%r %r %r' % tuple(p) for p in points),
+                                   'NumberOfComponents="3" '),
+                array('Int64', 'connectivity', ' '.join(map(str, range(len(points))))),
+                array('Int64', 'offsets', len(points)), array('UInt8', 'types', kind)))
 
 
 def medit(points, cells):
@@ -209,8 +234,34 @@ def volume_seeds():
             ('cube_binary.msh', 'volume MSH binary', msh_2_binary(CORNERS, TETRAHEDRA, 4)),
             ('curved_binary.msh', 'volume MSH binary', msh_2_binary(QUADRATIC, curved, 11)),
             ('cube_mfem.mesh', 'volume MFEM', mfem(CORNERS, TETRAHEDRA)),
+            ('cube_mfem_2.mesh', 'volume MFEM', mfem(CORNERS, TETRAHEDRA, '1.2')),
+            ('cube_mfem_3.mesh', 'volume MFEM', mfem(CORNERS, TETRAHEDRA, '1.3')),
+            ('curved_mfem.mesh', 'volume MFEM', mfem_curved('H1_3D_P2')),
+            ('control_mfem.mesh', 'volume MFEM', mfem_curved('L2_T2_3D_P2')),
+            ('curved_cell.vtu', 'volume VTU ascii', volume_vtu(24, QUADRATIC)),
+            ('lagrange_cell.vtu', 'volume VTU ascii', volume_vtu(71, QUADRATIC)),
+            ('hexahedron_cell.vtu', 'volume VTU ascii', volume_vtu(12, [CORNERS[k] for k in (0, 1, 3, 2, 4, 5, 7, 6)])),
             ('cube_medit.mesh', 'volume Medit', medit(CORNERS, TETRAHEDRA))):
         yield Seed(name, kind, content if isinstance(content, bytes) else content.encode(), None)
+
+
+# ------------------------------------------------------------------ materials, tables, pieces
+MTL = 'newmtl red\nKd 0.5 0.25 1\nmap_Kd -clamp on red.png\nmap_Ks red.png\nnewmtl blue\nKd 1 0 0\nmap_d red.png\n'
+PVTU = '<VTKFile type="PUnstructuredGrid" version="1.0">\n<PUnstructuredGrid GhostLevel="0">\n' \
+    '<Piece Source="map1.vtu"/>\n</PUnstructuredGrid>\n</VTKFile>\n'
+
+
+def beside_seeds(folder):
+    """Files that others name, and that name others: materials of an OBJ, rows of a table, pieces of a map."""
+    Image.new('RGB', (5, 4), (200, 100, 50)).save(folder / 'red.png')
+    (folder / 'a.mtl').write_text(MTL)
+    yield Seed('painted.obj', 'OBJ with materials', RICH_OBJ.encode(), None, ('a.mtl', 'red.png'))
+    yield Seed('a.mtl', 'MTL', MTL.encode(), None, ('painted.obj', 'red.png'))
+    header = b"{'descr': '<f8', 'fortran_order': False, 'shape': (18, 2), }"
+    header += b' ' * (-(11 + len(header)) % 64) + b'\n'
+    rows = struct.pack('<36d', *(0.5 * k for k in range(36)))
+    yield Seed('rows.npy', 'NPY binary', b'\x93NUMPY\x01\x00' + struct.pack('<H', len(header)) + header + rows, None)
+    yield Seed('map1.pvtu', 'PVTU', PVTU.encode(), folder / 'patch.obj', ('map1.vtu',))
 
 
 # ------------------------------------------------------------------ scenes and images
@@ -227,6 +278,8 @@ def made_scenes(options, folder):
     for mesh in ('patch', 'closed'):
         yield made(mesh + '.glb', 'GLB binary', 'unwrap', folder / (mesh + '.obj'), '-o', folder / (mesh + '.glb'))
         yield made(mesh + '.gltf', 'glTF JSON', 'unwrap', folder / (mesh + '.obj'), '-o', folder / (mesh + '.gltf'))
+    yield made('cube_4_binary.msh', 'volume MSH binary', 'mesh', 'optimize', folder / 'cube_4.msh', '--binary', '-o',
+               folder / 'cube_4_binary.msh')
     for content in ('image', 'surface'):
         yield made(content + '.msh', 'MSH map', 'convert', folder / 'map2.vtu', '-o', folder / (content + '.msh'),
                    '--msh', content)
@@ -288,13 +341,20 @@ def committed_maps():
         yield Seed(path.replace('/', '_'), 'VTU appended' if 'appended' in path else kind, content, surface or None)
 
 
+def more_scenes(options):
+    """GLB files of the folder that --more names: compressed ones, for which other programs are needed."""
+    for path in sorted(options.more.glob('*.glb')) if options.more else []:
+        yield Seed(path.name, 'more GLB binary', path.read_bytes(), None)
+
+
 def seeds(options, folder):
     """{kind: [Seed]}; all files are written to `folder`, too."""
-    plain = list(mesh_seeds()) + list(list_seeds()) + list(volume_seeds())
+    plain = list(mesh_seeds()) + list(list_seeds()) + list(volume_seeds()) + list(beside_seeds(folder))
     for seed in plain:
         (folder / seed.name).write_bytes(seed.content)
     kinds = {}
-    for seed in plain + list(made_maps(options, folder)) + list(made_scenes(options, folder)) + list(committed_maps()):
+    for seed in plain + list(made_maps(options, folder)) + list(made_scenes(options, folder)) \
+            + list(committed_maps()) + list(more_scenes(options)):
         (folder / seed.name).write_bytes(seed.content)
         kinds.setdefault(seed.kind, []).append(seed)
     return kinds
