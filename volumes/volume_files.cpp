@@ -52,9 +52,15 @@ class VtuText {
 
   // nodes: rows of the points.
   void add_cell(const CellBlock& block, Index cell, std::span<const Index> nodes) {
-    for (const Index node : nodes) connectivity_.push_back(node);
-    offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
     const int type = vtk_number(block.type);
+    const std::size_t begin = connectivity_.size();
+    connectivity_.insert(connectivity_.end(), nodes.begin(), nodes.end());
+    // The first triangle of linear wedges faces outwards, that of all others inwards.
+    if (constexpr int kLinearWedge = 13; type == kLinearWedge) {
+      std::swap(connectivity_[begin + 1], connectivity_[begin + 2]);
+      std::swap(connectivity_[begin + 4], connectivity_[begin + 5]);
+    }
+    offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
     types_.push_back(static_cast<std::uint8_t>(type));
     has_lattice_hexahedra_ = has_lattice_hexahedra_ || type == 72 || type == 79;
     numbers_.push_back(block.numbers[to_size(cell)]);

@@ -257,7 +257,7 @@ TEST_F(NodePositions, AreThoseOfTheProgramsThatDefineThem) {
   }
   EXPECT_EQ(rows["msh"], 27);
   EXPECT_EQ(rows["vtu"], 63);
-  EXPECT_EQ(rows["mesh"], 8);
+  EXPECT_EQ(rows["mesh"], 9);
   EXPECT_GT(rows["mfem"], 90);
 }
 

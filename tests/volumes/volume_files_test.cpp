@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/base64.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/written_mark.h"
 #include "public_data.h"
@@ -324,6 +327,49 @@ TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
   refused("r.msh", kOldGmsh, "s.mesh", "is written as .msh or .vtu");
   refused("r.msh", kOldGmsh, "s.msh.gz", ".gz");
   refused("r.msh", kOldGmsh, "s.vtu", "of .msh", binary);
+}
+
+// VTK's linear wedges have their first triangle turned outwards, as no other wedges have it;
+// programs write both.
+TEST_F(VolumeFiles, LinearWedgesOfVtkInBothOrders) {
+  const auto wedges = [](const std::string& connectivity, int count) {
+    std::string offsets, types;
+    for (int k = 1; k <= count; ++k) {
+      offsets += std::to_string(6 * k) + " ";
+      types += "13 ";
+    }
+    return R"(<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian">
+<UnstructuredGrid><Piece NumberOfPoints="9" NumberOfCells=")" +
+           std::to_string(count) + R"("><Points>
+<DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 0 1 0 0 0 1 1 0 1 0 1 1 0 0 2 1 0 2 0 1 2</DataArray></Points><Cells>
+<DataArray type="Int64" Name="connectivity" format="ascii">)" +
+           connectivity + R"(</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">)" +
+           offsets + R"(</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">)" +
+           types + "</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>\n";
+  };
+  const VolumeMesh outward = read_volume_mesh(write("a.vtu", wedges("0 2 1 3 5 4 3 5 4 6 8 7", 2)));
+  const VolumeMesh inward = read_volume_mesh(write("b.vtu", wedges("0 1 2 3 4 5 3 4 5 6 7 8", 2)));
+  EXPECT_EQ(outward.blocks[0].nodes, inward.blocks[0].nodes);
+  EXPECT_TRUE(check_volume_mesh(outward).is_valid());
+  // One of three is turned around.
+  const VolumeCheck turned = check_volume_mesh(
+      read_volume_mesh(write("c.vtu", wedges("0 2 1 3 5 4 3 4 5 6 7 8 0 2 1 6 8 7", 3))));
+  EXPECT_EQ(turned.inverted(), 1);
+  // What is written has VTK's order, and is read back.
+  VolumeMesh plain = outward;
+  plain.source = nullptr;
+  plain.file.clear();
+  write_volume_mesh(file("d.vtu"), plain);
+  const VolumeMesh back = read_volume_mesh(file("d.vtu"));
+  EXPECT_EQ(back.blocks[0].nodes, inward.blocks[0].nodes);
+  const std::array<std::int64_t, 13> array{96, 0, 2, 1, 3, 5, 4,
+                                           3,  5, 4, 6, 8, 7};  // its bytes first
+  std::string encoded;
+  append_base64({reinterpret_cast<const char*>(array.data()), sizeof array}, encoded);
+  EXPECT_NE(read_whole_file(file("d.vtu")).find(encoded), std::string::npos);
 }
 
 TEST_F(VolumeFiles, CellsHaveAMark) {

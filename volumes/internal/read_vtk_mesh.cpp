@@ -21,6 +21,8 @@
 namespace majorant {
 namespace {
 
+constexpr long long kLinearWedge = 13;
+
 struct VtkType {
   CellShape shape;
   int degree;  // 0: what the number of points says
@@ -40,7 +42,7 @@ std::optional<VtkType> vtk_type(long long number) {
                                                    {9, {Quad, 1}},
                                                    {10, {Tetrahedron, 1}},
                                                    {12, {Hexahedron, 1}},
-                                                   {13, {Wedge, 1}},
+                                                   {kLinearWedge, {Wedge, 1}},
                                                    {21, {Segment, 2}},
                                                    {22, {Triangle, 2}},
                                                    {24, {Tetrahedron, 2}},
@@ -296,9 +298,40 @@ class VtkReader {
     return type;
   }
 
+  // Returns whether most linear wedges of the file have VTK's order, in which the triangle of the
+  // first three nodes faces outwards [vtkWedge.h]. In all other wedges it faces inwards, and many
+  // programs write linear ones likewise.
+  static bool has_outward_wedges(const std::vector<long long>& connectivity,
+                                 const std::vector<long long>& offsets,
+                                 const std::vector<long long>& types, const Points3& points) {
+    constexpr long long kNodes = 6;
+    Index outward = 0, inward = 0;
+    for (std::size_t c = 0; c < types.size(); ++c) {
+      const long long end = offsets[c];
+      if (types[c] != kLinearWedge || end < kNodes ||
+          end > static_cast<long long>(connectivity.size()))
+        continue;
+      const auto node = [&](long long k) {
+        return connectivity[static_cast<std::size_t>(end - kNodes + k)];
+      };
+      bool is_known = true;
+      for (long long k = 0; k < kNodes; ++k) is_known &= node(k) >= 0 && node(k) < points.rows();
+      if (!is_known) continue;
+      const auto at = [&](long long k) -> Vector3 {
+        return points.row(static_cast<Index>(node(k)));
+      };
+      const Vector3 up = at(3) + at(4) + at(5) - at(0) - at(1) - at(2);
+      const double volume = (at(1) - at(0)).cross(at(2) - at(0)).dot(up);
+      outward += volume < 0;
+      inward += volume > 0;
+    }
+    return outward > inward;
+  }
+
   // Before the file version 2.1 the edges 2-6 and 3-7 of Lagrange and Bezier hexahedra stood the
   // other way round.
   std::vector<int> order_of(const CellType& type, long long number) const {
+    if (number == kLinearWedge && has_outward_wedges_) return {0, 2, 1, 3, 5, 4};
     std::vector<int> order;
     for (int k = 0; k < type.node_count(); ++k) order.push_back(k);
     if (has_old_hexahedra_ && (number == 72 || number == 79)) {
@@ -321,6 +354,7 @@ class VtkReader {
       if (const XmlElement* array = array_of(*data, "region")) regions = arrays_.doubles(*array);
     require_polynomials(piece);
     require_one_degree(piece, types);
+    has_outward_wedges_ = has_outward_wedges(connectivity, offsets, types, mesh.points);
     CellCollector cells;
     lists_ = lists_of(*array_of(section, "connectivity"), connectivity.size());
     std::map<std::pair<long long, std::size_t>, std::pair<CellType, std::vector<int>>> known;
@@ -460,7 +494,7 @@ class VtkReader {
   const StopCheck& stop_;
   std::string original_, content_;
   VtuArrays arrays_;
-  bool has_old_hexahedra_ = false;
+  bool has_old_hexahedra_ = false, has_outward_wedges_ = false;
   NodeLists lists_;
   std::size_t entry_begin_ = 0;           // of the connectivity, where it is no text
   std::vector<std::size_t> entry_words_;  // of each entry, where it is
