@@ -28,7 +28,7 @@ constexpr double kPolished = 1e-9;
 constexpr double kContraction = 0.5;
 // The eigenvalue, of the mean diagonal, below which a matrix counts as singular.
 constexpr double kSingular = 1e-13;
-constexpr int kInverseIterations = 4;  // for an eigenvalue that is right to a factor of 10
+constexpr int kEigenvalueSteps = 4;  // for an eigenvalue that is right to a factor of 10
 // The step of differences of gradients of four points, as a part of a parameter: their error is
 // about its fourth power, the rounding 1e-16 over it.
 constexpr double kDifference = 1e-3;
@@ -38,8 +38,6 @@ constexpr Index kFewParameters = 64;
 [[noreturn]] void refuse(const std::string& why) {
   throw Error(ErrorKind::Unsupported, "Sensitivity: " + why);
 }
-
-std::size_t number(TermId id) { return static_cast<std::size_t>(id); }
 
 double weight_of(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
@@ -107,7 +105,7 @@ double least_eigenvalue(LinearSolver& solver, Index size) {
   Vec v = Vec::LinSpaced(size, 1, 2), next;
   for (Index k = 1; k < size; k += 2) v[k] = -v[k];
   double eigenvalue = 0;
-  for (int k = 0; k < kInverseIterations; ++k) {
+  for (int k = 0; k < kEigenvalueSteps; ++k) {
     v.normalize();
     solver.solve(v, next);
     eigenvalue = 1 / next.norm();
