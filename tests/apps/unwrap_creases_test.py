@@ -166,6 +166,22 @@ class OneOrMany(UnwrapTest):
             outcome = self.run_ok('unwrap', mesh, self.path('o.obj'), '--time-limit', 0, *flags, code=LIMIT)
             self.assertRegex(outcome.err, 'not %s %s: the time limit was reached' % flags)
 
+    def test_half_of_the_square_is_filled_for_little_seam(self):
+        """A flat L: nobody asks for a fill, and no line is said about it."""
+        points, faces = grid(20, lambda x, y: 0)
+        mesh = self.mesh(points, [f for f in faces if min(max(points[v][axis] for v in f) for axis in (0, 1)) < 0.21])
+        _, undivided = self.unwrap(mesh, '--fill', 0)
+        _, auto = self.unwrap(mesh)
+        self.assertEqual((undivided['options']['fill'], auto['options']['fill']), (0, None))
+        self.assertEqual(undivided['result']['charts'], 1)
+        self.assertLess(undivided['result']['fill'], 0.4)
+        self.assertGreaterEqual(auto['result']['fill'], 0.5)
+        self.assertLess(auto['result']['seam_length'], 0.6 * 4 / 2)
+        outcome = self.run_ok('unwrap', mesh, self.path('o.obj'))
+        self.assertNotIn('not --fill', outcome.err)
+        _, paint = self.unwrap(mesh, '--preset', 'paint')
+        self.assertEqual((paint['options']['fill'], paint['result']['charts']), (0, 1))
+
     def test_charts_that_may_not_be_cut_are_counted(self):
         cap = self.mesh(*open_box(4, 1, 1, 1))
         outcome = self.run_ok('unwrap', cap, self.path('o.obj'), '--charts', 'one', '--max-stretch', 1.001)

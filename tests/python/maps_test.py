@@ -328,6 +328,17 @@ def test_options_of_unwrap_that_are_refused(options):
         majorant.unwrap(*helpers.octahedron(), **options)
 
 
+def test_unwrap_fills_half_of_the_square_for_little_seam():
+    xy = np.linspace(0, 1, 11)
+    V = np.array([(x, y, 0) for y in xy for x in xy])
+    k = np.array([11 * j + i for j in range(10) for i in range(10) if min(i, j) < 2])
+    F = np.column_stack([k, k + 1, k + 12, k + 11])
+    whole, parts = majorant.unwrap(V, F, fill=0), majorant.unwrap(V, F)
+    assert whole.report['result']['charts'] == 1 and whole.report['result']['fill'] < 0.4
+    assert parts.report['result']['charts'] > 1 and parts.report['result']['fill'] >= 0.5
+    assert majorant.unwrap(V, F, preset='paint').report['result']['charts'] == 1
+
+
 def test_unwrap_fits_the_unit_square():
     V, F = helpers.octahedron()
     r = majorant.unwrap(V, F)
@@ -340,7 +351,7 @@ def test_unwrap_fits_the_unit_square():
     assert model.report['result']['layout_scale'] == 1
     assert areas(model.corner_uv).sum() * scale ** 2 == pytest.approx(areas(r.corner_uv).sum())
     assert r.report['result']['value'] == pytest.approx(model.report['result']['value'])
-    two = majorant.unwrap(np.vstack([V, V + 5]), np.vstack([F, F + 6]))
+    two = majorant.unwrap(np.vstack([V, V + 5]), np.vstack([F, F + 6]), fill=0)
     assert set(two.charts) == {0, 1}
     cut = majorant.unwrap(V, F, seams=[[0, 2], [2, 1], [1, 3]])
     assert cut.report['result']['seam_edges'] == 3
