@@ -183,9 +183,12 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
   } const applied{*this};
   test_ = &test;
   distance_ = 0;
-  const Partition& partition = partition_of(evaluator_.problem());
+  // Of the problem at hand: after_step() may change it.
+  const auto partition = [this]() -> const Partition& {
+    return partition_of(evaluator_.problem());
+  };
   const Vec start = rules.scale == EnergyScale::Decrease ? result.y : Vec();
-  double size = partition.norm(result.y);
+  double size = partition().norm(result.y);
   std::optional<Stop> stop;
   while (!(stop = test.before_step())) {
     Step step = this->step(result.y, descent.energy);
@@ -196,8 +199,8 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
       if (step.outcome == Outcome::Moved) {
         step.record.iteration = static_cast<int>(result.iterations.size()) + 1;
         result.iterations.push_back(step.record);
-        if (start.size() == result.y.size()) distance_ = partition.norm(result.y - start);
-        const double now = partition.norm(result.y);
+        if (start.size() == result.y.size()) distance_ = partition().norm(result.y - start);
+        const double now = partition().norm(result.y);
         if (result.iterations.size() == 1) size = std::max(size, now);
         if (now > kUnboundedGrowth * size) {
           descent.after_step(step);
@@ -206,7 +209,7 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
         }
       }
       answer = descent.after_step(step);
-      answer.directive = partition.of_first(answer.directive);
+      answer.directive = partition().of_first(answer.directive);
     }
     if (step.outcome == Outcome::Breakdown && step.why_none.empty())
       step.why_none = why_no_direction(evaluator_, result.y, descent.energy, step.record.curvature);

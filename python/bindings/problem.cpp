@@ -384,7 +384,7 @@ std::shared_ptr<HessianFactor> factor(PythonProblem& p, const Doubles& y,
 }  // namespace
 
 void bind_problems(py::module_& module) {
-  py::class_<Solved, std::shared_ptr<Solved>>(module, "Solved")
+  py::class_<Solved, std::shared_ptr<Solved>>(module, "SolvedProblem")
       .def("covariance", &covariance_of, py::arg("unknowns"))
       .def_property_readonly("row_count", [](const Solved& s) { return s.row_count; });
   py::class_<PythonSensitivity>(module, "Sensitivity")

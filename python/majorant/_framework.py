@@ -105,7 +105,7 @@ class Solution:
 
     def __init__(self, x: Doubles, energy: float, status: str, message: str,
                  iterations: list[dict[str, Any]], phases: list[dict[str, Any]], definite: str,
-                 solved: _core.Solved, places: dict[Term, list[list[tuple[int, float]]]]):
+                 solved: _core.SolvedProblem, places: dict[Term, list[list[tuple[int, float]]]]):
         self.x, self.energy, self.status, self.message = x, energy, status, message
         self.iterations, self.phases, self.definite = iterations, phases, definite
         self._solved, self._places = solved, places

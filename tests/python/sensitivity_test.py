@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Derivatives of solutions by the data of their problems, against differences of whole solves; covariances."""
+import helpers
 import numpy as np
 import pytest
 
@@ -155,3 +156,7 @@ def test_the_covariance_of_a_fit():
     poor = majorant.least_squares([[0, 1]], lambda z, e: z[:, 0] + z[:, 1] - 1)
     with pytest.raises(majorant.UnsupportedError, match='singular'):
         majorant.Problem(2).add(poor).minimize([0.0, 0.0]).covariance([0])
+
+
+if __name__ == '__main__':
+    helpers.main(__file__)

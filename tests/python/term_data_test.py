@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Numbers of terms that change between solves, matrices and factors of problems, choices of curvature."""
+import helpers
 import numpy as np
 import pytest
 
@@ -138,3 +139,7 @@ def test_the_choice_of_curvature_and_saddles():
         assert s.status == 'converged' and s.energy == pytest.approx(-0.25)
         assert s.iterations[0]['projection_weight'] == (1 if curvature == 'projected' else 2)
         assert {row['limit'] for row in s.iterations} <= {'none', 'energy', 'domain', 'checker'}
+
+
+if __name__ == '__main__':
+    helpers.main(__file__)

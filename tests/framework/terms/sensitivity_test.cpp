@@ -57,7 +57,7 @@ SolveResult solved(const Made& made) {
 // The derivative of x* along d by differences of four points, each solved and polished by exact
 // steps.
 Vec differences(const Maker& make, const Data& at, const Data& d) {
-  const double h = 2e-3;
+  const double h = 5e-4;
   const auto x = [&](double t) {
     const Made made = make(at + std::pair{t, d});
     const SolveResult r = solved(made);
@@ -234,7 +234,7 @@ TEST(Sensitivity, OfAProblemWithBounds) {
     const auto made = make(pull);
     BarrierOptions options;
     options.tolerance = 1e-6;
-    return BarrierMinimizer({made.wall}, {}, options)
+    return BarrierMinimizer({made.wall}, options)
         .run(made.problem, made.problem.reduce(Vec::Constant(10, 0.1)), nullptr);
   };
   const auto made = make(0.4);
