@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "majorant/framework/argument_check.h"
@@ -398,8 +399,9 @@ class Sensitivity::Parts {
         sweep(steps, [&](Index) { return k; });
       }
     } else {
-      const std::vector<Index> seen = parameter_of_elements(id, base, size);
-      sweep(size, [&](Index e) { return seen[to_size(e)]; });
+      auto [seen, is_new] = seen_.try_emplace(id);
+      if (is_new) seen->second = parameter_of_elements(id, base, size);
+      sweep(size, [&](Index e) { return seen->second[to_size(e)]; });
     }
     return out;
   }
@@ -505,7 +507,8 @@ class Sensitivity::Parts {
   Vec y_, x_, gradient_;
   double energy_ = 0, error_ = 0, mean_diagonal_ = 0;
   std::vector<Index> gauge_;
-  Eigen::MatrixXd motions_;  // orthonormal columns
+  Eigen::MatrixXd motions_;                    // orthonormal columns
+  std::map<TermId, std::vector<Index>> seen_;  // parameter_of_elements()
   std::vector<Index> held_;  // by full unknown: its place among those that rows have, or -1
   Index held_count_ = 0;     // with auxiliary ones
   std::optional<Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>> factors_;

@@ -151,8 +151,8 @@ class Solution:
             for k, parts in enumerate(added):
                 sums[parts[0][0]] = sum(own * weights[place] for place, own in parts)
             if term._function is not None and term._function._data:
-                by_term[term] = sum(parameters[place] for parts in added for place, _ in parts
-                                    ).reshape(term._function._data[0].shape)
+                whole = np.sum([parameters[place] for parts in added for place, _ in parts], axis=0)
+                by_term[term] = whole.reshape(term._function._data[0].shape)
         return Adjoint(b, np.array([sums[place] for place in sorted(sums)]), by_term)
 
     def covariance(self, indices: ArrayLike) -> Doubles:
