@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -94,7 +95,7 @@ class PythonTerm : public EnergyTerm {
   }
 
  protected:
-  const Kept& function() const { return function_; }
+  py::handle function() const { return function_.get(); }
   // Nothing, the vector, or the rows of the elements.
   py::tuple data_of(const TermState& state, std::span<const Index> batch) const {
     if (data_.numbers.size() == 0) return py::tuple();
@@ -117,28 +118,24 @@ class PythonTerm : public EnergyTerm {
   TermData data_;
 };
 
-// Sums of squares, whose function has, besides,
-//     residuals(z, e, *data) -> residuals (q, m), derivatives (q, m, k)
-//     loss(s) -> rho, rho', rho''
 class PythonSquares final : public PythonTerm, public ResidualTerm {
  public:
   using PythonTerm::PythonTerm;
+
   void residuals(VecIn x, Index element, const TermState& state, Vec& residuals,
                  RowMatrix* jacobian) const override {
     const py::gil_scoped_acquire lock;
-    const py::tuple at = arguments_of(element_dofs(), x, {&element, 1});
-    const py::tuple data = data_of(state, {&element, 1});
-    const py::tuple found = function().get().attr("residuals")(*at, *data);
-    const auto values = found[0].cast<Doubles>();
-    residuals = Eigen::Map<const Vec>(values.data(), values.size());
+    const std::array<Index, 1> one{element};
+    const py::tuple at = arguments_of(element_dofs(), x, one), data = data_of(state, one);
+    const Doubles r = function().attr("residuals")(*at, *data).cast<Doubles>();
+    residuals = Eigen::Map<const Vec>(r.data(), r.size());
     if (!jacobian) return;
-    const auto slopes = found[1].cast<Doubles>();
-    *jacobian =
-        Eigen::Map<const RowMatrix>(slopes.data(), residuals.size(), element_dofs().local_size());
+    const Doubles J = function().attr("jacobian")(*at, *data).cast<Doubles>();
+    *jacobian = Eigen::Map<const RowMatrix>(J.data(), r.size(), element_dofs().local_size());
   }
   std::array<double, 3> loss(double s) const override {
     const py::gil_scoped_acquire lock;
-    return function().get().attr("loss")(s).cast<std::array<double, 3>>();
+    return function().attr("loss")(s).cast<std::array<double, 3>>();
   }
 };
 
@@ -210,7 +207,7 @@ Curvature curvature_named(const std::string& name) {
 std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs element_dofs,
                                               py::object function,
                                               std::vector<Curvature> curvatures, TermData data) {
-  if (std::find(curvatures.begin(), curvatures.end(), Curvature::Reweighted) != curvatures.end())
+  if (py::hasattr(function, "residuals"))
     return std::make_shared<const PythonSquares>(std::move(name), std::move(element_dofs),
                                                  std::move(function), std::move(curvatures),
                                                  std::move(data));

@@ -5,7 +5,9 @@
 //     differentiate(z, e, exact, *data) -> gradients (q, k), Hessians (q, k, k)
 // with the unknowns z (q, k) of the elements e (q,), and of a term with data these, a vector (m,)
 // or the rows of the elements, (q, m). `exact` is 1 - projection_weight
-// (framework/curvature.h), 0 where the model is no Hessian.
+// (framework/curvature.h), 0 where the model is no Hessian. One of least squares also has
+//     residuals(z, e, *data) -> (q, r);  jacobian(z, e, *data) -> (q, r, k)
+//     loss(s) -> rho, its slope and its bend at the number s
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -28,7 +30,8 @@ struct TermData {
 };
 
 // sum over elements of f(the element's unknowns). Where the curvatures have Reweighted f makes its
-// models itself and they are definite; else they are exact, and clamped here.
+// models itself and they are definite; else they are exact, and clamped here. A function of least
+// squares makes a ResidualTerm.
 std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs element_dofs,
                                               pybind11::object function,
                                               std::vector<Curvature> curvatures,

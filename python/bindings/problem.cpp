@@ -175,6 +175,8 @@ std::unique_ptr<Minimizer> minimizer_named(const std::string& name, const py::di
     return std::make_unique<GradientFlowMinimizer>(filled(GradientFlowOptions(), keywords, stop));
   CeresOptions options;
   if (name == "ceres-nlcg") options.method = CeresOptions::Method::NonlinearConjugateGradient;
+  if (name == "ceres-lm") options.method = CeresOptions::Method::LevenbergMarquardt;
+  if (name == "ceres-dogleg") options.method = CeresOptions::Method::Dogleg;
   options.max_iterations = keyword<int>(keywords, "max_iterations");
   options.function_tolerance =
       keyword<std::optional<double>>(keywords, "tolerance").value_or(options.function_tolerance);

@@ -14,7 +14,8 @@ from ._errors import UnsupportedError, UsageError
 from ._terms import Inequality, Term
 from ._types import Doubles, Energy, Faces, Integers
 
-_METHODS = ('newton', 'levenberg-marquardt', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg')
+_METHODS = ('newton', 'levenberg-marquardt', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg', 'ceres-lm',
+            'ceres-dogleg')
 
 
 class Space:
@@ -359,8 +360,9 @@ class Problem:
 
         method: 'newton'; 'levenberg-marquardt', damped steps for `least_squares` where nothing holds some
         unknowns, whose damping is 'shift' of the iterations; 'lbfgs' and 'gradient-flow', with one factorization; 'ceres-lbfgs' and
-        'ceres-nlcg', to compare with: those have no curvature and no linear_solver, and conjugate
-        gradients end far from ill-conditioned minima (and tell stderr of their restarts).
+        'ceres-nlcg', 'ceres-lm' and 'ceres-dogleg', to compare with: those have no curvature and no
+        linear_solver; the last two, Levenberg-Marquardt and dogleg, are for problems of `least_squares`
+        alone, and conjugate gradients end far from ill-conditioned minima (and tell stderr of their restarts).
         curvature: as for `hessian`; 'absolute' and 'adaptive', which chooses between that and 'projected'
         after every step, for 'newton' alone. linear_solver: 'direct' or 'eigen'. tolerance: relative decrease of the energy in one
         iteration to stop at; None: the method's own. callback(record, x), after every iteration:

@@ -317,14 +317,6 @@ class _Squares:
     def evaluate(self, z: Doubles, e: Integers, *data: Doubles) -> Doubles:
         return self._rho((self._residuals.evaluate(z, e, *data) ** 2).sum(1))[0] / 2
 
-    def residuals(self, z: Doubles, e: Integers, *data: Doubles) -> tuple[Doubles, Doubles]:
-        """The residuals (q, m) and their derivatives (q, m, k)."""
-        J, _ = self._residuals.differentiate(z, e, *data)
-        return self._residuals.evaluate(z, e, *data), np.ascontiguousarray(J)
-
-    def loss(self, s: float) -> tuple[float, ...]:
-        return tuple(float(part[0]) for part in self._rho(np.array([s])))
-
     def differentiate(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Doubles]:
         r = self._residuals.evaluate(z, e, *data)
         J, H = self._residuals.differentiate(z, e, *data)
@@ -336,6 +328,16 @@ class _Squares:
         outer = gradient[:, :, None] * gradient[:, None, :]
         factor = 2 * np.where(bend < 0, exact * bend, bend)
         return slope[:, None] * gradient, slope[:, None, None] * model + factor[:, None, None] * outer
+
+    # ---- of single elements: ResidualTerm -------------------------------------------------------
+    def residuals(self, z: Doubles, e: Integers, *data: Doubles) -> Doubles:
+        return self._residuals.evaluate(z, e, *data)
+
+    def jacobian(self, z: Doubles, e: Integers, *data: Doubles) -> Doubles:
+        return self._residuals.differentiate(z, e, *data)[0]
+
+    def loss(self, s: float) -> tuple[float, ...]:
+        return tuple(float(part[0]) for part in self._rho(np.array([s])))
 
     def _rho(self, s: Doubles) -> tuple[Doubles, ...]:
         if self._loss is None:

@@ -64,6 +64,27 @@ def test_fits(loss, curvature, derivatives):
         assert np.allclose(solution.x, [2, -1.5], atol=0.1)      # outliers do not count
 
 
+@pytest.mark.parametrize('method', ['ceres-lm', 'ceres-dogleg'])
+@pytest.mark.parametrize('loss', [None, 'huber', 'cauchy'])
+@pytest.mark.parametrize('derivatives', [None, lambda z, e: curve_derivatives(z, e)[0]], ids=['value', 'first'])
+def test_trust_regions_of_ceres_end_at_the_same_minimum(method, loss, derivatives):
+    options = {} if loss is None else dict(loss=loss, width=0.3)
+    problem = majorant.Problem(2).add(majorant.least_squares(NODES, curve, derivatives, **options), 3.0)
+    ours = problem.minimize([1.9, -1.4], 'levenberg-marquardt', tolerance=1e-12)
+    theirs = problem.minimize([1.9, -1.4], method)
+    assert ours.status == theirs.status == 'converged', theirs
+    assert theirs.energy == pytest.approx(ours.energy, rel=1e-9)
+    assert np.allclose(theirs.x, ours.x, atol=1e-5)
+    assert theirs.energy == problem.value(theirs.x) and len(theirs.iterations) >= 2
+
+
+@pytest.mark.parametrize('method', ['ceres-lm', 'ceres-dogleg'])
+def test_trust_regions_of_ceres_are_for_least_squares(method):
+    problem = majorant.Problem(2).add(majorant.least_squares(NODES, curve)).add(majorant.linear_term([1, 2]))
+    with pytest.raises(majorant.UsageError, match="term 'linear' is no sum of squares"):
+        problem.minimize([1.9, -1.4], method)
+
+
 @pytest.mark.parametrize('loss', [None, 'huber', 'soft-l1', 'cauchy', 'arctan', 'tukey'])
 def test_curvatures_of_least_squares(loss):
     options = {} if loss is None else dict(loss=loss, width=0.7)
