@@ -1,12 +1,11 @@
 // A term whose elements are sums of squares, rho(|r|^2) / 2 of residuals r: what methods for least
 // squares that are not of this library want to know of it.
 //
-//   const EnergyTerm& term = problem.term(id);
-//   if (const auto* squares = dynamic_cast<const ResidualTerm*>(&term)) {
-//     Vec r;
-//     RowMatrix J;
-//     squares->residuals(x, 7, problem.state(id), r, &J);   // of element 7
-//   }
+//   const TermId id = problem.terms().front();
+//   Vec r;
+//   RowMatrix J;
+//   if (const auto* squares = dynamic_cast<const ResidualTerm*>(&problem.term(id)))
+//     squares->residuals(x, 7, problem.state(id), r, &J);  // of element 7
 //
 // make_least_squares() (framework/terms/least_squares.h) makes terms that are such. Not for
 // Gauss-Newton matrices, which every such term assembles itself: Curvature::Projected.
