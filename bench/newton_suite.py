@@ -6,7 +6,8 @@
 Runs the program, compares each run with the one of the same problem and start in --before, and prints
 tables: what is solved, factorizations of the runs that both solve, methods beside each other. --profile
 draws performance profiles [DM02]: the part of all runs that a method solves with at most t times the
-factorizations of the method that needs the fewest.
+factorizations of the method that needs the fewest; on all problems, and on least squares with the methods
+that are for these alone. Those of first order, which hardly factorize, are in the table only.
 
 The file of --before has the columns problem, start, solved, iterations and factorizations of --csv.
 
@@ -30,8 +31,8 @@ sys.path.insert(0, str(BENCH / 'experiments'))
 import common  # noqa: E402
 import experiment  # noqa: E402
 
-METHODS = 'newton,newton-absolute,newton-exact,newton-projected,levenberg-marquardt'
-COLOURS = ('#4477aa', '#ee7733', '#228833', '#aa3377', '#66ccee', '#bbbb44', '#777777')
+METHODS = 'newton,newton-absolute,newton-exact,newton-projected,levenberg-marquardt,ceres-lm,ceres-dogleg'
+COLOURS = ('#777777', '#4477aa', '#ee7733', '#228833', '#aa3377', '#66ccee', '#bbbb44', '#000000')
 MOST = 64                                         # the right end of the profile
 
 
@@ -95,28 +96,39 @@ def comparison(before, today, names):
 
 
 def draw(sides, path):
-    """Performance profiles of {name: runs}."""
+    """Performance profiles of {name: runs}, of all problems and of those that methods for a part of them have."""
+    few = [runs for runs in sides.values() if len(runs) < max(map(len, sides.values()))]
+    figure, axes = experiment.panels(1, 2 if few else 1, 4, 3.2)
+    profile({name: runs for name, runs in sides.items() if runs not in few}, sides, axes[0, 0])
+    if few:
+        shared = {name: {run: row for run, row in runs.items() if run in few[0]} for name, runs in sides.items()}
+        profile({name: runs for name, runs in shared.items() if 'newton-' not in name}, sides, axes[0, 1])
+        axes[0, 1].set_title('least squares')
+    axes[0, 0].set_title('all problems')
+    experiment.write_svg(figure, path)
+
+
+def profile(sides, names, axis):
+    """names: of all sides, which have the same colour in every panel."""
+    colours = dict(zip(names, COLOURS))
     best = {}
     for runs in sides.values():
         for run, row in runs.items():
             if row['solved']:
                 best[run] = min(best.get(run, math.inf), max(1, row['factorizations']))
     total = len(next(iter(sides.values())))
-    figure, axes = experiment.panels(1, 1, 6, 3.6)
-    axis = axes[0, 0]
-    for (name, runs), colour in zip(sides.items(), COLOURS):
+    for name, runs in sides.items():
         ratios = sorted(max(1, row['factorizations']) / best[run] for run, row in runs.items() if row['solved'])
-        steps = [(r, 100 * (k + 1) / total) for k, r in enumerate(ratios) if r <= MOST]
-        last = steps[-1][1] if steps else 0
-        axis.step([1] + [r for r, _ in steps] + [MOST], [0] + [s for _, s in steps] + [last], where='post',
-                  color=colour, label=name)
+        steps = {round(r, 2): 100 * (k + 1) / total for k, r in enumerate(ratios) if r <= MOST}
+        steps[MOST] = max(steps.values(), default=0)
+        axis.step([1, *steps], [0, *steps.values()], where='post',
+                  color=colours[name], label=name)
     axis.set(xscale='log', xlim=(1, MOST), ylim=(0, 101), ylabel='runs solved, %',
              xlabel='factorizations, times the fewest')
     ticks = [2 ** k for k in range(7)]
     axis.set_xticks(ticks, [str(t) for t in ticks])
     axis.set_xticks([], minor=True)
     axis.legend(loc='lower right')
-    experiment.write_svg(figure, path)
 
 
 def main():
@@ -137,8 +149,8 @@ def main():
     print()
     print('\n'.join(comparison(before, today['newton'], (commit, 'today'))))
     if options.profile:
-        everywhere = {name: runs for name, runs in today.items() if len(runs) == len(today['newton'])}
-        draw({'newton, ' + commit: before, **everywhere}, options.profile)
+        factorizing = {name: runs for name, runs in today.items() if 'lbfgs' not in name}
+        draw({'newton, ' + commit: before, **factorizing}, options.profile)
     return 0
 
 

@@ -3,7 +3,8 @@
 // A row a problem and method: unknowns, solved of its starts, iterations, factorizations, failed
 // ones of these and trials of all starts together, seconds of the processor on one thread, and the
 // status and energy of what was not solved. Solved: converged at one of the known minima of
-// table.cpp; where there is none, failed within 60 steps.
+// table.cpp; where there is none, failed within 60 steps. Methods for least squares alone leave out
+// the other problems.
 //
 // --verify polishes the minima by exact Newton steps and holds each to the table: its energy to 11
 // digits, a gradient of rounding, no direction of negative curvature, the number of directions
@@ -15,6 +16,7 @@
 //   build/release/bench/newton_suite --only solids --methods newton,newton-absolute --starts 3
 //   build/release/bench/newton_suite --verify
 #include <fmt/format.h>
+#include <glog/logging.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -34,10 +36,12 @@
 #include <string>
 #include <vector>
 
+#include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/first_order.h"
 #include "majorant/framework/levenberg_marquardt.h"
 #include "majorant/framework/newton.h"
 #include "majorant/framework/parallel.h"
+#include "majorant/framework/residual_term.h"
 #include "suite.h"
 
 using namespace majorant;
@@ -58,6 +62,23 @@ Run newton(Curvature curvature, double projection, bool blends) {
   };
 }
 
+// With the tolerances that Ceres has by default.
+Run by_ceres(CeresOptions::Method method) {
+  const CeresOptions options{
+      .method = method, .function_tolerance = 1e-6, .parameter_tolerance = 1e-8};
+  return [options](const Problem& problem, const Vec& y0) {
+    return CeresMinimizer(options).minimize(problem, y0, {});
+  };
+}
+
+// Returns whether all terms are sums of squares, where the method needs that.
+bool is_for(const std::string& method, const Problem& problem) {
+  if (method != "ceres-lm" && method != "ceres-dogleg") return true;
+  return std::all_of(problem.terms().begin(), problem.terms().end(), [&](TermId id) {
+    return dynamic_cast<const ResidualTerm*>(&problem.term(id)) != nullptr;
+  });
+}
+
 const std::map<std::string, Run>& methods() {
   static const std::map<std::string, Run> all = {
       {"newton", [](const Problem& problem,
@@ -71,6 +92,9 @@ const std::map<std::string, Run>& methods() {
        }},
       {"lbfgs", [](const Problem& problem,
                    const Vec& y0) { return LbfgsMinimizer().minimize(problem, y0, {}); }},
+      {"ceres-lbfgs", by_ceres(CeresOptions::Method::Lbfgs)},
+      {"ceres-lm", by_ceres(CeresOptions::Method::LevenbergMarquardt)},
+      {"ceres-dogleg", by_ceres(CeresOptions::Method::Dogleg)},
   };
   return all;
 }
@@ -261,6 +285,7 @@ void run_all(const std::vector<SuiteProblem>& problems, const Arguments& asked) 
   for (const SuiteProblem& problem : problems) {
     const SuiteInstance instance = problem.make();
     for (const std::string& method : asked.methods) {
+      if (!is_for(method, instance.problem)) continue;
       Counts c = run(problem, instance, method, asked, csv);
       fmt::print("| {} | {} | {} | {}\n", problem.name, instance.problem.size(), method, row(c));
       std::fflush(stdout);
@@ -295,6 +320,7 @@ int main_of(const Arguments& asked) {
       throw std::runtime_error("--methods " + method + ": no such method, see --help");
   const std::vector<SuiteProblem> problems = chosen(asked.only);
   const ThreadCount one(1);
+  FLAGS_minloglevel = google::GLOG_FATAL;
   bool all = true;
   if (asked.list) {
     fmt::print("| problem | family | source | minima |\n|---|---|---|---|\n");
