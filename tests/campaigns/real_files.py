@@ -55,13 +55,18 @@ def read_obj(data):
 
 
 def read_off(data):
-    lines = (line.split('#')[0] for line in data.decode(errors='replace').splitlines())
-    words = iter(' '.join(lines).split())
-    if next(words) != 'OFF':
+    lines = [line.split('#')[0].split() for line in data.decode(errors='replace').splitlines()]
+    lines = [words for words in lines if words]
+    if lines[0][0] != 'OFF':
         raise ValueError('no OFF')
-    vertices, faces, _ = (int(next(words)) for _ in range(3))
-    points = [tuple(float(next(words)) for _ in range(3)) for _ in range(vertices)]
-    return points, [[int(next(words)) for _ in range(int(next(words)))] for _ in range(faces)]
+    lines[0] = lines[0][1:]
+    rows = [words for words in lines if words]
+    vertices, faces = map(int, rows[0][:2])
+    points = [tuple(map(float, words[:3])) for words in rows[1:1 + vertices]]
+    cells = [list(map(int, words[1:1 + int(words[0])])) for words in rows[1 + vertices:1 + vertices + faces]]
+    if len(cells) < faces:
+        raise ValueError('truncated')
+    return points, cells
 
 
 SIZES = {name: code for names, code in (('char int8', 'b'), ('uchar uint8', 'B'), ('short int16', 'h'),
