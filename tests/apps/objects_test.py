@@ -112,7 +112,7 @@ class Objects(UnwrapTest):
                 count += len(face)
         split = self.write('split.obj', text)
         self.run_ok('unwrap', split, '-o', self.out, '-o', self.path('out.vtu'), '--objects', 'separate',
-                    '--report', self.path('r.json'))
+                    '--fill', 0, '--report', self.path('r.json'))
         self.assertEqual([o['result']['charts'] for o in json.loads(self.read('r.json'))['objects']], [1, 1])
         for out in (self.out, self.path('out.vtu')):
             self.run_ok('check', out, '--certify', '--objects', 'separate', '--surface', split)
