@@ -287,8 +287,8 @@ def made_scenes(options, folder):
     yield png
     Image.open(folder / 'layout.png').convert('RGB').save(folder / 'layout.jpg')
     yield Seed('layout.jpg', 'JPEG binary', (folder / 'layout.jpg').read_bytes(), None)
-    yield made('positions.exr', 'EXR binary', 'bake', textured, '--from', textured, '--attribute', 'position', '-o',
-               folder / 'positions.exr', '--size', '16,16')
+    yield made('colors.exr', 'EXR binary', 'bake', textured, '--from', textured, '--image', folder / 'layout.png', '-o',
+               folder / 'colors.exr', '--size', '16,16')
 
 
 # ------------------------------------------------------------------ maps
