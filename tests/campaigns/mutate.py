@@ -41,6 +41,7 @@ SHARES = {'OBJ': 3, 'OFF': 1, 'PLY ascii': 2, 'PLY binary': 2, 'STL ascii': 1, '
           'OBJ with materials': 2, 'MTL': 1, 'NPY binary': 1, 'PVTU': 1, 'PNG binary': 1, 'JPEG binary': 1,
           'EXR binary': 1}
 MORE = 4                                          # of the files of --more, together
+WITHOUT_MAPS = ('mesh', 'quads')                   # verbs whose VTU and OBJ files hold no map
 LISTS = ('pins JSON', 'handles JSON', 'cones JSON', 'weights')
 ENERGIES = ['symmetric-dirichlet', 'asap', 'mips', 'arap', 'symmetric-arap', 'log-isometric', 'authalic',
             'amips-exponential', 'symmetric-dirichlet + 0.1*asap']
@@ -276,7 +277,7 @@ def one(options, kinds, index, work, good):
         bad = 'exit %s' % done.code
     elif FINDING.search(done.stderr):
         bad = 'sanitizer'
-    elif judged and done.code in (0, 4):
+    elif judged and done.code in (0, 4) and words[0] not in WITHOUT_MAPS:
         verdict, bad = judge(options, words, sorted(p for p in folder.glob('OUT*') if p.suffix in ('.vtu', '.obj')
                                                     and not p.stem.endswith('_s')))
     if bad:
