@@ -224,7 +224,7 @@ void require_valid(const EnergyTerm& term, const TermState& state) {
                          term.rule_count()));
   const Index parameters = state.parameters.size();
   if (parameters != 0 && parameters != term.parameter_count())
-    refuse(fmt::format("{} parameters, it takes {}", parameters, term.parameter_count()));
+    refuse(fmt::format("parameters: it takes {}, not {}", term.parameter_count(), parameters));
   if (!state.parameters.allFinite()) refuse("its parameters are not finite");
 }
 

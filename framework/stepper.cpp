@@ -204,7 +204,7 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
         if (result.iterations.size() == 1) size = std::max(size, now);
         if (now > kUnboundedGrowth * size) {
           descent.after_step(step);
-          stop = Stop{Status::Failed, falls_without_end(now)};
+          stop = Stop{Status::Failed, falls_without_end(step.record.energy, now)};
           break;
         }
       }

@@ -146,9 +146,9 @@ std::string unbounded_below(double energy) {
   return fmt::format("unbounded below: the energy falls to {:.3g}", energy);
 }
 
-std::string falls_without_end(double norm) {
+std::string falls_without_end(double energy, double norm) {
   return fmt::format(
-      "unbounded: the energy falls while the unknowns grow to {:.3g}, and no minimum is in sight",
+      "unbounded below: the energy falls to {:.3g} while the unknowns grow to {:.3g}", energy,
       norm);
 }
 

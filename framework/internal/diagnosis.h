@@ -21,8 +21,8 @@ std::string unbounded_along_gradient(Evaluator& evaluator, VecIn y, double energ
 
 // "unbounded below: the energy falls to -1e+101".
 std::string unbounded_below(double energy);
-// "unbounded: the energy falls while the unknowns grow to 1e+17, and no minimum is in sight".
-std::string falls_without_end(double norm);
+// "unbounded below: the energy falls to -39.1 while the unknowns grow to 1e+17".
+std::string falls_without_end(double energy, double norm);
 
 }  // namespace majorant
 

@@ -53,7 +53,7 @@ class Log(CommandTest):
         self.assertEqual(self.phases('seamless', generated('buckle'), out, '--degree', '1',
                                      '--normalize'),
                          ['reading', 'start', 'solving', 'measuring', 'measuring', 'proving', 'writing'])
-        self.assertEqual(self.phases('unwrap', generated('buckle'), self.path('a.obj')),
+        self.assertEqual(self.phases('unwrap', generated('buckle'), self.path('a.obj'), '--fill', '0'),
                          ['reading', 'cutting', 'solving', 'packing', 'proving', 'writing'])
 
     def test_steps_stand_between(self):
@@ -68,7 +68,7 @@ class Log(CommandTest):
         """A second map of the same surface does not begin without a word."""
         points, faces = torus(12, 8, 0)
         mesh = self.write('torus.obj', obj_text(points, faces))
-        lines = self.run_ok('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0001').err.splitlines()
+        lines = self.run_ok('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0001', '--fill', '0').err.splitlines()
         again = [k for k, line in enumerate(lines) if re.fullmatch(r'cutting again: \d+ of \d+ charts?', line)]
         self.assertTrue(again, lines)
         self.assertEqual(logged(lines[again[0] - 1]), ['solving'])
@@ -263,7 +263,7 @@ class Terminal(CommandTest):
         done are a share."""
         points, faces = torus(36, 24, 0)
         mesh = self.write('torus.obj', obj_text(points, faces))
-        *live, _ = self.said('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0005').split(CLEAR)
+        *live, _ = self.said('unwrap', mesh, self.path('a.obj'), '--max-stretch', '1.0005', '--fill', '0').split(CLEAR)
         shown = self.lines_of(live)
         Log.check_never_backwards(self, shown)
         again = [line for line in shown if line['pass']]

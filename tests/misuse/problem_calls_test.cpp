@@ -144,7 +144,7 @@ const std::vector<Call> kCalls{
      [] { with_state([](TermState& s) {
             s.element_rule = {0, 7, 0, 0, 0};
           }); }},
-    {"nan_parameters", "InvalidArgument: term 'chain': its parameters are not finite",
+    {"parameters_of_none", "InvalidArgument: term 'chain': parameters: it takes 0, not 1",
      [] { with_state([](TermState& s) { s.parameters = Vec::Constant(1, kNan); }); }},
     {"with_negative_weight", "InvalidArgument: term 'chain': its weight is -3",
      [] { with_later_state([](TermState& s) { s.weight = -3; }); }},
