@@ -9,6 +9,7 @@ With SURFACE none may be farther from the other than NEAR. With DEGREES edges of
 Prints a line for every kind of defect and `ok` or `bad`; exit code 0 or 1. Shares no code with the
 library: signs are those of integers, always; what is nearest is found by trying all of them.
 """
+import heapq
 import math
 import sys
 from collections import defaultdict
@@ -68,42 +69,70 @@ def agreement(corners, triangle):
 
 
 def nearest_on_segment(p, a, b):
-    ab, ap = minus(b, a), minus(p, a)
-    length = dot(ab, ab)
-    t = min(1.0, max(0.0, dot(ap, ab) / length)) if length > 0 else 0.0
-    return t, math.dist(p, tuple(x + t * d for x, d in zip(a, ab)))
+    (px, py, pz), (ax, ay, az), (bx, by, bz) = p, a, b
+    dx, dy, dz, ex, ey, ez = bx - ax, by - ay, bz - az, px - ax, py - ay, pz - az
+    length = dx * dx + dy * dy + dz * dz
+    t = min(1.0, max(0.0, (dx * ex + dy * ey + dz * ez) / length)) if length > 0 else 0.0
+    return t, math.dist(p, (ax + t * dx, ay + t * dy, az + t * dz))
 
 
 def distance_to_triangle(p, a, b, c):
-    n = cross(minus(b, a), minus(c, a))
-    size = math.sqrt(dot(n, n))
-    least = min(nearest_on_segment(p, *edge)[1] for edge in ((a, b), (b, c), (c, a)))
-    if size > 0 and all(dot(cross(minus(y, x), minus(p, x)), n) >= 0 for x, y in ((a, b), (b, c), (c, a))):
-        least = min(least, abs(dot(minus(p, a), n)) / size)
+    (px, py, pz), (ax, ay, az), (bx, by, bz), (cx, cy, cz) = p, a, b, c
+    ux, uy, uz, vx, vy, vz = bx - ax, by - ay, bz - az, cx - ax, cy - ay, cz - az
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    size = math.sqrt(nx * nx + ny * ny + nz * nz)
+    least = min(nearest_on_segment(p, a, b)[1], nearest_on_segment(p, b, c)[1], nearest_on_segment(p, c, a)[1])
+    if size > 0:
+        for x, y, z, dx, dy, dz in ((ax, ay, az, ux, uy, uz), (bx, by, bz, cx - bx, cy - by, cz - bz),
+                                    (cx, cy, cz, -vx, -vy, -vz)):
+            ex, ey, ez = px - x, py - y, pz - z
+            if (dy * ez - dz * ey) * nx + (dz * ex - dx * ez) * ny + (dx * ey - dy * ex) * nz < 0:
+                break
+        else:  # above its inside
+            least = min(least, abs((px - ax) * nx + (py - ay) * ny + (pz - az) * nz) / size)
     return least
 
 
 class Nearest:
-    """The faces nearest to a point, of all of them (several where it is nearest to an edge or a vertex): those whose
-    balls are nearer first, until a ball is farther."""
+    """The faces nearest to a point, of all of them (several where it is nearest to an edge or a vertex). They are in a
+    tree of boxes: a box's faces are in two smaller ones, by where they lie along its longest side; nearer boxes are opened
+    first, until one is farther than a face. A point that is asked for again is looked up."""
+    LEAF = 2  # faces
 
     def __init__(self, mesh):
-        self.mesh, self.balls = mesh, []
-        for f in range(len(mesh.faces)):
-            corners = mesh.corner_points(f)
-            centre = tuple(sum(x) / len(corners) for x in zip(*corners))
-            self.balls.append((centre, max(math.dist(centre, p) for p in corners)))
+        self.mesh, self.known = mesh, {}
+        middles = [middle(mesh.corner_points(f)) for f in range(len(mesh.faces))]
+
+        def box(faces):
+            points = [p for f in faces for p in mesh.corner_points(f)]
+            lows, highs = tuple(map(min, zip(*points))), tuple(map(max, zip(*points)))
+            if len(faces) <= self.LEAF:
+                return lows, highs, [(f, *mesh.corner_points(f)) for f in faces], None
+            axis = max(range(3), key=lambda k: highs[k] - lows[k])
+            faces = sorted(faces, key=lambda f: middles[f][axis])
+            half = len(faces) // 2
+            return lows, highs, None, (box(faces[:half]), box(faces[half:]))
+        self.root = box(list(range(len(mesh.faces))))
 
     def __call__(self, p, close=0.0):
         """close: how much farther than the nearest face others may be."""
-        bounds = [math.dist(centre, p) - radius for centre, radius in self.balls]
-        least, distances = math.inf, {}
-        for f in sorted(range(len(bounds)), key=bounds.__getitem__):
-            if bounds[f] > least * (1 + EQUAL) + close:
+        if (p, close) in self.known:
+            return self.known[p, close]
+        least, distances, number, queue = math.inf, {}, 0, [(0.0, 0, self.root)]
+        while queue:
+            bound, _, (_, _, faces, halves) = heapq.heappop(queue)
+            if bound > least * (1 + EQUAL) + close:
                 break
-            distances[f] = distance_to_triangle(p, *self.mesh.corner_points(f))
-            least = min(least, distances[f])
-        return [f for f, distance in distances.items() if distance <= least * (1 + EQUAL) + close]
+            for f, *corners in faces or ():
+                distances[f] = distance_to_triangle(p, *corners)
+                least = min(least, distances[f])
+            for half in halves or ():
+                number += 1  # boxes that are as near are not compared
+                off = [max(low - x, 0.0, x - high) for low, x, high in zip(half[0], p, half[1])]
+                heapq.heappush(queue, (math.hypot(*off), number, half))
+        found = [f for f, distance in distances.items() if distance <= least * (1 + EQUAL) + close]
+        self.known[p, close] = found
+        return found
 
     def distance(self, p):
         return distance_to_triangle(p, *self.mesh.corner_points(self(p)[0]))
