@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -272,12 +273,19 @@ bool has_too_many(const QuadMesh& made) {
   return made.least_count && made.check.count > made.asked + kFew;
 }
 
-constexpr double kAnyCount = std::numeric_limits<double>::infinity();
+// What is done where there are no valid quads of about the number asked for.
+struct OtherCounts {
+  double most = std::numeric_limits<double>::infinity();  // more than so many are not placed
+  bool is_asked_tried = true;                             // about the number asked for
+  bool may_be_more = true;                                // up to a few times as many are tried
+  // How many would do is searched for, far beyond: not, to be told, or to be taken.
+  enum class FarMore { No, Told, Taken } far_more = FarMore::Told;
+};
 
 // Returns the quads of a surface with these features (3 #F, or empty: none). Throws
-// Error(Infeasible) where there are none, or none with at most `most_count` quads.
+// Error(Infeasible) where there are none, or none with so few quads.
 QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
-                    const QuadMeshOptions& options, double most_count, RunRecord& record,
+                    const QuadMeshOptions& options, const OtherCounts& others, RunRecord& record,
                     QuadSeconds& seconds) {
   const StopCheck& stop = record.start_stop();
   QuadMesh result;
@@ -300,6 +308,7 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                                                    {Arcs::Joined, 0.98}, {Arcs::Joined, 1.04},
                                                    {Arcs::Separate, 1},  {Arcs::Separate, 1.03}};
   std::optional<std::string> why;
+  std::map<std::vector<Index>, std::string> failures;  // by numbers: why they make no valid quads
   double least_off = std::numeric_limits<double>::infinity();
   const auto numbers_for = [&](const std::string& what, Arcs arcs, const auto& find) {
     const AddedSeconds of_numbers(seconds.quantize);
@@ -309,6 +318,7 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
     record.announce(fmt::format("{} quads", quad_count(t_mesh, edges)));
     return edges;
   };
+  int attempts = 0;
   const auto attempt = [&](Arcs arcs, double part) {
     const std::vector<Index> edges = numbers_for(
         fmt::format("{} quads", std::lround(part * asked)), arcs, [&](ArcNumbers& numbers) {
@@ -317,12 +327,19 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                      : numbers.for_count(part * asked);
         });
     const long count = quad_count(t_mesh, edges);
-    if (static_cast<double>(count) > most_count)
+    if (static_cast<double>(count) > others.most)
       throw Error(ErrorKind::Infeasible,
                   fmt::format("{}{} quads at least", message_prefix(mesh), count));
     const double off = std::abs(static_cast<double>(count) / asked - 1);
     if (result.check.count > 0 && off >= least_off) return;
-    JudgedQuads made = placer.place(edges);
+    const auto [known, is_new] = failures.try_emplace(edges);
+    if (!is_new) throw Error(ErrorKind::Infeasible, known->second);
+    std::optional<JudgedQuads> placed;
+    if (std::optional<std::string> failed = why_infeasible([&] { placed = placer.place(edges); })) {
+      known->second = *std::move(failed);
+      throw Error(ErrorKind::Infeasible, known->second);
+    }
+    JudgedQuads made = *std::move(placed);
     least_off = off;
     result.quads = std::move(made.quads);
     result.patch_of = std::move(made.patch_of);
@@ -338,7 +355,6 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
                                        [](ArcNumbers& numbers) { return numbers.fewest(); }));
     result.least_count = std::min(least, long{result.check.count});
   };
-  int attempts = 0;
   const auto attempt_for = [&](Arcs arcs, double part) {
     if (++attempts > 1) record.begin_pass();
     record.begin(Activity::Solving);
@@ -348,29 +364,31 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
   };
   for (const auto& [arcs, part] : kAttempts)
     // Where as few as possible were made there is nothing closer.
-    if (attempt_for(arcs, part) && (options.edge_length || least_off <= kCountClose ||
-                                    result.least_count == result.check.count))
+    if (!others.is_asked_tried ||
+        (attempt_for(arcs, part) && (options.edge_length || least_off <= kCountClose ||
+                                     result.least_count == result.check.count)))
       break;
   // More, where so few turn thin limbs over; chosen.
   constexpr double kGrowth = 1.5, kMostTimes = 4, kFew = 200;
   const double most = std::max(kMostTimes, kFew / std::max(asked, 1.0));
-  // With features that were not given so many are not taken.
-  const bool may_be_more = features.empty() || options.features;
   const auto is_closer = [&](double part) {
     const auto count = static_cast<double>(result.check.count);
     return count == 0 || (!options.edge_length && part * asked < count);
   };
   for (double part = kGrowth;
-       may_be_more && is_closer(part) && part <= most && fits_into_memory(part * asked);
+       others.may_be_more && is_closer(part) && part <= most && fits_into_memory(part * asked);
        part *= kGrowth)
     attempt_for(Arcs::Joined, part);
   if (result.check.count > 0) return result;
-  // How many would do. With features fewer of these are tried next.
+  // How many would do.
   constexpr double kMostTried = 64, kMostQuadsTried = 20'000;  // which take seconds
   std::string remedy = "ask for more of them";
-  for (double part = 2 * most; features.empty() && part <= kMostTried * most; part *= 2) {
+  using FarMore = OtherCounts::FarMore;
+  for (double part = 2 * most; others.far_more != FarMore::No && part <= kMostTried * most;
+       part *= 2) {
     if (part * asked > kMostQuadsTried) break;
     if (!attempt_for(Arcs::Joined, part)) continue;
+    if (others.far_more == FarMore::Taken) return result;
     remedy = fmt::format("ask for {:.4g} times as many, {} for {}", part, std::lround(part * asked),
                          result.asked);
     break;
@@ -416,13 +434,13 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   const ThreadCount threads(options.threads);
   QuadSeconds seconds;
   const std::vector<char> asked = asked_features(mesh, options);
-  const auto made_with = [&](const std::vector<char>& features, double most_count = kAnyCount) {
+  const auto made_with = [&](const std::vector<char>& features, const OtherCounts& others) {
     QuadMesh made = quads_with(mesh, has_any(features) ? features : std::vector<char>(), options,
-                               most_count, record, seconds);
+                               others, record, seconds);
     made.seconds = seconds;
     return made;
   };
-  if (!has_any(asked)) return made_with({});
+  if (!has_any(asked)) return made_with({}, {});
   const double length = std::sqrt(mesh.area() / std::max(asked_of(mesh, options), 1.0));
   std::optional<QuadMesh> made;
   std::vector<char> tried;
@@ -432,6 +450,13 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
   // times as many are not even placed, unless that takes no time.
   constexpr double kMostTimesSharp = 2, kSoonPlaced = 1000;
   const double most_sharp = std::max(kMostTimesSharp * asked_of(mesh, options), kSoonPlaced);
+  using FarMore = OtherCounts::FarMore;
+  const auto make_with = [&](const std::vector<char>& features, const OtherCounts& others) {
+    QuadMesh next = made_with(features, others);
+    next.features = features;
+    next.shortest_feature = shortest;
+    made = std::move(next);
+  };
   for (ShortLines short_lines = ShortLines::SharpKept;; shortest *= 2) {
     const std::vector<char> features = without_short_lines(mesh, asked, shortest, short_lines);
     const bool has_sharp = short_lines == ShortLines::SharpKept;
@@ -441,15 +466,26 @@ QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunR
     }
     if (features == tried) continue;
     tried = features;
-    const auto make = [&] {
-      QuadMesh next = made_with(features, has_sharp ? most_sharp : kAnyCount);
-      next.features = features;
-      next.shortest_feature = shortest;
-      made = std::move(next);
-    };
     const bool is_last = !has_any(features);
+    // With features that were not given many more are not taken at first.
+    OtherCounts others{.may_be_more = is_last || options.features, .far_more = FarMore::No};
+    if (has_sharp) others.most = most_sharp;
+    const auto make = [&] { make_with(features, others); };
     if (is_last && !made) {
-      make();
+      const std::optional<std::string> failed = why_infeasible(make);
+      if (!failed) break;
+      // Few quads that lie across teeth are turned over; more that follow the teeth's sides are
+      // not.
+      shortest = length;
+      const std::vector<char> sharp =
+          without_short_lines(mesh, asked, length, ShortLines::SharpKept);
+      if (has_any(sharp) && !why_infeasible([&] { make_with(sharp, {.far_more = FarMore::No}); }))
+        break;
+      if (why_infeasible([&] {
+            make_with(features,
+                      {.is_asked_tried = false, .may_be_more = false, .far_more = FarMore::Taken});
+          }))
+        throw Error(ErrorKind::Infeasible, *failed);
       break;
     }
     // Where none are made in the end, those of before stay, too many or not.

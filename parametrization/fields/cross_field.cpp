@@ -86,6 +86,9 @@ std::vector<std::complex<double>> principal_directions(const SurfaceMesh& mesh,
 // A seamless map needs every angle below 180 degrees; 120 on average leaves room to untangle.
 // Chosen, not tuned.
 constexpr int kLargestMeanAngle = 120;
+// Edges: a quarter turn comes from a vertex that has one too many, rather than from one that
+// becomes a cone, up to so far away. Chosen.
+constexpr int kNearby = 4;
 const std::vector<char> kNoneFixed;
 // Of fields that follow edges quads are made. Where they have a vertex their corners are below 180
 // degrees; this is the largest that is planned, in quarter turns. One quad around an inner vertex
@@ -169,6 +172,7 @@ class SectorFinder {
     Index h = first;
     do {
       if (h == first || sectors_.is_bound[h]) {
+        first_.push_back(h);
         sectors_.at[mesh_.from_vertex(h)].push_back(static_cast<Index>(sectors_.faces.size()));
         sectors_.vertex.push_back(mesh_.from_vertex(h));
         sectors_.faces.push_back(0);
@@ -196,8 +200,35 @@ class SectorFinder {
       const double turns = angle[s] / kQuarter;
       sectors_.wanted.push_back(
           std::abs(turns - 2) < 0.5 + kTie ? 2 : std::max(1, static_cast<int>(std::lround(turns))));
-      sectors_.least.push_back(std::max(1, least_turns_at(turns, sectors_.wanted.back())));
     }
+    lower_beside_tips(angle / kQuarter);
+    for (Index s = 0; s < static_cast<Index>(left.size()); ++s)
+      sectors_.least.push_back(
+          std::max(1, least_turns_at(angle[s] / kQuarter, sectors_.wanted[s])));
+  }
+
+  // A tip of less than half a quarter turn has a whole one all the same. The reflex sectors before
+  // and after it along the border of their region make up for that, half each: else a cone inside
+  // has to for every tooth of a saw. angle: by sector, in quarter turns.
+  void lower_beside_tips(const Vec& angle) {
+    const std::size_t count = first_.size();
+    std::vector<Index> after(count, -1), before(count, -1);
+    for (std::size_t s = 0; s < count; ++s) {
+      after[s] = sectors_.of[next(first_[s])];
+      if (after[s] >= 0) before[after[s]] = static_cast<Index>(s);
+    }
+    Vec lacking = Vec::Zero(angle.size());
+    for (std::size_t s = 0; s < count; ++s) {
+      const Index tip = static_cast<Index>(s);
+      if (angle[tip] >= 0.5) continue;
+      for (const std::vector<Index>* beside : {&after, &before}) {
+        Index t = (*beside)[s];
+        while (t >= 0 && t != tip && sectors_.wanted[t] == 2) t = (*beside)[t];
+        if (t >= 0 && sectors_.wanted[t] > 2) lacking[t] += (1 - angle[tip]) / 2;
+      }
+    }
+    for (Index s = 0; s < lacking.size(); ++s)
+      if (lacking[s] > 0 && angle[s] - lacking[s] < sectors_.wanted[s] - 0.5) --sectors_.wanted[s];
   }
 
   const SurfaceMesh& mesh_;
@@ -205,6 +236,7 @@ class SectorFinder {
   const std::vector<char>& is_aligned_;
   const Vec& fixed_;
   AlignedSectors sectors_;
+  std::vector<Index> first_;  // by sector: the half-edge that bounds it, its faces on the left
 };
 
 // Cones move one edge a sweep; the smoothest field has them nearly in place; chosen, not
@@ -392,11 +424,14 @@ class Cleanup {
   // fetches one).
   void level(Index v) {
     const int step = excess(v) > 0 ? 1 : -1;  // what the receiver gets
-    const bool found = send(v, step, [&](Index w) {
-      return boundary(w) ||
-             (turns(w) + step >= least_turns(w) && turns(w) + step <= most_turns(w) &&
-              turns(w) * step <= regular(w) * step);
-    });
+    const auto takes = [&](Index w, int above) {
+      return turns(w) + step >= least_turns(w) && turns(w) + step <= most_turns(w) &&
+             turns(w) * step + above <= regular(w) * step;
+    };
+    const bool found =
+        send(
+            v, step, [&](Index w) { return !boundary(w) && takes(w, 1); }, kNearby) ||
+        send(v, step, [&](Index w) { return boundary(w) || takes(w, 0); });
     if (!found)
       throw Error(ErrorKind::Infeasible,
                   fmt::format("{}vertex {}: the mesh is too coarse for the cones of a cross "
@@ -408,9 +443,15 @@ class Cleanup {
   // Moves a quarter turn from v to the nearest vertex that is a goal (step = 1), or from there to v
   // (-1), over as few edges as possible. False when there is none, never if no face is fixed.
   template <class Goal>
-  bool send(Index v, int step, const Goal& is_goal) {
+  bool send(Index v, int step, const Goal& is_goal,
+            int most_edges = std::numeric_limits<int>::max()) {
     std::vector<Index> entered(leaving_.size(), -1), queue{v};
-    for (std::size_t next = 0; next < queue.size(); ++next)
+    std::size_t round_end = 1;
+    for (std::size_t next = 0; next < queue.size(); ++next) {
+      if (next == round_end) {
+        if (--most_edges == 0) return false;
+        round_end = queue.size();
+      }
       for (const Index h : leaving_[queue[next]]) {
         const Index w = node_beyond(h);
         if (w == v || entered[w] >= 0) continue;
@@ -422,6 +463,7 @@ class Cleanup {
         }
         queue.push_back(w);
       }
+    }
     return false;
   }
 

@@ -24,6 +24,7 @@ class Smoother {
         surface_mesh_(surface),
         surface_(surface),
         stop_(stop),
+        has_features_(!held.feature_edges.empty()),
         lengths_(surface, held.is_feature),
         border_(held.points),
         sides_(mesh.positions.size()),
@@ -55,6 +56,7 @@ class Smoother {
     }
     for (int sweep = 0; sweep < kRepairs; ++sweep)
       if (!repair()) break;
+    untangle();
   }
 
  private:
@@ -190,11 +192,7 @@ class Smoother {
     for (const Index q : quads_[v]) {
       const std::array<Vector3, 4> p = corners_of(q);
       const Vector3 n = normal_of(p).stableNormalized();
-      for (std::size_t k = 0; k < 4; ++k) {
-        const Vector3 along = (p[(k + 1) % 4] - p[k]).stableNormalized();
-        const Vector3 back = (p[(k + 3) % 4] - p[k]).stableNormalized();
-        least = std::min(least, along.cross(back).dot(n));
-      }
+      for (std::size_t k = 0; k < 4; ++k) least = std::min(least, sine_at(p, k, n));
     }
     return least;
   }
@@ -283,16 +281,227 @@ class Smoother {
     return has_helped;
   }
 
+  // Where quads are still folded, one vertex at a time cannot mend them: the sum of an energy over
+  // all quads around them is lowered, which is the higher the smaller, or the more negative,
+  // corners are against the surface's normal [GKKPRS21]. Keeps the result where fewer quads are
+  // bad.
+  void untangle() {
+    // Rings of quads around the bad ones that take part; sweeps, and those in a row after which no
+    // fewer are bad, where more are in vain. Chosen.
+    constexpr std::array<int, 2> kRings = {3, 6};
+    constexpr int kSweeps = 40, kInVain = 8;
+    for (const int rings : kRings) {
+      const std::vector<Index> bad = bad_quads();
+      if (std::none_of(bad.begin(), bad.end(), [&](Index q) { return is_folded(q); })) return;
+      const std::vector<Vector3> positions_before = mesh_.positions;
+      const std::vector<BorderPoint> border_before = border_;
+      const std::vector<Index> around = quads_around(bad, rings);
+      std::size_t fewest = bad.size();
+      for (int sweep = 0, in_vain = 0; sweep < kSweeps && in_vain < kInVain; ++sweep) {
+        sweep_energy(around);
+        const std::size_t now = bad_quads().size();
+        in_vain = now < fewest ? 0 : in_vain + 1;
+        fewest = std::min(fewest, now);
+        if (now == 0) break;
+      }
+      if (bad_quads().size() >= bad.size()) {
+        mesh_.positions = positions_before;
+        border_ = border_before;
+      }
+      for (const Index q : around) is_turned_[q] = is_turned(q);
+    }
+  }
+
+  // One step of every vertex of these quads.
+  void sweep_energy(const std::vector<Index>& quads) {
+    note_normals(quads);
+    std::vector<char> takes_part(quads_.size(), 0);
+    double least = 0;
+    for (const Index q : quads) {
+      least = std::min(least, least_corner(q));
+      for (const Index v : mesh_.polygons[q]) takes_part[v] = 1;
+    }
+    const double eps = std::clamp(-least, kLeastEps, kMostEps);
+    for (std::size_t v = 0; v < quads_.size(); ++v) {
+      stop_.poll_at(v);
+      if (takes_part[v]) lower_energy(v, eps);
+    }
+  }
+
+  // Relative to the squares of lengths, of a corner's area below which its energy grows as 1 / area
+  // no more.
+  static constexpr double kLeastEps = 1e-3, kMostEps = 0.05;
+
+  bool is_folded(Index q) const {
+    constexpr double kAlmost = 1e-3;
+    const std::array<Vector3, 4> p = corners_of(q);
+    const Vector3 n = normal_of(p).stableNormalized();
+    for (std::size_t k = 0; k < 4; ++k)
+      if (sine_at(p, k, n) < kAlmost) return true;
+    return false;
+  }
+
+  std::vector<Index> bad_quads() {
+    std::vector<Index> bad;
+    for (Index q = 0; q < static_cast<Index>(mesh_.polygons.size()); ++q)
+      if (is_folded(q) || is_turned(q)) bad.push_back(q);
+    return bad;
+  }
+
+  // In order of their numbers.
+  std::vector<Index> quads_around(const std::vector<Index>& quads, int rings) const {
+    std::set<Index> found(quads.begin(), quads.end());
+    std::vector<Index> outer = quads;
+    for (int ring = 0; ring < rings; ++ring) {
+      std::vector<Index> next;
+      for (const Index q : outer)
+        for (const Index v : mesh_.polygons[q])
+          for (const Index near : quads_[v])
+            if (found.insert(near).second) next.push_back(near);
+      outer = std::move(next);
+    }
+    return {found.begin(), found.end()};
+  }
+
+  // Of the surface under the middle and the corners of these quads, and of those that share a
+  // vertex with them.
+  void note_normals(const std::vector<Index>& quads) {
+    normals_.resize(mesh_.polygons.size(), Vector3::Zero());
+    const auto note = [&](Index q) {
+      const std::array<Vector3, 4> p = corners_of(q);
+      below_[q] = surface_.tree().nearest((p[0] + p[1] + p[2] + p[3]) / 4, below_[q]).face;
+      Vector3 sum = normal_below(below_[q]);
+      for (const Index v : mesh_.polygons[q]) {
+        if (is_on_border(v)) continue;
+        likely_[v] = surface_.tree().nearest(mesh_.positions[v], likely_[v]).face;
+        sum += normal_below(likely_[v]);
+      }
+      normals_[q] = sum.stableNormalized();
+    };
+    for (const Index q : quads_around(quads, 1)) note(q);
+  }
+
+  Vector3 normal_below(Index face) const {
+    const auto corner = [&](int k) {
+      return Vector3(surface_mesh_.positions().row(surface_mesh_.faces()(face, k)));
+    };
+    return (corner(1) - corner(0)).cross(corner(2) - corner(0)).stableNormalized();
+  }
+
+  // Of the corners of a quad: the least area against the surface's normal, relative to its sides.
+  double least_corner(Index q) const {
+    const std::array<Vector3, 4> p = corners_of(q);
+    double least = 1;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vector3 along = p[(k + 1) % 4] - p[k], back = p[(k + 3) % 4] - p[k];
+      const double size = along.squaredNorm() + back.squaredNorm();
+      if (size > 0) least = std::min(least, 2 * along.cross(back).dot(normals_[q]) / size);
+    }
+    return least;
+  }
+
+  // Of the quads around a vertex.
+  double energy(std::size_t v, double eps) const {
+    double sum = 0;
+    for (const Index q : quads_[v]) {
+      const std::array<Vector3, 4> p = corners_of(q);
+      const double scale = normal_of(p).norm() + (p[2] - p[0]).squaredNorm() / 4;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Vector3 along = p[(k + 1) % 4] - p[k], back = p[(k + 3) % 4] - p[k];
+        const double area = along.cross(back).dot(normals_[q]);
+        const double size = along.squaredNorm() + back.squaredNorm();
+        const double least = eps * std::max(size, scale) / 2;
+        sum += size / (area + std::hypot(area, least));
+      }
+    }
+    return sum;
+  }
+
+  void lower_energy(std::size_t v, double eps) {
+    constexpr std::array<double, 4> kParts = {1, 0.3, 0.1, 0.03};
+    const double before = energy(v, eps);
+    if (is_on_border(v)) {
+      if (!sides_[v].slides) return;
+      for (const double part : kParts)
+        for (const std::size_t side : {0, 1}) {
+          const BorderPoint at = border_[v];
+          const Vector3 place = mesh_.positions[v];
+          const double by = (side == 0 ? -0.5 : 0.5) * part * room_of(v)[side];
+          border_[v] = lengths_.point_at(at.half_edge, lengths_.length_at(at) + by);
+          mesh_.positions[v] = lengths_.position(border_[v]);
+          if (energy(v, eps) < before) return;
+          border_[v] = at;
+          mesh_.positions[v] = place;
+        }
+      return;
+    }
+    const Vector3 place = mesh_.positions[v];
+    Vector3 normal = Vector3::Zero();
+    double size = 0;  // of the longest edge
+    for (const Index q : quads_[v]) {
+      normal += normals_[q];
+      const std::span<const Index> c = mesh_.polygons[q];
+      for (std::size_t k = 0; k < 4; ++k)
+        if (c[k] == static_cast<Index>(v))
+          size = std::max(size, (mesh_.positions[c[(k + 1) % 4]] - place).norm());
+    }
+    const Index face = surface_.tree().nearest(place, likely_[v]).face;
+    const Vector3 first = normal.stableNormalized().unitOrthogonal();
+    const Vector3 second = normal.stableNormalized().cross(first);
+    // By differences.
+    const double h = 1e-4 * size;
+    const auto at = [&](double s, double t) {
+      mesh_.positions[v] = place + h * (s * first + t * second);
+      return energy(v, eps);
+    };
+    const double e10 = at(1, 0), e_10 = at(-1, 0), e01 = at(0, 1), e0_1 = at(0, -1), e11 = at(1, 1),
+                 e_1_1 = at(-1, -1);
+    const Vector2 gradient((e10 - e_10) / 2, (e01 - e0_1) / 2);
+    const double a = e10 + e_10 - 2 * before, c = e01 + e0_1 - 2 * before,
+                 b = (e11 + e_1_1 - 2 * before - a - c) / 2;
+    const double middle = (a + c) / 2, off = std::hypot((a - c) / 2, b);
+    const double shift = std::max(0.0, 1e-3 * (std::abs(middle) + off) - (middle - off));
+    const double det = (a + shift) * (c + shift) - b * b;
+    Vector2 step = -gradient;
+    if (det > 0)
+      step = -Vector2((c + shift) * gradient.x() - b * gradient.y(),
+                      (a + shift) * gradient.y() - b * gradient.x()) /
+             det;
+    step *= h;
+    if (!step.allFinite() || step.norm() == 0) {
+      mesh_.positions[v] = place;
+      return;
+    }
+    constexpr double kMostStep = 0.3, kLeastCosine = 0.8;
+    if (step.norm() > kMostStep * size) step *= kMostStep * size / step.norm();
+    for (const double part : kParts) {
+      mesh_.positions[v] = on_surface(v, place + part * (step.x() * first + step.y() * second));
+      // Features are not crossed.
+      const bool is_beyond =
+          has_features_ && normal_below(face).dot(normal_below(likely_[v])) < kLeastCosine;
+      if (!is_beyond && energy(v, eps) < before) return;
+    }
+    mesh_.positions[v] = place;
+  }
+
+  static double sine_at(const std::array<Vector3, 4>& p, std::size_t k, const Vector3& n) {
+    const Vector3 along = (p[(k + 1) % 4] - p[k]).stableNormalized();
+    const Vector3 back = (p[(k + 3) % 4] - p[k]).stableNormalized();
+    return along.cross(back).dot(n);
+  }
+
   PolygonMesh& mesh_;
   const SurfaceMesh& surface_mesh_;
   const SurfaceBelow surface_;
   const StopCheck& stop_;
+  const bool has_features_;
   const BorderLengths lengths_;
   std::vector<BorderPoint> border_;        // by vertex
   std::vector<OnBorder> sides_;            // by vertex
   std::vector<std::vector<Index>> quads_;  // by vertex
   std::vector<Index> likely_, below_;      // faces of the surface, by vertex and by quad
   std::vector<char> is_turned_;            // by quad
+  std::vector<Vector3> normals_;           // by quad, of the surface below; where it untangles
 };
 
 }  // namespace

@@ -57,14 +57,14 @@ class Quads(CommandTest):
         self.assertEqual(sum(line.startswith('f ') for line in text), quads['count'])
 
     def test_edge_length_and_default_count(self):
-        buckle = helpers.generated('buckle')
-        area = self.made(buckle)['input']['area']
+        path = self.write('torus.obj', helpers.obj_text(*torus(24, 14)))
+        area = self.made(path)['input']['area']
         report = json.loads(self.read('r.json'))
         self.assertEqual(report['result']['quads']['requested'], report['input']['faces'] // 2)
-        length = (area / 1500) ** 0.5
-        quads = self.made(buckle, '--edge-length', repr(length))['result']['quads']
-        self.assertAlmostEqual(quads['requested'], 1500, delta=1)
-        self.assertLess(abs(quads['count'] - 1500), 150)
+        length = (area / 500) ** 0.5
+        quads = self.made(path, '--edge-length', repr(length))['result']['quads']
+        self.assertAlmostEqual(quads['requested'], 500, delta=1)
+        self.assertLess(abs(quads['count'] - 500), 50)
 
     def test_same_bytes_on_any_number_of_threads(self):
         for threads in (1, 2):

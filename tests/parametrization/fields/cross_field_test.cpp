@@ -247,6 +247,38 @@ TEST(CrossField, FollowsTheLongestOfAllEdges) {
 }
 
 // Two bumps joined by a neck whose vertices all lie on the boundary: cones have to pass there.
+// A flat disk whose border has teeth of 34 degrees, and a circle of vertices inside.
+PolygonMesh saw_blade(Index teeth) {
+  PolygonMesh blade;
+  const Index n = 2 * teeth;
+  for (const bool is_inner : {false, true})
+    for (Index i = 0; i < n; ++i) {
+      const bool is_tip = i % 2 != 0;
+      const double angle = 4 * kRightAngle * (i / 2 + (is_tip ? 0.9 : 0.0)) / teeth;
+      const double radius = is_inner ? 0.6 : (is_tip ? 1.2 : 1.0);
+      blade.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    }
+  blade.positions.emplace_back(0, 0, 0);
+  for (Index i = 0; i < n; ++i) {
+    const Index next = (i + 1) % n;
+    blade.polygons.push_back(std::vector<Index>{i, next, n + next});
+    blade.polygons.push_back(std::vector<Index>{i, n + next, n + i});
+    blade.polygons.push_back(std::vector<Index>{n + i, n + next, 2 * n});
+  }
+  return blade;
+}
+
+TEST(CrossField, TeethAreFollowedWithoutConesInside) {
+  const SurfaceMesh mesh = SurfaceMesh::from_polygons(saw_blade(48));
+  CrossFieldOptions options;
+  options.aligned.assign(to_size(mesh.half_edge_count()), 0);
+  for (Index h = 0; h < mesh.half_edge_count(); ++h) options.aligned[h] = mesh.opposite(h) < 0;
+  const CrossField field = smoothest_cross_field(mesh, options);
+  expect_proper_field(mesh, field);
+  // Those of a disk; with four quads at every root of a tooth there are 48 more.
+  EXPECT_EQ(cone_vertices(field).size(), 4u);
+}
+
 TEST(CrossField, CancelsConesAcrossNarrowPlaces) {
   const auto bumps = [](double x, double y) {
     return 0.3 * std::sin(9 * x) * std::sin(9 * y) + 0.2 * std::cos(7 * x + y);
