@@ -280,6 +280,16 @@ class Quads(CommandTest):
         quads = self.kept(self.prism('star.obj', star, 0.4), 320)
         self.assertEqual(quads['features']['covered'], 3 * n)
 
+    def test_saw(self):
+        """48 teeth of 34 degrees, which need no irregular vertices of their own."""
+        n = 48
+        blade = [(r * math.cos(2 * math.pi * (k + at) / n), r * math.sin(2 * math.pi * (k + at) / n))
+                 for k in range(n) for at, r in ((0, 1), (0.9, 1.2))]
+        quads = self.run_quads(self.prism('saw.obj', blade, 0.3), 2700)
+        self.assertEqual(quads['features'], {'requested': 6 * n, 'covered': 6 * n, 'relaxed': 0})
+        self.assertEqual((quads['folded'], quads['turned']), (0, 0))
+        self.assertLessEqual(abs(quads['count'] - 2700), 0.05 * 2700)
+
     def test_ragged_borders(self):
         """A plate whose border goes to and fro: each corner takes a quad unless it is smoothed."""
         n = 20
