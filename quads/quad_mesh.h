@@ -111,12 +111,13 @@ bool has_ragged_border(const SurfaceMesh& mesh);
 // mesh: connected. Features that edges of the length asked for cannot follow are relaxed; where
 // there is no map with the others, or none with valid quads, also those that edges of twice that
 // length cannot, four times, and so on, until there is one; of features that were not given
-// (nothing) also where more quads than asked for would be made. Throws Error(Unsupported) for cones
-// given on a surface with a border or with features and for more than kMostQuads; InvalidArgument
-// for options out of range or that exclude each other; as require_memory_for_quads();
-// Error(Infeasible) for cones of one quarter turn, and where no whole numbers or no valid quads
-// were found, or no map with the border along its axes; else as make_seamless(); Stopped when the
-// record's start_stop() says so.
+// (nothing) also where more quads than asked for would be made. Where there are no valid quads
+// without features either, more are made, with all features if that is possible. Throws
+// Error(Unsupported) for cones given on a surface with a border or with features and for more than
+// kMostQuads; InvalidArgument for options out of range or that exclude each other; as
+// require_memory_for_quads(); Error(Infeasible) for cones of one quarter turn, and where no whole
+// numbers or no valid quads were found, or no map with the border along its axes; else as
+// make_seamless(); Stopped when the record's start_stop() says so.
 QuadMesh quad_mesh(const SurfaceMesh& mesh, const QuadMeshOptions& options, RunRecord& record);
 
 }  // namespace majorant
