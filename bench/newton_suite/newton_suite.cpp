@@ -85,6 +85,12 @@ const std::map<std::string, Run>& methods() {
                     const Vec& y0) { return NewtonMinimizer().minimize(problem, y0, {}); }},
       {"newton-projected", newton(Curvature::Projected, 1, false)},
       {"newton-absolute", newton(Curvature::Projected, 2, true)},
+      {"newton-adaptive",
+       [](const Problem& problem, const Vec& y0) {
+         NewtonOptions options;
+         options.set_curvature(*curvature_choice("adaptive"));
+         return NewtonMinimizer(options).minimize(problem, y0, {});
+       }},
       {"newton-exact", newton(Curvature::Exact, 1, false)},
       {"levenberg-marquardt",
        [](const Problem& problem, const Vec& y0) {

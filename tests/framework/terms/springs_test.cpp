@@ -72,8 +72,8 @@ Vec free_net_at_rest(Index n) {
   return x;
 }
 
-// A net of n by n nodes whose springs do not all fit: the minimum is above 0.
-Problem free_net(Index n) {
+// The sides and one diagonal of the squares of n by n nodes.
+Cells net_edges(Index n) {
   std::vector<std::array<Index, 2>> edges;
   for (Index k = 0; k < n * n; ++k) {
     if (k % n + 1 < n) edges.push_back({k, k + 1});
@@ -83,6 +83,12 @@ Problem free_net(Index n) {
   Cells pairs(static_cast<Index>(edges.size()), 2);
   for (Index e = 0; e < pairs.rows(); ++e)
     pairs.row(e) << edges[to_size(e)][0], edges[to_size(e)][1];
+  return pairs;
+}
+
+// A net of n by n nodes whose springs do not all fit: the minimum is above 0.
+Problem free_net(Index n) {
+  const Cells pairs = net_edges(n);
   const auto springs = make_term<2, 2>("net", pairs, [](Index e, const auto& z) {
     const auto part = (z.col(1) - z.col(0)).norm() - (1 + 0.1 * (e % 5));
     return part * part;
@@ -317,16 +323,8 @@ TEST(Newton, RunsAreTheSameInOtherUnits) {
     test::Random random(seed);
     if (which == 0) {  // the net, shaken
       const Index n = 7;
-      std::vector<std::array<Index, 2>> edges;
-      for (Index k = 0; k < n * n; ++k) {
-        if (k % n + 1 < n) edges.push_back({k, k + 1});
-        if (k / n + 1 < n) edges.push_back({k, k + n});
-        if (k % n + 1 < n && k / n + 1 < n) edges.push_back({k, k + n + 1});
-      }
-      Cells pairs(static_cast<Index>(edges.size()), 2);
-      for (Index e = 0; e < pairs.rows(); ++e)
-        pairs.row(e) << edges[to_size(e)][0], edges[to_size(e)][1];
-      const double share = constant / static_cast<double>(edges.size());
+      const Cells pairs = net_edges(n);
+      const double share = constant / static_cast<double>(pairs.rows());
       const auto springs = make_term<2, 2>("net", pairs, [=](Index e, const auto& z) {
         const auto part = (z.col(1) - z.col(0)).norm() / length - (1 + 0.1 * (e % 5));
         return energy * (part * part + share);
