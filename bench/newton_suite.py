@@ -33,7 +33,7 @@ import experiment  # noqa: E402
 
 METHODS = ('newton,newton-absolute,newton-adaptive,newton-exact,newton-projected,levenberg-marquardt,'
            'ceres-lm,ceres-dogleg')
-COLOURS = ('#777777', '#4477aa', '#ee7733', '#228833', '#aa3377', '#66ccee', '#bbbb44', '#000000')
+COLOURS = ('#777777', '#4477aa', '#ee7733', '#994455', '#228833', '#aa3377', '#66ccee', '#bbbb44', '#000000')
 MOST = 64                                         # the right end of the profile
 
 
