@@ -34,25 +34,27 @@ void SolveRequest::add_to(CLI::App& verb, std::string& curvature) {
 }
 
 void SolveRequest::add_limits_to(CLI::App& verb, std::string& curvature) {
-  add_options(
-      verb, OptionGroup::Solver,
-      {{"--curvature", &curvature, "second-order model (projected)", {.check = one_of(curvature_choices())}},
-       {"--elevation",
-        &elevation,
-        "how the degree is reached (incremental)",
-        {.check = one_of({"incremental", "direct"})}},
-       {"--tolerance",
-        &tolerance,
-        fmt::format("part of the energy that may be left, estimated ({})", tolerance),
-        {.check = positive_number()}},
-       {"--max-iterations",
-        &max_iterations,
-        fmt::format("of all degrees together ({})", max_iterations),
-        {.check = whole_number(0)}},
-       {"--time-limit",
-        &time_limit,
-        "seconds; the best valid map is written, if there is one",
-        {.check = non_negative_number()}}});
+  add_options(verb, OptionGroup::Solver,
+              {{"--curvature",
+                &curvature,
+                "second-order model (projected)",
+                {.check = one_of(curvature_choices())}},
+               {"--elevation",
+                &elevation,
+                "how the degree is reached (incremental)",
+                {.check = one_of({"incremental", "direct"})}},
+               {"--tolerance",
+                &tolerance,
+                fmt::format("part of the energy that may be left, estimated ({})", tolerance),
+                {.check = positive_number()}},
+               {"--max-iterations",
+                &max_iterations,
+                fmt::format("of all degrees together ({})", max_iterations),
+                {.check = whole_number(0)}},
+               {"--time-limit",
+                &time_limit,
+                "seconds; the best valid map is written, if there is one",
+                {.check = non_negative_number()}}});
 }
 
 void SolveRequest::apply(ParametrizationOptions& options) const {

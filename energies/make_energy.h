@@ -56,7 +56,8 @@ namespace majorant {
 // through every degree and rule, and into the charts of unwrap(). Numbers (a double or a span) may
 // change between steps: they are TermState::parameters, row by row.
 //
-//   const Problem stiffer = problem.with({{id, {.parameters = 2 * stiffness}}});
+//   const TermId term = problem.terms().front();
+//   const Problem stiffer = problem.with({{term, {.parameters = Vec::Constant(9, 2.0)}}});
 
 // Values of any type, one an element; copies share them.
 template <class T>

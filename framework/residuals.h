@@ -1,5 +1,6 @@
 // The residuals of a sum of squares and their Jacobian, as matrices to look at.
 //
+//   const TermId id = problem.terms().front();
 //   if (dynamic_cast<const ResidualTerm*>(&problem.term(id))) {
 //     const Residuals r = residuals_at(problem, id, y0);
 //     const Vec gradient = r.jacobian.transpose() * r.values;    // without a loss

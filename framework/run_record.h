@@ -104,8 +104,8 @@ struct StepResult {
   };
   Outcome outcome = Outcome::Breakdown;
   double energy_before = 0;
-  IterationRecord record;       // record.energy is the energy after the step
-  std::vector<Index> blocking;  // StepBound::blocking of the line search
+  IterationRecord record;              // record.energy is the energy after the step
+  std::vector<Index> blocking;         // StepBound::blocking of the line search
   bool is_direction_too_long = false;  // the next one is shorter: bounds of this one say nothing
   bool is_damped = false;  // by a shift that shortens the direction: -g.p is less than what is left
   Directive why = Directive::Continue;

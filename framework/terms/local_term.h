@@ -20,7 +20,7 @@
 // Numbers that change between steps - the point of a linearization, the last time step, the
 // parameter of a homotopy - are data of the term, which the lambda gets as a third argument:
 //
-//   const Vec stretched = make_rest_lengths();               // one number an element
+//   const Vec stretched = Vec::Constant(9, 1.5);             // one number an element
 //   Cells pairs = Cells::Zero(stretched.size(), 2);
 //   pairs.col(1).setOnes();
 //   auto term = make_term<2, 3>("springs", pairs, [](Index e, const auto& z, const auto& length) {

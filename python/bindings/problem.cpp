@@ -35,24 +35,27 @@ class Rows final : public Constraint {
   Rows(int call, const Integers& starts, const Integers& columns, const Doubles& values,
        const Doubles& targets)
       : of_call_(call > 1 ? " of constrain() number " + std::to_string(call) : ""),
-        starts_(starts),
-        columns_(columns),
-        values_(values),
-        targets_(targets) {}
+        starts_(starts.data(), starts.data() + starts.size()),
+        columns_(columns.data(), columns.data() + columns.size()),
+        values_(values.data(), values.data() + values.size()),
+        targets_(matrix<Vec>(targets)) {}
 
   void append_rows(ConstraintRows& rows) const override {
-    for (py::ssize_t r = 0; r + 1 < starts_.size(); ++r) {
+    for (Index r = 0; r < size(); ++r) {
       rows.begin_row("A[" + std::to_string(r) + "]" + of_call_);
-      for (Index k = starts_.at(r); k < starts_.at(r + 1); ++k)
-        rows.add(columns_.at(k), values_.at(k));
-      rows.end_row(targets_.at(r));
+      for (Index k = starts_[to_size(r)]; k < starts_[to_size(r) + 1]; ++k)
+        rows.add(columns_[to_size(k)], values_[to_size(k)]);
+      rows.end_row(targets_[r]);
     }
   }
+  Index size() const { return static_cast<Index>(targets_.size()); }
+  void set_targets(VecIn targets) { targets_ = targets; }
 
  private:
   std::string of_call_;
-  const Integers &starts_, &columns_;
-  const Doubles &values_, &targets_;
+  std::vector<Index> starts_, columns_;
+  std::vector<double> values_;
+  Vec targets_;
 };
 
 // A problem whose terms and constraints come one by one: they are eliminated and ordered when it is
@@ -82,8 +85,19 @@ class PythonProblem {
   }
   void constrain(const Integers& starts, const Integers& columns, const Doubles& values,
                  const Doubles& targets) {
-    builder_.add(Rows(++constrained_, starts, columns, values, targets));
-    row_count_ += static_cast<Index>(targets.size());
+    Rows rows(static_cast<int>(constraints_.size()) + 1, starts, columns, values, targets);
+    ProblemBuilder(size_).add(rows);  // throws before anything is kept
+    constraints_.push_back(std::move(rows));
+    problem_.reset();
+  }
+  // Of all rows, in their order.
+  void set_right_hand_sides(const Doubles& targets) {
+    const Vec all = matrix<Vec>(targets);
+    Index first = 0;
+    for (Rows& rows : constraints_) {
+      rows.set_targets(all.segment(first, rows.size()));
+      first += rows.size();
+    }
     problem_.reset();
   }
   void keep_injective(const Space& s) {
@@ -99,7 +113,11 @@ class PythonProblem {
     return *problem_;
   }
   Index full_size() const { return size_; }
-  Index row_count() const { return row_count_; }
+  Index row_count() const {
+    Index count = 0;
+    for (const Rows& rows : constraints_) count += rows.size();
+    return count;
+  }
 
   // With the bounds, and the barriers of these among its terms.
   struct Bounded {
@@ -125,14 +143,14 @@ class PythonProblem {
   ProblemBuilder with_terms() const {
     ProblemBuilder builder = builder_;
     for (const Part& part : terms_) builder.add(part.term, part.state);
+    for (const Rows& rows : constraints_) builder.add(rows);
     return builder;
   }
 
-  ProblemBuilder builder_;  // without the terms
+  ProblemBuilder builder_;  // without the terms and constraints
   std::vector<Part> terms_;
   Index size_;
-  int constrained_ = 0;  // calls of constrain()
-  Index row_count_ = 0;
+  std::vector<Rows> constraints_;
   std::optional<Problem> problem_;
   std::vector<std::shared_ptr<const BarrierChecker>> bounds_;
 };
@@ -410,6 +428,8 @@ void bind_problems(py::module_& module) {
       .def_property_readonly("full_size", &PythonProblem::full_size)
       .def_property_readonly("size", [](PythonProblem& p) { return p.built().size(); })
       .def("add", &PythonProblem::add, py::arg("term"), py::arg("weight"))
+      .def_property_readonly("row_count", &PythonProblem::row_count)
+      .def("set_right_hand_sides", &PythonProblem::set_right_hand_sides, py::arg("targets"))
       .def("update", &PythonProblem::update, py::arg("index"), py::arg("weight"),
            py::arg("parameters"))
       .def("factor", &factor, py::arg("y"), py::arg("curvature"))

@@ -252,6 +252,11 @@ class Problem:
                 self._core.update(place, None if factor is None else factor * own_weight, numbers)
         return self
 
+    def set_right_hand_sides(self, b: ArrayLike) -> 'Problem':
+        """Other right-hand sides of all rows of `constrain`, in their order."""
+        self._core.set_right_hand_sides(_arrays.floats('b', b, (self._core.row_count,)))
+        return self
+
     def _places_of(self, term: Term) -> list[list[tuple[int, float]]]:
         if not isinstance(term, Term):
             raise UsageError(f'{term!r} is no Term')
