@@ -53,7 +53,13 @@ struct ElementBatch {
   std::span<const Index> elements;  // at most kMaxSize
 };
 
-struct TermChange;
+// A change of a term's state: what is given replaces what the term has, the rest stays.
+struct TermChange {
+  std::optional<double> weight = {};
+  std::optional<Vec> element_weight = {};
+  std::optional<std::vector<RuleId>> element_rule = {};
+  std::optional<Vec> parameters = {};
+};
 
 // The part of a term that may change between steps without changing unknowns or sparsity pattern.
 struct TermState {
@@ -63,20 +69,8 @@ struct TermState {
   // EnergyTerm::parameter_count() numbers; empty: those that the term was made with.
   Vec parameters = {};
 
-  operator TermChange() const;
+  operator TermChange() const { return {weight, element_weight, element_rule, parameters}; }
 };
-
-// A change of a term's state: what is given replaces what the term has, the rest stays.
-struct TermChange {
-  std::optional<double> weight = {};
-  std::optional<Vec> element_weight = {};
-  std::optional<std::vector<RuleId>> element_rule = {};
-  std::optional<Vec> parameters = {};
-};
-
-inline TermState::operator TermChange() const {
-  return {weight, element_weight, element_rule, parameters};
-}
 
 // Scratch memory of one thread: grows, never shrinks, contents undefined.
 class Workspace {

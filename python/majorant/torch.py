@@ -13,8 +13,8 @@ from ._terms import Term
 
 class _Minimum(torch.autograd.Function):
     @staticmethod
-    def forward(ctx: Any, problem: Problem, x0: Any, options: dict[str, Any], terms: list[Term], b: Any,
-                *data: Any) -> Any:
+    def forward(ctx: Any, problem: Problem, x0: Any, options: dict[str, Any], terms: list[Term],  # type: ignore
+                b: Any, *data: Any) -> Any:
         if b is not None:
             problem.set_right_hand_sides(b.detach().numpy())
         for term, numbers in zip(terms, data):
@@ -23,7 +23,7 @@ class _Minimum(torch.autograd.Function):
         return torch.from_numpy(ctx.solution.x.copy())
 
     @staticmethod
-    def backward(ctx: Any, slope: Any) -> tuple[Any, ...]:
+    def backward(ctx: Any, slope: Any) -> tuple[Any, ...]:  # type: ignore
         d = ctx.solution.adjoint(slope.numpy())
         return (None, None, None, None, torch.from_numpy(d.b) if ctx.has_b else None,
                 *(torch.from_numpy(d.parameters[term]) for term in ctx.terms))

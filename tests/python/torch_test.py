@@ -36,7 +36,7 @@ def test_gradients_are_those_that_torch_finds():
     def solve(b, lengths):
         return majorant.torch.minimize(problem, start, b=b, data={springs: lengths}, tolerance=1e-14)
 
-    assert torch.autograd.gradcheck(solve, (b, lengths), eps=1e-5, atol=1e-6, rtol=1e-5)
+    assert torch.autograd.gradcheck(solve, (b, lengths), eps=1e-3, atol=2e-4, rtol=1e-3)
 
 
 def test_material_that_explains_a_shape():
