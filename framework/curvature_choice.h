@@ -21,7 +21,7 @@ namespace majorant {
 // model is right where the ratio of the actual decrease to the one that it predicts is near 1.
 struct AdaptiveProjectionRules {
   // |ratio - 1| up to which the next projection is 1, beyond 2; 0: NewtonOptions::projection stays.
-  // `adaptive` has 0.1; tuned by bench/newton_suite.
+  // `adaptive` has 0.1: chosen, not tuned.
   double tolerance = 0;
 };
 
