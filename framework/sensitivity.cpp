@@ -14,6 +14,7 @@
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/framework/partition.h"
 #include "majorant/framework/problem_parts.h"
 #include "majorant/framework/residual_term.h"
@@ -163,8 +164,11 @@ class Sensitivity::Parts {
     z_.expand_direction(u, ux);
     Derivative d;
     for (const TermId id : problem_.terms()) {
-      d.weights.push_back(-u.dot(term_gradient(id)));
-      d.element_weights.push_back(element_weights(id, ux));
+      const TermState& state = problem_.state(id);
+      const Vec by_element = -products(id, state, ux);
+      d.weights.push_back(state.element_weight.size() > 0 ? state.element_weight.dot(by_element)
+                                                          : by_element.sum());
+      d.element_weights.push_back(state.weight * by_element);
       d.parameters.push_back(parameters(id, ux));
     }
     d.right_hand_sides = multipliers(slope, ux);
@@ -302,15 +306,37 @@ class Sensitivity::Parts {
         });
   }
 
-  Vec element_weights(TermId id, const Vec& ux) {
-    const ElementDofs& dofs = problem_.term(id).element_dofs();
-    const TermState& state = problem_.state(id);
-    Vec out = Vec::Zero(dofs.element_count()), part;
-    visit_elements(problem_, id, x_, state, false, kAll, [&](Index e, LocalSystem& local, int p) {
-      gather(dofs, e, ux, part);
-      out[e] = -state.weight * product(local, p, part);
-    });
+  // g_e . u_e of every element e, weights left out.
+  Vec products(TermId id, const TermState& state, const Vec& ux) const {
+    const EnergyTerm& term = problem_.term(id);
+    const ElementDofs& dofs = term.element_dofs();
+    const ColoredBatches& plan = ProblemParts::plan(problem_, id);
+    constexpr std::size_t stride = LocalSystem::stride;
+    const int threads = ThreadCount::current();
+    std::vector<Workspace> kernels(to_size(threads)), memories(to_size(threads));
+    Vec out(dofs.element_count());
+    const auto visit = [&](Index c, int thread) {
+      const ElementBatch batch = plan.batch(c);
+      LocalSystem local;
+      local.value = memories[to_size(thread)].reserve((1 + to_size(dofs.local_size())) * stride);
+      local.gradient = local.value + stride;
+      term.local(x_, batch, Curvature::Exact, state, kernels[to_size(thread)], local);
+      Vec part;
+      for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+        const Index e = batch.elements[p];
+        gather(dofs, e, ux, part);
+        out[e] = product(local, static_cast<int>(p), part);
+      }
+    };
+    parallel_tasks(plan.batch_count(), visit, threads);
+    for (Index e = 0; e < out.size(); ++e)
+      if (!std::isfinite(out[e])) refuse_parameters(id, e);
     return out;
+  }
+
+  [[noreturn]] void refuse_parameters(TermId id, Index e) const {
+    refuse(fmt::format("term '{}' is not finite beside the parameters of element {}",
+                       problem_.term(id).name(), e));
   }
 
   // The parameters of a term as numbers: those of its state, or those that it was made with.
@@ -320,23 +346,9 @@ class Sensitivity::Parts {
     return problem_.term(id).parameters();
   }
 
-  // The derivative of element gradients along `steps` / h by differences of four points: calls
-  // visit(e, local, p) with local.gradient = coefficient * gradient, four times each element.
-  template <class Visit>
-  void differentiate(TermId id, const Vec& base, const Vec& steps, const Visit& visit) {
-    constexpr std::pair<double, double> kStencil[] = {
-        {1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}};
-    TermState state = problem_.state(id);
-    for (const auto& [multiple, coefficient] : kStencil) {
-      state.parameters = base + multiple * steps;
-      visit_elements(problem_, id, x_, state, false, kAll, [&](Index e, LocalSystem& local, int p) {
-        if (!std::isfinite(local.value[p]))
-          refuse(fmt::format("term '{}' is not finite beside the parameters of element {}",
-                             problem_.term(id).name(), e));
-        visit(e, local, p, coefficient);
-      });
-    }
-  }
+  // The points of a derivative by differences, as multiples of a step, and their coefficients.
+  static constexpr std::pair<double, double> kStencil[] = {
+      {1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}};
 
   // The size of each parameter, for steps: its own, or the mean of all.
   static Vec sizes(const Vec& parameters) {
@@ -352,12 +364,16 @@ class Sensitivity::Parts {
     const Vec base = parameters_of(id);
     // The change that is, in none of the parameters, more than the step of differences.
     const double h = kDifference / change.cwiseAbs().cwiseQuotient(sizes(base)).maxCoeff();
-    const TermState& state = problem_.state(id);
-    differentiate(
-        id, base, h * change, [&](Index e, LocalSystem& local, int p, double coefficient) {
-          ProblemParts::slots(problem_, id)
-              .add_gradient(e, local, p, weight_of(state, e) * coefficient / h, sum.data());
-        });
+    TermState state = problem_.state(id);
+    for (const auto& [multiple, coefficient] : kStencil) {
+      state.parameters = base + multiple * h * change;
+      const double part = coefficient / h;
+      visit_elements(problem_, id, x_, state, false, kAll, [&](Index e, LocalSystem& local, int p) {
+        if (!std::isfinite(local.value[p])) refuse_parameters(id, e);
+        ProblemParts::slots(problem_, id)
+            .add_gradient(e, local, p, weight_of(state, e) * part, sum.data());
+      });
+    }
   }
 
   void require_parameters(TermId id, const Vec& change) const {
@@ -377,14 +393,15 @@ class Sensitivity::Parts {
     const Vec base = parameters_of(id), size = kDifference * sizes(base);
     // parameter(e): the one of an element's parameters that a sweep moves, or -1.
     const auto sweep = [&](const Vec& steps, const auto& parameter) {
-      Vec part;
-      differentiate(id, base, steps, [&](Index e, LocalSystem& local, int p, double coefficient) {
-        const Index k = parameter(e);
-        if (k < 0) return;
-        gather(term.element_dofs(), e, ux, part);
-        out[k] -=
-            weight_of(problem_.state(id), e) * coefficient * product(local, p, part) / size[k];
-      });
+      TermState state = problem_.state(id);
+      Vec slope = Vec::Zero(term.element_dofs().element_count());
+      for (const auto& [multiple, coefficient] : kStencil) {
+        state.parameters = base + multiple * steps;
+        slope += coefficient * products(id, state, ux);
+      }
+      for (Index e = 0; e < slope.size(); ++e)
+        if (const Index k = parameter(e); k >= 0)
+          out[k] -= weight_of(state, e) * slope[e] / size[k];
     };
     if (own > 0) {
       for (Index j = 0; j < own; ++j) {
