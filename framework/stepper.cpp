@@ -199,7 +199,9 @@ void Stepper::descend(Descent& descent, const StoppingRules& rules) {
       if (step.outcome == Outcome::Moved) {
         step.record.iteration = static_cast<int>(result.iterations.size()) + 1;
         result.iterations.push_back(step.record);
-        if (start.size() == result.y.size()) distance_ = partition().norm(result.y - start);
+        if (rules.scale == EnergyScale::Decrease &&
+            partition().all(start.size() == result.y.size()))
+          distance_ = partition().norm(result.y - start);
         const double now = partition().norm(result.y);
         if (result.iterations.size() == 1) size = std::max(size, now);
         if (now > kUnboundedGrowth * size) {
