@@ -161,7 +161,7 @@ Eigen::MatrixXd dense(const SparsePattern& pattern, const Vec& values) {
 
 // Below this part of the largest eigenvalue there is no curvature.
 constexpr double kNoCurvature = 1e-9;
-// Of the gradient before polishing began to the one after it, and of energies.
+// The relative accuracy of the energy and of the place of a polished minimum.
 constexpr double kEnergyDigits = 1e-11;
 
 struct Polished {
@@ -223,7 +223,7 @@ std::optional<Polished> find(const SuiteProblem& problem, const SuiteInstance& i
   return best;
 }
 
-// What is wrong with a minimum of the table; empty: nothing.
+// Says what is wrong with a minimum of the table; empty where nothing is.
 std::string fault(const SuiteProblem& problem, double minimum, const std::optional<Polished>& p) {
   constexpr double kZero = 1e-15;
   if (!p) return "no run reaches it";
@@ -303,7 +303,8 @@ void run_all(const std::vector<SuiteProblem>& problems, const Arguments& asked) 
     fmt::print("| all | | {} | {}\n", method, row(sums[method]));
 }
 
-// Those whose name or family has the pattern. Throws std::runtime_error where none has.
+// Returns the problems whose name or family has the pattern. Throws std::runtime_error where none
+// has.
 std::vector<SuiteProblem> chosen(const std::string& pattern) {
   std::vector<SuiteProblem> problems;
   const std::regex regex(pattern);

@@ -8,15 +8,15 @@ namespace majorant::newton_suite {
 // `count` springs between (-1, 0.7) and (1, 0.7), rest length 3 in all, under a load; starts are
 // compressed. roughness: of the random starts.
 SuiteInstance rope(int count, double roughness);
-// The same in space.
+// Makes that rope in space.
 SuiteInstance rope_in_space(int count);
 // n by n cells of a square net in space, held at its corners, rest lengths 1.1 times its own.
 SuiteInstance slack_net(int n);
-// The same held at its border, rest lengths 0.9 times its own.
+// Makes that net, held at its border, with rest lengths 0.9 times its own.
 SuiteInstance tight_net(int n);
 // A triangulated grid in the plane, all springs at rest, held at two points or nowhere.
 SuiteInstance springs_at_rest(int n, bool is_held);
-// The same in space: a row of cubes with all their diagonals.
+// Makes a row of cubes in space, with all their diagonals.
 SuiteInstance cubes_at_rest();
 // A shallow arch of two bars under a load that does not snap it through, and under one that does.
 SuiteInstance two_bar_truss(double load);

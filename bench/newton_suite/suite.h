@@ -74,10 +74,10 @@ Vec wave(int k, Index size);
 // x, x + spread wave k, x + spread times random numbers; x and spread in the full unknowns.
 std::vector<Vec> starts_around(const Problem& problem, const Vec& x, const Vec& spread);
 std::vector<Vec> starts_around(const Problem& problem, const Vec& x, double spread);
-// The same with x times these four factors as variations: [MGH81] has 10 and 100.
+// Makes the starts x and, as variations, x times these four factors: [MGH81] has 10 and 100.
 std::vector<Vec> scaled_starts(const Problem& problem, const Vec& x,
                                const std::vector<double>& factors, double spread);
-// The same with these four variations.
+// Makes the starts with these four variations.
 std::vector<Vec> starts_of(const Problem& problem, const Vec& x, const std::vector<Vec>& variations,
                            const Vec& spread);
 

@@ -221,7 +221,8 @@ def main():
     parser.add_argument('--every', type=int, default=1)
     parser.add_argument('--judge', type=int, default=3000, help='faces up to which layouts are judged')
     parser.add_argument('--json', type=Path, help='results, written after every run; what is there is not run again')
-    parser.add_argument('--shared', type=Path, default=Path('/work/shared'))
+    parser.add_argument('--shared', type=Path, default=Path(__file__).resolve().parents[3] / 'shared',
+                        help='folder with tools/')
     options = parser.parse_args()
     files = sorted(p for p in options.folder.rglob('*') if p.suffix.lower() in KINDS)[::options.every]
     accepted = [p for p in files if is_accepted(p)]

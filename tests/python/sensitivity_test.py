@@ -110,7 +110,7 @@ def test_bounds_count_by_the_barrier_that_is_left():
         return majorant.Problem(1).add(majorant.penalty([[1.0]], [target])).bound(upper=[1.0]).minimize([0.0])
 
     held, free = solved(3.0), solved(0.2)
-    assert abs(held.forward(weights={}).item()) == 0
+    assert held.x == pytest.approx([1.0], abs=1e-4)
     wide = majorant.element_term([[0]], lambda z, e, t: (z[:, 0] - t[0]) ** 2, data=[0.2])
     s = majorant.Problem(1).add(wide).bound(upper=[1.0]).minimize([0.0])
     assert s.adjoint([1.0]).parameters[wide] == pytest.approx([1.0], abs=1e-3)

@@ -82,6 +82,8 @@ TEST(TermData, OtherNumbersOfThemAreRefused) {
   const TermId id = builder.add(chain(Vec::Ones(kCount)), 1.0);
   const Problem problem = builder.build();
   EXPECT_THROW(problem.with({{id, {.parameters = Vec::Ones(kCount - 1)}}}), InvalidArgument);
+  EXPECT_THROW(problem.with({{id, {.parameters = Vec::Constant(kCount, std::nan(""))}}}),
+               InvalidArgument);
   EXPECT_THROW(held().add(chain(Vec::Ones(kCount)), TermState{.parameters = Vec::Ones(1)}),
                InvalidArgument);
   // A term without data takes none: they would be ignored.
