@@ -65,8 +65,8 @@ SolverFactory LinearSolvers::load_petsc(Rung first) {
 }
 
 void LinearSolvers::apply(SolveOptions& options) {
-  options.linear_solver = [this](const SparsePattern& pattern, Ordering ordering) {
-    return make(pattern, ordering);
+  options.linear_solver = [this](const SparsePattern& pattern, const DirectSolverOptions& direct) {
+    return make(pattern, direct);
   };
 }
 
@@ -83,12 +83,13 @@ void LinearSolvers::foresee(const SurfaceMesh& mesh, const ParametrizationOption
 }
 
 // The direct solver, once it has analysed the pattern and allocated nothing, or another one.
-std::shared_ptr<LinearSolver> LinearSolvers::make(const SparsePattern& pattern, Ordering ordering) {
+std::shared_ptr<LinearSolver> LinearSolvers::make(const SparsePattern& pattern,
+                                                  const DirectSolverOptions& options) {
   if (name_ != "auto" && name_ != "direct") {
     used_cholmod_ |= name_ == "cholmod" && pattern.size > 0;
     return plugin_();
   }
-  std::unique_ptr<LinearSolver> direct = make_direct_solver(ordering);
+  std::unique_ptr<LinearSolver> direct = make_direct_solver(options);
   if (pattern.size == 0) return direct;
   direct->analyze(pattern);
   const SolverMemory memory =

@@ -50,7 +50,8 @@ class LinearSolvers {
 
  private:
   SolverFactory load_petsc(Rung first);
-  std::shared_ptr<LinearSolver> make(const SparsePattern& pattern, Ordering ordering);
+  std::shared_ptr<LinearSolver> make(const SparsePattern& pattern,
+                                     const DirectSolverOptions& options);
   bool gives_way(const SolverMemory& memory, int foreseen_degree);
 
   std::string name_;

@@ -1,15 +1,16 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""docs/measurements.md: every table of figures, whole, from the results that are kept in bench/results.
+"""Every table of figures, from the results that are kept in bench/results.
 
 A result is what a command printed, with the command, the commit of the program, the machine and the date:
 bench/results/NAME.txt, a head of `key: value` lines, an empty line, the output. --run measures anew and
-replaces these files; without it nothing is measured. What a table shows is said in MEASUREMENTS.
+replaces these files; without it nothing is measured. What a table shows is said in contents.txt, from which
+README.md of that folder is made. The site has all tables as one page (cmake/scripts/make_site.py).
 
 Sample runs:
-  bench/measurements.py                          # writes docs/measurements.md
-  bench/measurements.py --run disks random_cones # measures these two, then writes the page
+  bench/measurements.py                          # writes bench/results/README.md
+  bench/measurements.py --run disks random_cones # measures these two, then writes the list
   bench/measurements.py --list
 """
 import argparse
@@ -22,13 +23,13 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / 'bench/results'
-PAGE = ROOT / 'docs/measurements.md'
+LIST = RESULTS / 'README.md'
 KEYS = ('command', 'commit', 'machine', 'date')
 INTRODUCTION = '''\
 # Measurements
 
-All tables of figures of this documentation, made by `bench/measurements.py` from the results in `bench/results`;
-`bench/measurements.py --run NAME` measures one again. Each table names its command, the commit of the program,
+All tables of figures of this documentation: files of `bench/results`, which `bench/measurements.py --run NAME`
+measures again; `make site` shows them as one page. Each table names its command, the commit of the program,
 the machine and the date. E is the symmetric Dirichlet energy, a mean over the surface (4 for an isometry), where
 nothing else is said. Most commands need the public meshes (`--shared`).
 
@@ -90,8 +91,19 @@ def section(measurement):
         values['date'], output)
 
 
+def anchor(name):
+    """Of the section of a result in page(), as GitHub makes anchors."""
+    title = next(m.title for m in MEASUREMENTS if m.name == name)
+    return re.sub(r'[^\w -]', '', title.lower()).replace(' ', '-')
+
+
 def page():
     return '\n'.join([INTRODUCTION, *(section(m) for m in MEASUREMENTS)])
+
+
+def contents():
+    rows = ('| [%s](%s.txt) | %s |' % (m.title, m.name, read_result(m.name)[0]['date']) for m in MEASUREMENTS)
+    return '\n'.join([INTRODUCTION, '| table | measured |', '|---|---|', *rows, ''])
 
 
 def main():
@@ -105,7 +117,7 @@ def main():
         return 0
     for name in options.run:
         run(name)
-    PAGE.write_text(page())
+    LIST.write_text(contents())
     return 0
 
 

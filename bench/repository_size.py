@@ -80,7 +80,6 @@ def measure(commit):
              ('majorant-mpi, lines', lines(parallel)), ('majorant-mpi, files', len(parallel)),
              ('public headers', len(headers)), ('public headers, lines', lines(headers)),
              ('pages of docs', len(docs)), ('docs, lines', lines(docs)),
-             ('docs, lines of measurements.md', docs.get('docs/measurements.md', '').count('\n')),
              ('README.md, lines', docs['README.md'].count('\n')),
              ('C++ tests, lines', lines(under('tests', ('.h', '.cpp')))),
              ('C++ tests, cases', sum(len(CASE.findall(t)) for t in under('tests', '.cpp').values())),

@@ -10,8 +10,8 @@
 #include "majorant/framework/internal/multifrontal.h"
 #include "majorant/framework/internal/symbolic_analysis.h"
 #include "majorant/framework/internal/symbolic_update.h"
-#include "majorant/framework/kept_factor_memory.h"
 #include "majorant/framework/linear_solver.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/framework/pattern_analysis.h"
 
 namespace majorant {
@@ -43,19 +43,6 @@ std::shared_ptr<PatternAnalysis::Parts> PatternAnalysis::take(const SparsePatter
 
 namespace {
 
-thread_local PatternAnalysis* offered = nullptr;
-
-}  // namespace
-
-OfferedAnalysis::OfferedAnalysis(PatternAnalysis* analysis)
-    : before_(std::exchange(offered, analysis)) {}
-
-OfferedAnalysis::~OfferedAnalysis() { offered = before_; }
-
-PatternAnalysis* OfferedAnalysis::current() { return offered; }
-
-namespace {
-
 // Patterns that differ from the last one by at most so many edges for each block keep its ordering,
 // as long as the factor needs at most so many times the operations. In bijective runs, where flips
 // of edges come between two factorizations, larger factors save no more time.
@@ -66,26 +53,29 @@ bool same(const SparsePattern& a, const SparsePattern& b) {
          a.block_of == b.block_of;
 }
 
-class DirectSolver final : public LinearSolver {
+class MultifrontalSolver final : public DirectSolver {
  public:
-  explicit DirectSolver(Ordering ordering) : ordering_(ordering) {}
-  ~DirectSolver() override {
-    if (factor_) KeptFactorMemory::give(factor_->release());
-  }
+  explicit MultifrontalSolver(const DirectSolverOptions& options)
+      : ordering_(options.ordering),
+        analysis_(options.analysis),
+        threads_(options.threads),
+        large_factor_(options.large_factor) {}
 
   void analyze(const SparsePattern& pattern) override {
     // Who chose this solver for the pattern has analysed it already, to know bytes().
     if (analysed_ && same(*analysed_, pattern)) return;
     require_valid(pattern);
     analysed_.reset();
-    FactorMemory memory = factor_ ? factor_->release() : KeptFactorMemory::take();
+    FactorMemory memory = factor_ ? factor_->release() : FactorMemory();
     factor_.reset();
     tree_.reset();
     size_ = pattern.size;
     nonzeros_ = pattern.nonzeros();
     if (pattern.size == 0) return;
+    const ThreadCount threads(threads_);
     make_tree(pattern);
-    factor_ = std::make_unique<MultifrontalFactor>(*tree_, front_kernels(), std::move(memory));
+    factor_ = std::make_unique<MultifrontalFactor>(*tree_, front_kernels(), std::move(memory),
+                                                   large_factor_);
     describe();
     analysed_ = pattern;
   }
@@ -109,7 +99,7 @@ class DirectSolver final : public LinearSolver {
   // Of L^-1 P R, column by column, what is not 0.
   Eigen::MatrixXd inverse_products(Index size, const std::vector<SparseColumn>& columns,
                                    const StopCheck& stop) override {
-    require_size("LinearSolver::inverse_products: size", size, size_);
+    require_size("DirectSolver::inverse_products: size", size, size_);
     const auto count = static_cast<Index>(columns.size());
     Eigen::MatrixXd products = Eigen::MatrixXd::Zero(count, count);
     if (!factor_) return products;
@@ -133,7 +123,7 @@ class DirectSolver final : public LinearSolver {
   }
   Vec solution_entries(Index size, const SparseColumn& r,
                        const std::vector<Index>& unknowns) override {
-    require_size("LinearSolver::solution_entries: size", size, size_);
+    require_size("DirectSolver::solution_entries: size", size, size_);
     Vec entries;
     if (factor_) factor_->solve_entries(r, unknowns, entries);
     return entries;
@@ -145,8 +135,8 @@ class DirectSolver final : public LinearSolver {
   using Analysis = PatternAnalysis::Parts;
 
   void make_tree(const SparsePattern& pattern) {
-    if (PatternAnalysis* const offer = OfferedAnalysis::current())
-      if (const auto found = offer->take(pattern, ordering_)) return adopt(std::move(*found));
+    if (const auto given = std::exchange(analysis_, nullptr))
+      if (const auto found = given->take(pattern, ordering_)) return adopt(std::move(*found));
     BlockGraph graph(pattern);
     extended_ = extend_last(pattern, graph);
     if (extended_) {
@@ -168,7 +158,7 @@ class DirectSolver final : public LinearSolver {
     // change; who solves with these chooses the ordering.
     last_graph_.reset();
     elimination_ = {};
-    if (ordering_ == Ordering::Automatic && tree_->factor_size() * sizeof(double) >= kLargeFactor)
+    if (ordering_ == Ordering::Automatic && tree_->factor_size() * sizeof(double) >= large_factor_)
       return;
     last_graph_ = std::move(found.graph);
     elimination_ = std::move(found.elimination);
@@ -192,6 +182,9 @@ class DirectSolver final : public LinearSolver {
   }
 
   Ordering ordering_, chosen_ = Ordering::Amd;
+  std::shared_ptr<PatternAnalysis> analysis_;  // until the first pattern is analysed
+  int threads_;
+  std::size_t large_factor_;
   Index size_ = 0, nonzeros_ = 0;
   std::optional<SparsePattern> analysed_;  // and nothing of it factorized yet
   std::optional<BlockGraph> last_graph_;
@@ -207,8 +200,8 @@ class DirectSolver final : public LinearSolver {
 
 std::string_view vector_instructions() { return front_kernels().name; }
 
-std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering) {
-  return std::make_unique<DirectSolver>(ordering);
+std::unique_ptr<DirectSolver> make_direct_solver(const DirectSolverOptions& options) {
+  return std::make_unique<MultifrontalSolver>(options);
 }
 
 }  // namespace majorant

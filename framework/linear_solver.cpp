@@ -14,43 +14,10 @@ constexpr double kShiftGrowth = 10;
 // the shift is all there is.
 constexpr int kMostShifts = 24;
 
-Vec dense(Index size, const LinearSolver::SparseColumn& column) {
-  Vec r = Vec::Zero(size);
-  for (const auto& [unknown, value] : column) r[unknown] += value;
-  return r;
-}
-
-double product(const LinearSolver::SparseColumn& column, const Vec& with) {
-  double sum = 0;
-  for (const auto& [unknown, value] : column) sum += value * with[unknown];
-  return sum;
-}
-
 }  // namespace
 
 FactorStatus LinearSolver::factorize_until(const StopCheck&, const Vec& values, double shift) {
   return factorize(values, shift);
-}
-
-Eigen::MatrixXd LinearSolver::inverse_products(Index size, const std::vector<SparseColumn>& columns,
-                                               const StopCheck& stop) {
-  const auto count = static_cast<Index>(columns.size());
-  Eigen::MatrixXd products(count, count);
-  Vec p;
-  for (Index k = 0; k < count; ++k) {
-    stop.poll();
-    stop.advance(static_cast<std::size_t>(k), columns.size());
-    solve(dense(size, columns[k]), p);
-    for (Index i = 0; i < count; ++i) products(i, k) = product(columns[i], p);
-  }
-  return products;
-}
-
-Vec LinearSolver::solution_entries(Index size, const SparseColumn& r,
-                                   const std::vector<Index>& unknowns) {
-  Vec p;
-  solve(dense(size, r), p);
-  return p(unknowns);
 }
 
 double mean_diagonal(const SparsePattern& pattern, const Vec& values) {

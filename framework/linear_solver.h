@@ -1,14 +1,15 @@
 // Linear solvers: H p = r for symmetric positive definite H of a fixed pattern.
 //
-//   const std::unique_ptr<LinearSolver> solver = make_direct_solver();
+//   const std::unique_ptr<DirectSolver> solver = make_direct_solver();
 //   solver->analyze(problem.pattern());                             // once per pattern
 //   const Vec values = Vec::Ones(problem.pattern().nonzeros());     // parallel to pattern().rows
 //   Vec p;
 //   if (solver->factorize(values, 0) == FactorStatus::Ok) solver->solve(y0, p);
 //
-// The solvers here are direct. One of your own may be iterative: factorize() makes a
-// preconditioner, solve() is asked for no more accuracy than the method needs and says what it
-// reached; docs/choosing_a_solver.md has one. Not for indefinite or unsymmetric systems.
+// The solvers here are direct. One of your own is three functions: analyze(), factorize(), solve().
+// It may be iterative: factorize() makes a preconditioner, and solve() gets the tolerance that the
+// method needs and says what it reached; docs/choosing_a_solver.md has one. Not for indefinite or
+// unsymmetric systems.
 #pragma once
 
 #include <cstddef>
@@ -91,23 +92,11 @@ class LinearSolver {
   // p with |H p - r| <= tolerance |r|, H with its shift; only after factorize() returned Ok.
   // tolerance: in [0, 1); 0 asks for all that rounding leaves. Direct solvers do not look at it.
   virtual Solution solve(const Vec& r, Vec& p, double tolerance = 0) = 0;
-  // A column with few entries: unknowns, ascending, and values.
-  using SparseColumn = std::vector<std::pair<Index, double>>;
-  // R^T (H + shift I)^-1 R for the `size` unknowns' rows and these columns of R; only after
-  // factorize() returned Ok. A solve for each column; of the direct solver half of it, and less
-  // where the column has few entries. Throws Stopped.
-  virtual Eigen::MatrixXd inverse_products(Index size, const std::vector<SparseColumn>& columns,
-                                           const StopCheck& stop = {});
-  // The entries of solve(r, p) at these unknowns, for an r that is 0 but at a few unknowns, of
-  // `size` of them: of the direct solver the same numbers to the last bit, for what two paths
-  // through its factor cost.
-  virtual Vec solution_entries(Index size, const SparseColumn& r,
-                               const std::vector<Index>& unknowns);
   // Memory that factorize() is going to allocate for the factor and its making, known after the
   // analysis, before any of it is taken; 0: not known.
   virtual std::size_t bytes() const { return 0; }
   // The choices of the analysis, for reports: "supernodal, METIS, 1.2e6 nonzeros".
-  virtual std::string description() const = 0;
+  virtual std::string description() const { return "a solver of the program's own"; }
   // factorize() that polls `stop` between pieces of the work: Stopped, and factorize() comes again
   // before the next solve(). Solvers that cannot end on the way do not ask.
   virtual FactorStatus factorize_until(const StopCheck& stop, const Vec& values, double shift);
@@ -121,17 +110,50 @@ using SolverFactory = std::function<std::shared_ptr<LinearSolver>()>;
 // to find, for one or two.
 enum class Ordering { Automatic, Amd, Metis };
 
-// Makes the solver of a run, as SolveOptions::linear_solver. It is told the pattern to be
-// factorized and the ordering that suits the number of factorizations, so that it can choose by
-// size (bytes() of a solver that has analysed the pattern).
-using PatternSolverFactory =
-    std::function<std::shared_ptr<LinearSolver>(const SparsePattern& pattern, Ordering ordering)>;
+// The ordering of a pattern and the structure of its factor (pattern_analysis.h).
+class PatternAnalysis;
 
-// Multifrontal Cholesky [DR83] of this library, on the orderings of AMD and METIS: in the widest
-// vector instructions of the machine, on the threads that the caller of analyze() has
-// (parallel.h). The same bits for any number of them, and on machines with AVX2 and AVX-512.
-// Needs no BLAS. Every member throws std::bad_alloc when it runs out of memory.
-std::unique_ptr<LinearSolver> make_direct_solver(Ordering ordering = Ordering::Automatic);
+// The bytes of a factor from which on memory that only waits goes back to the system: of a map of
+// 300,000 faces. To have it mapped again takes a hundredth of the factorization.
+inline constexpr std::size_t kLargeFactor = std::size_t(256) << 20;
+
+// All that a direct solver is given when it is made.
+struct DirectSolverOptions {
+  Ordering ordering = Ordering::Automatic;
+  // An analysis of the first pattern, by this ordering, that is there already. The solver takes it
+  // if it fits, and makes its own otherwise. May be null.
+  std::shared_ptr<PatternAnalysis> analysis = {};
+  int threads = 0;  // 0: as many as the caller of analyze() has (parallel.h)
+  std::size_t large_factor = kLargeFactor;  // bytes
+};
+
+// A solver that has a factor L L^T of the matrix. For right-hand sides of few entries it does less
+// than whole solves.
+class DirectSolver : public LinearSolver {
+ public:
+  // A column with few entries: unknowns, ascending, and values.
+  using SparseColumn = std::vector<std::pair<Index, double>>;
+  // R^T (H + shift I)^-1 R for the `size` unknowns' rows and these columns of R; only after
+  // factorize() returned Ok. Half a solve for each column, and less where it has few entries.
+  // Throws Stopped.
+  virtual Eigen::MatrixXd inverse_products(Index size, const std::vector<SparseColumn>& columns,
+                                           const StopCheck& stop = {}) = 0;
+  // The entries of solve(r, p) at these unknowns, to the last bit, for an r of `size` entries that
+  // is 0 but at a few unknowns: for what two paths through the factor cost.
+  virtual Vec solution_entries(Index size, const SparseColumn& r,
+                               const std::vector<Index>& unknowns) = 0;
+};
+
+// Multifrontal Cholesky [DR83] of this library, on the orderings of AMD and METIS, in the widest
+// vector instructions of the machine. The same bits for any number of threads, and on machines with
+// AVX2 and AVX-512. Needs no BLAS. Every member throws std::bad_alloc when it runs out of memory.
+std::unique_ptr<DirectSolver> make_direct_solver(const DirectSolverOptions& options = {});
+
+// Makes the solver of a run, as SolveOptions::linear_solver. It is given the pattern to be
+// factorized, so that it can choose by size (bytes() of a solver that has analysed the pattern),
+// and what make_direct_solver() would be given.
+using PatternSolverFactory = std::function<std::shared_ptr<LinearSolver>(
+    const SparsePattern& pattern, const DirectSolverOptions& options)>;
 
 // The instruction set that the direct solver and the kernels of built-in energies use on this
 // machine: "AVX-512", "AVX2" or "baseline".

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "majorant/framework/argument_check.h"
-#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/first_order.h"
+#include "majorant/framework/heap.h"
 #include "majorant/framework/internal/lbfgs_history.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/internal/try_shifts.h"

@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/processors.h"
 #include "majorant/framework/side_task.h"
 
 namespace majorant {

@@ -2,13 +2,11 @@
 // solver, and perhaps on another thread.
 //
 //   const SparsePattern& pattern = problem.pattern();      // outlives the analysis, where it is
-//   PatternAnalysis analysis(pattern, Ordering::Automatic);
-//   const OfferedAnalysis offer(&analysis);                // until the end of this block
-//   const auto solver = make_direct_solver();
+//   auto analysis = std::make_shared<PatternAnalysis>(pattern, Ordering::Automatic);
+//   const auto solver = make_direct_solver({.analysis = analysis});
 //   solver->analyze(pattern);                              // takes it
 //
-// Who makes a solver for a pattern need not know of an offer: whatever is between, a factory of a
-// caller say, passes it on. Not for a second solver: the first one that fits takes it along.
+// Not for a second solver: the first one that fits takes it along.
 #pragma once
 
 #include <memory>
@@ -33,20 +31,6 @@ class PatternAnalysis {
   const SparsePattern* pattern_;
   Ordering asked_;
   std::shared_ptr<Parts> parts_;
-};
-
-// An offer to the direct solvers that analyse on this thread. The last one holds.
-class OfferedAnalysis {
- public:
-  explicit OfferedAnalysis(PatternAnalysis* analysis);  // null: nothing
-  ~OfferedAnalysis();
-  OfferedAnalysis(const OfferedAnalysis&) = delete;
-  OfferedAnalysis& operator=(const OfferedAnalysis&) = delete;
-
-  static PatternAnalysis* current();
-
- private:
-  PatternAnalysis* before_;
 };
 
 }  // namespace majorant

@@ -325,6 +325,11 @@ class RunRecord {
   // record.
   const StopCheck& stop() const { return stop_; }
   const StopCheck& start_stop() const { return start_stop_; }
+  // Puts another check in the place of start_stop(), and returns that. For work that goes on beside
+  // a start.
+  StopCheck replace_start_stop(StopCheck check) {
+    return std::exchange(start_stop_, std::move(check));
+  }
   Directive directive() const { return agreed(stop_()); }
   // Iterations on coarser meshes do not count against the limit.
   int iterations_left() const {

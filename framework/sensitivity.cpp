@@ -572,18 +572,18 @@ Eigen::MatrixXd covariance(const Problem& problem, const SolveResult& result,
   for (const TermId id : problem.terms())
     if (!dynamic_cast<const ResidualTerm*>(&problem.term(id)))
       unsupported(fmt::format("term '{}' is no sum of squares", problem.term(id).name()));
-  std::vector<LinearSolver::SparseColumn> columns;
+  std::vector<DirectSolver::SparseColumn> columns;
   for (const Index i : unknowns) {
     if (i < 0 || i >= problem.full_size())
       throw InvalidArgument(fmt::format("covariance: unknown {} of {}", i, problem.full_size()));
-    LinearSolver::SparseColumn& column = columns.emplace_back();
+    DirectSolver::SparseColumn& column = columns.emplace_back();
     for (const auto& e : ProblemParts::elimination(problem).row(i))
       column.emplace_back(e.reduced, e.coefficient);
     std::sort(column.begin(), column.end());
   }
   Vec gradient, values;
   Evaluator(problem).linearize(result.y, Curvature::Projected, gradient, values);
-  const std::unique_ptr<LinearSolver> solver = make_direct_solver();
+  const std::unique_ptr<DirectSolver> solver = make_direct_solver();
   solver->analyze(problem.pattern());
   if (!values.allFinite() || solver->factorize(values, 0) != FactorStatus::Ok ||
       !(least_eigenvalue(*solver, problem.size()) >

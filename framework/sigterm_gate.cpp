@@ -2,22 +2,7 @@
 
 #include <pthread.h>
 
-#include <utility>
-
 namespace majorant {
-namespace {
-
-thread_local SigtermGate* gate_of_this_thread = nullptr;
-
-}  // namespace
-
-SigtermGate::SigtermGate() : before_(std::exchange(gate_of_this_thread, this)) {}
-
-SigtermGate::~SigtermGate() {
-  gate_of_this_thread = before_;
-  close();
-}
-
 void SigtermGate::enter() {
   Stage now = Stage::Closed;
   if (stage_.compare_exchange_strong(now, Stage::Asked)) now = Stage::Asked;
@@ -59,9 +44,8 @@ void SigtermGate::poll() {
 }
 
 StopCheck SigtermGate::polled(const StopCheck& stop) {
-  if (!gate_of_this_thread) return stop;
-  return stop.asking([stop] {
-    if (gate_of_this_thread) gate_of_this_thread->poll();
+  return stop.asking([this, stop] {
+    if (std::this_thread::get_id() == owner_) poll();
     return stop();
   });
 }

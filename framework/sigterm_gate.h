@@ -3,7 +3,7 @@
 //   SigtermGate gate;                            // the owner's
 //   const auto analyse = [&] { gate.enter(); };  // of the other thread, around the analysis;
 //   gate.leave();                                // likewise
-//   const StopCheck stop = SigtermGate::polled({});   // for what the owner does meanwhile
+//   const StopCheck stop = gate.polled({});      // for what the owner does meanwhile
 //
 // METIS has a handler of SIGTERM in place while it orders (metis_scope.h), which only the thread
 // that runs it survives. So that thread waits until SIGTERM waits on the owner's, who is asked
@@ -15,6 +15,7 @@
 #include <atomic>
 #include <csignal>
 #include <optional>
+#include <thread>
 
 #include "majorant/framework/stop_check.h"
 
@@ -22,8 +23,8 @@ namespace majorant {
 
 class SigtermGate {
  public:
-  SigtermGate();
-  ~SigtermGate();
+  SigtermGate() = default;
+  ~SigtermGate() { close(); }
   SigtermGate(const SigtermGate&) = delete;
   SigtermGate& operator=(const SigtermGate&) = delete;
 
@@ -37,8 +38,8 @@ class SigtermGate {
   void refuse();
   void close();
 
-  // A check that asks `stop`, and polls the gate of the thread that asks, if it has one.
-  static StopCheck polled(const StopCheck& stop);
+  // A check that asks `stop` and, on the owner's thread, polls this gate, which outlives it.
+  StopCheck polled(const StopCheck& stop);
 
  private:
   enum class Stage { Closed, Asked, Open, Left, Refused };
@@ -46,7 +47,7 @@ class SigtermGate {
   void hold();
   void move_to(Stage stage);
 
-  SigtermGate* before_;  // of this thread
+  const std::thread::id owner_ = std::this_thread::get_id();
   std::atomic<Stage> stage_{Stage::Closed};
   std::optional<sigset_t> mask_;  // the owner's, while SIGTERM waits
 };

@@ -33,7 +33,7 @@ SparseSpd::SparseSpd(SparsePattern pattern, const Vec& values, const std::string
 void SparseSpd::factorize(const Vec& values, const std::string& otherwise, Ordering ordering,
                           const StopCheck& stop) {
   stop.poll();
-  solver_ = make_direct_solver(ordering);
+  solver_ = make_direct_solver({.ordering = ordering});
   solver_->analyze(*pattern_);
   stop.poll();
   if (solver_->factorize_until(stop, values, 0.0) != FactorStatus::Ok)
@@ -46,7 +46,7 @@ Vec SparseSpd::solve(const Vec& rhs) const {
   return x;
 }
 
-Vec SparseSpd::solution_entries(const LinearSolver::SparseColumn& rhs,
+Vec SparseSpd::solution_entries(const DirectSolver::SparseColumn& rhs,
                                 const std::vector<Index>& unknowns) const {
   return solver_->solution_entries(size(), rhs, unknowns);
 }

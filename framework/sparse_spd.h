@@ -38,7 +38,7 @@ class SparseSpd {
   Vec solve(const Vec& rhs) const;
   // The entries at these unknowns of the solution for a right-hand side of few entries, to the last
   // bit: much cheaper than all of it.
-  Vec solution_entries(const LinearSolver::SparseColumn& rhs,
+  Vec solution_entries(const DirectSolver::SparseColumn& rhs,
                        const std::vector<Index>& unknowns) const;
   Index size() const { return pattern_->size; }
 
@@ -47,7 +47,7 @@ class SparseSpd {
                  const StopCheck& stop);
 
   std::unique_ptr<const SparsePattern> pattern_;  // where the solver knows it, also when moved
-  std::unique_ptr<LinearSolver> solver_;
+  std::unique_ptr<DirectSolver> solver_;
 };
 
 }  // namespace majorant

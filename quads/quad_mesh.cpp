@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/stopwatch.h"
+#include "majorant/io/files/available_memory.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/quads/internal/aligned_map.h"

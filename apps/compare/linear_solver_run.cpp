@@ -10,8 +10,8 @@
 
 #include "apps/plugins/plugin.h"
 #include "majorant/apps/jobs/solver_ladder.h"
-#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/heap.h"
 #include "majorant/framework/linear_solver.h"
 #include "majorant/parametrization/solve/solver_rules.h"
 
@@ -97,8 +97,7 @@ void measure(LinearSolver& solver, const Problem& problem, const Vec& y, LinearS
   // For multigrid; as runs say it.
   const SolverFactory some = [] { return make_direct_solver(); };
   solver.hint_near_null_space(
-      newton_options(Curvature::Projected, {}, {}, Ordering::Automatic, some)
-          .near_null_space(problem));
+      newton_options(Curvature::Projected, {}, {}, {}, some).near_null_space(problem));
   const double before = cpu_seconds();
   solver.analyze(pattern);
   run.analyze_seconds = cpu_seconds() - before;

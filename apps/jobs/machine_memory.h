@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "majorant/framework/available_resources.h"
+#include "majorant/io/files/available_memory.h"
 #include "majorant/mesh/surface_mesh.h"
 
 namespace majorant {

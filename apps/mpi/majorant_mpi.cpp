@@ -388,7 +388,9 @@ class SharedJob {
     record_.begin(Activity::Starting);
     const Vec uv = make_start(solver);
     ParametrizationOptions options = local_options();
-    options.solve.linear_solver = [solver](const SparsePattern&, Ordering) { return solver(); };
+    options.solve.linear_solver = [solver](const SparsePattern&, const DirectSolverOptions&) {
+      return solver();
+    };
     std::optional<RunState> from;
     if (resumes()) from = state_of(*part_, in_.checkpoint);
     make_writer(uv);

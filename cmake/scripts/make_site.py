@@ -19,6 +19,9 @@ from pathlib import Path
 from urllib.parse import unquote
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / 'bench'))
+import measurements  # noqa: E402
+
 PAGES, SITE = ROOT / 'build/site_pages', ROOT / 'build/site'
 OTHERS = {'README.md': 'index.md', 'CONTRIBUTING.md': 'contributing.md', 'CHANGELOG.md': 'changelog.md'}
 LINK = re.compile(r'((?:\]\(|src="|href="))([^)"#:\s]*)(#[^)"\s]*)?(?=[)"])')
@@ -36,6 +39,9 @@ def with_links(page, text):
             new = name[len('docs/'):]
         elif name in OTHERS:
             new = OTHERS[name]
+        elif name.startswith('bench/results/'):
+            new = 'measurements.md'
+            anchor = '' if path.name == 'README.md' else '#' + measurements.anchor(path.stem)
         else:
             new = 'files/' + (name + '/README.md' if path.is_dir() else name)
             if new.endswith('.md'):
@@ -60,6 +66,8 @@ def copy_pages():
     for page in [*(ROOT / 'docs').glob('*.md'), *(ROOT / name for name in OTHERS)]:
         text = with_links(page, page.read_text())
         (PAGES / OTHERS.get(page.name, page.name)).write_text(text)
+    # The search finds pages that answer a question; this one has every word of every table.
+    (PAGES / 'measurements.md').write_text('---\nsearch:\n  exclude: true\n---\n\n' + measurements.page())
     (PAGES / 'viewer.md').write_text('---\nhide: [navigation, toc]\n---\n\n# The viewer\n\nA page that `majorant parametrize -o creature.html --snapshots 16` '
                                      'wrote, [by itself](creature.html); [what it shows](pictures.md#what-it-shows).\n\n'
                                      '<iframe src="creature.html" title="the map of the creature" '

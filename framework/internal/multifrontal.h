@@ -22,9 +22,9 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/framework/available_resources.h"
 #include "majorant/framework/internal/assembly_tree.h"
 #include "majorant/framework/internal/front_kernels.h"
+#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/stop_check.h"
 
 namespace majorant {
@@ -68,7 +68,7 @@ class MultifrontalFactor {
   void half_solve(const Vec& r, Vec& y);
   // The entries of solve() at these unknowns, to the last bit, for an r that is not 0 at a few
   // unknowns alone: fronts are visited between these and the roots. On one thread.
-  using SparseColumn = std::vector<std::pair<Index, double>>;
+  using SparseColumn = DirectSolver::SparseColumn;
   void solve_entries(const SparseColumn& r, std::span<const Index> unknowns, Vec& entries);
 
  private:

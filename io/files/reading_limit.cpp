@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "majorant/framework/available_resources.h"
 #include "majorant/framework/error.h"
+#include "majorant/io/files/available_memory.h"
 
 namespace majorant {
 namespace {

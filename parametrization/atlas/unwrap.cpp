@@ -23,7 +23,6 @@
 #include "majorant/elements/singular_values.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/kept_factor_memory.h"
 #include "majorant/framework/minimizer.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/stopwatch.h"
@@ -203,7 +202,6 @@ class Unwrapping {
 
   Atlas solve() {
     const ThreadCount threads(options_.chart.solve.threads);
-    std::optional<KeptFactorMemory> kept(std::in_place);  // from cut to cut, from chart to chart
     const double started = record_.seconds();
     CutOptions cuts = options_.cuts;
     for (const auto* points : {&options_.chart.map.pins, &options_.chart.map.handles})
@@ -230,7 +228,6 @@ class Unwrapping {
       if (!leave_unmapped()) divide();
       leave_unmapped();
     }
-    kept.reset();
     scale_charts();
     if (options_.packing && atlas_.status() != Status::Failed) place_charts_in_any_case();
     if (atlas_.packing && atlas_.is_complete() && atlas_.packed == Status::Converged &&

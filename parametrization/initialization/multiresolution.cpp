@@ -12,7 +12,6 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
-#include "majorant/framework/sigterm_gate.h"
 #include "majorant/maps/map_problem.h"
 #include "majorant/maps/newton_of_maps.h"
 #include "majorant/mesh/geometry.h"
@@ -84,7 +83,9 @@ struct Level {
 };
 
 // Levels factorize a matrix or two: an ordering that takes longer than that would not pay.
-std::unique_ptr<LinearSolver> few_factorizations() { return make_direct_solver(Ordering::Amd); }
+std::unique_ptr<LinearSolver> few_factorizations() {
+  return make_direct_solver({.ordering = Ordering::Amd});
+}
 
 SurfaceMesh surface_of(const Level& level, const std::string& file) {
   SurfaceParts parts;
@@ -109,7 +110,7 @@ class Multiresolution {
       : surface_(surface),
         asked_(asked),
         run_(run),
-        told_(run.telling_start(SigtermGate::polled(run.start_stop()))),
+        told_(run.telling_start(run.start_stop())),
         stop_(told_.silent()),
         rules_(rules),
         record_(record),

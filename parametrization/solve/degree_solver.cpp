@@ -23,10 +23,10 @@ namespace majorant {
 namespace {
 
 // Returns the solver that the options make for this problem; the stepper's constructor calls it.
-SolverFactory solver_of(const SolveOptions& options, const Problem& problem, Ordering ordering) {
+SolverFactory solver_of(const SolveOptions& options, const Problem& problem,
+                        const DirectSolverOptions& direct) {
   if (!options.linear_solver) return {};
-  return
-      [&options, &problem, ordering] { return options.linear_solver(problem.pattern(), ordering); };
+  return [&options, &problem, direct] { return options.linear_solver(problem.pattern(), direct); };
 }
 
 BarrierProblem::Bounds bounds_of(const std::shared_ptr<const MapExtension>& added) {
@@ -99,11 +99,12 @@ DegreeSolver::DegreeSolver(const Setup& setup, MapDomain& domain,
         setup.stop.poll();  // what follows is the analysis of its pattern
         return built;
       }()),
-      offer_(std::in_place, prepared_ ? &*prepared_->analysis : nullptr),
-      stepper_(built_.problem,
-               newton_options(setup.solve.curvature, setup.rules, setup.stop, domain.ordering(),
-                              solver_of(setup.solve, built_.problem, domain.ordering()))) {
-  offer_.reset();
+      stepper_(built_.problem, [&] {
+        const DirectSolverOptions direct{.ordering = domain.ordering(),
+                                         .analysis = prepared_ ? prepared_->analysis : nullptr};
+        return newton_options(setup.solve.curvature, setup.rules, setup.stop, direct,
+                              solver_of(setup.solve, built_.problem, direct));
+      }()) {
   prepared_.reset();
   if (setup.map.added && !setup.map.added->constraints().empty()) meet_added_constraints();
 }

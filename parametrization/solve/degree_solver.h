@@ -166,7 +166,6 @@ class DegreeSolver {
   // Made beside the start; while this is constructed; null: nothing was.
   std::shared_ptr<PreparedParts> prepared_;
   MapProblem built_;
-  std::optional<OfferedAnalysis> offer_;  // likewise, of what was prepared
   NewtonStepper stepper_;
   double began_at_ = 0;  // own energy at the start of the last descent
   bool soft_started_ = false;

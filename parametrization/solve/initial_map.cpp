@@ -7,7 +7,6 @@
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
-#include "majorant/framework/sigterm_gate.h"
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/parametrization/initialization/multiresolution.h"
 #include "majorant/parametrization/initialization/start.h"
@@ -98,7 +97,7 @@ Vec initial_map(const SurfaceMesh& mesh, const MapOptions& asked, RunRecord& rec
       return *std::move(start);
   }
   method = StartMethod::Tutte;
-  return tutte_map(mesh, SigtermGate::polled(record.start_stop()));
+  return tutte_map(mesh, record.start_stop());
 }
 
 }  // namespace majorant

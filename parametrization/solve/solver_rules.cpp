@@ -33,7 +33,7 @@ void require_curvature(const DensityTerms& terms, Curvature asked) {
 }
 
 NewtonOptions newton_options(const CurvatureChoice& curvature, const SolverRules& rules,
-                             const StopCheck& stop, Ordering ordering,
+                             const StopCheck& stop, const DirectSolverOptions& direct,
                              const SolverFactory& linear_solver) {
   NewtonOptions options = newton_of_maps();
   options.stopping = rules.stopping;
@@ -42,7 +42,7 @@ NewtonOptions newton_options(const CurvatureChoice& curvature, const SolverRules
   options.lagged = rules.lagged;
   options.set_curvature(curvature);
   options.stop = stop;
-  options.linear_solver = [=] { return make_direct_solver(ordering); };
+  options.linear_solver = [=] { return make_direct_solver(direct); };
   if (linear_solver) {
     options.linear_solver = linear_solver;
     options.near_null_space = translations;

@@ -128,9 +128,9 @@ struct SolverRules {
 // Throws InvalidArgument, listing what there is, when a term has no such curvature model.
 void require_curvature(const DensityTerms& terms, Curvature asked);
 
-// linear_solver: empty for the direct one with that ordering.
+// linear_solver: empty for the direct one with these options.
 NewtonOptions newton_options(const CurvatureChoice& curvature, const SolverRules& rules,
-                             const StopCheck& stop, Ordering ordering,
+                             const StopCheck& stop, const DirectSolverOptions& direct,
                              const SolverFactory& linear_solver = {});
 
 // Returns whether a limit or Ctrl-C ended a solve.

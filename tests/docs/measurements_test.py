@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""docs/measurements.md is what bench/measurements.py makes of bench/results, and its commands can be run."""
+"""The list of results is what bench/measurements.py makes of them, and their commands can be run."""
 import os
 import re
 import sys
@@ -14,13 +14,18 @@ sys.dont_write_bytecode = True
 import measurements  # noqa: E402
 
 
-class Page(unittest.TestCase):
-    def test_is_made_of_the_results(self):
-        self.assertEqual((SOURCE / 'docs/measurements.md').read_text(), measurements.page(),
-                         'run bench/measurements.py')
+class Results(unittest.TestCase):
+    def test_the_list_is_made_of_them(self):
+        self.assertEqual(measurements.LIST.read_text(), measurements.contents(), 'run bench/measurements.py')
+
+    def test_the_page_shows_every_table(self):
+        page = measurements.page()
+        for m in measurements.MEASUREMENTS:
+            self.assertIn('\n## %s\n' % m.title, page)
+            self.assertIn(measurements.read_result(m.name)[1].strip().splitlines()[-1], page)
 
     def test_every_result_is_shown(self):
-        names = sorted(path.stem for path in measurements.RESULTS.iterdir())
+        names = sorted(path.stem for path in measurements.RESULTS.glob('*.txt'))
         self.assertEqual(names, sorted(['contents', *(m.name for m in measurements.MEASUREMENTS)]))
 
     def test_commands_exist(self):

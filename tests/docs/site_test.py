@@ -41,6 +41,8 @@ class Site(unittest.TestCase):
         self.assertIn('<iframe src="creature.html"', (site / 'viewer.html').read_text())
         self.assertEqual((site / 'creature.html').read_bytes(), (SOURCE / 'docs/creature.html').read_bytes())
         self.assertGreater(len(list((site / 'api').glob('*.html'))), 100)
+        self.assertIn('href="measurements.html#charts"', (site / 'atlas.html').read_text())
+        self.assertNotIn('measurements.html', (site / 'search/search_index.json').read_text())
         for page in (self.root / 'docs').glob('*.md'):
             self.assertTrue((site / page.with_suffix('.html').name).exists(), page.name)
 

@@ -23,9 +23,11 @@ using test::Matrix;
 using test::Random;
 using test::random_matrix;
 
-class DirectSolver : public testing::TestWithParam<Ordering> {
+class OwnSolver : public testing::TestWithParam<Ordering> {
  protected:
-  std::unique_ptr<LinearSolver> make() const { return make_direct_solver(GetParam()); }
+  std::unique_ptr<DirectSolver> make() const {
+    return make_direct_solver({.ordering = GetParam()});
+  }
 };
 
 // The Laplacian of a square grid and the identity.
@@ -59,7 +61,7 @@ Matrix grid_matrix(Index side) {
 }
 
 // A factorization ends within some fronts of a stop, and the next one is as if there was none.
-TEST_P(DirectSolver, StopsBetweenFronts) {
+TEST_P(OwnSolver, StopsBetweenFronts) {
   Random random(1);
   const Matrix m = grid_matrix(40);
   const auto solver = make();
@@ -85,7 +87,7 @@ struct NamedSolver {
 };
 
 NamedSolver own(const char* name, Ordering ordering) {
-  return {name, [ordering] { return make_direct_solver(ordering); }};
+  return {name, [ordering] { return make_direct_solver({.ordering = ordering}); }};
 }
 NamedSolver cholmod(const char* name, Ordering ordering, Factor factor) {
   return {name, [=] { return make_cholmod_solver({ordering, factor}); }};
@@ -109,13 +111,13 @@ TEST_P(Factorization, SolvesPositiveDefiniteSystems) {
   }
 }
 
-TEST_P(Factorization, ProductsInTheInverse) {
+TEST_P(OwnSolver, ProductsInTheInverse) {
   Random random(3);
   const auto solver = make();
   for (const auto& [nodes, block] : {std::pair(1, 1), {20, 2}, {300, 1}}) {
     const Matrix m = random_matrix(random, nodes, block, 60);
     const auto size = static_cast<Index>(m.dense.rows());
-    std::vector<LinearSolver::SparseColumn> columns;
+    std::vector<DirectSolver::SparseColumn> columns;
     Eigen::MatrixXd r = Eigen::MatrixXd::Zero(size, 3);
     for (Index k = 0; k < 3; ++k) {
       const Index first = k * (size - 1) / 3, last = size - 1;
@@ -134,7 +136,7 @@ TEST_P(Factorization, ProductsInTheInverse) {
   }
 }
 
-TEST_P(Factorization, EntriesOfASolution) {
+TEST_P(OwnSolver, EntriesOfASolution) {
   Random random(4);
   const auto solver = make();
   for (const auto& [nodes, block] : {std::pair(1, 1), {20, 2}, {1000, 1}}) {
@@ -146,7 +148,7 @@ TEST_P(Factorization, EntriesOfASolution) {
       Vec r = Vec::Zero(size), p;
       r[k] = 2;
       r[size - 1] -= 0.5;
-      LinearSolver::SparseColumn column{{k, 2.0}, {size - 1, -0.5}};
+      DirectSolver::SparseColumn column{{k, 2.0}, {size - 1, -0.5}};
       const std::vector<Index> unknowns{size / 2, 0, k, size - 1, size / 2};
       const Vec found = solver->solution_entries(size, column, unknowns);
       solver->solve(r, p);
@@ -155,9 +157,29 @@ TEST_P(Factorization, EntriesOfASolution) {
   }
 }
 
+// More threads need more scratch memory.
+TEST_P(OwnSolver, HasTheThreadsThatItIsGiven) {
+  const Index side = 300;
+  const SparsePattern pattern = pattern_of_pairs(side * side, 1, [&](const auto& add) {
+    for (Index k = 0; k < side * side; ++k) {
+      if (k % side + 1 < side) add(k, k + 1);
+      if (k + side < side * side) add(k, k + side);
+    }
+  });
+  const auto bytes = [&](int given, int of_caller) {
+    const ThreadCount caller(of_caller);
+    const auto solver = make_direct_solver({.ordering = GetParam(), .threads = given});
+    solver->analyze(pattern);
+    return solver->bytes();
+  };
+  EXPECT_GT(bytes(4, 1), bytes(1, 4));
+  EXPECT_EQ(bytes(0, 4), bytes(4, 1));
+  EXPECT_EQ(bytes(0, 1), bytes(1, 4));
+}
+
 // Known before anything is allocated; of a second analysis of the same pattern the same, as are
 // description and solution to the bit.
-TEST_P(DirectSolver, BytesAreKnownAfterTheAnalysis) {
+TEST_P(OwnSolver, BytesAreKnownAfterTheAnalysis) {
   Random random(9);
   const Matrix small = random_matrix(random, 20, 2, 60), large = random_matrix(random, 150, 2, 60);
   const auto solver = make();
@@ -210,7 +232,7 @@ TEST_P(Factorization, RefactorizesOtherValues) {
 }
 
 // Patterns that change a little at a time.
-TEST_P(DirectSolver, KeepsAnOrderingWhileItServes) {
+TEST_P(OwnSolver, KeepsAnOrderingWhileItServes) {
   Random random(4);
   const auto solver = make();
   ElementDofs s = test::random_elements(random, 150, 3, 200, 2);
@@ -269,7 +291,7 @@ TEST_P(Factorization, EmptyMatrix) {
   EXPECT_EQ(p.size(), 0);
 }
 
-TEST_P(DirectSolver, DescriptionTellsTheChoice) {
+TEST_P(OwnSolver, DescriptionTellsTheChoice) {
   Random random(5);
   const auto solver = make();
   const Matrix m = random_matrix(random, 100, 2, 60);
@@ -361,7 +383,8 @@ TEST(Cholmod, SolvesAsTheOwnFactorization) {
     const Matrix m = random_matrix(random, nodes, 2, 60);
     const Vec r = random.vector(m.pattern.size);
     std::vector<Vec> solutions;
-    for (const auto& solver : {make_direct_solver(), make_cholmod_solver()}) {
+    const std::shared_ptr<LinearSolver> own = make_direct_solver(), other = make_cholmod_solver();
+    for (const auto& solver : {own, other}) {
       solver->analyze(m.pattern);
       ASSERT_EQ(solver->factorize(m.values, 0), FactorStatus::Ok);
       solver->solve(r, solutions.emplace_back());
@@ -370,7 +393,7 @@ TEST(Cholmod, SolvesAsTheOwnFactorization) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, DirectSolver,
+INSTANTIATE_TEST_SUITE_P(All, OwnSolver,
                          testing::Values(Ordering::Automatic, Ordering::Amd, Ordering::Metis));
 
 }  // namespace

@@ -1,7 +1,9 @@
 // Eigen's LDLT behind LinearSolver: against dense linear algebra and the multifrontal one; shifts.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <memory>
 
 #include "framework/random_matrix.h"
 #include "majorant/framework/internal/symmetric_eigen.h"
@@ -14,9 +16,14 @@ using test::Matrix;
 using test::Random;
 using test::random_matrix;
 
+std::array<std::shared_ptr<LinearSolver>, 2> both_solvers() {
+  return {make_eigen_ldlt_solver(), make_direct_solver()};
+}
+
 TEST(EigenLdlt, AgreesWithCholmodOnPositiveDefiniteMatrices) {
   Random random(1);
-  const auto eigen = make_eigen_ldlt_solver(), direct = make_direct_solver();
+  const std::unique_ptr<LinearSolver> eigen = make_eigen_ldlt_solver(),
+                                      direct = make_direct_solver();
   for (const auto& [nodes, block] : {std::pair(1, 1), {2, 1}, {20, 2}, {300, 1}, {150, 2}}) {
     Matrix m = random_matrix(random, nodes, block, 60);
     eigen->analyze(m.pattern);
@@ -46,7 +53,7 @@ TEST(EigenLdlt, AgreesWithCholmodOnDefiniteness) {
     Random random(seed);
     const Matrix m = random_matrix(random, 40, 2, random.uniform(0, 12));
     const double lowest = symmetric_eigen(m.dense).values[0];
-    for (const auto& solver : {make_eigen_ldlt_solver(), make_direct_solver()}) {
+    for (const auto& solver : both_solvers()) {
       solver->analyze(m.pattern);
       EXPECT_EQ(solver->factorize(m.values, 0),
                 lowest > 0 ? FactorStatus::Ok : FactorStatus::NotPositiveDefinite);
@@ -92,7 +99,7 @@ TEST(EigenLdlt, EmptyMatrixAndDescription) {
 
 TEST(FactorizeShifted, TakesTheFirstShiftThatSuffices) {
   Random random(5);
-  for (const auto& solver : {make_eigen_ldlt_solver(), make_direct_solver()}) {
+  for (const auto& solver : both_solvers()) {
     const Matrix m = random_matrix(random, 60, 2, 2);
     const double lowest = symmetric_eigen(m.dense).values[0];
     ASSERT_LT(lowest, -0.1);

@@ -41,7 +41,7 @@ TEST(ForeignCode, HandlersSurviveMetis) {
   sigaddset(&mine.sa_mask, SIGHUP);
   ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
   const SparsePattern pattern = path_pattern(2000);
-  make_direct_solver(Ordering::Metis)->analyze(pattern);
+  make_direct_solver({.ordering = Ordering::Metis})->analyze(pattern);
   struct sigaction after {};
   sigaction(SIGTERM, nullptr, &after);
   EXPECT_EQ(after.sa_handler, mine.sa_handler);
@@ -58,7 +58,7 @@ TEST(ForeignCode, RandomNumbersAreTheProgramsOwn) {
   std::srand(7);
   EXPECT_EQ(std::rand(), first);
   const SparsePattern pattern = path_pattern(2000);
-  make_direct_solver(Ordering::Metis)->analyze(pattern);
+  make_direct_solver({.ordering = Ordering::Metis})->analyze(pattern);
   EXPECT_EQ(std::rand(), second);
 }
 
@@ -83,7 +83,7 @@ TEST(ForeignCode, SignalsWaitForTheEndOfAnotherThreadsCall) {
   ASSERT_EQ(sigaction(SIGTERM, &mine, nullptr), 0);
   noticed = 0;
   SigtermGate gate;
-  const StopCheck stop = SigtermGate::polled({});
+  const StopCheck stop = gate.polled({});
   stop.poll();
   raise(SIGTERM);
   EXPECT_EQ(noticed, 1) << "nobody has asked";

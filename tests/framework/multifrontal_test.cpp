@@ -180,7 +180,7 @@ TEST(Multifrontal, TheSameBitsFromAnyNumberOfThreads) {
   const Vec r = random.vector(pattern.size);
   const auto solve = [&](int threads) {
     const ThreadCount count(threads);
-    const auto solver = make_direct_solver(Ordering::Amd);
+    const auto solver = make_direct_solver({.ordering = Ordering::Amd});
     solver->analyze(pattern);
     EXPECT_EQ(solver->factorize(values, 0), FactorStatus::Ok);
     Vec p;
@@ -192,7 +192,7 @@ TEST(Multifrontal, TheSameBitsFromAnyNumberOfThreads) {
   values[pattern.diagonal_slot(pattern.size / 2)] = -1e9;
   for (const int threads : {1, 3}) {
     const ThreadCount count(threads);
-    const auto solver = make_direct_solver(Ordering::Amd);
+    const auto solver = make_direct_solver({.ordering = Ordering::Amd});
     solver->analyze(pattern);
     EXPECT_EQ(solver->factorize(values, 0), FactorStatus::NotPositiveDefinite);
   }
@@ -205,7 +205,7 @@ TEST(Multifrontal, RightHandSidesWithFewEntries) {
   Random random(4);
   Vec values = random.vector(pattern.nonzeros());
   for (Index c = 0; c < pattern.size; ++c) values[pattern.diagonal_slot(c)] += 12;
-  const auto solver = make_direct_solver(Ordering::Amd);
+  const auto solver = make_direct_solver({.ordering = Ordering::Amd});
   solver->analyze(pattern);
   ASSERT_EQ(solver->factorize(values, 0), FactorStatus::Ok);
   const Vec r = random.vector(pattern.size);
@@ -225,7 +225,7 @@ TEST(Multifrontal, ThreadsTakeLittleMemory) {
   const SparsePattern pattern = grid(150);
   const auto bytes = [&](int threads) {
     const ThreadCount count(threads);
-    const auto solver = make_direct_solver(Ordering::Metis);
+    const auto solver = make_direct_solver({.ordering = Ordering::Metis});
     solver->analyze(pattern);
     return static_cast<double>(solver->bytes());
   };

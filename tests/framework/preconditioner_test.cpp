@@ -35,7 +35,8 @@ Eigen::MatrixXd dense_hessian(const Problem& problem, VecIn y, Curvature curvatu
 TEST(Preconditioner, IsTheHessianAtThePointUnderTheCurvature) {
   const test::ChainProblem chain(20);
   Random random(1);
-  for (const auto& make : {make_eigen_ldlt_solver, +[] { return make_direct_solver(); }}) {
+  const SolverFactory eigen = make_eigen_ldlt_solver, direct = [] { return make_direct_solver(); };
+  for (const SolverFactory& make : {eigen, direct}) {
     Preconditioner metric(chain.problem, Curvature::Projected, make());
     for (const double scale : {1.0, 1.5}) {  // refactored at another point
       const Vec y = scale * chain.start;

@@ -126,7 +126,7 @@ void FlatteningStrain::factorize(const SurfaceMesh& piece, Ordering ordering,
           values[pattern_->slot(y.unknown, x.unknown)] +=
               x.value * y.value / area_[static_cast<Index>(v)];
   stop.poll();
-  solver_ = make_direct_solver(ordering);
+  solver_ = make_direct_solver({.ordering = ordering});
   solver_->analyze(*pattern_);
   if (factorize_shifted(*solver_, *pattern_, values, kSmallestShift, stop).status !=
       FactorStatus::Ok) {
@@ -161,7 +161,7 @@ bool FlatteningStrain::is_zero(const Functional& functional) const {
 
 Eigen::MatrixXd FlatteningStrain::responses(const std::vector<Functional>& functionals,
                                             const StopCheck& stop) const {
-  std::vector<LinearSolver::SparseColumn> loads;
+  std::vector<DirectSolver::SparseColumn> loads;
   for (const Functional& functional : functionals) loads.push_back(load_of(functional));
   return solver_->inverse_products(unknowns_, loads, stop);
 }

@@ -60,7 +60,7 @@ class FlatteningStrain {
   std::vector<Index> row_;  // #V: unknown, -1 on the outer loop
   Index unknowns_ = 0;
   std::unique_ptr<const SparsePattern> pattern_;
-  std::unique_ptr<LinearSolver> solver_;
+  std::unique_ptr<DirectSolver> solver_;
   Vec chi_;
   double strain_ = 0;
 };

@@ -19,10 +19,10 @@ ScaffoldedDomain::ScaffoldedDomain(const BezierMap& start, ScaffoldFlips flips,
       mode_(flips),
       rules_(rules.scaffold),
       served_below_(rules.lagged.below),
-      relaxing_(newton_options(Curvature::Projected, rules, stop, Ordering::Amd)),
+      relaxing_(newton_options(Curvature::Projected, rules, stop, {.ordering = Ordering::Amd})),
       share_(rules_.share) {
   // All relaxations share a solver: patterns differ little, and it knows the last one's ordering.
-  const std::shared_ptr<LinearSolver> solver = make_direct_solver(Ordering::Amd);
+  const std::shared_ptr<LinearSolver> solver = make_direct_solver({.ordering = Ordering::Amd});
   relaxing_.linear_solver = [solver] { return solver; };
 }
 

@@ -26,8 +26,8 @@ bool is_known_before(const SurfaceMesh& mesh, const ParametrizationOptions& opti
 }
 
 void prepare(PreparedParts& parts, const SurfaceMesh& mesh, const ParametrizationOptions& options,
-             const SolverRules& rules, const RunRecord& record, SigtermGate& gate) {
-  const StopCheck& stop = record.start_stop();
+             const SolverRules& rules, const StopCheck& solve_stop, const StopCheck& stop,
+             SigtermGate& gate) {
   parts.space = std::make_shared<const BezierTriangleSpace>(mesh.faces(), mesh.vertex_count(), 1);
   parts.rest = std::make_shared<const RestShapes>(rest_shapes(mesh, normal_scale(mesh)));
   MapSpecification spec(options.map);
@@ -37,13 +37,14 @@ void prepare(PreparedParts& parts, const SurfaceMesh& mesh, const Parametrizatio
       parts.space->element_count());
   parts.terms = energy_terms(spec, parts.space, levels.rules());
   parts.injectivity = std::make_shared<const LocalInjectivity>(
-      parts.space, 2 * parts.rest->measure, options.solve.injectivity_depth, record.stop());
+      parts.space, 2 * parts.rest->measure, options.solve.injectivity_depth, solve_stop);
   stop.poll();
   parts.built = map_problem(spec, parts.space, Vec::Zero(2 * parts.space->node_count()),
                             parts.terms, parts.injectivity);
   stop.poll();
   gate.enter();
-  parts.analysis.emplace(parts.built.problem.pattern(), Ordering::Automatic);
+  parts.analysis =
+      std::make_shared<PatternAnalysis>(parts.built.problem.pattern(), Ordering::Automatic);
   gate.leave();
 }
 
@@ -58,18 +59,29 @@ bool PreparedParts::fits(const BezierTriangleSpace& of, const Vec& start) const 
 
 PreparedSolve::PreparedSolve(std::shared_ptr<const SurfaceMesh> mesh,
                              const ParametrizationOptions& options, const SolverRules& rules,
-                             const RunRecord& record) {
+                             RunRecord& record)
+    : record_(record) {
   if (ThreadCount::current() == 1 || !is_known_before(*mesh, options)) return;
   gate_.emplace();
-  task_.emplace([this, mesh = std::move(mesh), &options, rules, &record] {
-    auto parts = std::make_shared<PreparedParts>();
-    prepare(*parts, *mesh, options, rules, record, *gate_);
-    parts_ = std::move(parts);
-  });
+  start_stop_ = record.replace_start_stop(gate_->polled(record.start_stop()));
+  task_.emplace(
+      [this, mesh = std::move(mesh), &options, rules, stop = record.stop(), before = start_stop_] {
+        auto parts = std::make_shared<PreparedParts>();
+        prepare(*parts, *mesh, options, rules, stop, before, *gate_);
+        parts_ = std::move(parts);
+      });
 }
 
 PreparedSolve::~PreparedSolve() {
-  if (task_) gate_->refuse();
+  if (!task_) return;
+  gate_->refuse();
+  end();
+}
+
+void PreparedSolve::end() {
+  task_.reset();  // waits
+  record_.replace_start_stop(std::move(start_stop_));
+  gate_.reset();
 }
 
 // Whatever went wrong: who has nothing prepared meets it again, or has been stopped.
@@ -81,8 +93,7 @@ std::shared_ptr<PreparedParts> PreparedSolve::finish() {
     done = task_->finish();
   } catch (const std::exception&) {
   }
-  task_.reset();
-  gate_.reset();
+  end();
   return done ? std::move(parts_) : nullptr;
 }
 

@@ -30,7 +30,7 @@ struct PreparedParts {
   DensityTerms terms;
   std::shared_ptr<const LocalInjectivity> injectivity;
   MapProblem built;
-  std::optional<PatternAnalysis> analysis;  // of its pattern
+  std::shared_ptr<PatternAnalysis> analysis;  // of its pattern
 
   // Returns whether a solve from there, 2 normalised numbers per node, has this problem.
   bool fits(const BezierTriangleSpace& of, const Vec& start) const;
@@ -38,9 +38,9 @@ struct PreparedParts {
 
 class PreparedSolve {
  public:
-  // Everything outlives this.
+  // Everything outlives this. Until finish() the record's start_stop() looks after signals, too.
   PreparedSolve(std::shared_ptr<const SurfaceMesh> mesh, const ParametrizationOptions& options,
-                const SolverRules& rules, const RunRecord& record);
+                const SolverRules& rules, RunRecord& record);
   ~PreparedSolve();
   PreparedSolve(const PreparedSolve&) = delete;
   PreparedSolve& operator=(const PreparedSolve&) = delete;
@@ -49,6 +49,10 @@ class PreparedSolve {
   std::shared_ptr<PreparedParts> finish();
 
  private:
+  void end();
+
+  RunRecord& record_;
+  StopCheck start_stop_;  // of the record, before
   std::shared_ptr<PreparedParts> parts_;
   std::optional<SigtermGate> gate_;  // outlives the task
   std::optional<SideTask> task_;

@@ -34,8 +34,9 @@ TEST(FactorSize, OfADegree) {
     FactorSize met;
     ParametrizationOptions options;
     options.map.degree = degree;
-    options.solve.linear_solver = [&](const SparsePattern& pattern, Ordering ordering) {
-      auto solver = make_direct_solver(ordering);
+    options.solve.linear_solver = [&](const SparsePattern& pattern,
+                                      const DirectSolverOptions& direct) {
+      auto solver = make_direct_solver(direct);
       solver->analyze(pattern);
       met = {solver->bytes(), pattern.rows.size()};
       return solver;

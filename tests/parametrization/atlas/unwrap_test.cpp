@@ -650,8 +650,8 @@ TEST(ChartSolver, VeryLargeChartsStartAnew) {
     hints.parent = uv_of(*mesh, [](const Vector3& p) -> Vector2 { return p.head<2>(); });
     RunRecord record;
     ParametrizationOptions options;
-    options.solve.linear_solver = [](const SparsePattern&, Ordering) {
-      return make_direct_solver(Ordering::Amd);  // for a step or two
+    options.solve.linear_solver = [](const SparsePattern&, const DirectSolverOptions&) {
+      return make_direct_solver({.ordering = Ordering::Amd});  // for a step or two
     };
     const Chart chart = ChartSolver(mesh, options, hints).solve(record);
     EXPECT_EQ(chart.start, start);

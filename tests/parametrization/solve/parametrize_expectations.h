@@ -12,8 +12,9 @@
 
 namespace majorant {
 
-inline std::unique_ptr<LinearSolver> cholmod_solver(const SparsePattern&, Ordering ordering) {
-  return make_cholmod_solver({ordering});
+inline std::unique_ptr<LinearSolver> cholmod_solver(const SparsePattern&,
+                                                    const DirectSolverOptions& direct) {
+  return make_cholmod_solver({direct.ordering});
 }
 
 // On CHOLMOD where the environment's MAJORANT_TEST_CHOLMOD says so: the tests *_on_cholmod.

@@ -30,7 +30,7 @@ ParametrizationOptions with_threads(int threads) {
 // A thread that sleeps may take long to wake: tried again until one did, where one should.
 std::shared_ptr<PreparedParts> prepared(const std::shared_ptr<const SurfaceMesh>& mesh,
                                         const ParametrizationOptions& options, int tries) {
-  const RunRecord record;
+  RunRecord record;
   std::shared_ptr<PreparedParts> parts;
   for (int k = 0; k < tries && !parts; ++k) {
     PreparedSolve preparing(mesh, options, SolverRules(), record);
@@ -94,13 +94,13 @@ TEST(PreparedSolve, IsTheProblemOfTheSolve) {
   EXPECT_EQ(a.column_starts, b.column_starts);
   EXPECT_EQ(a.rows, b.rows);
   EXPECT_EQ(a.block_of, b.block_of);
-  const auto one = make_direct_solver(), taken = make_direct_solver();
-  {
-    const OfferedAnalysis offer(&*parts->analysis);
-    one->analyze(a);                                  // another object: it is not for that
-    make_direct_solver(Ordering::Metis)->analyze(b);  // nor for another ordering
-    taken->analyze(b);
-  }
+  const auto with_analysis = [&](Ordering ordering) {
+    return make_direct_solver({.ordering = ordering, .analysis = parts->analysis});
+  };
+  const auto one = with_analysis(Ordering::Automatic), taken = with_analysis(Ordering::Automatic);
+  one->analyze(a);                             // another object: it is not for that
+  with_analysis(Ordering::Metis)->analyze(b);  // nor for another ordering
+  taken->analyze(b);
   EXPECT_FALSE(parts->analysis->take(b, Ordering::Automatic)) << "it was taken";
   EXPECT_EQ(one->description(), taken->description());
   Vec values = Vec::Zero(a.nonzeros());

@@ -59,10 +59,11 @@ TEST(SolveOptions, LinearSolverIsMadeForEveryDegree) {
     options.map.injectivity = injectivity;
     const double value = parametrize(mesh, options).measures.value;
     std::vector<Index> sizes;
-    options.solve.linear_solver = [&](const SparsePattern& pattern, Ordering ordering) {
+    options.solve.linear_solver = [&](const SparsePattern& pattern,
+                                      const DirectSolverOptions& direct) {
       sizes.push_back(pattern.size);
-      EXPECT_EQ(ordering == Ordering::Amd, injectivity == MapInjectivity::Global);
-      return make_direct_solver(ordering);
+      EXPECT_EQ(direct.ordering == Ordering::Amd, injectivity == MapInjectivity::Global);
+      return make_direct_solver(direct);
     };
     EXPECT_EQ(parametrize(mesh, options).measures.value, value);
     ASSERT_EQ(sizes.size(), 3u);

@@ -1,0 +1,46 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Seconds and memory of whole runs, from 10,000 to 10 million faces: parametrize a disk, unwrap a closed surface.
+
+Larger meshes come from smaller ones, every edge cut into equal parts. All cores, from file to file with the proof.
+Needs an idle machine; the largest mesh needs 24 GB.
+
+Sample runs:
+  bench/sizes.py
+  bench/sizes.py --cuts 1 3 10
+"""
+import argparse
+import sys
+import tempfile
+from pathlib import Path
+
+import common
+
+RUNS = (('parametrize', 'disks/spot_10000.obj', ('--degree', '1')), ('unwrap', 'closed/koala_7116.obj', ()))
+HEADER = ['run', 'faces', 'seconds', 'peak memory, MB', 'exit']
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    common.add_options(parser, timeout=3600)
+    parser.add_argument('--cuts', type=int, nargs='+', default=[1, 3, 10, 32], help='parts that every edge is cut into')
+    options = parser.parse_args()
+    common.require_files(options)
+    print('\n'.join(common.markdown_table(HEADER, [])), flush=True)
+    for verb, name, flags in RUNS:
+        vertices, faces = common.read_obj(options.shared / 'data/public' / name)
+        for cuts in options.cuts:
+            with tempfile.TemporaryDirectory(prefix='majorant_sizes_') as folder:
+                mesh, report = Path(folder) / 'in.obj', Path(folder) / 'report.json'
+                common.write_obj(mesh, *common.subdivided(vertices, faces, cuts))
+                done = common.parametrize(options, mesh, [Path(folder) / 'out.obj'], *flags, '--report', report, verb=verb)
+                found, problem = common.load_report(report)
+                row = [verb, format(len(faces) * cuts ** 2, ','), '%.3g' % done.seconds,
+                       problem or '%.0f' % (found['peak_memory_bytes'] / 1e6), done.code]
+                print(common.markdown_table(HEADER, [row])[-1], flush=True)
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main())
