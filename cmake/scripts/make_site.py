@@ -10,6 +10,7 @@ of every page leads to a file and an anchor that is there. A warning or such a l
     cmake/scripts/make_site.py [--no-headers]
 """
 import html.parser
+import json
 import os
 import re
 import shutil
@@ -66,14 +67,23 @@ def copy_pages():
     for page in [*(ROOT / 'docs').glob('*.md'), *(ROOT / name for name in OTHERS)]:
         text = with_links(page, page.read_text())
         (PAGES / OTHERS.get(page.name, page.name)).write_text(text)
-    # The search finds pages that answer a question; this one has every word of every table.
-    (PAGES / 'measurements.md').write_text('---\nsearch:\n  exclude: true\n---\n\n' + measurements.page())
+    (PAGES / 'measurements.md').write_text(measurements.page())
     (PAGES / 'viewer.md').write_text('---\nhide: [navigation, toc]\n---\n\n# The viewer\n\nA page that `majorant parametrize -o creature.html --snapshots 16` '
                                      'wrote, [by itself](creature.html); [what it shows](pictures.md#what-it-shows).\n\n'
                                      '<iframe src="creature.html" title="the map of the creature" '
                                      'style="width: 100%; height: 90vh; border: 1px solid gray"></iframe>\n')
     (PAGES / 'api.md').write_text('# Headers\n\n<a href="api/files.html">Every public header</a>, with examples, and '
                                   '<a href="api/annotated.html">every class</a>.\n')
+
+
+def leave_out_of_search(page):
+    """The search finds pages that answer a question; the tables of figures have every word."""
+    index = SITE / 'search/search_index.json'
+    if not index.exists():
+        return
+    found = json.loads(index.read_text())
+    found['docs'] = [entry for entry in found['docs'] if not entry['location'].startswith(page)]
+    index.write_text(json.dumps(found))
 
 
 def make_header_pages():
@@ -127,6 +137,7 @@ def main():
     done = subprocess.run(['mkdocs', 'build', '--strict'], cwd=ROOT, text=True,
                           stderr=subprocess.PIPE, env={**os.environ, 'PYTHONPATH': str(ROOT / 'cmake/scripts'),
                                                 'PYTHONWARNINGS': 'ignore'})
+    leave_out_of_search('measurements.html')
     said = '\n'.join(line for line in done.stderr.splitlines() if re.search('WARNING|ERROR|Error:|Aborted', line))
     said += '\n' if said else ''
     said += make_header_pages() if '--no-headers' not in sys.argv else ''
