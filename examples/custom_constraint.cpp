@@ -18,7 +18,7 @@ class Link final : public Constraint {
   Link(Index a, Index b, Vector2 offset) : a_(a), b_(b), offset_(offset) {}
   void append_rows(ConstraintRows& rows) const override {
     for (int c = 0; c < 2; ++c) {
-      rows.begin_row("link, coordinate " + std::to_string(c));  // named if it contradicts others
+      rows.begin_row(c == 0 ? "link, u" : "link, v");  // named if it contradicts others
       rows.add(2 * b_ + c, 1);
       rows.add(2 * a_ + c, -1);
       rows.end_row(offset_[c]);

@@ -188,10 +188,11 @@ Advice StoppingTest::after(const StepResult& step, Since since) {
   const bool falls = plateau || (promises && since == Since::Same && falls_visibly());
   const bool goes_on = near_minimum && falls && held_ == 0;
   if (idle_ >= rules_.stall_iterations && !goes_on) {
-    if (near_minimum)
-      advice.stop =
-          Stop{Status::Converged, promises ? near_minimum_at(limit_) : "relative decrease"};
-    else if (chances_ < rules_.second_chances) {
+    if (near_minimum) {
+      std::string rule = "relative decrease";
+      if (promises) rule = near_minimum_at(limit_);
+      advice.stop = Stop{Status::Converged, std::move(rule)};
+    } else if (chances_ < rules_.second_chances) {
       ++chances_;
       advice.polish = true;
       idle_ = held_ = 0;

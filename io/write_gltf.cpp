@@ -160,17 +160,17 @@ class PlainFile {
 
   void add_materials(GltfOutput& out) const {
     constexpr int kClamp = 33071;
-    Gltf& json = out.json();
+    Gltf& document = out.json();
     for (const PlainMaterials::Image& image : materials_.images) {
-      Gltf texture{{"source", json.contains("images") ? json["images"].size() : 0}};
-      json["images"].push_back(
+      Gltf texture{{"source", document.contains("images") ? document["images"].size() : 0}};
+      document["images"].push_back(
           {{"bufferView", out.add_view(image.bytes, 0, GltfOutput::Target::None)},
            {"mimeType", image.mime}});
       if (image.clamps) {
-        json["samplers"] = {{{"wrapS", kClamp}, {"wrapT", kClamp}}};
+        document["samplers"] = {{{"wrapS", kClamp}, {"wrapT", kClamp}}};
         texture["sampler"] = 0;
       }
-      json["textures"].push_back(std::move(texture));
+      document["textures"].push_back(std::move(texture));
     }
     for (const PlainMaterials::Material& material : materials_.materials) {
       Gltf entry = material.json;
@@ -179,7 +179,7 @@ class PlainFile {
         texture = {{"index", material.image}};
         if (shown_set() > 0) texture["texCoord"] = shown_set();
       }
-      json["materials"].push_back(std::move(entry));
+      document["materials"].push_back(std::move(entry));
     }
   }
 

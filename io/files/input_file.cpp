@@ -125,11 +125,12 @@ class InputFile {
 template <class Added>
 void inflate_blocks(const std::string& path, const InputFile& file, const ReadingLimit& limit,
                     const StopCheck& stop, std::string& content, const Added& added) {
-  constexpr std::size_t kPiece = 1024;  // bytes, which stand for a thousand times as many at most
+  constexpr std::size_t kCompressedPiece =
+      1024;  // bytes, which stand for a thousand times as many at most
   GunzipStream stream(limit);
   const bool is_whole = file.for_each_block(stop, [&](std::string_view block) {
-    for (; !block.empty(); block.remove_prefix(std::min(kPiece, block.size()))) {
-      if (!stream.append(block.substr(0, kPiece), content))
+    for (; !block.empty(); block.remove_prefix(std::min(kCompressedPiece, block.size()))) {
+      if (!stream.append(block.substr(0, kCompressedPiece), content))
         throw Error(
             ErrorKind::Unreadable,
             path + ": damaged, or no gzip file; if it is not compressed, name it without .gz");

@@ -288,7 +288,7 @@ class DracoDecoder {
     primitive["mode"] = 4U;  // whatever it was, decoded are triangles
     std::string bytes;
     for (std::uint32_t f = 0; f < decoded.num_faces(); ++f)
-      for (const draco::PointIndex corner : decoded.face(draco::FaceIndex(f)))
+      for (const draco::PointIndex& corner : decoded.face(draco::FaceIndex(f)))
         append(corner.value(), bytes);
     const bool is_first = used_views_.insert(view).second;
     std::optional<std::size_t> number;
@@ -331,12 +331,12 @@ class DracoDecoder {
         values_of(*values, static_cast<Component>(type), points, width);
     if (!found) numbers.fail(fmt::format("{} cannot be had as its accessor says", name));
     // Quantization moves values, and so their bounds.
-    const auto set_bound = [&entry](const char* bound, Json values) {
+    const auto set_bound = [&entry](const char* bound, Json extremes) {
       if (!entry.contains(bound)) return;
-      if (values.is_null())
+      if (extremes.is_null())
         entry.erase(bound);
       else
-        entry[bound] = std::move(values);
+        entry[bound] = std::move(extremes);
     };
     set_bound("min", std::move(found->low));
     set_bound("max", std::move(found->high));
@@ -367,7 +367,7 @@ class DracoDecoder {
     if (!decoded.ok()) numbers.fail(fmt::format("Draco: {}", decoded.status().error_msg_string()));
     mesh = std::move(decoded).value();
     for (std::uint32_t f = 0; f < mesh->num_faces(); ++f)
-      for (const draco::PointIndex corner : mesh->face(draco::FaceIndex(f)))
+      for (const draco::PointIndex& corner : mesh->face(draco::FaceIndex(f)))
         if (corner.value() >= mesh->num_points()) numbers.fail("a corner of no vertex");
     return *mesh;
   }

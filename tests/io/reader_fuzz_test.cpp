@@ -122,8 +122,9 @@ class ReaderFuzz : public ::testing::TestWithParam<std::string> {
     } catch (const Error& error) {
       // Other versions, and extensions of other names, are understood and not supported.
       const bool may_be_other = GetParam() == "glb" || GetParam() == "gltf";
-      if (!may_be_other || error.kind() != ErrorKind::Unsupported)
+      if (!may_be_other || error.kind() != ErrorKind::Unsupported) {
         EXPECT_EQ(error.kind(), ErrorKind::Unreadable) << error.what();
+      }
       EXPECT_NE(std::string(error.what()).find(path), std::string::npos) << error.what();
       return false;
     }

@@ -43,10 +43,12 @@ bool is_not_positive_at_corner(const ReferenceCell& reference, const RowMatrix& 
       if (reference.nodes_are_control_points())
         control = Fraction(nodes(k, d));
       else
-        for (Index i = 0; i < static_cast<Index>(nodes.rows()); ++i)
-          control += Fraction(exact.numerators[to_size(k * static_cast<Index>(nodes.rows()) + i)],
-                              exact.denominator) *
-                     Fraction(nodes(i, d));
+        for (Index i = 0; i < static_cast<Index>(nodes.rows()); ++i) {
+          Fraction part(exact.numerators[to_size(k * static_cast<Index>(nodes.rows()) + i)],
+                        exact.denominator);
+          part *= Fraction(nodes(i, d));
+          control += part;
+        }
       for (int a = 0; a < dim; ++a) J[to_size(a)][to_size(d)] += Fraction(rows(a, k)) * control;
     }
   if (dim == 2) return J[0][0] * J[1][1] <= J[0][1] * J[1][0];

@@ -157,9 +157,9 @@ TEST(Sensitivity, OfAHangingNetOfThreeSizes) {
 
 // Rows of several unknowns, and one that depends on others.
 TEST(Sensitivity, OfRowsThatDependOnEachOther) {
-  class Rows final : public Constraint {
+  class DependentRows final : public Constraint {
    public:
-    explicit Rows(const Vec& b) : b_(b) {}
+    explicit DependentRows(const Vec& b) : b_(b) {}
     void append_rows(ConstraintRows& rows) const override {
       const double entries[3][4] = {{1, 2, 0, -1}, {0, 1, 1, 3}, {1, 3, 1, 2}};  // the sum
       for (int r = 0; r < 3; ++r) {
@@ -179,7 +179,7 @@ TEST(Sensitivity, OfRowsThatDependOnEachOther) {
       const auto s = z.squaredNorm();
       return s * s + s + z[0] * z[3] + 0.3 * z[2] - z[5];
     });
-    return ProblemBuilder(8).add(term, 1).add(Rows(b)).build();
+    return ProblemBuilder(8).add(term, 1).add(DependentRows(b)).build();
   };
   const Vec b{{1, -2}};
   const Problem problem = make(b);

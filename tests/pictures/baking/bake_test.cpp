@@ -232,8 +232,9 @@ TEST(Bake, LevellingHasNoUnit) {
   for (int y = 0; y < 64; ++y)
     for (int x = 0; x < 64; ++x)
       for (const int c : {0, 1, 2})
-        if (const float value = model.value(x, y, c); !std::isnan(value))  // nothing is there
+        if (const float value = model.value(x, y, c); !std::isnan(value)) {  // something is there
           EXPECT_EQ(small.value(x, y, c), unit * value) << x << ' ' << y;
+        }
 }
 
 TEST(Bake, NumbersOfFacesAreNotContinued) {
