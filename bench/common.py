@@ -1,14 +1,18 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the scripts of this folder share: options, processes, reports, OBJ files, the initial map.
+"""What the scripts of this folder share: the harness (options, an idle machine, tables), processes, reports,
+OBJ files, the initial map.
 
 The initial map is computed here on purpose, independently of the program and of shared/tools:
 uniform-weight Tutte embedding, boundary on a circle of the surface's area, arc-length spacing.
 
-Sample runs:
-  /usr/bin/python3 -c 'import common; print(common.DEFAULT_BINARY)'     (imported, not run)
+Run by itself it cuts every edge of an OBJ of triangles into equal parts, for larger meshes of the same surface.
+
+Sample run:
+  bench/common.py 10 ../shared/data/public/disks/spot_10000.obj /tmp/spot_1000000.obj
 """
+import argparse
 import json
 import math
 import os
@@ -23,16 +27,66 @@ DEFAULT_SHARED = ROOT.parent / 'shared'
 DEFAULT_BINARY = ROOT / 'build/release/apps/majorant'
 PYTHON = '/usr/bin/python3'                       # the interpreter that has numpy and scipy
 TIMEOUT = 'timeout'                               # stands for the exit code of a killed process
+IDLE = 0.1                                        # part of the processors that may be at work
 
 Finished = namedtuple('Finished', 'code stdout stderr seconds')
 
 
-# ------------------------------------------------------------------ options
+# ------------------------------------------------------------------ the harness
+def parser(about, timeout=600):
+    """The parser of a script: its docstring as help, and the options that every script has."""
+    made = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_options(made, timeout)
+    return made
+
+
 def add_options(parser, timeout=600):
-    """The options every script has."""
     parser.add_argument('--shared', type=Path, default=DEFAULT_SHARED, help='folder with data/ and tools/')
     parser.add_argument('--binary', type=Path, default=DEFAULT_BINARY, help='the majorant program')
     parser.add_argument('--timeout', type=float, default=timeout, help='seconds a single process may take')
+    parser.add_argument('--busy', action='store_true', help='measure although the machine has other work')
+
+
+def busy_share(seconds=0.5):
+    """The part of the processors' time that other work takes, of the idle time and it; 0 to 1."""
+    def times():
+        fields = Path('/proc/stat').read_text().splitlines()[0].split()[1:]
+        return sum(map(int, fields)), int(fields[3]) + int(fields[4])
+    (all_before, idle_before), _, (all_after, idle_after) = times(), time.sleep(seconds), times()
+    return 1 - (idle_after - idle_before) / max(1, all_after - all_before)
+
+
+def require_idle(options):
+    """Ends a script that measures seconds where the machine has other work, unless --busy says to go on."""
+    share = busy_share()
+    if share > IDLE and not options.busy:
+        sys.exit('the machine is busy: %.0f %% of its processors; wait, or add --busy' % (100 * share))
+
+
+class Table:
+    """A Markdown table that is printed row by row, and whether all rows keep their targets."""
+
+    def __init__(self, title, *header):
+        if title:
+            print('### %s\n' % title)
+        self.kept = True
+        self.say(*markdown_table(header, []))
+
+    def say(self, *lines):
+        print('\n'.join(lines), flush=True)
+
+    def row(self, *cells):
+        self.say('| %s |' % ' | '.join('%s' % cell for cell in cells))
+
+    def judged(self, *cells, kept):
+        """A row whose last cell says whether a target is kept."""
+        self.kept = self.kept and kept
+        self.row(*cells, 'yes' if kept else '**no**')
+
+    def end(self, *lines):
+        self.say(*([''] if lines else []), *lines)
+        print()
+        return self
 
 
 def require_files(options):
@@ -239,3 +293,7 @@ def straightness(curves):
     chord = (1 - s) * curves[:, :1] + s * curves[:, -1:]
     size = np.linalg.norm(np.ptp(curves.reshape(-1, 2), axis=0))
     return float(np.linalg.norm(curves - chord, axis=2).max() / size)
+
+
+if __name__ == '__main__':
+    write_obj(sys.argv[3], *subdivided(*read_obj(sys.argv[2]), int(sys.argv[1])))

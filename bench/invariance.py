@@ -11,7 +11,6 @@ Sample runs:
   bench/invariance.py
   bench/invariance.py --degrees 3 ../shared/data/public/disks/plane_500.obj
 """
-import argparse
 import sys
 import tempfile
 from pathlib import Path
@@ -114,9 +113,7 @@ def compare_threads(options, path, degree, folder):
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    common.add_options(parser)
+    parser = common.parser(__doc__)
     parser.add_argument('meshes', nargs='*', type=Path, help='triangle OBJ files of disks')
     parser.add_argument('--degrees', default='1,3', help='comma separated')
     return parser.parse_args()

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The linear solvers of one process: conjugate gradients a step, seconds, memory, and what was foretold.
 
-Sample runs (larger meshes: bench/subdivide.py):
+Sample runs (bench/common.py makes larger meshes):
   bench/linear_solvers.py ../shared/data/public/disks/*_10000.obj --counts
   bench/linear_solvers.py nefertiti_40000.obj nefertiti_160000.obj --max-iterations 6
   bench/linear_solvers.py nefertiti_10000.obj nefertiti_160000.obj --table
@@ -15,7 +15,6 @@ run, by `majorant compare --linear-solvers`: processor seconds (medians) on one 
 memory, all of it and for each face; the process and the factor as foretold after the analysis, over
 that peak. One thread.
 """
-import argparse
 import json
 import os
 import re
@@ -23,8 +22,9 @@ import subprocess
 import sys
 import tempfile
 
+import common
+
 BUILD = os.path.join(os.path.dirname(__file__), '..', 'build', 'release')
-SERIAL = os.path.join(BUILD, 'apps', 'majorant')
 MPI = os.path.join(BUILD, 'apps', 'majorant-mpi')
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS='1', OPENBLAS_NUM_THREADS='1')
 
@@ -41,7 +41,7 @@ def report_of(words, folder):
         return json.load(f), done.stdout
 
 
-def common(mesh, args):
+def run_options(mesh, args):
     return [mesh, '--degree', str(args.degree), '--init', args.init, '--max-iterations',
             str(args.max_iterations)]
 
@@ -57,7 +57,7 @@ def solves(text):
 
 
 def counts(mesh, args, folder):
-    words = [MPI, 'parametrize', *common(mesh, args), '-o', os.path.join(folder, 'a.pvtu'),
+    words = [MPI, 'parametrize', *run_options(mesh, args), '-o', os.path.join(folder, 'a.pvtu'),
              '--linear-solver', 'cg-hypre', '--petsc-options',
              '-majorant_hypre_ksp_rtol 1e-2 -majorant_hypre_ksp_monitor ' + args.petsc_options]
     report, said = report_of(words, folder)
@@ -74,7 +74,7 @@ def counts(mesh, args, folder):
 
 
 def cost(mesh, solver, args, folder):
-    words = [SERIAL, 'parametrize', *common(mesh, args), '-o', os.path.join(folder, 'a.vtu'),
+    words = [str(args.binary), 'parametrize', *run_options(mesh, args), '-o', os.path.join(folder, 'a.vtu'),
              '--linear-solver', solver, '--threads', '1']
     report, _ = report_of(words, folder)
     rows = [r for r in report['iterations'] if r['degree'] == args.degree and r['level'] == 0][1:]
@@ -92,7 +92,7 @@ def cost(mesh, solver, args, folder):
 
 def table(mesh, args, folder):
     """A line a solver."""
-    report, _ = report_of([SERIAL, 'compare', mesh, '--degree', str(args.degree), '--max-iterations', '0',
+    report, _ = report_of([str(args.binary), 'compare', mesh, '--degree', str(args.degree), '--max-iterations', '0',
                            '--linear-solvers', ','.join(args.solvers)], folder)
     unknowns = re.search(r'(\d+) unknowns', report['result']['title'])[1]
     for row in report['result']['linear_solvers']:
@@ -103,7 +103,7 @@ def table(mesh, args, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = common.parser(__doc__)
     parser.add_argument('meshes', nargs='+')
     parser.add_argument('--solvers', nargs='+', default=['direct', 'cholmod', 'mumps', 'cg-hypre'],
                         help='with --table also eigen, and all')
@@ -114,6 +114,8 @@ def main():
     parser.add_argument('--table', action='store_true')
     parser.add_argument('--petsc-options', default='', help='with --counts: more of them')
     args = parser.parse_args()
+    if not args.counts:
+        common.require_idle(args)
     with tempfile.TemporaryDirectory() as folder:
         for mesh in args.meshes:
             name = '%-20s %d ' % (os.path.basename(mesh)[:-4], args.degree)

@@ -11,7 +11,6 @@ Sample runs:
   bench/load.py
   bench/load.py --spinners 6 --rounds 5 --binary build/release/apps/majorant
 """
-import argparse
 import os
 import resource
 import statistics
@@ -58,13 +57,13 @@ class Spinners:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    common.add_options(parser)
+    parser = common.parser(__doc__)
     parser.add_argument('--spinners', type=int, default=6, help='processes that spin')
     parser.add_argument('--rounds', type=int, default=3)
     options = parser.parse_args()
+    common.require_idle(options)
     cores = len(os.sched_getaffinity(0))
-    rows = []
+    table = common.Table('', *HEADER)
     for name, (verb, mesh, *flags) in RUNS.items():
         idle, loaded = [], []
         with tempfile.TemporaryDirectory() as folder:
@@ -78,9 +77,8 @@ def main():
             [i[0] for i in idle], [i[1] for i in idle], [i[0] for i in loaded], [i[1] for i in loaded]))
         # On one of its cores it gets a part in (spinners of that core + 1).
         fair = loaded_cpu * (options.spinners / cores + 1) / min(cores, max(1.0, cpu / seconds))
-        rows.append([name] + ['%.3g' % x for x in (cpu, loaded_cpu, loaded_cpu / cpu, seconds, loaded_seconds,
-                                                  loaded_seconds / fair)])
-    print('\n'.join(common.markdown_table(HEADER, rows)))
+        table.row(name, *('%.3g' % x for x in (cpu, loaded_cpu, loaded_cpu / cpu, seconds, loaded_seconds,
+                                               loaded_seconds / fair)))
     return 0
 
 

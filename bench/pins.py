@@ -18,7 +18,6 @@ Sample runs:
   bench/pins.py --sets 20 --meshes 'hand|spot|penguin' --flags=--bijective
   bench/pins.py --verb seamless --meshes hand
 """
-import argparse
 import json
 import math
 import random
@@ -101,8 +100,7 @@ def attempt(options, mesh, degree, pins, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    common.add_options(parser, timeout=120)
+    parser = common.parser(__doc__, timeout=120)
     parser.add_argument('--meshes', default='hand|penguin|spot', help='regular expression of names')
     parser.add_argument('--faces', type=int, default=500)
     parser.add_argument('--sets', type=int, default=100, help='of pins, over all meshes and degrees')

@@ -10,7 +10,6 @@ Sample runs:
   bench/sizes.py
   bench/sizes.py --cuts 1 3 10
 """
-import argparse
 import sys
 import tempfile
 from pathlib import Path
@@ -22,12 +21,12 @@ HEADER = ['run', 'faces', 'seconds', 'peak memory, MB', 'exit']
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    common.add_options(parser, timeout=3600)
+    parser = common.parser(__doc__, timeout=3600)
     parser.add_argument('--cuts', type=int, nargs='+', default=[1, 3, 10, 32], help='parts that every edge is cut into')
     options = parser.parse_args()
     common.require_files(options)
-    print('\n'.join(common.markdown_table(HEADER, [])), flush=True)
+    common.require_idle(options)
+    table = common.Table('', *HEADER)
     for verb, name, flags in RUNS:
         vertices, faces = common.read_obj(options.shared / 'data/public' / name)
         for cuts in options.cuts:
@@ -36,9 +35,8 @@ def main():
                 common.write_obj(mesh, *common.subdivided(vertices, faces, cuts))
                 done = common.parametrize(options, mesh, [Path(folder) / 'out.obj'], *flags, '--report', report, verb=verb)
                 found, problem = common.load_report(report)
-                row = [verb, format(len(faces) * cuts ** 2, ','), '%.3g' % done.seconds,
-                       problem or '%.0f' % (found['peak_memory_bytes'] / 1e6), done.code]
-                print(common.markdown_table(HEADER, [row])[-1], flush=True)
+                table.row(verb, format(len(faces) * cuts ** 2, ','), '%.3g' % done.seconds,
+                          problem or '%.0f' % (found['peak_memory_bytes'] / 1e6), done.code)
     return 0
 
 

@@ -11,7 +11,6 @@ Sample runs:
   bench/solvers.py > /tmp/solvers.md
   bench/solvers.py --meshes spot_500 --degrees 1 --time-limit 5
 """
-import argparse
 import sys
 import tempfile
 from pathlib import Path
@@ -37,26 +36,24 @@ def cell(point):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    common.add_options(parser, timeout=3600)
+    parser = common.parser(__doc__, timeout=3600)
     parser.add_argument('--meshes', type=lambda t: t.split(','), default=MESHES)
     parser.add_argument('--degrees', type=lambda t: [int(w) for w in t.split(',')], default=[1, 3])
     parser.add_argument('--time-limit', type=float, default=20, help='seconds for each method')
     options = parser.parse_args()
     common.require_files(options)
+    common.require_idle(options)
     with tempfile.TemporaryDirectory() as folder:
         for degree in options.degrees:
             runs = {mesh: measure(options, mesh, degree, folder) for mesh in options.meshes}
             first = next(iter(runs.values()))
             print('\nDegree %d, to 1 %% / 0.01 %% of the best energy; %s, at most %g s each:\n' % (
                 degree, first['result']['machine'], options.time_limit))
-            print('| method | ' + ' | '.join(runs) + ' |')
-            print('|---' * (len(runs) + 1) + '|')
+            table = common.Table('', 'method', *runs)
             for k, method in enumerate(first['result']['methods']):
                 cells = ['%s / %s' % (cell(r['result']['methods'][k]['within']['0.01']),
                                       cell(r['result']['methods'][k]['within']['0.0001'])) for r in runs.values()]
-                print('| %s | %s |' % (method['method'], ' | '.join(cells)), flush=True)
+                table.row(method['method'], *cells)
     return 0
 
 

@@ -24,7 +24,6 @@ Sample runs:
   bench/speed.py convergence --meshes '_500$'
   bench/speed.py against --old /tmp/before/majorant --meshes '_500$' --degrees 1,2
 """
-import argparse
 import json
 import math
 import os
@@ -107,33 +106,10 @@ def timed(options, binary, path, degree, *flags, threads=None):
     return found, share * (usage.ru_utime + usage.ru_stime)
 
 
-class Table:
-    """Markdown, row by row as they come; whether all targets were kept."""
-
-    def __init__(self, title, *header):
-        print('### %s\n' % title)
-        self.kept, self.lines = True, []
-        self.say(*common.markdown_table(header, []))
-
-    def say(self, *lines):
-        self.lines += lines
-        print('\n'.join(lines), flush=True)
-
-    def row(self, *cells, kept=True):
-        self.kept = self.kept and kept
-        cells = (*cells, 'yes' if kept else '**no**')
-        self.say('| %s |' % ' | '.join('%s' % cell for cell in cells))
-
-    def end(self, *lines):
-        self.say(*([''] if lines else []), *lines)
-        print()
-        return self
-
-
 # ------------------------------------------------------------------ the tables
 def accuracy(options):
     large = options.pieces > 1
-    table = Table('To within 1e-4 of the minimum reached, degree 1', 'mesh', 'faces', '1 fe, ms',
+    table = common.Table('To within 1e-4 of the minimum reached, degree 1', 'mesh', 'faces', '1 fe, ms',
                   'iterations', 'factorizations', 'start, fe', 'to 1e-4, fe', 'at most', 'all, fe',
                   'reached', 'kept')
     with tempfile.TemporaryDirectory(prefix='majorant_speed_') as folder:
@@ -142,7 +118,7 @@ def accuracy(options):
             row, = cost(options, mesh, '--init', options.init)
             limits, easy = (WITHIN_LARGE, WITHIN_LARGE_EASY) if large else (WITHIN, WITHIN_EASY)
             limit, took = limits.get(shape(path), easy), row['within_fe']
-            table.row(mesh.stem, face_count(mesh), '%.2f' % row['unit_ms'],
+            table.judged(mesh.stem, face_count(mesh), '%.2f' % row['unit_ms'],
                       common.cell(row['within_iterations']), common.cell(row['within_factorizations']),
                       '%.1f' % row['start_fe'], common.cell(took, '%.1f'), limit,
                       '%.1f' % row['total_fe'], '%.8f' % row['reached'],
@@ -156,20 +132,20 @@ def face_count(path):
 
 
 def iterations(options):
-    table = Table('An iteration from Tutte\'s map, degree 1', 'mesh', '1 fe, ms', 'iterations',
+    table = common.Table('An iteration from Tutte\'s map, degree 1', 'mesh', '1 fe, ms', 'iterations',
                   'factorizations', 'start, fe', 'set-up, fe', 'assembly, fe', 'factorization, fe',
                   'solve, fe', 'fe of an iteration', 'kept')
     for path in meshes(options, '_10000$|^nefertiti_50000$'):
         row, = cost(options, path, '--init', 'tutte')
         figures = [row[key + '_fe'] for key in ('start', 'setup', 'assembly', 'factorization', 'solve')]
-        table.row(path.stem, '%.2f' % row['unit_ms'], row['iterations'], row['factorizations'],
+        table.judged(path.stem, '%.2f' % row['unit_ms'], row['iterations'], row['factorizations'],
                   *('%.2f' % figure for figure in figures), '%.2f' % row['fe_per_iteration'],
                   kept=row['fe_per_iteration'] <= ITERATION)
     return table.end('At most %g fe an iteration.' % ITERATION)
 
 
 def degrees(options):
-    table = Table('Degree 3 from scratch', 'mesh', 'degree 1, fe of degree 1', 'ms',
+    table = common.Table('Degree 3 from scratch', 'mesh', 'degree 1, fe of degree 1', 'ms',
                   '1 fe of degree 3, ms', 'degree 3, ms', 'over degree 1 and %d fe' % DEGREE_3[1],
                   'kept')
     ratios = []
@@ -177,15 +153,15 @@ def degrees(options):
         one, three = cost(options, path, '--degrees', '1,3')
         whole = [row['total_fe'] * row['unit_ms'] for row in (one, three)]
         ratios.append((whole[1] - DEGREE_3[1] * three['unit_ms']) / whole[0])
-        table.row(path.stem, '%.1f' % one['total_fe'], '%.0f' % whole[0], '%.1f' % three['unit_ms'],
-                  '%.0f' % whole[1], '%.2f' % ratios[-1])
+        table.judged(path.stem, '%.1f' % one['total_fe'], '%.0f' % whole[0], '%.1f' % three['unit_ms'],
+                     '%.0f' % whole[1], '%.2f' % ratios[-1], kept=True)
     table.kept = statistics.median(ratios) <= DEGREE_3[0]
     return table.end('Median (degree 3 - %d fe of degree 3) / degree 1: %.2f, at most %g.'
                      % (DEGREE_3[1], statistics.median(ratios), DEGREE_3[0]))
 
 
 def bijective(options):
-    table = Table('Without overlaps against free, degree 1, from Tutte\'s map', 'mesh',
+    table = common.Table('Without overlaps against free, degree 1, from Tutte\'s map', 'mesh',
                   'free: iterations', 'fe', 'bijective: iterations', 'fe', 'ratio', 'at most', 'kept')
     for path in meshes(options, '^(hand|spot|koala|helix)_10000$'):
         free, = cost(options, path, '--init', 'tutte')
@@ -194,27 +170,27 @@ def bijective(options):
         # In milliseconds: the unit is measured anew.
         ratio = whole[1] * held['unit_ms'] / (whole[0] * free['unit_ms'])
         limit = BIJECTIVE.get(shape(path), BIJECTIVE_OTHERS)
-        table.row(path.stem, free['iterations'], '%.1f' % whole[0], held['iterations'],
+        table.judged(path.stem, free['iterations'], '%.1f' % whole[0], held['iterations'],
                   '%.1f' % whole[1], '%.2f' % ratio, limit, kept=ratio <= limit)
     return table.end()
 
 
 def convergence(options):
-    table = Table('What the default tolerance leaves', 'mesh', 'degree', 'status', 'iterations',
+    table = common.Table('What the default tolerance leaves', 'mesh', 'degree', 'status', 'iterations',
                   'with 1e-11', 'energy', 'above that with 1e-11', 'kept')
     for path in meshes(options, '_(500|2500)$'):
         for degree in options.degrees or (1, 2, 3):
             usual, tight = (timed(options, options.binary, path, degree, *flags)[0]
                             for flags in ([], ['--tolerance', '1e-11']))
             above = usual['result']['value'] / tight['result']['value'] - 1
-            table.row(path.stem, degree, usual['status'], len(common.steps_taken(usual)),
+            table.judged(path.stem, degree, usual['status'], len(common.steps_taken(usual)),
                       len(common.steps_taken(tight)), '%.9f' % usual['result']['value'],
                       '%.1e' % above, kept=above <= CONVERGENCE)
     return table.end('At most %g.' % CONVERGENCE)
 
 
 def memory(options):
-    table = Table('A large mesh, degree 1, by the command', 'mesh', 'faces', 'threads', 'status', 'proven',
+    table = common.Table('A large mesh, degree 1, by the command', 'mesh', 'faces', 'threads', 'status', 'proven',
                   'iterations', 'factorizations', 'CPU s, start and optimization', 'energy',
                   'peak, MB', 'kept')
     with tempfile.TemporaryDirectory(prefix='majorant_speed_') as folder:
@@ -223,7 +199,7 @@ def memory(options):
             for threads in (1, 2):
                 report, seconds = timed(options, options.binary, mesh, 1, threads=threads)
                 result, peak = report['result'], report['peak_memory_bytes']
-                table.row(mesh.stem, report['input']['faces'], threads, report['status'],
+                table.judged(mesh.stem, report['input']['faces'], threads, report['status'],
                           result['locally_injective'], len(common.steps_taken(report)),
                           common.factorizations(report), '%.1f' % seconds,
                           '%.9f' % result['value'], '%.0f' % (peak / 1e6),
@@ -234,7 +210,7 @@ def memory(options):
 def against(options):
     if not options.old:
         sys.exit('against: --old PROGRAM is needed')
-    table = Table('Beside the program before', 'mesh', 'degree', 'energy before', 'now: part above',
+    table = common.Table('Beside the program before', 'mesh', 'degree', 'energy before', 'now: part above',
                   'iterations before', 'now', 'factorizations now', 'CPU s before', 'ratio', 'kept')
     logs, ratios = [], []
     for path in meshes(options, '_(500|2500|10000)$'):
@@ -247,7 +223,7 @@ def against(options):
             above = new['result']['value'] / old['result']['value'] - 1
             logs.append(math.log1p(above))
             ratios.append(math.log(ratio))
-            table.row(path.stem, degree, '%.9f' % old['result']['value'], '%+.1e' % above,
+            table.judged(path.stem, degree, '%.9f' % old['result']['value'], '%+.1e' % above,
                       len(common.steps_taken(old)), len(common.steps_taken(new)),
                       common.factorizations(new), '%.2f' % before, '%.2f' % ratio,
                       kept=above <= OTHER_MINIMA.get(shape(path), ENERGY) and ratio <= SLOWER)
@@ -260,9 +236,7 @@ TABLES = {f.__name__: f for f in (accuracy, iterations, degrees, bijective, conv
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    common.add_options(parser, timeout=3600)
+    parser = common.parser(__doc__, timeout=3600)
     parser.add_argument('tables', nargs='+', choices=list(TABLES), metavar='TABLE', help=', '.join(TABLES))
     parser.add_argument('--solver-cost', type=Path, default=SOLVER_COST, help='the solver_cost program')
     parser.add_argument('--old', type=Path, help='against: the majorant program to compare with')
@@ -280,6 +254,7 @@ def parse_arguments():
 def main():
     options = parse_arguments()
     common.require_files(options)
+    common.require_idle(options)
     kept = True
     for name in options.tables:
         table = TABLES[name](options)

@@ -16,7 +16,6 @@ Sample runs:
   bench/tolerance.py --count 40 --energy arap
   bench/tolerance.py --binary OLD/majorant --json old.json --folder build/tolerance
 """
-import argparse
 import json
 import math
 import random
@@ -204,9 +203,7 @@ def summary_table(rows):
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    common.add_options(parser)
+    parser = common.parser(__doc__)
     parser.add_argument('--count', type=int, default=200, help='problems')
     parser.add_argument('--only', metavar='N,N', help='these problems')
     parser.add_argument('--energy', default='symmetric-dirichlet')
