@@ -47,7 +47,7 @@ void BakeRequest::add_to(CLI::App& verb) {
       verb, OptionGroup::Files,
       {{"new",
         &surface,
-        "surface with the layout to bake into: .obj .ply .vtu .msh, in [0, 1]^2",
+        "surface with the layout to bake into, in [0, 1]^2; " + result_help(),
         {.required = true}},
        {"output", &positional_output, "output file, same as -o"},
        {"-o,--output",

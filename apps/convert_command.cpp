@@ -91,7 +91,7 @@ MapPage page_of(const MapFile& map, const std::string& name) {
 std::vector<std::string> left_out_of(const std::string& path, const MapFile& map,
                                      const MapFormats& formats, const PolygonMesh* input) {
   std::vector<std::string> what = left_out(path, map, formats, input);
-  if (!is_map_data(path) || extension(path) == ".vtu") return what;
+  if (!is_map_data(path) || written_format(path)->has_claims) return what;
   if (is_straight_map_data(path) && map.chart.size() > 0) what.emplace_back("charts");
   if (map.seam_edges.size() > 0) what.emplace_back("marks of seams and cones");
   if (!map.claims.empty()) what.emplace_back("claims");
@@ -101,7 +101,8 @@ std::vector<std::string> left_out_of(const std::string& path, const MapFile& map
 // Lines about cells that pictures show in magenta, and about those without an area.
 std::vector<std::string> turned_over_in_words(const ConvertRequest& request, const MapFile& map) {
   const auto is_picture = [](const std::string& path) {
-    return extension(path) == ".svg" || extension(path) == ".png";
+    return is_shown_as(Format::Picture::Drawing, path) ||
+           is_shown_as(Format::Picture::Image, path);
   };
   if (!std::any_of(request.outputs.begin(), request.outputs.end(), is_picture)) return {};
   std::vector<std::string> lines;
@@ -124,8 +125,7 @@ struct Conversion {
 
 // The promise refers to the surface of `c`.
 void read(const ConvertRequest& request, Run& run, Conversion& c) {
-  const std::string format = format_of(request.input);
-  const bool may_have_materials = format == ".obj" || format == ".glb" || format == ".gltf";
+  const bool may_have_materials = may_have_texture(request.input);
   const bool is_to_gltf = std::any_of(request.outputs.begin(), request.outputs.end(), is_gltf);
   c.map = run.read(request.input, [&] {
     if (!may_have_materials || !is_to_gltf)
@@ -203,7 +203,7 @@ void add_convert(CLI::App& app, Action* run) {
       verb, OptionGroup::Files,
       {{"result",
         &request->input,
-        "result: .vtu, .msh, or .obj, .ply, .glb or .gltf with texture coordinates",
+        result_help(),
         {.required = true}},
        {"output", &request->positional_output, "output file, same as -o"},
        {"-o,--output", &request->outputs, output_help(map_extensions()), {.type = "FILE"}}});

@@ -44,7 +44,7 @@ void add_info(CLI::App& app, Action* run) {
   add_options(verb, OptionGroup::Files,
               {{"input",
                 &request->input,
-                "mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz",
+                surface_help(),
                 {.required = true}}});
   add_options(verb, OptionGroup::Charts,
               {{"--plan", &request->plan, "what unwrap would do: charts and cuts"}});

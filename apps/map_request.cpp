@@ -66,7 +66,7 @@ void MapRequest::add_to(CLI::App& verb, const char* default_degree) {
       verb, OptionGroup::Map,
       {{"input",
         &input,
-        "mesh: .obj .off .ply .stl .glb .gltf .vtu .msh, also .gz",
+        surface_help(),
         {.required = true}},
        {"--degree",
         &degree,

@@ -18,7 +18,7 @@
 #include "majorant/apps/jobs/volume_pictures.h"
 #include "majorant/apps/jobs/volume_report.h"
 #include "majorant/volumes/check_volume_mesh.h"
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/volume_files.h"
 
 namespace majorant::app {
 namespace {
@@ -51,7 +51,7 @@ std::string verdict_of(const MeshCheckRequest& request, const VolumeMesh& mesh,
 // marked in a picture of all.
 void write_elements(const std::string& path, const MeshCheckRequest& request,
                     const VolumeMesh& mesh, const VolumeCheck& check, const StopCheck& stop) {
-  if (path.ends_with(".png")) {
+  if (is_shown_as(Format::Picture::Image, path)) {
     try {
       return write_space_png(path, picture_of_elements(mesh, check, request.listed, stop), stop);
     } catch (const Stopped& stopped) {  // as any drawing is left out that a stop comes before
@@ -119,7 +119,7 @@ void add_mesh_check(CLI::App& mesh, Action* run) {
       verb, OptionGroup::Files,
       {{"input",
         &request->input,
-        "mesh of volumes or surfaces: .msh (2.2, 4.1), .mesh (MFEM, Medit), .vtu",
+        "mesh of volumes or surfaces: " + cells_help(),
         {.required = true}},
        {"-o,--output",
         &request->outputs,

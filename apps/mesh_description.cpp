@@ -132,7 +132,7 @@ void describe_defects(const std::vector<Defect>& defects, MeshDescription& out) 
 
 // The map that a file holds, if any; none of files that hold a mesh.
 std::optional<MapFile> described_map(const std::string& path, MeshDescription& out) {
-  if (const std::string e = extension(path); e != ".vtu" && e != ".pvtu" && e != ".msh") return {};
+  if (!is_for(FormatUse::ReadMap, path)) return {};
   std::optional<MapFile> map;
   try {
     map = read_map(path);

@@ -16,7 +16,7 @@
 #include "majorant/energies/solid_energies.h"
 #include "majorant/volumes/optimize_volume_mesh.h"
 #include "majorant/volumes/turned_cells.h"
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/volume_files.h"
 
 namespace majorant::app {
 namespace {
@@ -125,7 +125,7 @@ int mesh_optimize(const MeshOptimizeRequest& request) {
   const RunPlan plan{.command = "mesh optimize",
                      .common = request.common,
                      .inputs = {request.input, request.size_file()},
-                     .outputs = {{{request.output}, {".msh", ".mesh", ".vtu"}}},
+                     .outputs = {{{request.output}, extensions_for(FormatUse::ReadCells)}},
                      .stages = {Activity::Reading, Activity::Proving, Activity::Starting,
                                 Activity::Solving, Activity::Proving, Activity::Writing},
                      .time_limit = request.time_limit,

@@ -42,21 +42,25 @@ std::vector<double> read_sizes(const std::string& path, int dim, const StopCheck
 }  // namespace
 
 void MeshOptimizeRequest::add_to(CLI::App& verb) {
+  const std::string versioned = in_words(extensions_for(FormatUse::WriteVersions), "or");
   add_options(
       verb, OptionGroup::Files,
       {{"input",
         &input,
-        "mesh of volumes or of the plane: .msh (2.2, 4.1), .mesh (MFEM, Medit), .vtu",
+        "mesh of volumes or of the plane: " + cells_help(),
         {.required = true}},
        {"-o,--output",
         &output,
-        "the mesh with moved nodes, in the format, order and numbers of the input; or .msh, .vtu",
+        fmt::format("the mesh with moved nodes, in the format, order and numbers of the input; or {}",
+                    fmt::join(extensions_for(FormatUse::WriteCells), ", ")),
         {.type = "FILE", .required = true}},
        {"--msh-version",
         &msh_version,
-        "of a .msh that is written (the input's)",
+        fmt::format("of a {} that is written (the input's)", versioned),
         {.check = one_of({"2.2", "4.1"})}},
-       {"--binary", &binary, "a .msh is written as bytes (as the input)"}});
+       {"--binary",
+        &binary,
+        fmt::format("a {} is written as bytes (as the input)", versioned)}});
   add_options(
       verb, OptionGroup::Map,
       {{"--energy", &energy, "what elements lose by their shape, listed below", {.type = "NAME"}},
@@ -100,9 +104,10 @@ void MeshOptimizeRequest::require_usable() const {
     throw Error(ErrorKind::Usage,
                 fmt::format("--target {}: ideal, initial or size=FILE{}", in_quotes(target),
                             did_you_mean(target, {"ideal", "initial"})));
-  if ((!msh_version.empty() || binary) && format_of(output) != ".msh")
+  if ((!msh_version.empty() || binary) && !is_for(FormatUse::WriteVersions, output))
     throw Error(ErrorKind::Usage,
-                fmt::format("{}: --msh-version and --binary are of .msh", output));
+                fmt::format("{}: --msh-version and --binary are of {}", output,
+                            in_words(extensions_for(FormatUse::WriteVersions), "and")));
 }
 
 VolumeOptions MeshOptimizeRequest::options(const VolumeMesh& mesh, const StopCheck& stop) const {

@@ -8,7 +8,7 @@
 #include "apps/command.h"
 #include "majorant/apps/jobs/report.h"
 #include "majorant/volumes/optimize_volume_mesh.h"
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/volume_files.h"
 
 namespace majorant::app {
 

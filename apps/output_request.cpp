@@ -27,14 +27,21 @@ void OutputRequest::add_to(CLI::App& verb) {
         "boundary keep it from being turned"}});
 }
 
+// The formats of maps whose coordinates are doubles.
+std::vector<std::string> exact_formats() {
+  std::vector<std::string> out;
+  for (const Format& format : formats())
+    if (serves(format, FormatUse::WriteMap) && !format.has_floats) out.push_back(format.extension);
+  return out;
+}
+
 void require_holds_seams(const std::vector<std::string>& files) {
   for (const std::string& path : files)
-    if (is_gltf(path))
+    if (const Format* format = written_format(path); format && format->has_floats)
       throw Error(
           ErrorKind::Usage,
-          fmt::format("{}: holds floats, in which the sides of seams do not fit; write .obj, "
-                      ".ply, .vtu or .msh",
-                      path));
+          fmt::format("{}: holds floats, in which the sides of seams do not fit; write {}", path,
+                      in_words(exact_formats(), "or")));
 }
 
 std::vector<OutputNames> OutputRequest::names() const {
@@ -65,14 +72,14 @@ bool OutputRequest::turns(const BezierMap& result, const MapRequest& map) const 
 
 void OutputRequest::require_materials(const PolygonMesh& input) const {
   if (std::any_of(files.begin(), files.end(),
-                  [](const std::string& path) { return extension(path) == ".obj"; }))
+                  has_material_files))
     require_materials_below(input);
 }
 
 std::vector<std::string> OutputRequest::stale_pictures(const PolygonMesh& input,
                                                        const std::string& remedy) const {
   const auto obj = std::find_if(files.begin(), files.end(),
-                                [](const std::string& path) { return extension(path) == ".obj"; });
+                                has_material_files);
   if (obj == files.end()) return {};
   const std::vector<std::string> pictures = shown_pictures(input);
   if (pictures.empty()) return {};

@@ -31,6 +31,8 @@
 namespace majorant::app {
 namespace {
 
+using Picture = Format::Picture;
+
 constexpr const char* kAutomatic = "auto";
 constexpr const char* kLagrange = "lagrange";
 constexpr const char* kSurface = "surface";
@@ -99,6 +101,22 @@ void require_extension(const std::string& path, const std::vector<std::string>& 
   if (std::find(allowed.begin(), allowed.end(), e) == allowed.end())
     throw Error(ErrorKind::Usage, fmt::format("{}: cannot write files of type '{}'; use one of {}",
                                               path, e, fmt::join(allowed, " ")));
+}
+
+// The formats of maps, or of pictures, that an option is of.
+std::vector<std::string> written_where(bool (*is_concerned)(const Format&)) {
+  std::vector<std::string> out;
+  for (const Format& format : formats())
+    if (serves(format, FormatUse::WriteMap) && is_concerned(format))
+      out.push_back(format.extension);
+  return out;
+}
+std::vector<std::string> shown_as(const std::vector<Picture>& pictures) {
+  std::vector<std::string> out;
+  for (const Format& format : formats())
+    if (std::find(pictures.begin(), pictures.end(), format.picture) != pictures.end())
+      out.push_back(format.extension);
+  return out;
 }
 
 // "512 bytes", "12.3 kB".
@@ -174,14 +192,36 @@ void require_own_mesh(const std::string& path) {
 
 }  // namespace
 
-std::vector<std::string> map_extensions(std::vector<std::string> also) {
-  also.insert(also.begin(),
-              {".vtu", ".obj", ".ply", ".glb", ".gltf", ".msh", ".svg", ".png", ".html"});
-  return also;
+std::vector<std::string> map_extensions(const std::vector<std::string>& also) {
+  std::vector<std::string> all = extensions_for(FormatUse::WriteMap);
+  for (std::string& picture : extensions_for(FormatUse::Show)) all.push_back(std::move(picture));
+  all.insert(all.end(), also.begin(), also.end());
+  return all;
 }
 
 std::string output_help(const std::vector<std::string>& extensions) {
   return fmt::format("output: {}, repeatable", fmt::join(extensions, " "));
+}
+
+std::string surface_help() {
+  return fmt::format("mesh: {}, also .gz",
+                     fmt::join(extensions_for(FormatUse::ReadSurface), " "));
+}
+
+std::string result_help() {
+  return fmt::format("result: {}, or {} with texture coordinates",
+                     fmt::join(extensions_for(FormatUse::ReadMap), ", "),
+                     in_words(extensions_for(FormatUse::ReadTexcoords), "or"));
+}
+
+std::string cells_help() {
+  std::vector<std::string> list;
+  for (const Format& format : formats())
+    if (serves(format, FormatUse::ReadCells))
+      list.push_back(format.kinds.empty()
+                         ? format.extension
+                         : fmt::format("{} ({})", format.extension, format.kinds));
+  return fmt::format("{}", fmt::join(list, ", "));
 }
 
 OptionRow distortion_option(std::string* path) {
@@ -288,7 +328,7 @@ void FormatOptions::read_image(const StopCheck& stop) {
 bool FormatOptions::turns_map(const std::vector<std::string>& files) const {
   return svg.alignment == Alignment::Always &&
          std::any_of(files.begin(), files.end(), [](const std::string& path) {
-           return is_map_data(path) || extension(path) == ".html";
+           return is_map_data(path) || is_shown_as(Picture::Page, path);
          });
 }
 
@@ -322,13 +362,13 @@ void FormatOptions::add_to(CLI::App& verb) {
   add_pictures_to(verb);
   for (const auto& [name, extensions] :
        std::vector<std::pair<const char*, std::vector<std::string>>>{
-           {"--refine", {".obj", ".ply", ".glb", ".gltf"}},
-           {"--vtu", {".vtu"}},
-           {"--msh", {".msh"}},
-           {"--grid", {".svg", ".png"}},
+           {"--refine", written_where([](const Format& f) { return !f.has_curves; })},
+           {"--vtu", written_where([](const Format& f) { return f.has_claims; })},
+           {"--msh", written_where([](const Format& f) { return f.has_image_of_map; })},
+           {"--grid", shown_as({Picture::Drawing, Picture::Image})},
            {"--align", map_extensions()},
-           {"--view", {".png"}},
-           {"--image", {".png"}}})
+           {"--view", shown_as({Picture::Image})},
+           {"--image", shown_as({Picture::Image})}})
     options_.push_back({verb.get_option(name), extensions});
 }
 
@@ -402,9 +442,9 @@ void FormatOptions::add_drawing_to(CLI::App& verb) {
         "SVG and PNG: without the white paper behind the drawing",
         {.is_flag = true}}});
   for (const char* name : {"--color-range", "--color-by"})
-    options_.push_back({verb.get_option(name), {".svg", ".png", ".html"}});
+    options_.push_back({verb.get_option(name), extensions_for(FormatUse::Show)});
   for (const char* name : {"--size", "--edges", "--legend", "--transparent"})
-    options_.push_back({verb.get_option(name), {".svg", ".png"}});
+    options_.push_back({verb.get_option(name), shown_as({Picture::Drawing, Picture::Image})});
 }
 
 void FormatOptions::add_pictures_to(CLI::App& verb) {

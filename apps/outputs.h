@@ -24,9 +24,13 @@ namespace majorant::app {
 
 // The extensions of formats that hold a map or show one, in the order of messages, and then `also`:
 // the one list behind help, refusals and require_writable().
-std::vector<std::string> map_extensions(std::vector<std::string> also = {});
+std::vector<std::string> map_extensions(const std::vector<std::string>& also = {});
 // "output: .vtu .obj, repeatable": help of -o.
 std::string output_help(const std::vector<std::string>& extensions);
+// Help of inputs, from the table of formats: meshes of surfaces, results, meshes of cells.
+std::string surface_help();
+std::string result_help();
+std::string cells_help();
 // --distortion FILE.csv
 OptionRow distortion_option(std::string* path);
 // Throws Error(Usage) where no output is named.

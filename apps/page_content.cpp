@@ -60,7 +60,7 @@ std::string page_facts(const RunReport& report, const std::vector<std::string>& 
   return json_text(without_folders(std::move(facts), paths));
 }
 
-bool is_page(const std::string& path) { return extension(path) == ".html"; }
+bool is_page(const std::string& path) { return is_shown_as(Format::Picture::Page, path); }
 
 bool has_page(const std::vector<std::string>& paths) {
   return std::any_of(paths.begin(), paths.end(), is_page);

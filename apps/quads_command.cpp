@@ -37,8 +37,8 @@ struct QuadsRequest {
 };
 
 std::vector<std::string> written_extensions() {
-  std::vector<std::string> all = quad_extensions();
-  for (const std::string& picture : quad_picture_extensions()) all.push_back(picture);
+  std::vector<std::string> all = extensions_for(FormatUse::WriteQuads);
+  for (const std::string& picture : extensions_for(FormatUse::Show)) all.push_back(picture);
   return all;
 }
 
@@ -62,17 +62,13 @@ void open(const QuadsRequest& request, QuadJob& job, const Run& run) {
   });
 }
 
-bool is_picture(const std::string& path) {
-  const std::vector<std::string> pictures = quad_picture_extensions();
-  return std::count(pictures.begin(), pictures.end(), format_of(path)) > 0;
-}
-
 void write_output(const QuadsRequest& request, const QuadJob& job, const std::string& path) {
   const QuadPicture picture = picture_of(job, page_title(request.input));
-  const std::string format = format_of(path);
-  if (format == ".svg") return write_svg(path, picture);
-  if (format == ".png") return write_png(path, picture);
-  if (format != ".html")
+  using Picture = Format::Picture;
+  const Picture shown = find_format(format_of(path))->picture;
+  if (shown == Picture::Drawing) return write_svg(path, picture);
+  if (shown == Picture::Image) return write_png(path, picture);
+  if (shown == Picture::None)
     return write_quads(path, job.quads, *job.surface.mesh, job.features, job.patch_of,
                        job.options.border_turn);
   MapPage page = page_of(picture);
@@ -106,9 +102,9 @@ std::vector<std::string> summary_of(const QuadsRequest& request, const QuadJob& 
                               ? fmt::format(" --max-distance {:.2f}", distance + kHundredth)
                               : "";
   for (const std::string& path : request.outputs)
-    if (written.has(path) && !is_picture(path) && !is_standard_output(path))
+    if (written.has(path) && !is_for(FormatUse::Show, path) && !is_standard_output(path))
       lines.push_back(fmt::format("proof: majorant check {} --surface {}{}{}{}{}", path,
-                                  request.input, format_of(path) == ".vtu" ? " --quads" : "",
+                                  request.input, has_quads_as_cells(path) ? " --quads" : "",
                                   features, corners, far));
   return lines;
 }

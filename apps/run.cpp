@@ -46,9 +46,8 @@ const std::atomic<bool>* stop_on_signals(const CommonOptions& common) {
 
 // Returns whether a file of the run shows its result, and does not hold it.
 bool is_drawing(const RunPlan& plan, const std::string& path) {
-  const std::string format = extension(path);
-  if (plan.images_are_results) return false;
-  return format == ".png" || format == ".svg" || format == ".html";
+  const Format* const format = written_format(path);
+  return !plan.images_are_results && format && serves(*format, FormatUse::Show);
 }
 
 // "reading", for "interrupted while reading in.obj".

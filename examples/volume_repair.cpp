@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "majorant/io/volume_files.h"
 #include "majorant/volumes/volumes.h"
 
 using namespace majorant;

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "majorant/energies/make_energy.h"
+#include "majorant/io/volume_files.h"
 #include "majorant/volumes/volumes.h"
 
 using namespace majorant;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "majorant/io/atomic_file.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/internal/msh_content.h"
 #include "majorant/io/internal/text_pieces.h"
 #include "majorant/io/io.h"
@@ -34,7 +35,7 @@ class MshText {
   }
 
   void add_mesh() {
-    text_.add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + mark_text(".msh"));
+    text_.add("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" + mark_text(MarkStyle::GmshSection));
     add_groups();
     add_entities();
     add("$Nodes\n{} {} 1 {}\n", charts_.size(), nodes_.rows(), nodes_.rows());

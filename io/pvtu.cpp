@@ -1,3 +1,4 @@
+#include "majorant/io/formats.h"
 #include "majorant/io/pvtu.h"
 
 #include <fmt/format.h>
@@ -186,7 +187,7 @@ std::string escaped(const std::string& name) {
 
 std::string pvtu_text(const MapFile& like, const std::vector<std::string>& pieces) {
   std::string text =
-      "<?xml version=\"1.0\"?>\n" + mark_text(".pvtu") +
+      "<?xml version=\"1.0\"?>\n" + mark_text(MarkStyle::XmlComment) +
       "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" "
       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n";
   const auto array = [&](std::string_view type, std::string_view name, int components) {

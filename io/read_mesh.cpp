@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
 
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/internal/mesh_readers.h"
-#include "majorant/io/internal/msh_content.h"
-#include "majorant/io/io.h"
 
 namespace majorant {
 
@@ -28,9 +26,7 @@ void require_complete(const PolygonMesh& mesh) {
 }
 
 bool is_mesh_name(const std::string& path) {
-  constexpr std::array<std::string_view, 8> kFormats = {".obj", ".off", ".ply", ".stl",
-                                                        ".vtu", ".msh", ".glb", ".gltf"};
-  return std::find(kFormats.begin(), kFormats.end(), format_of(path)) != kFormats.end();
+  return is_for(FormatUse::ReadSurface, path);
 }
 
 std::string foreign_format(const std::string& path) {
@@ -49,24 +45,18 @@ std::string foreign_format(const std::string& path) {
 
 PolygonMesh read_mesh(const std::string& path, const StopCheck& stop, Strictness strictness) {
   const std::string extension = format_of(path);
-  if (extension == ".obj") return read_obj(path, read_whole_file(path, stop), stop, strictness);
-  if (extension == ".off") return read_off(path, read_whole_file(path, stop), stop, strictness);
-  if (extension == ".ply") return read_ply(path, read_whole_file(path, stop), stop, strictness);
-  if (extension == ".stl") return read_stl(path, read_whole_file(path, stop), stop);
-  if (extension == ".msh") return read_msh_mesh(path, read_whole_file(path, stop), stop);
-  if (extension == ".glb" || extension == ".gltf")
-    return read_gltf(path, read_whole_file(path, stop), stop, strictness);
-  if (extension == ".vtu") return mesh_from_map(read_vtu(path, stop), path);
+  if (const Format* known = find_format(extension); known && known->read_surface)
+    return known->read_surface(path, stop, strictness);
   if (const std::string format = foreign_format(path); !format.empty())
     throw Error(ErrorKind::Unsupported,
                 fmt::format("{}: {} files are not read; export the mesh as .obj, .glb or .ply from "
                             "a program that reads them",
                             path, format));
-  constexpr const char* kFormats =
-      ".obj, .off, .ply, .stl, .glb, .gltf, .vtu or .msh, or one of them with .gz";
-  require_format_name(path, kFormats);
+  const std::string readable =
+      in_words(extensions_for(FormatUse::ReadSurface), "or") + ", or one of them with .gz";
+  require_format_name(path, readable);
   throw Error(ErrorKind::Unreadable, fmt::format("{}: unknown mesh format {}; use {}", path,
-                                                 in_quotes(extension), kFormats));
+                                                 in_quotes(extension), readable));
 }
 
 }  // namespace majorant

@@ -12,6 +12,7 @@
 
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/base64.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/io.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
@@ -131,7 +132,7 @@ std::string vtu_text(const std::string& path, const MapFile& map, VtuCells cells
   text.add(
       "<?xml version=\"1.0\"?>\n{}<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
       "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n",
-      map.claims.empty() ? mark_text(".vtu") : "");  // claims are a mark
+      map.claims.empty() ? mark_text(MarkStyle::XmlComment) : "");  // claims are a mark
   if (!map.claims.empty()) {
     text.add("<FieldData>\n");
     text.add_claims(map.claims);

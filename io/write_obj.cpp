@@ -9,6 +9,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/files_below.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/internal/material_files.h"
 #include "majorant/io/internal/text_pieces.h"
@@ -173,7 +174,7 @@ std::string obj_text(const PolygonMesh& mesh, const std::string& comments) {
   const bool has_blocks = std::any_of(
       mesh.directives.begin(), mesh.directives.end(),
       [](const auto& directive) { return ObjText::vertices_of(directive.second).has_value(); });
-  ObjText text(mesh, mark_text(".obj") + comments);
+  ObjText text(mesh, mark_text(MarkStyle::FirstLine) + comments);
   return has_blocks ? text.in_blocks() : text.plain();
 }
 

@@ -12,6 +12,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/pair_order.h"
 #include "majorant/io/atomic_file.h"
+#include "majorant/io/formats.h"
+#include "majorant/io/internal/cell_writers.h"
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/io.h"
 #include "majorant/io/map_check.h"
@@ -82,7 +84,7 @@ class PlyText {
 
  private:
   std::string header(const std::map<Index, int>& cones) const {
-    std::string text = "ply\nformat binary_little_endian 1.0\n" + mark_text(".ply");
+    std::string text = "ply\nformat binary_little_endian 1.0\n" + mark_text(MarkStyle::PlyComment);
     if (!cones.empty()) text += fmt::format("comment {}\n", kConesComment);
     for (const auto& [vertex, turns] : cones)
       text += fmt::format("comment {}\n", cone_comment(vertex, turns));
@@ -113,6 +115,21 @@ class PlyText {
 };
 
 }  // namespace
+
+std::string ply_text(const PolygonMesh& mesh) {
+  std::string text = fmt::format(
+      "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty "
+      "double "
+      "y\nproperty double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      mark_text(MarkStyle::PlyComment), mesh.positions.size(), mesh.polygons.size());
+  for (const Vector3& p : mesh.positions)
+    for (const double x : p) append(x, text);
+  for (const auto polygon : mesh.polygons) {
+    append(static_cast<std::uint8_t>(polygon.size()), text);
+    for (const Index v : polygon) append(std::int32_t{v}, text);
+  }
+  return text;
+}
 
 void write_ply(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const TessellationOptions& options, const FileVerification& verify) {

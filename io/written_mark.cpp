@@ -11,6 +11,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/internal/gltf_document.h"
 #include "majorant/io/internal/json_strings.h"
 #include "majorant/io/vtu_text.h"
@@ -21,25 +22,23 @@ namespace {
 constexpr std::string_view kName = "majorant", kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kHead = std::size_t{1} << 16, kMostJson = std::size_t{16} << 20;  // bytes
 
-// The text around the mark of a format.
+// The text around the mark of a style.
 struct MarkFrame {
-  std::string_view format, before, after;
+  MarkStyle style;
+  std::string_view before, after;
 };
-constexpr std::array<MarkFrame, 7> kFrames = {{{".obj", "# ", "\n"},
-                                               {".mtl", "# ", "\n"},
-                                               {".mesh", "# ", "\n"},
-                                               {".ply", "comment ", "\n"},
-                                               {".msh", "$Comments\n", "\n$EndComments\n"},
-                                               {".vtu", "<!-- ", " -->\n"},
-                                               {".pvtu", "<!-- ", " -->\n"}}};
+constexpr std::array<MarkFrame, 5> kFrames = {
+    {{MarkStyle::FirstLine, "# ", "\n"},
+     {MarkStyle::BelowVersion, "# ", "\n"},
+     {MarkStyle::PlyComment, "comment ", "\n"},
+     {MarkStyle::GmshSection, "$Comments\n", "\n$EndComments\n"},
+     {MarkStyle::XmlComment, "<!-- ", " -->\n"}}};
 
-const MarkFrame* frame_of(std::string_view format) {
+const MarkFrame* frame_of(MarkStyle style) {
   const auto found = std::find_if(kFrames.begin(), kFrames.end(),
-                                  [&](const MarkFrame& frame) { return frame.format == format; });
+                                  [&](const MarkFrame& frame) { return frame.style == style; });
   return found == kFrames.end() ? nullptr : &*found;
 }
-
-bool is_gltf_format(std::string_view format) { return format == ".gltf" || format == ".glb"; }
 
 // One past the end of the line that goes on at `from`.
 std::size_t behind_line(std::string_view text, std::size_t from) {
@@ -58,20 +57,20 @@ std::size_t behind_word(std::string_view text, std::size_t from) {
   return std::min(text.find_first_of(kSpace, begin), text.size());
 }
 
-// Returns where the mark of a format begins, in a file or its first bytes.
-std::size_t place_of_mark(std::string_view format, std::string_view text) {
+// Returns where the mark of a style begins, in a file or its first bytes.
+std::size_t place_of_mark(MarkStyle style, std::string_view text) {
   const std::size_t begin = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-  if (format == ".ply") return behind_line(text, behind_line(text, begin));
-  if (format == ".msh") {
+  if (style == MarkStyle::PlyComment) return behind_line(text, behind_line(text, begin));
+  if (style == MarkStyle::GmshSection) {
     const std::size_t end = text.find("$EndMeshFormat");
     return end == std::string_view::npos ? text.size() : behind_line(text, end);
   }
-  if (format == ".mesh") {  // MFEM has its version on the line of the first word, Medit behind it
+  if (style == MarkStyle::BelowVersion) {  // on the line of MFEM's first word, behind Medit's
     const std::size_t end = behind_word(text, begin);
     const bool is_medit = text.substr(0, end).ends_with("MeshVersionFormatted");
     return behind_line(text, is_medit ? behind_word(text, end) : end);
   }
-  if ((format == ".vtu" || format == ".pvtu") && text.substr(begin).starts_with("<?xml")) {
+  if (style == MarkStyle::XmlComment && text.substr(begin).starts_with("<?xml")) {
     const std::size_t end = text.find("?>", begin);
     if (end == std::string_view::npos) return text.size();
     const std::size_t next = text.find_first_not_of(" \t\r", end + 2);
@@ -137,35 +136,38 @@ bool is_written_generator(std::string_view generator) {
   return generator == kName || is_written_mark(generator);
 }
 
-std::string mark_text(std::string_view format) {
-  const MarkFrame* const frame = frame_of(format);
+std::string mark_text(MarkStyle style) {
+  const MarkFrame* const frame = frame_of(style);
   return frame ? fmt::format("{}{}{}", frame->before, written_mark(), frame->after) : "";
 }
 
-std::string with_mark(std::string_view format, std::string content) {
-  const MarkFrame* const frame = frame_of(format);
+std::string with_mark(MarkStyle style, std::string content) {
+  const MarkFrame* const frame = frame_of(style);
   if (frame == nullptr) return content;
-  const std::size_t place = place_of_mark(format, content);
+  const std::size_t place = place_of_mark(style, content);
   const std::size_t size = mark_size(*frame, std::string_view(content).substr(place));
-  content.replace(place, size, mark_text(format));
+  content.replace(place, size, mark_text(style));
   return content;
 }
 
-bool takes_mark(const std::string& path) {
-  const std::string format = format_of(path);
-  return frame_of(format) != nullptr || is_gltf_format(format);
+MarkStyle mark_style(std::string_view extension) {
+  if (extension == ".mtl") return MarkStyle::FirstLine;
+  const Format* const format = find_format(extension);
+  return format == nullptr ? MarkStyle::None : format->mark;
 }
 
+bool takes_mark(const std::string& path) { return mark_style(format_of(path)) != MarkStyle::None; }
+
 bool has_mark(const std::string& path) {
-  const std::string format = format_of(path);
+  const MarkStyle style = mark_style(format_of(path));
   std::error_code failed;
-  if (!takes_mark(path) || !std::filesystem::is_regular_file(path, failed)) return false;
+  if (style == MarkStyle::None || !std::filesystem::is_regular_file(path, failed)) return false;
   try {
-    if (is_gltf_format(format)) return has_gltf_mark(path);
+    if (style == MarkStyle::GltfGenerator) return has_gltf_mark(path);
     const std::string text = first_bytes(path, kHead);
-    const std::size_t place = place_of_mark(format, text);
-    return mark_size(*frame_of(format), std::string_view(text).substr(place)) > 0 ||
-           (format == ".vtu" && has_written_claims(text));
+    const std::size_t place = place_of_mark(style, text);
+    return mark_size(*frame_of(style), std::string_view(text).substr(place)) > 0 ||
+           (style == MarkStyle::XmlComment && has_written_claims(text));
   } catch (const Error&) {
     return false;
   }

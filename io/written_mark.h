@@ -11,7 +11,7 @@
 //
 // The claims of a map (claims.h) are the mark of a .vtu that has them.
 //
-//   std::string text = "ply\nformat ascii 1.0\n" + mark_text(".ply");
+//   std::string text = "ply\nformat ascii 1.0\n" + mark_text(mark_style(".ply"));
 //   if (takes_mark("out.ply") && !has_mark("out.ply")) text.clear();
 #pragma once
 
@@ -19,6 +19,8 @@
 #include <string_view>
 
 namespace majorant {
+
+enum class MarkStyle;  // the place and the frame of the mark: formats.h
 
 // "majorant 0.1.0".
 std::string written_mark();
@@ -29,13 +31,15 @@ bool is_written_mark(std::string_view text);
 // The same of the generator of a glTF, which was "majorant" alone before there were marks.
 bool is_written_generator(std::string_view generator);
 
-// The mark as a file of that format (format_of()) has it, with the end of its line. Empty for
-// formats without one, and glTF, whose mark is in its JSON (internal/gltf_output.h).
-std::string mark_text(std::string_view format);
+// The mark as a file has it, with the end of its line. Empty for None and for glTF.
+std::string mark_text(MarkStyle style);
 
-// Returns the content of a file of that format with the mark in its place, instead of that of an
-// earlier version. For content that was read from a file; other writers use mark_text().
-std::string with_mark(std::string_view format, std::string content);
+// Returns the content of a file with the mark in its place, instead of that of an earlier version.
+// For content that was read from a file; other writers use mark_text().
+std::string with_mark(MarkStyle style, std::string content);
+
+// The style of an extension (format_of()): that of its row in formats.h, and of .mtl.
+MarkStyle mark_style(std::string_view extension);
 
 // Returns whether files of that name have a mark when majorant writes them: meshes and maps, by the
 // extension.

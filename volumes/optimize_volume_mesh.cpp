@@ -23,7 +23,7 @@
 #include "majorant/maps/newton_of_maps.h"
 #include "majorant/volumes/internal/control_net.h"
 #include "majorant/volumes/internal/held_points.h"
-#include "majorant/volumes/internal/node_orders.h"
+#include "majorant/volumes/node_orders.h"
 #include "majorant/volumes/internal/target_shapes.h"
 
 namespace majorant {

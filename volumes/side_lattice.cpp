@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "majorant/volumes/determinant_range.h"
-#include "majorant/volumes/internal/node_orders.h"
+#include "majorant/volumes/node_orders.h"
 #include "majorant/volumes/internal/reference_cell.h"
 
 namespace majorant {

@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "majorant/volumes/determinant_range.h"
-#include "majorant/volumes/internal/mesh_readers.h"
 #include "majorant/volumes/internal/mesh_sides.h"
-#include "majorant/volumes/internal/mesh_source.h"
 #include "majorant/volumes/internal/reference_cell.h"
+#include "majorant/volumes/mesh_source.h"
 
 namespace majorant {
 namespace {
@@ -152,8 +151,7 @@ VolumeMesh with_cells_turned(const VolumeMesh& mesh, const std::vector<CellName>
   }
   if (!mesh.source) return turned;
   // The file with other lists, read anew: the points that it numbers otherwise find their places.
-  VolumeMesh read =
-      read_volume_content(mesh.file, mesh.source->with_turned(mesh.blocks, cells), stop);
+  VolumeMesh read = mesh.source->with_turned(mesh.blocks, cells, stop);
   for (std::size_t b = 0; b < read.blocks.size(); ++b)
     for (Index k = 0; k < read.blocks[b].nodes.size(); ++k)
       read.points.row(read.blocks[b].nodes.data()[k]) =

@@ -1,7 +1,7 @@
 // Meshes of curved or straight tetrahedra, hexahedra, wedges, triangles and quads, as files of
 // finite element programs have them, with the cells of their boundaries.
 //
-//   const VolumeMesh mesh = read_volume_mesh("part.msh");      // volume_files.h
+//   const VolumeMesh mesh = read_volume_mesh("part.msh");      // io/volume_files.h
 //   for (const CellBlock& block : mesh.blocks) block.nodes;     // rows of mesh.points
 //
 // What the nodes of a cell are is said by its type: points that the map takes on a lattice, as in
@@ -67,7 +67,7 @@ struct CellBlock {
   }
 };
 
-class MeshSource;  // the bytes of the file and where its coordinates stand: internal/
+class MeshSource;  // the bytes of the file and where its coordinates stand (mesh_source.h)
 
 struct VolumeMesh {
   std::string file;

@@ -47,8 +47,7 @@ Made made_of(const CheckVerb& request, const MapFile& file, const MapCheck& chec
 
 // Formats in which a mesh can be something else than a map.
 bool may_be_quads(const CheckVerb& request) {
-  const std::string format = format_of(request.result);
-  return request.quads || (format != ".vtu" && format != ".pvtu" && format != ".msh");
+  return request.quads || !is_for(FormatUse::ReadMap, request.result);
 }
 
 bool is_of_quads(const PolygonMesh& mesh) {

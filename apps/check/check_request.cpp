@@ -20,7 +20,7 @@ void CheckVerb::add_to(CLI::App& verb) {
   add_options(verb, OptionGroup::Files,
               {{"result",
                 &result,
-                "result: .vtu, .msh, or .obj, .ply, .glb or .gltf with texture coordinates",
+                result_help(),
                 {.required = true}},
                {"--surface", &surface, "the mesh it should be a map of", {.type = "FILE"}},
                {"-o,--output",

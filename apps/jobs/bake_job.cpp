@@ -76,11 +76,6 @@ Cells corners_of_polygons(const MapFile& file, const PolygonMesh& polygons) {
   return corners;
 }
 
-bool holds_map(const std::string& path) {
-  const std::string format = format_of(path);
-  return format == ".vtu" || format == ".pvtu" || format == ".msh";
-}
-
 Points3 input_positions(const SurfaceMesh& mesh) {
   return mesh.positions().rowwise() + mesh.origin().transpose();
 }
@@ -337,7 +332,7 @@ BakeSurface bake_surface(PolygonMesh polygons, Texcoords texcoords, const StopCh
 
 BakeSurface read_bake_surface(const std::string& path, Texcoords texcoords, const StopCheck& stop,
                               Strictness strictness) {
-  if (!holds_map(path)) return bake_surface(read_mesh(path, stop, strictness), texcoords, stop);
+  if (!is_for(FormatUse::ReadMap, path)) return bake_surface(read_mesh(path, stop, strictness), texcoords, stop);
   const MapFile file = read_map(path, stop, strictness);
   BakeSurface surface = with_layout(file, path);
   surface.warnings = file.warnings;

@@ -149,7 +149,8 @@ ProofRequest questions(const MapFile& file, const CheckRequest& request, const C
   const bool is_forbidden = request.certify || claims.bijective.value_or(false);
   wanted.overlap =
       is_forbidden ? ProofRequest::Overlap::Forbidden : ProofRequest::Overlap::Reported;
-  if (const std::string e = extension(request.name); e == ".vtu" || e == ".pvtu")
+  const Format* const format = written_format(request.name);
+  if (format && format->has_claims)
     wanted.labels = ProofRequest::FaceLabels::Compared;
   if (!file.is_complete) wanted.coverage = ProofRequest::Coverage::Partial;
   if (request.stacked || claims.stacks) wanted.stacks = ProofRequest::Stacks::Allowed;
@@ -172,7 +173,7 @@ Json measured_distortion(const MapFile& file) {
   return section;
 }
 
-// Returns whether the file is what a map makes of the plane, as `.msh` has it: the identity of
+// Returns whether the file is what a map makes of the plane, as formats with images of maps have it: the identity of
 // itself.
 bool is_image(const MapFile& file) {
   const auto corners = file.cells.leftCols(3).reshaped();
@@ -181,7 +182,8 @@ bool is_image(const MapFile& file) {
 }
 
 void require_surface(const MapCheck& check, const MapFile& file, const CheckRequest& request) {
-  if (check.proof.surface.answer == ProofStatus::Violated && extension(request.name) == ".msh" &&
+  const Format* const format = written_format(request.name);
+  if (check.proof.surface.answer == ProofStatus::Violated && format && format->has_image_of_map &&
       is_image(file))
     throw Refusal(
         ErrorKind::Unsupported, request.name,

@@ -17,6 +17,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/gltf_texture.h"
 #include "majorant/io/map_check.h"
 #include "majorant/io/material_lines.h"
@@ -148,7 +149,7 @@ std::string materials_text(const ModelTexture& texture, const std::string& obj) 
   const auto name_of = [](const std::string& file) {
     return std::filesystem::path(file).filename().string();
   };
-  std::string text = mark_text(".mtl");
+  std::string text = mark_text(MarkStyle::FirstLine);
   for (const std::string& line : texture.lines) {
     const auto [word, rest] = split_keyword(line);
     if (word == "#" && is_written_mark(rest)) continue;
@@ -336,8 +337,8 @@ ModelTexture read_texture(const PolygonMesh& polygons, const StopCheck& stop) {
 }
 
 bool may_have_texture(const std::string& model) {
-  const std::string format = format_of(model);
-  return format == ".obj" || format == ".glb" || format == ".gltf";
+  const Format* const format = find_format(format_of(model));
+  return format && format->materials != Format::Materials::None;
 }
 
 std::string texture_file(const std::string& obj) { return beside(obj, ".png"); }

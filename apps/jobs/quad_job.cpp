@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <map>
 #include <utility>
 
@@ -25,34 +23,12 @@
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/seams/edge_flags.h"
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/formats.h"
 
 namespace majorant {
 namespace {
 
-template <class T>
-void append(const T& value, std::string& text) {
-  char bytes[sizeof(T)];
-  std::memcpy(bytes, &value, sizeof(T));
-  text.append(bytes, sizeof(T));
-}
-
 constexpr int kOnBorder = -1;  // in place of a number of quads
-
-std::string ply_of_quads(const PolygonMesh& quads) {
-  std::string text = fmt::format(
-      "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty double x\nproperty "
-      "double "
-      "y\nproperty double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      mark_text(".ply"), quads.positions.size(), quads.polygons.size());
-  for (const Vector3& p : quads.positions)
-    for (const double x : p) append(x, text);
-  for (const auto polygon : quads.polygons) {
-    append(static_cast<std::uint8_t>(polygon.size()), text);
-    for (const Index v : polygon) append(std::int32_t{v}, text);
-  }
-  return text;
-}
 
 // Irregular vertices are cells, too.
 VolumeMesh cells_of(const PolygonMesh& quads, const std::vector<Index>& patch_of) {
@@ -296,10 +272,6 @@ RunReport quad_report(const QuadJob& job) {
                       {"check", job.seconds.check}}};
 }
 
-std::vector<std::string> quad_extensions() { return {".obj", ".ply", ".vtu"}; }
-
-std::vector<std::string> quad_picture_extensions() { return {".svg", ".png", ".html"}; }
-
 QuadPicture picture_of(const QuadJob& job, const std::string& title) {
   return {title, job.quads, job.patch_of, job.feature_edges};
 }
@@ -312,22 +284,27 @@ void write_quads(const std::string& path, const PolygonMesh& quads, const Surfac
     if (!check.is_valid())
       throw Error(ErrorKind::Invalid, fmt::format("{}: {}", path, fmt::join(check.defects, "; ")));
   };
-  const std::string format = format_of(path);
-  if (const std::vector<std::string> known = quad_extensions();
-      std::find(known.begin(), known.end(), format) == known.end())
+  if (!is_for(FormatUse::WriteQuads, path))
     throw Error(ErrorKind::Usage,
-                fmt::format("{}: meshes of quads are written as {}", path, fmt::join(known, ", ")));
-  if (format == ".vtu") {
+                fmt::format("{}: meshes of quads are written as {}", path,
+                            fmt::join(extensions_for(FormatUse::WriteQuads), ", ")));
+  const Format& format = *find_format(format_of(path));
+  if (format.polygons_text == nullptr) {
     write_volume_mesh(path, cells_of(quads, patch_of), {}, nullptr,
                       [&](const VolumeMesh& written) { judge(quads_of(path, written)); });
     return;
   }
-  write_file_atomically(path, format == ".ply" ? ply_of_quads(quads) : obj_text(quads),
+  write_file_atomically(path, format.polygons_text(quads),
                         [&](const std::string& temporary) { judge(read_mesh(temporary)); });
 }
 
+bool has_quads_as_cells(const std::string& path) {
+  return is_for(FormatUse::WriteQuads, path) &&
+         find_format(format_of(path))->polygons_text == nullptr;
+}
+
 PolygonMesh read_quads(const std::string& path, const StopCheck& stop, Strictness strictness) {
-  if (format_of(path) == ".vtu") return quads_of(path, read_volume_mesh(path, stop));
+  if (has_quads_as_cells(path)) return quads_of(path, read_volume_mesh(path, stop));
   return read_mesh(path, stop, strictness);
 }
 

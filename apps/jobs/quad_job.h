@@ -71,9 +71,6 @@ struct QuadJob {
 // Whole but for what writing adds to it: the seconds "write" and "total".
 RunReport quad_report(const QuadJob& job);
 
-// The extensions that write_quads() knows, and those of pictures.
-std::vector<std::string> quad_extensions();
-std::vector<std::string> quad_picture_extensions();
 // title: of what it is a picture.
 QuadPicture picture_of(const QuadJob& job, const std::string& title);
 // .obj (v and f alone), .ply (binary, doubles) or .vtu: quads, whose region is patch_of, 0 where
@@ -84,7 +81,9 @@ QuadPicture picture_of(const QuadJob& job, const std::string& title);
 void write_quads(const std::string& path, const PolygonMesh& quads, const SurfaceMesh& surface,
                  const std::vector<char>& features = {}, const std::vector<Index>& patch_of = {},
                  double border_turn = kCornerTurn);
-// Any mesh as read_mesh() has it, and .vtu of quads. Throws as read_mesh(), and Error(Unsupported)
+// Returns whether quads are cells in a file of that name, as in .vtu, and no mesh of read_mesh().
+bool has_quads_as_cells(const std::string& path);
+// Any mesh as read_mesh() has it, and such cells. Throws as read_mesh(), and Error(Unsupported)
 // for a .vtu of other cells.
 PolygonMesh read_quads(const std::string& path, const StopCheck& stop = {},
                        Strictness strictness = Strictness::Shape);

@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <filesystem>
 #include <memory>
-#include <string_view>
 
 #include "majorant/apps/jobs/corner_vertices.h"
 #include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
 #include "majorant/io/gltf_layout.h"
-#include "majorant/io/io.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/pictures/first_view.h"
 
@@ -25,24 +22,47 @@ std::string extension(const std::string& path) {
   return e;
 }
 
+const Format* written_format(const std::string& path) { return find_format(extension(path)); }
+
+bool is_map_data(const std::string& path) {
+  const Format* const format = written_format(path);
+  return format && format->write_map;
+}
+
 bool is_straight_map_data(const std::string& path) {
-  constexpr std::array<std::string_view, 4> kStraight = {".obj", ".ply", ".glb", ".gltf"};
-  return std::find(kStraight.begin(), kStraight.end(), extension(path)) != kStraight.end();
+  return is_map_data(path) && !written_format(path)->has_curves;
 }
 
 bool is_gltf(const std::string& path) {
-  return extension(path) == ".glb" || extension(path) == ".gltf";
+  const Format* const format = written_format(path);
+  return format && format->materials == Format::Materials::Inside;
 }
 
-bool is_map_data(const std::string& path) {
-  return is_straight_map_data(path) || extension(path) == ".vtu" || extension(path) == ".msh";
+bool is_shown_as(Format::Picture picture, const std::string& path) {
+  const Format* const format = written_format(path);
+  return format && format->picture == picture;
+}
+
+bool has_material_files(const std::string& path) {
+  const Format* const format = written_format(path);
+  return format && format->materials == Format::Materials::InFilesBeside;
 }
 
 ProofRequest::FaceLabels labels_in(const std::string& path) {
-  const std::string e = extension(path);
-  return e == ".vtu" || e == ".msh" ? ProofRequest::FaceLabels::Compared
-                                    : ProofRequest::FaceLabels::Ignored;
+  const Format* const format = written_format(path);
+  return format && format->has_labels ? ProofRequest::FaceLabels::Compared
+                                      : ProofRequest::FaceLabels::Ignored;
 }
+
+namespace {
+
+// Returns whether the file has the image of the map, and not its surface.
+bool is_image(const std::string& path, const MapFormats& formats) {
+  const Format* const format = written_format(path);
+  return format && format->has_image_of_map && formats.msh == MshContent::Image;
+}
+
+}  // namespace
 
 ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const std::string& name) {
   const Claims claims = parse_claims(map.claims, name);
@@ -66,8 +86,7 @@ Overlap allowed_overlap(const ProofRequest& promise) {
 
 FileVerification proof_of_file(const std::string& path, const ProofRequest& promise,
                                const MapFile& map, const MapFormats& formats) {
-  if (extension(path) != ".msh" || formats.msh != MshContent::Image)
-    return certification(path, promise, nullptr);
+  if (!is_image(path, formats)) return certification(path, promise, nullptr);
   if (promise.surface == nullptr) return certification(path, promise, &map);
   const auto named =
       std::make_shared<const MapFile>(with_corner_vertices(map, *promise.surface).value_or(map));
@@ -78,7 +97,7 @@ FileVerification proof_of_file(const std::string& path, const ProofRequest& prom
 
 std::vector<std::string> left_out(const std::string& path, const MapFile& map,
                                   const MapFormats& formats, const PolygonMesh* input) {
-  if (extension(path) == ".msh" && formats.msh == MshContent::Image) return {"the surface"};
+  if (is_image(path, formats)) return {"the surface"};
   std::vector<std::string> what;
   if (is_straight_map_data(path) && map.degree > 1)
     what.emplace_back("curves, but straight pieces of them");
@@ -90,7 +109,7 @@ std::vector<std::string> left_out(const std::string& path, const MapFile& map,
 std::vector<Index> split_faces(const std::vector<std::string>& paths, const MapFile& map,
                                const PolygonMesh* input, const MapFormats& formats) {
   const auto keeps_polygons = [](const std::string& path) {
-    return extension(path) == ".obj" || extension(path) == ".ply";
+    return is_map_data(path) && written_format(path)->has_polygons;
   };
   if (input == nullptr || !std::any_of(paths.begin(), paths.end(), keeps_polygons)) return {};
   try {
@@ -113,23 +132,19 @@ std::string split_in_words(const std::vector<Index>& faces) {
 
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const MapFormats& formats, const FileVerification& verify) {
-  const std::string e = extension(path);
-  if (e == ".vtu" || e == ".msh") {
-    const auto named = input ? with_corner_vertices(map, *input) : std::nullopt;
-    const MapFile& written = named ? *named : map;
-    if (e == ".vtu") write_vtu(path, written, formats.vtu, verify);
-    if (e == ".msh") write_msh(path, written, formats.msh, verify);
+  if (is_map_data(path)) {
+    const bool is_labelled = input && written_format(path)->has_labels;
+    const auto named = is_labelled ? with_corner_vertices(map, *input) : std::nullopt;
+    return write_map_file(path, named ? *named : map, input, formats, verify);
   }
-  if (e == ".obj") write_obj(path, map, input, formats.tessellation, verify);
-  if (e == ".ply") write_ply(path, map, input, formats.tessellation, verify);
-  if (is_gltf(path)) write_gltf(path, map, input, formats.tessellation, verify);
-  if (e == ".svg") write_svg(path, map, formats.svg);
-  if (e == ".png") {
+  using Picture = Format::Picture;
+  if (is_shown_as(Picture::Drawing, path)) write_svg(path, map, formats.svg);
+  if (is_shown_as(Picture::Image, path)) {
     PngOptions png = formats.png;
     if (formats.view_is_chosen) png.view = first_view(map);
     write_png(path, map, png);
   }
-  if (e == ".html") {
+  if (is_shown_as(Picture::Page, path)) {
     MapPage page = formats.page;
     page.map = map;
     page.alignment = formats.svg.alignment;

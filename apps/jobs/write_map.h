@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "majorant/certify/map_proof.h"
-#include "majorant/io/io.h"
+#include "majorant/io/formats.h"
 #include "majorant/maps/map_file.h"
 #include "majorant/mesh/polygon_mesh.h"
 #include "majorant/pictures/pictures.h"
@@ -20,10 +20,15 @@ namespace majorant {
 // Lower case, with the dot.
 std::string extension(const std::string& path);
 
+// The row of the table of formats that a file is written by; null: none.
+const Format* written_format(const std::string& path);
 // The formats that hold a map as data, and of these those without curves.
 bool is_map_data(const std::string& path);
 bool is_straight_map_data(const std::string& path);
 bool is_gltf(const std::string& path);
+bool is_shown_as(Format::Picture picture, const std::string& path);
+// Returns whether materials are in files beside the mesh.
+bool has_material_files(const std::string& path);
 
 // Compared for formats that say which vertices and faces of the input their own are.
 ProofRequest::FaceLabels labels_in(const std::string& path);
@@ -37,10 +42,7 @@ ProofRequest promise_of(const MapFile& map, const PolygonMesh& surface, const st
 Overlap allowed_overlap(const ProofRequest& promise);
 
 // Options of single formats.
-struct MapFormats {
-  TessellationOptions tessellation;  // of OBJ, PLY and glTF
-  VtuCells vtu = VtuCells::Bezier;
-  MshContent msh = MshContent::Image;
+struct MapFormats : MapFileOptions {
   SvgOptions svg;
   PngOptions png;
   bool view_is_chosen = false;  // of PNG: first_view()
@@ -63,8 +65,8 @@ std::vector<Index> split_faces(const std::vector<std::string>& paths, const MapF
 // "2 faces of the input are triangles in .obj and .ply (faces 7, 9)", numbers from 1.
 std::string split_in_words(const std::vector<Index>& faces);
 
-// .vtu .msh .obj .ply .glb .gltf .svg .png .html; of other names nothing is written. input may be
-// null. verify: of formats that hold data; pictures (.svg, .png, .html) have nothing to verify.
+// By a row of the table that holds or shows maps; of other names nothing is written. input may be
+// null. verify: of formats that hold data; pictures have nothing to verify.
 // Throws as the writers do.
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const MapFormats& formats, const FileVerification& verify = {});

@@ -247,9 +247,10 @@ void UnwrapVerb::add_to(CLI::App& verb) {
 std::vector<std::string> UnwrapVerb::baked_outputs() const {
   std::vector<std::string> models;
   if (!may_have_texture(map.input)) return models;
-  const bool is_from_obj = format_of(map.input) == ".obj";
+  const bool is_from_obj =
+      find_format(format_of(map.input))->materials == Format::Materials::InFilesBeside;
   for (const std::string& path : outputs.files) {
-    const bool is_obj = is_from_obj && extension(path) == ".obj";
+    const bool is_obj = is_from_obj && has_material_files(path);
     if (!is_obj && !is_gltf(path)) continue;
     for (const std::string& other : models)
       if (is_gltf(other) == is_gltf(path))
@@ -264,7 +265,7 @@ std::vector<std::string> UnwrapVerb::baked_outputs() const {
 }
 
 std::vector<std::string> files_beside(const std::string& model) {
-  if (extension(model) != ".obj") return {};
+  if (!has_material_files(model)) return {};
   return {texture_file(model), material_file(model)};
 }
 
@@ -365,9 +366,16 @@ void require_stackable(const UnwrapVerb& request) {
         "--keep-shape leaves islands as they are, --stack makes them equal; leave one of the "
         "two out");
   for (const std::string& path : request.outputs.files)
-    if (extension(path) == ".msh")
+    if (const Format* format = written_format(path); format && format->has_image_of_map)
       throw Error(ErrorKind::Usage,
                   fmt::format("{}: gmsh's files hold one layer; leave it, or --stack, out", path));
+}
+
+std::vector<std::string> formats_of_objects() {
+  std::vector<std::string> out;
+  for (const Format& format : formats())
+    if (format.has_objects) out.push_back(format.extension);
+  return out;
 }
 
 // Every object is unwrapped as if it were alone: what is said of the vertices and faces of the
@@ -393,12 +401,12 @@ void require_objects(const UnwrapVerb& request) {
   if (const std::string flag = layout.needs_unit_square(); !flag.empty()) refuse(flag);
   if (!request.outputs.distortion.empty()) refuse("--distortion");
   for (const std::string& path : request.outputs.files) {
-    if (extension(path) != ".obj" && !is_gltf(path) && extension(path) != ".vtu" &&
-        extension(path) != ".json")
+    const Format* const format = written_format(path);
+    if ((format == nullptr || !format->has_objects) && extension(path) != ".json")
       throw Error(ErrorKind::Usage,
-                  fmt::format("{}: --objects separate is of formats that have objects, .obj, .glb, "
-                              ".gltf and .vtu; leave it, or the option, out",
-                              path));
+                  fmt::format("{}: --objects separate is of formats that have objects, {}; leave "
+                              "it, or the option, out",
+                              path, in_words(formats_of_objects(), "and")));
     if (is_gltf(path) && !is_gltf(request.map.input))
       throw Error(ErrorKind::Usage,
                   fmt::format("{}: of an input that is no glTF it holds one mesh, which has no "
@@ -422,9 +430,7 @@ void require_layout(const UnwrapVerb& request) {
                 "--fill divides charts of one scale on one square: not with --udim, "
                 "--texel-density and --stack; leave one of the two out");
   const std::vector<std::string>& files = request.outputs.files;
-  if (layout.groups && std::none_of(files.begin(), files.end(), [](const std::string& path) {
-        return extension(path) == ".obj";
-      }))
+  if (layout.groups && std::none_of(files.begin(), files.end(), has_material_files))
     throw Error(ErrorKind::Usage, "--groups: groups are of .obj; add -o OUT.obj");
 }
 

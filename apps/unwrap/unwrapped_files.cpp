@@ -88,7 +88,7 @@ class LayoutFiles {
   void write_table(const std::string& path) const { write_distortion(path, file_, table_); }
   void write(const std::string& path) const {
     const LayoutRequest& layout = run_.request.unwrap.layout;
-    const bool is_obj = extension(path) == ".obj";
+    const bool is_obj = has_material_files(path);
     const bool is_baked = run_.is_baked(path);
     const bool is_marked = is_obj && (is_baked || layout.udim > 0 || layout.groups);
     PolygonMesh marked;
@@ -251,7 +251,7 @@ std::vector<std::string> summary_of(const UnwrapRun& run, const WrittenFiles& wr
     if (is_map_data(path) && written.has(path) && !is_standard_output(path))
       list.push_back(fmt::format("proof: majorant check {}{}{}", path,
                                  atlas.packing ? " --certify" : "",
-                                 is_stacked && format_of(path) != ".vtu" ? " --stacked" : ""));
+                                 is_stacked && !written_format(path)->has_claims ? " --stacked" : ""));
   return list;
 }
 
@@ -270,7 +270,7 @@ class ObjectFiles {
   const std::vector<Index>& split() const { return split_; }
 
   void write(const std::string& path) const {
-    const bool is_marked = has_lines_ && extension(path) == ".obj";
+    const bool is_marked = has_lines_ && has_material_files(path);
     const FormatOptions& formats = run_.request.outputs.formats;
     write_layout(run_.request, path, file_, is_marked ? lines_ : run_.polygons, formats,
                  proof_of_objects(path, run_.polygons));

@@ -86,7 +86,7 @@ void save(const std::string& path, const MapFile& file, const PolygonMesh& mesh,
   if (lagrange) formats.vtu = VtuCells::Lagrange;
   if (surface) formats.msh = MshContent::Surface;
   const bool of_objects = std::get<6>(promise);
-  if (of_objects && is_map_data(path) && format_of(path) != ".obj" && format_of(path) != ".vtu")
+  if (of_objects && is_map_data(path) && (is_gltf(path) || !written_format(path)->has_objects))
     throw Error(ErrorKind::Usage,
                 path + ": objects with layouts of their own are written as .obj or .vtu");
   Run run;

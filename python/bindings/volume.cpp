@@ -12,7 +12,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/volumes/turned_cells.h"
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/volume_files.h"
 #include "module.h"
 #include "options.h"
 #include "run.h"

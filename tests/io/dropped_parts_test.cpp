@@ -3,6 +3,7 @@
 #include "majorant/io/internal/dropped_parts.h"
 
 #include "io_test_helpers.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/written_mark.h"
@@ -52,7 +53,7 @@ TEST_F(DroppedPartsOf, ObjTextureCoordinatesThatAreNoNumbers) {
   expect_contains(mesh.warnings[1], {"a.obj:10: vt 2 is left out", "as is 1 more"});
   for (const Strictness strictness : {Strictness::Texcoords, Strictness::Everything})
     expect_contains(refused("a.obj", text, strictness), {"a.obj:6: ", "correct the file"});
-  EXPECT_EQ(obj_text(mesh), mark_text(".obj") + kSquare +
+  EXPECT_EQ(obj_text(mesh), mark_text(MarkStyle::FirstLine) + kSquare +
                                 "vt 0 0\nvt 1 1\nvt 0 0.1\n"
                                 "f 1 2 3\nf 1/1 3/2 4/3\nf 1 3 4\n");
 }
@@ -78,7 +79,7 @@ TEST_F(DroppedPartsOf, ObjIndicesOfWhatIsNotThere) {
 TEST_F(DroppedPartsOf, ObjNormalsAndColours) {
   const PolygonMesh mesh = warned("a.obj", "v 0 0 0 0 nan 1\nv 1 0 0 1 0 0\nv 0 1 0 red\nf 1 2 3\n",
                                   {"a.obj:1: colour 'nan' is not finite: left out, as is 1 more"});
-  EXPECT_EQ(obj_text(mesh), mark_text(".obj") + "v 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(obj_text(mesh), mark_text(MarkStyle::FirstLine) + "v 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const PolygonMesh turned = read("a.obj", kSquare +
                                                "vn 0 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"
                                                "f 1//2 3//2 4//2\n");

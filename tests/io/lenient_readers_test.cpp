@@ -2,6 +2,7 @@
 // what of an OBJ is kept.
 #include "io_test_helpers.h"
 #include "majorant/io/internal/material_files.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/written_mark.h"
@@ -88,7 +89,7 @@ TEST(LenientReaders, ObjKeepsPointsLinesAndColours) {
   const PolygonMesh mesh = read("a.obj", text);
   EXPECT_EQ(mesh.colors[0], Vector3(0.25, 0.5, 1));
   EXPECT_FALSE(mesh.colors[1].allFinite());
-  EXPECT_EQ(obj_text(mesh), mark_text(".obj") +
+  EXPECT_EQ(obj_text(mesh), mark_text(MarkStyle::FirstLine) +
                                 "v 0 0 0 0.25 0.5 1\nv 1 0 0\nv 0 1 0 1 1 1\nv 9 9 9\n"
                                 "g a\nf 1 2 3\np 4\nl 1 2 4\nlod 3\n");
   const PolygonMesh other =

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "io_test_helpers.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/written_mark.h"
@@ -69,7 +70,7 @@ TEST(WriteObj, CommentsAboutConesAreReplaced) {
   write_obj(folder.file("out.obj"), example.map, &example.input);
   EXPECT_TRUE(
       content_of(folder.file("out.obj"))
-          .starts_with(mark_text(".obj") +
+          .starts_with(mark_text(MarkStyle::FirstLine) +
                        "# cones: vertices count from 0; angle = quarter_turns * 90 degrees\n"
                        "# cone vertex 2 quarter_turns 3\n"));
   EXPECT_EQ(read_mesh(folder.file("out.obj")).directives, example.input.directives);

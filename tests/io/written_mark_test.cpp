@@ -243,9 +243,9 @@ TEST(WrittenMark, IsPutIntoContent) {
     SCOPED_TRACE(c.before);
     const std::string bare = c.before + c.after;
     const std::string marked = c.before + c.begin + mark + c.end + c.after;
-    EXPECT_EQ(with_mark(c.format, bare), marked);
-    EXPECT_EQ(with_mark(c.format, marked), marked);
-    EXPECT_EQ(with_mark(c.format, c.before + c.begin + old + c.end + c.after), marked);
+    EXPECT_EQ(with_mark(mark_style(c.format), bare), marked);
+    EXPECT_EQ(with_mark(mark_style(c.format), marked), marked);
+    EXPECT_EQ(with_mark(mark_style(c.format), c.before + c.begin + old + c.end + c.after), marked);
     EXPECT_TRUE(has_mark(folder.write(std::string("a") + c.format, marked)));
     EXPECT_FALSE(has_mark(folder.write(std::string("a") + c.format, bare)));
   }

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "majorant/volumes/internal/node_orders.h"
+#include "majorant/volumes/node_orders.h"
 #include "majorant/volumes/internal/reference_cell.h"
 #include "random.h"
 

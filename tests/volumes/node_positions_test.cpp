@@ -13,8 +13,8 @@
 #include <sstream>
 
 #include "majorant/volumes/check_volume_mesh.h"
-#include "majorant/volumes/internal/node_orders.h"
-#include "majorant/volumes/volume_files.h"
+#include "majorant/volumes/node_orders.h"
+#include "majorant/io/volume_files.h"
 
 namespace majorant {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/volumes/turned_cells.h"
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/volume_files.h"
 #include "support.h"
 
 namespace majorant {

@@ -7,7 +7,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/volumes/optimize_volume_mesh.h"
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/volume_files.h"
 #include "public_data.h"
 
 namespace majorant {

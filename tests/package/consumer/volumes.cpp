@@ -1,5 +1,6 @@
 // Meshes of volumes as an installed package sees them: one in, its elements made valid, the report
 // of the command out.
+#include "majorant/io/volume_files.h"
 #include "majorant/volumes/volumes.h"
 
 #include <cstdio>

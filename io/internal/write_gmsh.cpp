@@ -9,10 +9,11 @@
 #include <unordered_map>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/written_mark.h"
-#include "majorant/volumes/internal/gmsh_document.h"
-#include "majorant/volumes/internal/mesh_readers.h"
-#include "majorant/volumes/internal/mesh_source.h"
+#include "majorant/io/internal/gmsh_document.h"
+#include "majorant/io/internal/cell_writers.h"
+#include "majorant/io/internal/source_file.h"
 
 namespace majorant {
 namespace {
@@ -332,7 +333,7 @@ std::string gmsh_content(const GmshDocument& document, const GmshFormat& wanted,
   out.text(fmt::format("$MeshFormat\n{} {} 8\n", is_new ? "4.1" : "2.2", out.is_binary() ? 1 : 0));
   if (out.is_binary()) out.small(1);
   out.end_section("MeshFormat");
-  out.text(mark_text(".msh"));
+  out.text(mark_text(MarkStyle::GmshSection));
   out.text(document.physical_names);
   bool has_more_groups = false;
   if (is_new)
@@ -344,6 +345,23 @@ std::string gmsh_content(const GmshDocument& document, const GmshFormat& wanted,
     if (has_more_groups) left_out->push_back("physical groups of elements beside their first one");
   }
   return out.take();
+}
+
+std::string gmsh_text(const VolumeMesh& mesh, const GmshChoice& choice) {
+  return gmsh_content(gmsh_document_of(mesh),
+                      {choice.version.value_or(GmshVersion::New),
+                       choice.encoding.value_or(GmshEncoding::Text)},
+                      nullptr);
+}
+
+std::string gmsh_text_in_version(const VolumeMesh& mesh, const GmshChoice& choice,
+                                 std::vector<std::string>* left_out) {
+  std::string content = mesh.source->with_points(mesh.points);
+  const GmshFormat own = read_gmsh_format(mesh.file, content);
+  const GmshFormat wanted{choice.version.value_or(own.version),
+                          choice.encoding.value_or(own.encoding)};
+  if (own == wanted) return with_mark(MarkStyle::GmshSection, std::move(content));
+  return gmsh_content(read_gmsh_document(mesh.file, std::move(content), {}), wanted, left_out);
 }
 
 }  // namespace majorant

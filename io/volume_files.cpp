@@ -1,4 +1,4 @@
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/volume_files.h"
 
 #include <fmt/format.h>
 
@@ -13,11 +13,12 @@
 #include "majorant/io/base64.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/written_mark.h"
-#include "majorant/volumes/internal/gmsh_document.h"
-#include "majorant/volumes/internal/mesh_readers.h"
-#include "majorant/volumes/internal/mesh_source.h"
-#include "majorant/volumes/internal/reference_cell.h"
-#include "majorant/volumes/internal/token_cursor.h"
+#include "majorant/io/formats.h"
+#include "majorant/io/internal/cell_readers.h"
+#include "majorant/io/internal/cell_writers.h"
+#include "majorant/io/internal/source_file.h"
+#include "majorant/volumes/node_orders.h"
+#include "majorant/io/internal/token_cursor.h"
 
 namespace majorant {
 namespace {
@@ -80,7 +81,7 @@ class VtuText {
                    "<?xml version=\"1.0\"?>\n{}<VTKFile type=\"UnstructuredGrid\" version=\"{}\" "
                    "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
                    "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<CellData>\n",
-                   mark_text(".vtu"), has_lattice_hexahedra_ ? "2.2" : "1.0", points_.size() / 3,
+                   mark_text(MarkStyle::XmlComment), has_lattice_hexahedra_ ? "2.2" : "1.0", points_.size() / 3,
                    types_.size());
     array("number", "Int64", 1, numbers_);
     array("region", "Int32", 1, regions_);
@@ -122,7 +123,9 @@ class VtuText {
   std::string text_;
 };
 
-std::string vtu_content(const VolumeMesh& mesh) {
+}  // namespace
+
+std::string vtk_text(const VolumeMesh& mesh, const GmshChoice& /*choice*/) {
   VtuText out;
   out.add_points(mesh.points);
   for (const CellBlock& block : mesh.blocks)
@@ -132,14 +135,7 @@ std::string vtu_content(const VolumeMesh& mesh) {
   return out.take();
 }
 
-// The format of the .msh that was read, and as whose content.
-GmshFormat format_of_source(const VolumeMesh& mesh) {
-  return read_gmsh_format(mesh.file, mesh.source->with_points(mesh.points));
-}
-
-GmshFormat chosen(const GmshChoice& choice, GmshFormat format) {
-  return {choice.version.value_or(format.version), choice.encoding.value_or(format.encoding)};
-}
+namespace {
 
 // The extension of the file that was read; empty where there was none.
 std::string source_format(const VolumeMesh& mesh) {
@@ -153,20 +149,22 @@ void refuse_mesh(const std::string& path, const std::string& what) {
 }
 
 VolumeMesh read_volume_mesh(const std::string& path, const StopCheck& stop) {
-  const std::string format = format_of(path);
-  if (format != ".msh" && format != ".mesh" && format != ".vtu") {
-    require_format_name(path, ".msh, .mesh or .vtu", ErrorKind::Unsupported);
-    refuse_mesh(
-        path, fmt::format("meshes of volumes are read from .msh, .mesh and .vtu, not {}", format));
+  if (!is_for(FormatUse::ReadCells, path)) {
+    const std::vector<std::string> readable = extensions_for(FormatUse::ReadCells);
+    require_format_name(path, in_words(readable, "or"), ErrorKind::Unsupported);
+    refuse_mesh(path, fmt::format("meshes of volumes are read from {}, not {}",
+                                  in_words(readable, "and"), format_of(path)));
   }
   return read_volume_content(path, read_whole_file(path, stop), stop);
 }
 
 VolumeMesh read_volume_content(const std::string& path, std::string content,
                                const StopCheck& stop) {
-  const std::string format = format_of(path);
-  if (format == ".msh") return read_gmsh_mesh(path, std::move(content), stop);
-  if (format == ".vtu") return read_vtk_mesh(path, std::move(content), stop);
+  return find_format(format_of(path))->read_cells(path, std::move(content), stop);
+}
+
+VolumeMesh read_mfem_or_medit_mesh(const std::string& path, std::string content,
+                                   const StopCheck& stop) {
   require_text(path, content);
   const bool is_medit = first_word(path, content, stop) == "MeshVersionFormatted";
   return is_medit ? read_medit_mesh(path, std::move(content), stop)
@@ -178,46 +176,47 @@ void require_volume_format(const std::string& path, const VolumeMesh& mesh,
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::Usage, fmt::format("{}: {}", path, what));
   };
-  const std::string format = format_of(path), source = source_format(mesh);
-  if (path.ends_with(".gz")) refuse("meshes are not written compressed; leave out .gz");
-  if ((choice.version || choice.encoding) && format != ".msh")
-    refuse("versions and encodings are of .msh");
-  if (format == source) return;
-  if (format != ".msh" && format != ".vtu")
-    refuse(fmt::format("a mesh {} is written as {}.msh or .vtu",
+  const std::string extension = format_of(path), source = source_format(mesh);
+  const Format* const format = find_format(extension);
+  if (is_compressed(path)) refuse("meshes are not written compressed; leave out .gz");
+  if ((choice.version || choice.encoding) && !is_for(FormatUse::WriteVersions, path))
+    refuse(fmt::format("versions and encodings are of {}", in_words(extensions_for(FormatUse::WriteVersions), "and")));
+  if (extension == source) return;
+  if (format == nullptr || !format->cells_text) {
+    std::vector<std::string> written = extensions_for(FormatUse::WriteCells);
+    if (const Format* own = find_format(source); own != nullptr && !own->cells_text)
+      written.insert(written.begin(), source);
+    refuse(fmt::format("a mesh {} is written as {}",
                        source.empty() ? "that was read from no file" : "of " + mesh.file,
-                       source == ".mesh" ? source + ", " : ""));
+                       in_words(written, "or")));
+  }
   for (const CellBlock& block : mesh.blocks) {
     const bool is_lattice = block.type.kind == NodeKind::Uniform;
-    if (block.type.kind == NodeKind::GaussLobatto || (!is_lattice && format == ".msh"))
+    if (block.type.kind == NodeKind::GaussLobatto || (!is_lattice && !format->has_control_points))
       refuse(fmt::format(
-          "{} has no {} whose nodes are {}", format, describe(block.type),
+          "{} has no {} whose nodes are {}", extension, describe(block.type),
           block.type.kind == NodeKind::GaussLobatto ? "Gauss-Lobatto points" : "control points"));
     if (block.vertices.rows() > 0)
       refuse(
           fmt::format("{} has no elements with nodes of their own beside the vertices that they "
                       "share",
-                      format));
+                      extension));
   }
 }
 
 std::string volume_mesh_content(const std::string& path, const VolumeMesh& mesh,
                                 const GmshChoice& choice, std::vector<std::string>* left_out) {
   require_volume_format(path, mesh, choice);
-  const std::string format = format_of(path), source = source_format(mesh);
-  if (format == source) {
-    std::string content = mesh.source->with_points(mesh.points);
-    if (!choice.version && !choice.encoding) return with_mark(format, std::move(content));
-    const GmshFormat own = format_of_source(mesh), wanted = chosen(choice, own);
-    if (own == wanted) return with_mark(format, std::move(content));
-    return gmsh_content(read_gmsh_document(mesh.file, content, {}), wanted, left_out);
+  const std::string extension = format_of(path), source = source_format(mesh);
+  const Format& format = *find_format(extension);
+  if (extension == source) {
+    if (choice.version || choice.encoding) return format.cells_in_version(mesh, choice, left_out);
+    return with_mark(format.mark, mesh.source->with_points(mesh.points));
   }
   if (left_out != nullptr && !source.empty())
     left_out->push_back(
         fmt::format("what {} has beside nodes, elements and their regions", mesh.file));
-  if (format == ".vtu") return vtu_content(mesh);
-  return gmsh_content(gmsh_document_of(mesh),
-                      chosen(choice, {GmshVersion::New, GmshEncoding::Text}), nullptr);
+  return format.cells_text(mesh, choice);
 }
 
 void write_volume_mesh(const std::string& path, const VolumeMesh& mesh, const GmshChoice& choice,
@@ -244,7 +243,7 @@ void write_cells_vtu(const std::string& path, const VolumeMesh& mesh,
     for (Index k = 0; k < count; ++k)
       points.row(k) = mesh.points.row(block.nodes(checked->name.cell, k));
     if (block.type.kind == NodeKind::GaussLobatto)
-      points = ReferenceCell::of(block.type).control_points() * points;
+      points = control_points_of(block.type, points);
     out.add_points(points);
     out.add_cell(block, checked->name.cell, nodes);
     out.add_check(*checked);

@@ -1,5 +1,5 @@
-// In which order formats have the nodes of a cell: lists of exponents, as VTK's order has them for
-// BernsteinElement::lattice, and where each stands there.
+// The order of the nodes of a cell, which is VTK's: lists of exponents, as BernsteinElement::lattice
+// has them.
 #pragma once
 
 #include <array>
@@ -17,8 +17,11 @@ std::vector<Exponents> vtk_order(CellShape shape, int degree);
 // factors).
 std::vector<std::array<int, 8>> corner_weights(CellShape shape, int degree);
 
-// gmsh's order of the nodes of a cell: of each the place in VTK's.
-std::vector<int> gmsh_order(const CellType& type);
+// The nodes of a cell that is turned around: node k is where node reflected_nodes()[k] was. These
+// two are of shapes of two or three dimensions.
+const std::vector<int>& reflected_nodes(const CellType& type);
+// The control points of a cell with these nodes, a row each.
+Points3 control_points_of(const CellType& type, const Points3& nodes);
 
 }  // namespace majorant
 

@@ -1,4 +1,4 @@
-#include "majorant/volumes/internal/token_cursor.h"
+#include "majorant/io/internal/token_cursor.h"
 
 #include <fmt/format.h>
 

@@ -12,11 +12,11 @@
 #include "majorant/io/base64.h"
 #include "majorant/io/vtu_arrays.h"
 #include "majorant/io/xml_tree.h"
-#include "majorant/volumes/internal/cell_collector.h"
-#include "majorant/volumes/internal/mesh_readers.h"
-#include "majorant/volumes/internal/mesh_source.h"
-#include "majorant/volumes/internal/node_orders.h"
-#include "majorant/volumes/internal/token_cursor.h"
+#include "majorant/io/internal/cell_collector.h"
+#include "majorant/io/internal/cell_readers.h"
+#include "majorant/io/internal/source_file.h"
+#include "majorant/volumes/node_orders.h"
+#include "majorant/io/internal/token_cursor.h"
 
 namespace majorant {
 namespace {
@@ -73,7 +73,7 @@ bool is_vtk_pyramid(long long number) {
 }
 
 // Points as one base64 text of a length and doubles.
-class EncodedPoints final : public MeshSource {
+class EncodedPoints final : public SourceFile {
  public:
   struct Region {
     std::size_t begin, size;  // in the file
@@ -82,7 +82,7 @@ class EncodedPoints final : public MeshSource {
   };
   EncodedPoints(std::string file, std::string content, Points3 original, NodeLists lists,
                 const Region& region)
-      : MeshSource(std::move(file), std::move(content), std::move(original), std::move(lists)),
+      : SourceFile(std::move(file), std::move(content), std::move(original), std::move(lists)),
         region_(region) {}
 
   std::string with_points(const Points3& points) const override {
@@ -114,11 +114,11 @@ class EncodedPoints final : public MeshSource {
 };
 
 // The source of a file that does not say where its points stand as doubles.
-class UnwritablePoints final : public MeshSource {
+class UnwritablePoints final : public SourceFile {
  public:
   UnwritablePoints(std::string file, std::string content, Points3 original, NodeLists lists,
                    std::string why)
-      : MeshSource(std::move(file), std::move(content), std::move(original), std::move(lists)),
+      : SourceFile(std::move(file), std::move(content), std::move(original), std::move(lists)),
         why_(std::move(why)) {}
   std::string with_points(const Points3& points) const override {
     for (Index p = 0; p < points.rows(); ++p)

@@ -1,4 +1,4 @@
-// The readers of single formats, for read_volume_mesh. content: the whole file, decompressed.
+// The readers of cells of single formats, for the table (formats.h). content: the whole file, decompressed.
 #pragma once
 
 #include <string>
@@ -11,6 +11,9 @@ namespace majorant {
 VolumeMesh read_gmsh_mesh(const std::string& path, std::string content, const StopCheck& stop);
 VolumeMesh read_mfem_mesh(const std::string& path, std::string content, const StopCheck& stop);
 VolumeMesh read_medit_mesh(const std::string& path, std::string content, const StopCheck& stop);
+// One of the two, by the first word.
+VolumeMesh read_mfem_or_medit_mesh(const std::string& path, std::string content,
+                                   const StopCheck& stop);
 VolumeMesh read_vtk_mesh(const std::string& path, std::string content, const StopCheck& stop);
 
 // read_volume_mesh() of a file with this content.

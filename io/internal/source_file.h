@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/volumes/check_volume_mesh.h"
-#include "majorant/volumes/volume_mesh.h"
+#include "majorant/volumes/mesh_source.h"
 
 namespace majorant {
 
@@ -29,18 +28,13 @@ struct NodeLists {
   std::vector<OfBlock> blocks;                // in the order of the mesh's
 };
 
-class MeshSource {
+class SourceFile : public MeshSource {
  public:
-  virtual ~MeshSource() = default;
-  // The file with these points. Throws Error(Unsupported) for what it cannot hold.
-  virtual std::string with_points(const Points3& points) const = 0;
-  // The file with the nodes of these cells listed the other way round; blocks: those of the mesh.
-  // Throws Error(Unsupported) where the lists are hidden.
-  std::string with_turned(const std::vector<CellBlock>& blocks,
-                          const std::vector<CellName>& cells) const;
+  VolumeMesh with_turned(const std::vector<CellBlock>& blocks, const std::vector<CellName>& cells,
+                         const StopCheck& stop) const override;
 
  protected:
-  MeshSource(std::string file, std::string content, Points3 original, NodeLists lists)
+  SourceFile(std::string file, std::string content, Points3 original, NodeLists lists)
       : original_(std::move(original)),
         file_(std::move(file)),
         content_(std::move(content)),
@@ -51,11 +45,14 @@ class MeshSource {
   std::string file_, content_;
 
  private:
+  std::string turned_content(const std::vector<CellBlock>& blocks,
+                             const std::vector<CellName>& cells) const;
+
   NodeLists lists_;
 };
 
 // Coordinates as words, or as doubles in the byte order of the file, each at a place of its own.
-class PlacedCoordinates final : public MeshSource {
+class PlacedCoordinates final : public SourceFile {
  public:
   enum class Coding { Words, Doubles, SwappedDoubles };
   struct Place {
@@ -65,7 +62,7 @@ class PlacedCoordinates final : public MeshSource {
   // places: three for each point, the file's order may be another one.
   PlacedCoordinates(std::string file, std::string content, Points3 original, NodeLists lists,
                     std::vector<Place> places, Coding coding)
-      : MeshSource(std::move(file), std::move(content), std::move(original), std::move(lists)),
+      : SourceFile(std::move(file), std::move(content), std::move(original), std::move(lists)),
         places_(std::move(places)),
         coding_(coding) {}
   std::string with_points(const Points3& points) const override;

@@ -12,11 +12,11 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
-#include "majorant/volumes/internal/cell_collector.h"
-#include "majorant/volumes/internal/mesh_readers.h"
-#include "majorant/volumes/internal/mesh_source.h"
-#include "majorant/volumes/internal/node_orders.h"
-#include "majorant/volumes/internal/token_cursor.h"
+#include "majorant/io/internal/cell_collector.h"
+#include "majorant/io/internal/cell_readers.h"
+#include "majorant/io/internal/source_file.h"
+#include "majorant/volumes/node_orders.h"
+#include "majorant/io/internal/token_cursor.h"
 
 namespace majorant {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "majorant/volumes/internal/mesh_source.h"
+#include "majorant/io/internal/source_file.h"
 #include "majorant/volumes/volume_mesh.h"
 
 namespace majorant {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "majorant/framework/stop_check.h"
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/volume_files.h"
 
 namespace majorant {
 

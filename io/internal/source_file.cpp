@@ -1,4 +1,4 @@
-#include "majorant/volumes/internal/mesh_source.h"
+#include "majorant/io/internal/source_file.h"
 
 #include <fmt/format.h>
 
@@ -8,20 +8,27 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/base64.h"
-#include "majorant/volumes/internal/reference_cell.h"
-#include "majorant/volumes/internal/token_cursor.h"
+#include "majorant/io/internal/cell_readers.h"
+#include "majorant/io/internal/token_cursor.h"
+#include "majorant/volumes/node_orders.h"
 
 namespace majorant {
 
 std::string shortest(double x) { return fmt::format("{}", x); }
 
-bool MeshSource::is_moved(const Points3& points, Index point, int axis) const {
+bool SourceFile::is_moved(const Points3& points, Index point, int axis) const {
   return std::bit_cast<std::uint64_t>(points(point, axis)) !=
          std::bit_cast<std::uint64_t>(original_(point, axis));
 }
 
-std::string MeshSource::with_turned(const std::vector<CellBlock>& blocks,
-                                    const std::vector<CellName>& cells) const {
+VolumeMesh SourceFile::with_turned(const std::vector<CellBlock>& blocks,
+                                   const std::vector<CellName>& cells,
+                                   const StopCheck& stop) const {
+  return read_volume_content(file_, turned_content(blocks, cells), stop);
+}
+
+std::string SourceFile::turned_content(const std::vector<CellBlock>& blocks,
+                                       const std::vector<CellName>& cells) const {
   using enum NodeLists::Coding;
   if (lists_.coding == Hidden)
     throw Error(ErrorKind::Unsupported,
@@ -37,7 +44,7 @@ std::string MeshSource::with_turned(const std::vector<CellBlock>& blocks,
   for (const CellName& name : cells) {
     const NodeLists::OfBlock& lists = lists_.blocks[to_size(name.block)];
     const std::vector<int>& reflection =
-        ReferenceCell::of(blocks[to_size(name.block)].type).reflection();
+        reflected_nodes(blocks[to_size(name.block)].type);
     const std::size_t begin = lists.begins[to_size(name.cell)];
     std::vector<std::size_t> from;  // of each entry of the new list, the one in the old
     for (const int place : lists.order)

@@ -1,6 +1,6 @@
 // Meshes of volumes read, checked and written back: of the public collection, and small ones of
 // every format made here.
-#include "majorant/volumes/volume_files.h"
+#include "majorant/io/volume_files.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,6 +15,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/base64.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/written_mark.h"
 #include "public_data.h"
 
@@ -37,7 +38,7 @@ class VolumeFiles : public testing::Test {
   }
   // The content of a file without its mark, which is there once.
   static std::string without_mark(const std::string& path, std::string content) {
-    const std::string mark = mark_text(format_of(path));
+    const std::string mark = mark_text(mark_style(format_of(path)));
     const std::size_t at = content.find(mark);
     EXPECT_NE(at, std::string::npos) << path;
     if (at != std::string::npos) content.erase(at, mark.size());
@@ -280,7 +281,7 @@ TEST_F(VolumeFiles, OtherFormatsSayWhatTheyLeaveOut) {
   EXPECT_EQ(left_out("p.msh", kPartitioned, "q.msh", binary), Names{"partitions of elements"});
   EXPECT_EQ(left_out("p.msh", kOldGmsh, "q.msh", binary), Names{"section $NodeData"});
   // A mark is written anew, comments of others are left out.
-  const std::string marked = with_mark(".msh", kOldGmsh);
+  const std::string marked = with_mark(MarkStyle::GmshSection, kOldGmsh);
   EXPECT_EQ(left_out("p.msh", marked, "q.msh", binary), Names{"section $NodeData"});
   EXPECT_EQ(left_out("p.msh", marked + "$Comments\nmajorant of all\n$EndComments\n", "q.msh", old),
             Names());
