@@ -14,7 +14,7 @@
 #include "majorant/io/files_below.h"
 #include "majorant/io/internal/gltf_document.h"
 #include "majorant/io/internal/json_strings.h"
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/material_files.h"
 #include "majorant/io/material_lines.h"
 #include "majorant/io/pvtu.h"
@@ -85,7 +85,7 @@ class LibraryLines {
   void visit_lines(std::string_view text) const {
     for (std::size_t at = text.find(kLibrary); at != std::string_view::npos;
          at = text.find(kLibrary, at)) {
-      LineCursor cursor(path_, text.substr(at), Continuation::Backslash);
+      TextCursor cursor(path_, text.substr(at), TextLines::Continued);
       if (begins_line(text, at) && cursor.next_line() && cursor.next_token() == kLibrary) {
         const std::string_view line = up_to_return(cursor.whole_line());
         at += line.size();

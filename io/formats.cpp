@@ -13,7 +13,6 @@
 #include "majorant/io/internal/cell_readers.h"
 #include "majorant/io/internal/cell_writers.h"
 #include "majorant/io/internal/mesh_readers.h"
-#include "majorant/io/internal/msh_content.h"
 #include "majorant/io/pvtu.h"
 
 namespace majorant {
@@ -98,7 +97,7 @@ std::vector<Format> rows() {
           {.extension = ".msh",
            .name = "Gmsh",
            .kinds = "2.2, 4.1",
-           .read_surface = &at_once<read_msh_mesh>,
+           .read_surface = &at_once<read_gmsh_surface>,
            .read_map = &read_msh,
            .read_cells = &read_gmsh_mesh,
            .write_map = &map_to_msh,

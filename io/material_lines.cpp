@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 
 namespace majorant {
 namespace {

@@ -14,8 +14,8 @@
 //     .stl  ascii and binary. STL cannot share vertices: corners with exactly equal coordinates
 //           become one vertex, numbered by first appearance
 //     .vtu  written by majorant (io.h): the corner points, uv as texture coordinates
-//     .msh  of gmsh, version 4.1, ascii: the corners of its triangles, of any degree; views u and v
-//           as texture coordinates
+//     .msh  of gmsh, 2.2 and 4.1, text and binary: the corners of its triangles, of any degree;
+//           views u and v as texture coordinates
 //     .glb .gltf  glTF 2.0: triangles, strips and fans of all meshes, each once, where the first
 //           node that shows it puts it (a skinned one where it is itself); TEXCOORD_0 as texture
 //           coordinates, v upwards; vertices of a mesh at exactly one place are one. All else is

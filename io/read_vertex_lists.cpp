@@ -10,7 +10,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/json_depth.h"
 #include "majorant/maps/map_problem.h"
 
@@ -179,7 +179,7 @@ std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vert
 Vec read_face_weights(const std::string& path, Index face_count, const StopCheck& stop) {
   std::string text = read_whole_file(path, stop);
   require_text(path, text);
-  LineCursor cursor(path, text, Continuation::None);
+  TextCursor cursor(path, text, TextLines::Plain);
   Vec weights(face_count);
   Index count = 0;
   while (cursor.next_line())

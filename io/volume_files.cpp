@@ -18,7 +18,7 @@
 #include "majorant/io/internal/cell_writers.h"
 #include "majorant/io/internal/source_file.h"
 #include "majorant/volumes/node_orders.h"
-#include "majorant/io/internal/token_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 
 namespace majorant {
 namespace {
@@ -26,8 +26,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "arrays are written as memory is");
 
 std::string first_word(const std::string& path, const std::string& content, const StopCheck& stop) {
-  TokenCursor words(path, content, '#', stop);
-  return std::string(words.next());
+  TextCursor words(path, content, TextLines::Space, stop);
+  return std::string(words.next_token());
 }
 
 // VTK's number of a cell with these nodes; Gauss-Lobatto nodes become control points. The quadratic
@@ -44,7 +44,7 @@ int vtk_number(const CellType& type) {
   return type.degree == 2 ? kQuadratic[shape] : kLagrange[shape];
 }
 
-class VtuText {
+class CellsText {
  public:
   void add_points(const Points3& points) {
     points_.insert(points_.end(), points.data(), points.data() + points.size());
@@ -126,7 +126,7 @@ class VtuText {
 }  // namespace
 
 std::string vtk_text(const VolumeMesh& mesh, const GmshChoice& /*choice*/) {
-  VtuText out;
+  CellsText out;
   out.add_points(mesh.points);
   for (const CellBlock& block : mesh.blocks)
     for (Index cell = 0; cell < block.size(); ++cell)
@@ -233,7 +233,7 @@ void write_volume_mesh(const std::string& path, const VolumeMesh& mesh, const Gm
 
 void write_cells_vtu(const std::string& path, const VolumeMesh& mesh,
                      const std::vector<const CheckedCell*>& cells) {
-  VtuText out;
+  CellsText out;
   for (const CheckedCell* checked : cells) {
     const CellBlock& block = mesh.blocks[to_size(checked->name.block)];
     const auto count = static_cast<Index>(block.nodes.cols());

@@ -14,7 +14,7 @@
 #include "majorant/io/base64.h"
 #include "majorant/io/files/inflate.h"
 #include "majorant/io/files/input_file.h"
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 
 namespace majorant {
 namespace {
@@ -217,7 +217,7 @@ std::vector<T> VtuArrays::values(const XmlElement& array) const {
   std::vector<T> result;
   if (array.attribute("format", "ascii") == "ascii") {
     const std::string name = fmt::format("{}: array {}", file_, array.attribute("Name", "?"));
-    LineCursor cursor(name, array.text, Continuation::None, stop_);
+    TextCursor cursor(name, array.text, TextLines::Plain, stop_);
     while (cursor.next_line()) {
       while (!cursor.at_end_of_line()) {
         if constexpr (std::is_same_v<T, double>) {

@@ -5,7 +5,7 @@
 //   read_mesh(path);                                   // on another thread, say
 //   std::cerr << bytes_text(byte_counts().read - before) << "\n";
 //
-// Counted where files are read (input_file.h), parsed (line_cursor.h and the binary readers) and
+// Counted where files are read (input_file.h), parsed (text_cursor.h and the binary readers) and
 // written (atomic_file.h), an addition for thousands of bytes. They only grow, but to_parse.
 #pragma once
 

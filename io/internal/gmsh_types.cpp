@@ -1,11 +1,66 @@
 #include "majorant/io/internal/gmsh_types.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 #include "majorant/volumes/node_orders.h"
 
 namespace majorant {
 namespace {
+
+struct GmshType {
+  int number;
+  CellShape shape;
+  int degree;
+  NodeSet set = NodeSet::Full;
+  CellType type() const { return {shape, degree, NodeKind::Uniform, set}; }
+};
+
+// gmsh's numbers of element types.
+constexpr auto kGmshTypes = [] {
+  using enum CellShape;
+  return std::to_array<GmshType>({{15, Point, 1},
+                                  {1, Segment, 1},
+                                  {8, Segment, 2},
+                                  {26, Segment, 3},
+                                  {27, Segment, 4},
+                                  {28, Segment, 5},
+                                  {62, Segment, 6},
+                                  {63, Segment, 7},
+                                  {64, Segment, 8},
+                                  {65, Segment, 9},
+                                  {66, Segment, 10},
+                                  {2, Triangle, 1},
+                                  {9, Triangle, 2},
+                                  {21, Triangle, 3},
+                                  {23, Triangle, 4},
+                                  {25, Triangle, 5},
+                                  {42, Triangle, 6},
+                                  {43, Triangle, 7},
+                                  {44, Triangle, 8},
+                                  {45, Triangle, 9},
+                                  {46, Triangle, 10},
+                                  {3, Quad, 1},
+                                  {10, Quad, 2},
+                                  {16, Quad, 2, NodeSet::Serendipity},
+                                  {36, Quad, 3},
+                                  {37, Quad, 4},
+                                  {4, Tetrahedron, 1},
+                                  {11, Tetrahedron, 2},
+                                  {29, Tetrahedron, 3},
+                                  {30, Tetrahedron, 4},
+                                  {5, Hexahedron, 1},
+                                  {12, Hexahedron, 2},
+                                  {17, Hexahedron, 2, NodeSet::Serendipity},
+                                  {92, Hexahedron, 3},
+                                  {93, Hexahedron, 4},
+                                  {6, Wedge, 1},
+                                  {13, Wedge, 2},
+                                  {18, Wedge, 2, NodeSet::Serendipity},
+                                  {90, Wedge, 3},
+                                  {91, Wedge, 4}});
+}();
 
 using Steps = std::array<int, 6>;  // from one node to the next
 
@@ -157,6 +212,26 @@ class GmshOrder {
 };
 
 }  // namespace
+
+std::optional<CellType> gmsh_type(std::int64_t number) {
+  const auto known = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
+                                  [&](const GmshType& t) { return t.number == number; });
+  return known == kGmshTypes.end() ? std::nullopt : std::optional(known->type());
+}
+
+std::optional<int> gmsh_number(const CellType& type) {
+  const auto known = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
+                                  [&](const GmshType& t) { return t.type() == type; });
+  return known == kGmshTypes.end() ? std::nullopt : std::optional(known->number);
+}
+
+bool is_gmsh_pyramid(std::int64_t number) {
+  constexpr std::int64_t kPyramids[] = {7, 14, 19, 118, 119, 120, 121, 122, 123, 124, 125, 132};
+  return std::find(std::begin(kPyramids), std::end(kPyramids), number) != std::end(kPyramids);
+}
+
+int gmsh_node_count(int number) { return gmsh_type(number)->node_count(); }
+int gmsh_dimension(int number) { return dimension(gmsh_type(number)->shape); }
 
 std::vector<int> gmsh_order(const CellType& type) {
   const std::vector<Exponents> places = vtk_order(type.shape, type.degree);

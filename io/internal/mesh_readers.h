@@ -20,6 +20,9 @@ PolygonMesh read_ply(const std::string& path, std::string content, const StopChe
                      Strictness strictness);
 PolygonMesh read_gltf(const std::string& path, const std::string& content, const StopCheck& stop,
                       Strictness strictness);
+// The straight triangles between the corners; views u and v, where they are there, as texture
+// coordinates. Nodes that are no corner are left out.
+PolygonMesh read_gmsh_surface(const std::string& path, std::string content, const StopCheck& stop);
 PolygonMesh read_stl(const std::string& path, std::string content, const StopCheck& stop);
 
 // Throws Error(Unreadable) if the mesh has no vertices, no faces or more than 32-bit numbering

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "majorant/io/files/input_file.h"
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 
 namespace majorant {
 namespace {
@@ -31,7 +31,7 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{
     {"float64", PlyType::Float64},
 }};
 
-PlyType read_type(LineCursor& cursor) {
+PlyType read_type(TextCursor& cursor) {
   const std::string_view token = cursor.next_token();
   for (const auto& [name, type] : kTypes) {
     if (token == name) return type;
@@ -39,10 +39,10 @@ PlyType read_type(LineCursor& cursor) {
   cursor.fail(fmt::format("{} is no PLY type; correct the header", in_quotes(token)));
 }
 
-void read_property(LineCursor& cursor, PlyHeader& header) {
+void read_property(TextCursor& cursor, PlyHeader& header) {
   if (header.elements.empty()) cursor.fail("property before the first element; not a PLY file");
   PlyProperty property;
-  LineCursor look_ahead = cursor;
+  TextCursor look_ahead = cursor;
   if (look_ahead.next_token() == "list") {
     cursor.next_token();
     property.list_size_type = read_type(cursor);
@@ -56,7 +56,7 @@ void read_property(LineCursor& cursor, PlyHeader& header) {
   header.elements.back().properties.push_back(std::move(property));
 }
 
-void read_format(LineCursor& cursor, PlyHeader& header) {
+void read_format(TextCursor& cursor, PlyHeader& header) {
   const std::string_view format = cursor.next_token();
   if (format == "binary_little_endian") {
     header.encoding = PlyEncoding::LittleEndian;
@@ -67,7 +67,7 @@ void read_format(LineCursor& cursor, PlyHeader& header) {
   }
 }
 
-void read_element(LineCursor& cursor, PlyHeader& header) {
+void read_element(TextCursor& cursor, PlyHeader& header) {
   PlyElement element;
   element.name = cursor.next_token();
   element.count = cursor.next_integer("number of elements");
@@ -88,7 +88,7 @@ std::size_t header_size(const std::string& path, std::string_view content) {
     while (end < content.size() && (content[end] == ' ' || content[end] == '\r')) ++end;
     if (end < content.size() && content[end] == '\n') return end + 1;
   }
-  LineCursor(path, content, Continuation::None)
+  TextCursor(path, content, TextLines::Plain)
       .fail("no line end_header; not a PLY file, or truncated");
 }
 
@@ -117,7 +117,7 @@ PlyHeader read_ply_header(const std::string& path, std::string_view content) {
   header.size = header_size(path, content);
   std::string text(content.substr(0, header.size));
   require_text(path, text);
-  LineCursor cursor(path, text, Continuation::None);
+  TextCursor cursor(path, text, TextLines::Plain);
   if (!cursor.next_line() || cursor.next_token() != "ply") {
     cursor.fail("the first line is not 'ply'; check that this is a PLY file");
   }

@@ -1,86 +1,43 @@
+// gmsh's files, 2.2 and 4.1, text and binary. Sections that hold nothing of what is read are passed
+// over; every count is believed only as far as the file goes on.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <unordered_map>
 
 #include "majorant/framework/error.h"
-#include "majorant/io/byte_cursor.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/io/files/input_file.h"
-#include "majorant/io/written_mark.h"
 #include "majorant/io/internal/cell_collector.h"
-#include "majorant/io/internal/gmsh_document.h"
 #include "majorant/io/internal/cell_readers.h"
-#include "majorant/io/internal/source_file.h"
+#include "majorant/io/internal/gmsh_document.h"
 #include "majorant/io/internal/gmsh_types.h"
-#include "majorant/io/internal/token_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
+#include "majorant/io/written_mark.h"
 
 namespace majorant {
 namespace {
 
-struct GmshType {
-  int number;
-  CellShape shape;
-  int degree;
-  NodeSet set = NodeSet::Full;
-  CellType type() const { return {shape, degree, NodeKind::Uniform, set}; }
-};
-
-// gmsh's numbers of element types.
-constexpr auto kGmshTypes = [] {
-  using enum CellShape;
-  return std::to_array<GmshType>({{15, Point, 1},
-                                  {1, Segment, 1},
-                                  {8, Segment, 2},
-                                  {26, Segment, 3},
-                                  {27, Segment, 4},
-                                  {2, Triangle, 1},
-                                  {9, Triangle, 2},
-                                  {21, Triangle, 3},
-                                  {23, Triangle, 4},
-                                  {3, Quad, 1},
-                                  {10, Quad, 2},
-                                  {16, Quad, 2, NodeSet::Serendipity},
-                                  {36, Quad, 3},
-                                  {37, Quad, 4},
-                                  {4, Tetrahedron, 1},
-                                  {11, Tetrahedron, 2},
-                                  {29, Tetrahedron, 3},
-                                  {30, Tetrahedron, 4},
-                                  {5, Hexahedron, 1},
-                                  {12, Hexahedron, 2},
-                                  {17, Hexahedron, 2, NodeSet::Serendipity},
-                                  {92, Hexahedron, 3},
-                                  {93, Hexahedron, 4},
-                                  {6, Wedge, 1},
-                                  {13, Wedge, 2},
-                                  {18, Wedge, 2, NodeSet::Serendipity},
-                                  {90, Wedge, 3},
-                                  {91, Wedge, 4}});
-}();
-
-std::optional<CellType> gmsh_type(std::int64_t number) {  // none: without a place here
-  for (const GmshType& t : kGmshTypes)
-    if (t.number == number) return t.type();
-  return std::nullopt;
-}
-
-bool is_gmsh_pyramid(std::int64_t number) {
-  constexpr std::int64_t kPyramids[] = {7, 14, 19, 118, 119, 120, 121, 122, 123, 124, 125, 132};
-  return std::find(std::begin(kPyramids), std::end(kPyramids), number) != std::end(kPyramids);
-}
-
-// Numbers of a section, as words or as bytes.
+// Numbers of a section, as words or as bytes. Places in a piece of a file are moved by where it
+// begins.
 class GmshNumbers {
  public:
-  GmshNumbers(const std::string& file, std::string_view text, const StopCheck& stop)
-      : file_(file), cursor_(file, text, 0, stop), stop_(stop) {}
+  GmshNumbers(const std::string& file, std::string_view text, const StopCheck& stop,
+              std::size_t offset = 0)
+      : file_(file),
+        words_(file, text, TextLines::Space, stop, TextComments::None),
+        stop_(stop),
+        offset_(offset) {}
 
-  TokenCursor& words() { return cursor_; }
+  TextCursor& words() {
+    if (reads_bytes_) words_.go_to(at_);
+    reads_bytes_ = false;
+    return words_;
+  }
   bool is_binary() const { return is_binary_; }
   ByteOrder order() const { return order_; }
   void begin_binary(ByteOrder order) {
@@ -90,37 +47,40 @@ class GmshNumbers {
   // Binary numbers begin behind the end of the line with the section's name.
   void begin_section() {
     if (!is_binary_) return;
-    std::size_t at = cursor_.place();
-    while (at < cursor_.text().size() && cursor_.text()[at] != '\n') ++at;
-    cursor_.go_to(std::min(at + 1, cursor_.text().size()));
+    const std::size_t line_end = words().text().find('\n', words_.place());
+    at_ = line_end == std::string_view::npos ? words_.text().size() : line_end + 1;
+    reads_bytes_ = true;
   }
 
   std::int64_t small(std::string_view what) {  // an int
-    return is_binary_ ? bytes<std::int32_t>() : cursor_.integer(what);
+    return is_binary_ ? bytes<std::int32_t>() : words_.next_integer(what);
   }
   std::int64_t large(std::string_view what) {  // a size_t
-    return is_binary_ ? static_cast<std::int64_t>(bytes<std::uint64_t>()) : cursor_.integer(what);
+    return is_binary_ ? static_cast<std::int64_t>(bytes<std::uint64_t>())
+                      : words_.next_integer(what);
   }
   double real(std::string_view what) {
-    if (!is_binary_) return cursor_.number(what);
+    if (!is_binary_) return words_.next_number(what);
     const auto x = bytes<double>();
     if (!std::isfinite(x)) fail(fmt::format("{} is not finite", what));
     return x;
   }
   PlacedCoordinates::Place last_place() const {
-    const std::size_t begin = is_binary_ ? last_ : cursor_.begin();
-    return {begin, static_cast<std::uint32_t>(cursor_.place() - begin)};
+    const std::size_t begin = is_binary_ ? last_ : words_.begin();
+    const std::size_t end = is_binary_ ? at_ : words_.place();
+    return {offset_ + begin, static_cast<std::uint32_t>(end - begin)};
   }
   // So many things of so many bytes, or characters, at least.
   Index count(std::int64_t value, std::size_t size, std::string_view what) {
-    if (value < 0 || static_cast<std::uint64_t>(value) > cursor_.remaining() / size)
+    const std::size_t left = reads_bytes_ ? words_.text().size() - at_ : words_.remaining();
+    if (value < 0 || static_cast<std::uint64_t>(value) > left / size)
       fail(fmt::format("{} {}, more than the file has; it is damaged or truncated", value, what));
     if (value > std::numeric_limits<Index>::max() / 4)
       refuse_mesh(file_, fmt::format("{} {} are too many", value, what));
     return static_cast<Index>(value);
   }
   [[noreturn]] void fail(std::string_view problem) const {
-    if (!is_binary_) cursor_.fail(problem);
+    if (!reads_bytes_) words_.fail(problem);
     throw Error(ErrorKind::Unreadable, fmt::format("{}: byte {}: {}", file_, last_, problem));
   }
 
@@ -128,71 +88,28 @@ class GmshNumbers {
   template <class T>
   T bytes() {
     stop_.poll_at(reads_++);
-    last_ = cursor_.place();
-    if (cursor_.remaining() < sizeof(T))
+    last_ = at_;
+    if (words_.text().size() - at_ < sizeof(T))
       fail("the binary data end too early; the file is truncated");
-    cursor_.go_to(last_ + sizeof(T));
-    return load_bytes<T>(cursor_.text().data() + last_, order_);
+    at_ += sizeof(T);
+    return load_bytes<T>(words_.text().data() + last_, order_);
   }
 
   const std::string& file_;
-  TokenCursor cursor_;
+  TextCursor words_;
   const StopCheck& stop_;
-  bool is_binary_ = false;
+  std::size_t offset_;
+  bool is_binary_ = false, reads_bytes_ = false;
   ByteOrder order_ = ByteOrder::Little;
-  std::size_t last_ = 0, reads_ = 0;
-};
-
-// The rows of points by gmsh's tags.
-class GmshTags {
- public:
-  void add(std::int64_t tag) { tags_.push_back(tag); }
-  std::int64_t tag(std::size_t row) const { return tags_[row]; }
-  std::size_t size() const { return tags_.size(); }
-  // False where a tag comes twice.
-  bool finish() {
-    std::int64_t largest = 0;
-    bool is_dense = true;
-    for (const std::int64_t tag : tags_) {
-      largest = std::max(largest, tag);
-      is_dense = is_dense && tag >= 0;
-    }
-    constexpr std::int64_t kSpread = 8;  // entries of the table for a point, at most
-    if (is_dense && largest <= kSpread * static_cast<std::int64_t>(tags_.size())) {
-      row_.assign(static_cast<std::size_t>(largest) + 1, -1);
-      for (std::size_t k = 0; k < tags_.size(); ++k) {
-        Index& row = row_[static_cast<std::size_t>(tags_[k])];
-        if (row >= 0) return false;
-        row = static_cast<Index>(k);
-      }
-      return true;
-    }
-    for (std::size_t k = 0; k < tags_.size(); ++k)
-      if (!sparse_.emplace(tags_[k], static_cast<Index>(k)).second) return false;
-    return true;
-  }
-  Index row(std::int64_t tag) const {  // -1: none
-    if (row_.empty()) {
-      const auto found = sparse_.find(tag);
-      return found == sparse_.end() ? -1 : found->second;
-    }
-    return tag >= 0 && static_cast<std::size_t>(tag) < row_.size()
-               ? row_[static_cast<std::size_t>(tag)]
-               : -1;
-  }
-
- private:
-  std::vector<std::int64_t> tags_;
-  std::vector<Index> row_;
-  std::unordered_map<std::int64_t, Index> sparse_;
+  std::size_t at_ = 0, last_ = 0, reads_ = 0;  // of bytes
 };
 
 // Refuses bytes that are no text in a file that does not say that it is binary.
 std::string checked(const std::string& path, std::string content, const StopCheck& stop) {
-  TokenCursor words(path, content, 0, stop);
-  if (words.next() == "$MeshFormat") {
-    words.next();
-    if (words.next() == "1") return content;
+  TextCursor words(path, content, TextLines::Space, stop, TextComments::None);
+  if (words.next_token() == "$MeshFormat") {
+    words.next_token();
+    if (words.next_token() == "1") return content;
   }
   require_text(path, content);
   return content;
@@ -200,119 +117,169 @@ std::string checked(const std::string& path, std::string content, const StopChec
 
 class GmshReader {
  public:
-  GmshReader(const std::string& path, std::string content, const StopCheck& stop)
-      : path_(path),
-        content_(checked(path, std::move(content), stop)),
-        in_(path_, content_, stop) {}
+  GmshReader(const std::string& path, std::string content, GmshParts parts, const StopCheck& stop)
+      : file_(path, checked(path, std::move(content), stop)),
+        document_(file_.document),
+        parts_(parts),
+        stop_(stop),
+        in_(file_.path, file_.content, stop) {}
 
   GmshFormat format() {
     read_format();
-    return {is_old_ ? GmshVersion::Old : GmshVersion::New,
-            in_.is_binary() ? GmshEncoding::Binary : GmshEncoding::Text};
+    return document_.format;
   }
 
-  GmshDocument document() {
-    GmshDocument out;
-    document_ = &out;
-    out.format = format();
-    while (read_section()) {
-    }
-    return out;
-  }
-
-  VolumeMesh read() {
+  GmshFile read() && {
     read_format();
     while (read_section()) {
     }
-    if (tags_.size() == 0) in_.words().fail("no nodes; not a mesh, or truncated");
-    VolumeMesh mesh;
-    mesh.file = path_;
-    mesh.points = Eigen::Map<const Points3>(points_.data(), static_cast<Index>(tags_.size()), 3);
-    NodeLists lists{.coding = NodeLists::Coding::Words, .blocks = cells_.lists()};
-    if (in_.is_binary()) {
-      lists.coding = NodeLists::Coding::Bytes;
-      lists.width = is_old_ ? sizeof(std::int32_t) : sizeof(std::uint64_t);
-    }
-    mesh.blocks = cells_.take();
-    if (mesh.blocks.empty()) in_.words().fail("no elements; not a mesh, or truncated");
-    using Coding = PlacedCoordinates::Coding;
-    const bool is_native =
-        (in_.order() == ByteOrder::Little) == (std::endian::native == std::endian::little);
-    const Coding coding = !in_.is_binary() ? Coding::Words
-                          : is_native      ? Coding::Doubles
-                                           : Coding::SwappedDoubles;
-    mesh.source = std::make_shared<const PlacedCoordinates>(
-        path_, std::move(content_), mesh.points, std::move(lists), std::move(places_), coding);
-    return mesh;
+    if (document_.node_tags.empty()) in_.words().fail("no nodes; not a mesh, or truncated");
+    file_.order = in_.order();
+    return std::move(file_);
   }
 
  private:
+  bool is_old() const { return document_.format.version == GmshVersion::Old; }
+  bool is_surface() const { return parts_ == GmshParts::Surface; }
+
   void read_format() {
-    TokenCursor& words = in_.words();
-    if (words.next() != "$MeshFormat") words.fail("no section $MeshFormat; not a gmsh file");
-    const std::string version(words.next());
-    const std::int64_t is_binary = words.integer("the file type"),
-                       size = words.integer("the data size");
-    is_old_ = version == "2.2" || version == "2.1" || version == "2" || version == "2.0";
-    if (!is_old_ && version != "4.1")
-      refuse_mesh(path_, fmt::format("MSH {}; 2.2 and 4.1 are supported, gmsh writes them by "
-                                     "-format msh22 and msh41",
-                                     version));
-    if (size != 8) refuse_mesh(path_, fmt::format("numbers of {} bytes; 8 are supported", size));
+    TextCursor& words = in_.words();
+    std::string_view name = words.next_token();
+    while (name == "$Comments") {
+      pass_section("$EndComments");
+      name = words.next_token();
+    }
+    if (name != "$MeshFormat") words.fail("no section $MeshFormat at the top; not a gmsh file");
+    const std::string version(words.next_token());
+    const std::int64_t is_binary = words.next_integer("the file type"),
+                       size = words.next_integer("the data size");
+    const bool is_old =
+        version == "2.2" || version == "2.1" || version == "2" || version == "2.0";
+    if (!is_old && version != "4.1")
+      refuse_mesh(file_.path,
+                  fmt::format("MSH {}; 2.2 and 4.1 are supported, gmsh writes them by "
+                              "-format msh22 and msh41",
+                              version));
+    if (size != 8)
+      refuse_mesh(file_.path, fmt::format("numbers of {} bytes; 8 are supported", size));
+    document_.format = {is_old ? GmshVersion::Old : GmshVersion::New,
+                        is_binary != 0 ? GmshEncoding::Binary : GmshEncoding::Text};
     if (is_binary != 0) {
-      in_.begin_binary(ByteOrder::Little);
+      const std::size_t line_end = words.text().find('\n', words.place());
+      const bool is_big = line_end + 1 < words.text().size() && words.text()[line_end + 1] == 0;
+      in_.begin_binary(is_big ? ByteOrder::Big : ByteOrder::Little);
       in_.begin_section();
-      if (in_.words().remaining() >= 4 && in_.words().text()[in_.words().place()] == 0)
-        in_.begin_binary(ByteOrder::Big);
       if (in_.small("the number 1") != 1) in_.fail("the byte order is not known; damaged file");
     }
-    if (in_.words().next() != "$EndMeshFormat") in_.words().fail("$EndMeshFormat is missing");
+    if (in_.words().next_token() != "$EndMeshFormat") words.fail("$EndMeshFormat is missing");
   }
 
   bool read_section() {
-    TokenCursor& words = in_.words();
-    const std::string name(words.next());
+    TextCursor& words = in_.words();
+    const std::string name(words.next_token());
     if (name.empty()) return false;
     if (name[0] != '$') words.fail(fmt::format("{} where a section begins", in_quotes(name)));
     const std::string end = "$End" + name.substr(1);
-    if (name == "$Nodes" || name == "$Elements") {
+    const std::string_view what = std::string_view(name).substr(1);
+    if (name == "$Nodes" || name == "$Elements" || (name == "$Entities" && !is_old())) {
       in_.begin_section();
       if (name == "$Nodes")
-        is_old_ ? read_old_nodes() : read_nodes();
+        is_old() ? read_old_nodes() : read_nodes();
+      else if (name == "$Elements")
+        is_old() ? read_old_elements() : read_elements();
       else
-        is_old_ ? read_old_elements() : read_elements();
-      if (words.next() != end)
-        words.fail(end +
-                   " is missing; the counts are wrong, or the file is "
-                   "truncated");
-      return true;
+        read_entities();
+      require_end(end);
+    } else if (is_surface() && name == "$NodeData") {
+      read_view(end);
+    } else if (is_surface() && !in_.is_binary() && what == kGmshInputVertex) {
+      read_input_numbers(what, document_.input_vertex);
+      require_end(end);
+    } else if (is_surface() && !in_.is_binary() && what == kGmshInputFace) {
+      read_input_numbers(what, document_.input_face);
+      require_end(end);
+    } else {
+      read_other(name, end);
     }
-    if (document_ != nullptr && name == "$Entities" && !is_old_) {
-      in_.begin_section();
-      read_entities();
-      if (words.next() != end) words.fail(end + " is missing");
-      return true;
-    }
-    if (name == "$ParametricNodes" || name == "$PartitionedEntities" || name == "$NOD")
-      refuse_mesh(path_, fmt::format("a section {}; save the mesh without it", name));
-    const std::size_t found = words.text().find("\n" + end, words.place());
-    if (found == std::string_view::npos) words.fail(end + " is missing; the file is truncated");
-    if (document_ != nullptr) {
-      const std::size_t begin = words.begin();
-      if (name == "$PhysicalNames")
-        document_->physical_names =
-            std::string(words.text().substr(begin, found + 1 + end.size() - begin)) + "\n";
-      else if (!is_mark(words.text().substr(words.place(), found - words.place())))
-        document_->others.push_back("section " + name);
-    }
-    words.go_to(found + 1 + end.size());
     return true;
+  }
+
+  void require_end(const std::string& end) {
+    if (in_.words().next_token() != end)
+      in_.words().fail(end + " is missing; the counts are wrong, or the file is truncated");
+  }
+
+  // Returns what a section holds, up to its end.
+  std::string_view pass_section(const std::string& end) {
+    TextCursor& words = in_.words();
+    const std::size_t begin = words.place(), found = words.text().find("\n" + end, begin);
+    if (found == std::string_view::npos) words.fail(end + " is missing; the file is truncated");
+    words.go_to(found + 1 + end.size());
+    return words.text().substr(begin, found - begin);
+  }
+
+  void read_other(const std::string& name, const std::string& end) {
+    if (name == "$ParametricNodes" || name == "$PartitionedEntities" || name == "$NOD")
+      refuse_mesh(file_.path, fmt::format("a section {}; save the mesh without it", name));
+    const std::string_view content = pass_section(end);
+    if (name == "$PhysicalNames")
+      document_.physical_names = fmt::format("{}{}\n{}\n", name, content, end);
+    else if (!is_mark(content))
+      document_.others.push_back("section " + name);
   }
 
   // Returns whether the text of a section is our mark, which is written anew.
   static bool is_mark(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     return begin != std::string_view::npos && is_written_mark(text.substr(begin));
+  }
+
+  // Once each.
+  void note_other(const char* what) {
+    std::vector<std::string>& others = document_.others;
+    if (std::find(others.begin(), others.end(), what) == others.end()) others.push_back(what);
+  }
+
+  // read(numbers, k) for entries 0 to count - 1, which come one after the other.
+  template <class Read>
+  void read_entries(Index count, const Read& read) {
+    if (ThreadCount::current() > 1 && read_entries_in_pieces(count, read)) return;
+    for (Index k = 0; k < count; ++k) read(in_, k);
+  }
+
+  // On all threads. False, where lines are not one an entry, or one of them is broken: then who
+  // reads them one after the other says what is wrong.
+  template <class Read>
+  bool read_entries_in_pieces(Index count, const Read& read) {
+    constexpr Index kPiece = 4096;  // lines a task: some 0.5 ms
+    if (count <= kPiece || in_.is_binary()) return false;
+    const std::string_view text = in_.words().text();
+    std::size_t end = in_.words().place();
+    if (!in_.words().rest_of_line().empty()) return false;
+    end = text.find('\n', end);
+    if (end == std::string_view::npos) return false;
+    std::vector<std::size_t> begin{++end};  // of the pieces, and the end
+    for (Index k = 0; k < count; ++k) {
+      const std::size_t found = text.find('\n', end);
+      if (found == std::string_view::npos) return false;
+      end = found + 1;
+      if ((k + 1) % kPiece == 0 || k + 1 == count) begin.push_back(end);
+    }
+    std::atomic<bool> is_other = false;
+    parallel_tasks(static_cast<Index>(begin.size()) - 1, [&](Index task, int) {
+      if (is_other) return;
+      const std::size_t first = begin[to_size(task)], last = begin[to_size(task) + 1];
+      GmshNumbers numbers(file_.path, text.substr(first, last - first), stop_, first);
+      try {
+        for (Index k = task * kPiece; k < std::min(count, (task + 1) * kPiece) && !is_other; ++k)
+          read(numbers, k);
+        if (!numbers.words().next_token().empty()) is_other = true;
+      } catch (const Error&) {
+        is_other = true;
+      }
+    });
+    if (!is_other) in_.words().go_to(end);
+    return !is_other;
   }
 
   void read_entities() {
@@ -326,52 +293,44 @@ class GmshReader {
     for (int dim = 0; dim < 4; ++dim)
       for (Index k = 0; k < counts[to_size(dim)]; ++k) {
         GmshDocument::Entity& entity =
-            document_->entities[{dim, static_cast<int>(in_.small("a tag"))}];
+            document_.entities[{dim, static_cast<int>(in_.small("a tag"))}];
         for (std::size_t c = 0; c < (dim == 0 ? 3u : 6u); ++c) entity.box[c] = in_.real("a bound");
         read_tags(entity.physicals);
         if (dim > 0) read_tags(entity.bounding);
       }
   }
 
-  void add_coordinates() {
-    for (const char* const what : {"x", "y", "z"}) {
-      points_.push_back(in_.real(what));
-      places_.push_back(in_.last_place());
-    }
-  }
-
-  // The node whose coordinates were read last.
-  void add_node_of(GmshDocument::EntityName entity) {
-    const std::size_t k = document_->nodes.size();
-    document_->nodes.push_back(
-        {tags_.tag(k), {points_[3 * k], points_[3 * k + 1], points_[3 * k + 2]}, entity});
-  }
-
-  // Once each.
-  void note_other(const char* what) {
-    if (document_ == nullptr) return;
-    std::vector<std::string>& others = document_->others;
-    if (std::find(others.begin(), others.end(), what) == others.end()) others.push_back(what);
-  }
-
-  void finish_nodes() {
-    if (!tags_.finish()) in_.fail("two nodes have one tag");
-  }
-
   void require_first_nodes() {
-    if (tags_.size() > 0) in_.fail("a second section $Nodes");
+    if (!document_.node_tags.empty()) in_.fail("a second section $Nodes");
+  }
+
+  // Makes room for nodes; returns the number of the first of them.
+  std::size_t add_nodes(Index count, GmshDocument::EntityName entity) {
+    const std::size_t first = document_.node_tags.size(), all = first + to_size(count);
+    document_.node_tags.resize(all);
+    document_.node_entities.resize(all, entity);
+    document_.coordinates.resize(3 * all);
+    file_.coordinates.resize(3 * all);
+    return first;
+  }
+
+  void read_coordinates(GmshNumbers& in, std::size_t node) {
+    std::size_t at = 3 * node;
+    for (const char* const what : {"x coordinate", "y coordinate", "z coordinate"}) {
+      document_.coordinates[at] = in.real(what);
+      file_.coordinates[at++] = in.last_place();
+    }
   }
 
   void read_old_nodes() {
     require_first_nodes();
-    const Index count = in_.count(in_.words().count("the number of nodes"), 7, "nodes");
+    const Index count = in_.count(in_.words().next_count("the number of nodes"), 7, "nodes");
     in_.begin_section();
-    for (Index k = 0; k < count; ++k) {
-      tags_.add(in_.small("a node"));
-      add_coordinates();
-      if (document_ != nullptr) add_node_of({-1, 0});
-    }
-    finish_nodes();
+    const std::size_t first = add_nodes(count, {-1, 0});
+    read_entries(count, [&](GmshNumbers& in, Index k) {
+      document_.node_tags[first + to_size(k)] = in.small("a node");
+      read_coordinates(in, first + to_size(k));
+    });
   }
 
   void read_nodes() {
@@ -385,49 +344,42 @@ class GmshReader {
       const std::int64_t is_parametric = in_.small("whether nodes are parametric");
       if (is_parametric != 0) note_other("parameters of nodes");
       const Index count = in_.count(in_.large("the number of nodes"), 7, "nodes");
-      for (Index k = 0; k < count; ++k) tags_.add(in_.large("a node"));
-      for (Index k = 0; k < count; ++k) {
-        add_coordinates();
-        if (document_ != nullptr) add_node_of({static_cast<int>(dim), static_cast<int>(entity)});
-        for (std::int64_t c = 0; is_parametric != 0 && c < dim; ++c) in_.real("a parameter");
-      }
+      const std::size_t first =
+          add_nodes(count, {static_cast<int>(dim), static_cast<int>(entity)});
+      read_entries(count, [&](GmshNumbers& in, Index k) {
+        document_.node_tags[first + to_size(k)] = in.large("a node");
+      });
+      read_entries(count, [&](GmshNumbers& in, Index k) {
+        read_coordinates(in, first + to_size(k));
+        for (std::int64_t c = 0; is_parametric != 0 && c < dim; ++c) in.real("a parameter");
+      });
     }
-    finish_nodes();
   }
 
-  const CellType& type_of(std::int64_t number) {
-    const auto known = types_.find(number);
-    if (known != types_.end()) return known->second.first;
+  // The number of nodes of a type that can be read.
+  int node_count_of(std::int64_t number) {
     const std::optional<CellType> type = gmsh_type(number);
-    if (!type)
-      refuse_mesh(path_,
+    if (is_surface()) require_surface(number, type);
+    if (!type || (!is_surface() && type->degree > CellType::kMaxDegree))
+      refuse_mesh(file_.path,
                   is_gmsh_pyramid(number)
                       ? "pyramids; tetrahedra, hexahedra, wedges, triangles and quads are "
                         "supported"
                       : fmt::format("elements of gmsh's type {}; simplices, quads, hexahedra "
                                     "and wedges of degrees 1 to 4 are supported",
                                     number));
-    return types_.emplace(number, std::pair(*type, gmsh_order(*type))).first->second.first;
+    return type->node_count();
   }
 
-  void add_cell(std::int64_t gmsh_number, std::int64_t tag, std::int64_t region) {
-    const auto& [type, order] = types_.at(gmsh_number);
-    cells_.add(type, order, nodes_, tag, static_cast<int>(region), list_begin_);
-  }
-
-  // The element whose nodes were read last.
-  void add_element(std::int64_t tag, std::int64_t number, std::int64_t physical,
-                   std::int64_t entity) {
-    document_->elements.push_back({tag, static_cast<int>(number), static_cast<int>(physical),
-                                   static_cast<int>(entity), document_->element_nodes.size()});
-    for (const Index row : nodes_) document_->element_nodes.push_back(tags_.tag(to_size(row)));
-  }
-
-  void add_node(std::int64_t tag) {
-    const Index row = tags_.row(tag);
-    if (row < 0) in_.fail(fmt::format("an element has node {}, which is not there", tag));
-    if (nodes_.empty()) list_begin_ = in_.last_place().begin;
-    nodes_.push_back(row);
+  void require_surface(std::int64_t number, const std::optional<CellType>& type) {
+    if (is_gmsh_pyramid(number) || (type && dimension(type->shape) > 2))
+      in_.fail("elements of a volume; save the surface mesh alone");
+    if (!type || type->shape == CellShape::Quad)
+      in_.fail(fmt::format("elements of type {}; only complete triangles are supported", number));
+    if (type->shape != CellShape::Triangle) return;
+    if (degree_ != 0 && degree_ != type->degree)
+      in_.fail("triangles of several degrees; one is needed");
+    degree_ = type->degree;
   }
 
   void read_elements() {
@@ -437,26 +389,34 @@ class GmshReader {
     in_.large("the largest tag");
     for (Index b = 0; b < blocks; ++b) {
       in_.small("a dimension");
-      const std::int64_t region = in_.small("a tag"), number = in_.small("a type");
-      const CellType& type = type_of(number);
+      const int entity = static_cast<int>(in_.small("a tag"));
+      const std::int64_t number = in_.small("a type");
+      const std::size_t nodes = to_size(node_count_of(number));
       const Index count = in_.count(in_.large("the number of elements"), 3, "elements");
-      for (Index k = 0; k < count; ++k) {
-        const std::int64_t tag = in_.large("an element");
-        nodes_.clear();
-        for (int i = 0; i < type.node_count(); ++i) add_node(in_.large("a node"));
-        if (document_ != nullptr) add_element(tag, number, 0, region);
-        add_cell(number, tag, region);
-      }
+      const std::size_t first = document_.elements.size(),
+                        first_node = document_.element_nodes.size();
+      document_.elements.resize(first + to_size(count));
+      document_.element_nodes.resize(first_node + nodes * to_size(count));
+      file_.lists.resize(document_.elements.size());
+      read_entries(count, [&](GmshNumbers& in, Index k) {
+        const std::size_t at = first_node + nodes * to_size(k);
+        const std::int64_t tag = in.large("an element");
+        document_.elements[first + to_size(k)] = {tag, static_cast<int>(number), 0, entity, at};
+        for (std::size_t i = 0; i < nodes; ++i) {
+          document_.element_nodes[at + i] = in.large("a node");
+          if (i == 0) file_.lists[first + to_size(k)] = in.last_place().begin;
+        }
+      });
     }
   }
 
   void read_old_elements() {
-    const Index count = in_.count(in_.words().count("the number of elements"), 3, "elements");
+    const Index count = in_.count(in_.words().next_count("the number of elements"), 3, "elements");
     in_.begin_section();
     Index in_block = 0;  // of binary files, whose elements have common headers
     std::int64_t number = 0, tags = 0;
     for (Index k = 0; k < count; ++k) {
-      std::int64_t element = 0;
+      GmshDocument::Element element;
       if (in_.is_binary()) {
         if (in_block == 0) {
           number = in_.small("a type");
@@ -465,80 +425,203 @@ class GmshReader {
           if (in_block == 0) in_.fail("a block without elements");
         }
         --in_block;
-        element = in_.small("an element");
+        element.tag = in_.small("an element");
       } else {
-        element = in_.small("an element");
+        element.tag = in_.small("an element");
         number = in_.small("a type");
         tags = in_.small("the number of tags");
       }
-      const CellType& type = type_of(number);
-      std::int64_t region = 0, entity = 0;
+      const int nodes = node_count_of(number);
+      element.type = static_cast<int>(number);
       for (std::int64_t t = 0; t < tags; ++t) {
-        const std::int64_t tag = in_.small("a tag");
-        if (t == 0) region = tag;
-        if (t == 1) entity = tag;
+        const int tag = static_cast<int>(in_.small("a tag"));
+        if (t == 0) element.physical = tag;
+        if (t == 1) element.entity = tag;
       }
       // The third tag counts the partitions of the element, which follow.
       if (tags > 2) note_other("partitions of elements");
-      nodes_.clear();
-      for (int i = 0; i < type.node_count(); ++i) add_node(in_.small("a node"));
-      if (document_ != nullptr) add_element(element, number, region, entity);
-      add_cell(number, element, region);
+      element.first_node = document_.element_nodes.size();
+      for (int i = 0; i < nodes; ++i) {
+        document_.element_nodes.push_back(in_.small("a node"));
+        if (i == 0) file_.lists.push_back(in_.last_place().begin);
+      }
+      document_.elements.push_back(element);
     }
   }
 
-  const std::string& path_;
-  std::string content_;
+  // The views "u" and "v" of a map; others are passed over.
+  void read_view(const std::string& end) {
+    TextCursor& words = in_.words();
+    std::string name;
+    const long long strings = words.next_count("the number of strings");
+    for (long long k = 0; k < strings; ++k) {
+      if (!words.next_line()) words.fail("a string is missing; the file is truncated");
+      if (k == 0) name = words.whole_line();
+      words.rest_of_line();
+    }
+    const long long reals = words.next_count("the number of numbers");
+    for (long long k = 0; k < reals; ++k) words.next_number("a number");
+    const long long integers = words.next_count("the number of integers");
+    if (integers < 3) words.fail("a view without a number of values; correct the file");
+    std::array<long long, 3> numbers{};  // time step, components, nodes
+    for (long long k = 0; k < integers; ++k) {
+      const long long value = words.next_integer("an integer");
+      if (k < 3) numbers[static_cast<std::size_t>(k)] = value;
+    }
+    const bool is_u = name == "\"u\"";
+    if (!is_u && name != "\"v\"") {
+      pass_section(end);
+      document_.others.emplace_back("section $NodeData");
+      return;
+    }
+    auto& [tags, values] = is_u ? document_.u : document_.v;
+    std::vector<PlacedCoordinates::Place>& places = is_u ? file_.u : file_.v;
+    if (!tags.empty() || numbers[1] != 1)
+      words.fail(fmt::format("the view {} should be there once, with one component", name));
+    in_.begin_section();
+    const Index count = in_.count(numbers[2], 4, "values");
+    tags.resize(to_size(count));
+    values.resize(to_size(count));
+    places.resize(to_size(count));
+    read_entries(count, [&, &tags = tags, &values = values](GmshNumbers& in, Index k) {
+      tags[to_size(k)] = in.small("a node");
+      values[to_size(k)] = in.real("a value");
+      places[to_size(k)] = in.last_place();
+    });
+    require_end(end);
+  }
+
+  // Lines of a tag and a number of the input, -1 where there is none.
+  void read_input_numbers(std::string_view name, GmshDocument::Tagged<Index>& out) {
+    if (!out.tags.empty()) in_.fail(fmt::format("{} is there twice; correct the file", name));
+    const Index count = in_.count(
+        in_.words().next_count(fmt::format("the number of lines of {}", name)), 4, "lines");
+    out.tags.resize(to_size(count));
+    out.numbers.resize(to_size(count));
+    read_entries(count, [&](GmshNumbers& in, Index k) {
+      out.tags[to_size(k)] = in.small("a tag");
+      const std::int64_t number = in.small(name);
+      if (number < -1 || number > std::numeric_limits<Index>::max())
+        in.fail(fmt::format("{} {} is out of range", name, number));
+      out.numbers[to_size(k)] = static_cast<Index>(number);
+    });
+  }
+
+  GmshFile file_;
+  GmshDocument& document_;
+  GmshParts parts_;
+  const StopCheck& stop_;
   GmshNumbers in_;
-  bool is_old_ = false;
-  GmshTags tags_;
-  std::vector<double> points_;
-  std::vector<PlacedCoordinates::Place> places_;
-  std::unordered_map<std::int64_t, std::pair<CellType, std::vector<int>>> types_;
-  std::vector<Index> nodes_;
-  std::size_t list_begin_ = 0;  // where the first of them stands
-  CellCollector cells_;
-  GmshDocument* document_ = nullptr;  // where to note what is read, if anywhere
+  int degree_ = 0;  // of triangles, once there is one
 };
 
 }  // namespace
 
-int gmsh_node_count(int type) { return gmsh_type(type)->node_count(); }
-int gmsh_dimension(int type) { return dimension(gmsh_type(type)->shape); }
+void GmshFile::fail_at(std::size_t place, std::string_view problem) const {
+  if (document.format.encoding == GmshEncoding::Binary)
+    throw Error(ErrorKind::Unreadable, fmt::format("{}: byte {}: {}", path, place, problem));
+  TextCursor words(path, content, TextLines::Space, {}, TextComments::None);
+  words.go_to(place);
+  words.next_token();
+  words.fail(problem);
+}
 
-GmshDocument gmsh_document_of(const VolumeMesh& mesh) {
-  GmshDocument out;
-  out.format.version = GmshVersion::Old;  // of which physical groups are the elements'
-  for (Index k = 0; k < mesh.points.rows(); ++k)
-    out.nodes.push_back(
-        {k + 1, {mesh.points(k, 0), mesh.points(k, 1), mesh.points(k, 2)}, {-1, 0}});
-  for (const CellBlock& block : mesh.blocks) {
-    const auto known = std::find_if(kGmshTypes.begin(), kGmshTypes.end(),
-                                    [&](const GmshType& t) { return t.type() == block.type; });
-    if (known == kGmshTypes.end())
-      refuse_mesh(mesh.file, describe(block.type) + " whose nodes are not those of a lattice");
-    const std::vector<int> order = gmsh_order(block.type);
-    for (Index cell = 0; cell < block.size(); ++cell) {
-      const int region = block.regions[to_size(cell)];
-      out.elements.push_back({static_cast<std::int64_t>(out.elements.size()) + 1, known->number,
-                              region, region, out.element_nodes.size()});
-      for (const int k : order) out.element_nodes.push_back(block.nodes(cell, k) + 1);
+GmshTags::GmshTags(const GmshFile& file) : file_(file) {
+  const std::vector<std::int64_t>& tags = file.document.node_tags;
+  const auto [least, largest] = std::minmax_element(tags.begin(), tags.end());
+  const auto refuse = [&](std::int64_t tag) {
+    throw Error(ErrorKind::Unreadable,
+                fmt::format("{}: two nodes have the tag {}; correct the file", file.path, tag));
+  };
+  constexpr std::int64_t kSpread = 8;  // entries of the table for a node, at most
+  const bool is_dense =
+      *least >= 0 && *largest <= kSpread * static_cast<std::int64_t>(tags.size());
+  if (is_dense) row_.assign(static_cast<std::size_t>(*largest) + 1, -1);
+  for (std::size_t k = 0; k < tags.size(); ++k) {
+    if (!is_dense) {
+      if (!sparse_.emplace(tags[k], static_cast<Index>(k)).second) refuse(tags[k]);
+      continue;
     }
+    Index& row = row_[static_cast<std::size_t>(tags[k])];
+    if (row >= 0) refuse(tags[k]);
+    row = static_cast<Index>(k);
   }
-  return out;
+}
+
+Index GmshTags::row(std::int64_t tag) const {
+  if (row_.empty()) {
+    const auto found = sparse_.find(tag);
+    return found == sparse_.end() ? -1 : found->second;
+  }
+  return tag >= 0 && static_cast<std::size_t>(tag) < row_.size()
+             ? row_[static_cast<std::size_t>(tag)]
+             : -1;
+}
+
+Index GmshTags::row_in(std::size_t element, std::int64_t tag) const {
+  const Index found = row(tag);
+  if (found < 0)
+    file_.fail_at(file_.lists[element],
+                  fmt::format("element {} has node {}, which is not there; correct the file",
+                              file_.document.elements[element].tag, tag));
+  return found;
+}
+
+GmshFile read_gmsh_file(const std::string& path, std::string content, GmshParts parts,
+                        const StopCheck& stop) {
+  return GmshReader(path, std::move(content), parts, stop).read();
 }
 
 GmshFormat read_gmsh_format(const std::string& path, std::string content) {
-  return GmshReader(path, std::move(content), {}).format();
-}
-
-GmshDocument read_gmsh_document(const std::string& path, std::string content,
-                                const StopCheck& stop) {
-  return GmshReader(path, std::move(content), stop).document();
+  return GmshReader(path, std::move(content), GmshParts::Volume, {}).format();
 }
 
 VolumeMesh read_gmsh_mesh(const std::string& path, std::string content, const StopCheck& stop) {
-  return GmshReader(path, std::move(content), stop).read();
+  GmshFile file = read_gmsh_file(path, std::move(content), GmshParts::Volume, stop);
+  const GmshDocument& document = file.document;
+  const GmshTags tags(file);
+  VolumeMesh mesh;
+  mesh.file = path;
+  mesh.points = Eigen::Map<const Points3>(document.coordinates.data(),
+                                          static_cast<Index>(document.node_tags.size()), 3);
+  CellCollector cells;
+  std::unordered_map<int, std::pair<CellType, std::vector<int>>> types;
+  std::vector<Index> nodes;
+  for (std::size_t k = 0; k < document.elements.size(); ++k) {
+    stop.poll_at(k);
+    const GmshDocument::Element& e = document.elements[k];
+    auto known = types.find(e.type);
+    if (known == types.end()) {
+      const CellType type = *gmsh_type(e.type);
+      known = types.emplace(e.type, std::pair(type, gmsh_order(type))).first;
+    }
+    const auto& [type, order] = known->second;
+    nodes.resize(order.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      nodes[i] = tags.row_in(k, document.element_nodes[e.first_node + i]);
+    const bool is_old = document.format.version == GmshVersion::Old;
+    cells.add(type, order, nodes, e.tag, is_old ? e.physical : e.entity, file.lists[k]);
+  }
+  NodeLists lists{.coding = NodeLists::Coding::Words,
+                  .comments = TextComments::None,
+                  .blocks = cells.lists()};
+  using Coding = PlacedCoordinates::Coding;
+  Coding coding = Coding::Words;
+  if (document.format.encoding == GmshEncoding::Binary) {
+    lists.coding = NodeLists::Coding::Bytes;
+    lists.width = document.format.version == GmshVersion::Old ? sizeof(std::int32_t)
+                                                              : sizeof(std::uint64_t);
+    const bool is_native =
+        (file.order == ByteOrder::Little) == (std::endian::native == std::endian::little);
+    coding = is_native ? Coding::Doubles : Coding::SwappedDoubles;
+  }
+  mesh.blocks = cells.take();
+  if (mesh.blocks.empty())
+    throw Error(ErrorKind::Unreadable, path + ": no elements; not a mesh, or truncated");
+  mesh.source = std::make_shared<const PlacedCoordinates>(path, std::move(file.content),
+                                                          mesh.points, std::move(lists),
+                                                          std::move(file.coordinates), coding);
+  return mesh;
 }
 
 }  // namespace majorant

@@ -11,7 +11,7 @@
 #include "majorant/io/internal/cell_collector.h"
 #include "majorant/io/internal/cell_readers.h"
 #include "majorant/io/internal/source_file.h"
-#include "majorant/io/internal/token_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 
 namespace majorant {
 namespace {
@@ -52,13 +52,13 @@ std::optional<int> other_entries(std::string_view keyword, int dim) {
 class MeditReader {
  public:
   MeditReader(const std::string& path, std::string content, const StopCheck& stop)
-      : path_(path), content_(std::move(content)), in_(path_, content_, '#', stop) {}
+      : path_(path), content_(std::move(content)), in_(path_, content_, TextLines::Space, stop) {}
 
   VolumeMesh read() {
-    if (in_.next() != "MeshVersionFormatted") in_.fail("not a mesh of Medit");
-    in_.integer("the version");
+    if (in_.next_token() != "MeshVersionFormatted") in_.fail("not a mesh of Medit");
+    in_.next_integer("the version");
     for (;;) {
-      const std::string keyword(in_.next());
+      const std::string keyword(in_.next_token());
       if (keyword.empty() || keyword == "End") break;
       if (std::isalpha(static_cast<unsigned char>(keyword[0])) == 0)
         in_.fail(
@@ -72,7 +72,7 @@ class MeditReader {
     mesh.file = path_;
     mesh.points =
         Eigen::Map<const Points3>(points_.data(), static_cast<Index>(points_.size() / 3), 3);
-    NodeLists lists{.coding = NodeLists::Coding::Words, .comment = '#', .blocks = cells_.lists()};
+    NodeLists lists{.coding = NodeLists::Coding::Words, .blocks = cells_.lists()};
     mesh.blocks = cells_.take();
     for (const CellBlock& block : mesh.blocks)
       if (block.size() > 0 && block.nodes.maxCoeff() >= mesh.points.rows())
@@ -89,15 +89,15 @@ class MeditReader {
  private:
   void read_section(const std::string& keyword) {
     if (keyword == "Dimension") {
-      dim_ = static_cast<int>(in_.integer("the dimension"));
+      dim_ = static_cast<int>(in_.next_integer("the dimension"));
       if (dim_ != 2 && dim_ != 3) in_.fail(fmt::format("dimension {}", dim_));
     } else if (keyword == "Vertices") {
       read_vertices();
     } else if (const std::optional<CellType> type = medit_type(keyword)) {
       read_cells(*type);
     } else if (const std::optional<int> size = other_entries(keyword, dim_)) {
-      const std::int64_t count = in_.count("the number of " + keyword);
-      for (std::int64_t k = 0; k < count * *size; ++k) in_.number("an entry");
+      const std::int64_t count = in_.next_count("the number of " + keyword);
+      for (std::int64_t k = 0; k < count * *size; ++k) in_.next_number("an entry");
     } else {
       refuse_mesh(path_, fmt::format("a section {}; tetrahedra and triangles of degrees 1 and 2, "
                                      "hexahedra, prisms and quads of degree 1 are supported",
@@ -107,39 +107,39 @@ class MeditReader {
 
   void read_vertices() {
     if (!points_.empty()) in_.fail("a second section Vertices");
-    const std::int64_t count = in_.count("the number of vertices");
+    const std::int64_t count = in_.next_count("the number of vertices");
     for (std::int64_t v = 0; v < count; ++v) {
       for (int c = 0; c < 3; ++c) {
-        points_.push_back(c < dim_ ? in_.number("a coordinate") : 0);
+        points_.push_back(c < dim_ ? in_.next_number("a coordinate") : 0);
         places_.emplace_back();
         if (c < dim_)
           places_.back() = {in_.begin(), static_cast<std::uint32_t>(in_.place() - in_.begin())};
       }
-      in_.integer("a reference");
+      in_.next_integer("a reference");
     }
   }
 
   void read_cells(const CellType& type) {
-    const std::int64_t count = in_.count("the number of cells");
+    const std::int64_t count = in_.next_count("the number of cells");
     std::vector<int> order;
     for (int k = 0; k < type.node_count(); ++k) order.push_back(k);
     std::vector<Index> nodes(order.size());
     for (std::int64_t cell = 1; cell <= count; ++cell) {
       std::size_t place = 0;
       for (Index& node : nodes) {
-        const std::int64_t vertex = in_.integer("a vertex");
+        const std::int64_t vertex = in_.next_integer("a vertex");
         if (vertex < 1 || vertex > std::numeric_limits<Index>::max() / 4)
           in_.fail(fmt::format("vertex {} is out of range", vertex));
         node = static_cast<Index>(vertex - 1);
         if (&node == nodes.data()) place = in_.begin();
       }
-      cells_.add(type, order, nodes, cell, static_cast<int>(in_.integer("a reference")), place);
+      cells_.add(type, order, nodes, cell, static_cast<int>(in_.next_integer("a reference")), place);
     }
   }
 
   const std::string& path_;
   std::string content_;
-  TokenCursor in_;
+  TextCursor in_;
   int dim_ = 3;
   std::vector<double> points_;
   std::vector<PlacedCoordinates::Place> places_;

@@ -16,7 +16,7 @@
 #include "majorant/io/internal/cell_readers.h"
 #include "majorant/io/internal/source_file.h"
 #include "majorant/volumes/node_orders.h"
-#include "majorant/io/internal/token_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 
 namespace majorant {
 namespace {
@@ -304,17 +304,17 @@ int discontinuous_place(CellShape shape, const Exponents& e, int n) {
 class MfemReader {
  public:
   MfemReader(const std::string& path, std::string content, const StopCheck& stop)
-      : path_(path), content_(std::move(content)), in_(path_, content_, '#', stop) {}
+      : path_(path), content_(std::move(content)), in_(path_, content_, TextLines::Space, stop) {}
 
   VolumeMesh read() {
     read_version();
     for (;;) {
-      const std::string_view section = in_.next();
+      const std::string_view section = in_.next_token();
       if (section == "mfem_mesh_end" || section == "mfem_serial_mesh_end") break;
       if (section.empty() && has_end_) in_.fail("mfem_mesh_end is missing; the file is truncated");
       if (section.empty()) break;
       if (section == "dimension")
-        in_.integer("the dimension");
+        in_.next_integer("the dimension");
       else if (section == "elements")
         elements_ = read_elements();
       else if (section == "boundary")
@@ -339,7 +339,7 @@ class MfemReader {
 
  private:
   void read_version() {
-    if (in_.next() != "MFEM") in_.fail("not a mesh of MFEM");
+    if (in_.next_token() != "MFEM") in_.fail("not a mesh of MFEM");
     const std::string line(in_.rest_of_line());
     has_end_ = line == "mesh v1.2" || line == "mesh v1.3";
     if (line != "mesh v1.0" && !has_end_)
@@ -350,17 +350,17 @@ class MfemReader {
 
   // Names of sets of attributes, which nothing is done with: they are written back as they are.
   void skip_attribute_sets() {
-    const std::int64_t sets = in_.count("the number of attribute sets");
+    const std::int64_t sets = in_.next_count("the number of attribute sets");
     for (std::int64_t set = 0; set < sets; ++set) {
       skip_name();
-      const std::int64_t size = in_.count("the size of an attribute set");
-      for (std::int64_t k = 0; k < size; ++k) in_.integer("an attribute");
+      const std::int64_t size = in_.next_count("the size of an attribute set");
+      for (std::int64_t k = 0; k < size; ++k) in_.next_integer("an attribute");
     }
   }
 
   // A word, or what is between quotes, where a backslash precedes quotes and backslashes.
   void skip_name() {
-    const std::string_view word = in_.next();
+    const std::string_view word = in_.next_token();
     if (word.empty()) in_.fail("the name of an attribute set is missing; the file is truncated");
     if (word.front() != '"') return;
     const std::string_view text = in_.text();
@@ -371,11 +371,11 @@ class MfemReader {
   }
 
   std::vector<MfemElement> read_elements() {
-    const std::int64_t count = in_.count("the number of elements");
+    const std::int64_t count = in_.next_count("the number of elements");
     std::vector<MfemElement> out;
     for (std::int64_t k = 0; k < count; ++k) {
-      const std::int64_t attribute = in_.integer("an attribute"),
-                         geometry = in_.integer("a geometry");
+      const std::int64_t attribute = in_.next_integer("an attribute"),
+                         geometry = in_.next_integer("a geometry");
       if (geometry == 7)
         refuse_mesh(path_,
                     "pyramids; tetrahedra, hexahedra, wedges, triangles and quads are "
@@ -384,7 +384,7 @@ class MfemReader {
         refuse_mesh(path_, fmt::format("elements of geometry {}", geometry));
       MfemElement& element = out.emplace_back(MfemElement{attribute, &mfem_shape(geometry), {}, 0});
       for (int c = 0; c < corner_count(element.shape->shape); ++c) {
-        const std::int64_t vertex = in_.integer("a vertex");
+        const std::int64_t vertex = in_.next_integer("a vertex");
         if (c == 0) element.place = in_.begin();
         if (vertex < 0 || vertex > std::numeric_limits<Index>::max() / 4)
           in_.fail(fmt::format("vertex {} is out of range", vertex));
@@ -395,7 +395,7 @@ class MfemReader {
   }
 
   void add_coordinate(std::vector<double>& points, std::size_t at) {
-    points[at] = in_.number("a coordinate");
+    points[at] = in_.next_number("a coordinate");
     places_[at] = {in_.begin(), static_cast<std::uint32_t>(in_.place() - in_.begin())};
   }
 
@@ -405,13 +405,13 @@ class MfemReader {
   }
 
   void read_vertices() {
-    vertices_ = static_cast<Index>(std::min<std::int64_t>(in_.count("the number of vertices"),
+    vertices_ = static_cast<Index>(std::min<std::int64_t>(in_.next_count("the number of vertices"),
                                                           std::numeric_limits<Index>::max() / 4));
     const std::size_t place = in_.place();
-    const std::string_view next = in_.next();
+    const std::string_view next = in_.next_token();
     in_.go_to(place);
     if (next == "nodes" || next.empty()) return;
-    const std::size_t dim = space_dimension(in_.integer("the number of coordinates"));
+    const std::size_t dim = space_dimension(in_.next_integer("the number of coordinates"));
     const auto count = to_size(vertices_);
     points_.assign(3 * count, 0);
     places_.assign(3 * count, {});
@@ -420,17 +420,17 @@ class MfemReader {
   }
 
   void expect(std::string_view word) {
-    if (in_.next() != word) in_.fail(fmt::format("{} is missing", word));
+    if (in_.next_token() != word) in_.fail(fmt::format("{} is missing", word));
   }
 
   void read_nodes() {
     expect("FiniteElementSpace");
     expect("FiniteElementCollection:");
-    space_ = node_space(path_, std::string(in_.next()));
+    space_ = node_space(path_, std::string(in_.next_token()));
     expect("VDim:");
-    const std::size_t dim = space_dimension(in_.integer("the number of coordinates"));
+    const std::size_t dim = space_dimension(in_.next_integer("the number of coordinates"));
     expect("Ordering:");
-    const std::int64_t ordering = in_.integer("the ordering");
+    const std::int64_t ordering = in_.next_integer("the ordering");
     if (ordering != 0 && ordering != 1) in_.fail(fmt::format("ordering {}", ordering));
     if (space_.degree < 1 || space_.degree > CellType::kMaxDegree)
       refuse_mesh(path_, fmt::format("nodes of degree {}; degrees 1 to {} are supported",
@@ -485,7 +485,7 @@ class MfemReader {
     CellCollector cells;
     space_.is_discontinuous ? add_discontinuous(cells) : add_continuous(cells);
     // The file lists vertices, which are the corners.
-    NodeLists lists{.coding = NodeLists::Coding::Words, .comment = '#', .blocks = cells.lists()};
+    NodeLists lists{.coding = NodeLists::Coding::Words, .blocks = cells.lists()};
     mesh.blocks = cells.take();
     for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
       lists.blocks[b].order.resize(to_size(corner_count(mesh.blocks[b].type.shape)));
@@ -537,7 +537,7 @@ class MfemReader {
 
   const std::string& path_;
   std::string content_;
-  TokenCursor in_;
+  TextCursor in_;
   std::vector<MfemElement> elements_, boundary_;
   Index vertices_ = 0;
   NodeSpace space_;

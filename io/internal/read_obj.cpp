@@ -21,7 +21,7 @@
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/internal/dropped_parts.h"
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
 #include "majorant/io/written_mark.h"
 
@@ -52,7 +52,7 @@ class ObjReader {
  public:
   ObjReader(const std::string& path, std::string_view text, const StopCheck& stop,
             Strictness strictness)
-      : cursor_(path, text, Continuation::Backslash, stop), dropped_(strictness) {
+      : cursor_(path, text, TextLines::Continued, stop), dropped_(strictness) {
     mesh_.file = path;
     cursor_.collect_comments(comments_);
   }
@@ -261,7 +261,7 @@ class ObjReader {
   void require_one_line() {
     constexpr std::array<std::string_view, 4> kKeywords = {"v", "vt", "vn", "f"};
     const std::string_view line = cursor_.whole_line();
-    LineCursor rest(mesh_.file, line, Continuation::Backslash);
+    TextCursor rest(mesh_.file, line, TextLines::Continued);
     rest.next_line();
     rest.next_token();
     while (!rest.at_end_of_line())
@@ -480,7 +480,7 @@ class ObjReader {
     long line;
   };
 
-  LineCursor cursor_;
+  TextCursor cursor_;
   PolygonMesh mesh_;
   std::array<IndexSpace, 3> spaces_ = {IndexSpace{"v"}, IndexSpace{"vt"}, IndexSpace{"vn"}};
   DroppedParts dropped_;

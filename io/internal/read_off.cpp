@@ -14,7 +14,7 @@
 
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/dropped_parts.h"
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
 
 namespace majorant {
@@ -24,7 +24,7 @@ class OffReader {
  public:
   OffReader(const std::string& path, std::string_view text, const StopCheck& stop,
             Strictness strictness)
-      : cursor_(path, text, Continuation::None, stop),
+      : cursor_(path, text, TextLines::Plain, stop),
         size_(static_cast<long long>(text.size())),
         ends_with_line_(text.ends_with('\n')),
         dropped_(strictness) {
@@ -46,7 +46,7 @@ class OffReader {
   // Files with one line more are about, which programs leave unread.
   void read_end() {
     if (cursor_.at_end_of_line() && !cursor_.next_line()) return;
-    LineCursor ahead = cursor_;
+    TextCursor ahead = cursor_;
     if (ahead.next_line())
       cursor_.fail("content after the last face that the header announces; correct the counts");
     dropped_.add(DroppedPart::Line, [&] {
@@ -104,7 +104,7 @@ class OffReader {
 
   void choose_layout() {
     if (fits_stream()) return;
-    LineCursor ahead = cursor_;
+    TextCursor ahead = cursor_;
     long long lines = 0;
     const bool begins_with_line = ahead.at_end_of_line();
     while (ahead.next_line()) ++lines;
@@ -114,7 +114,7 @@ class OffReader {
 
   // Returns whether the rest of the file is all vertices and faces without colours.
   bool fits_stream() const {
-    LineCursor ahead = cursor_;
+    TextCursor ahead = cursor_;
     const auto next = [&ahead] {
       while (ahead.at_end_of_line())
         if (!ahead.next_line()) return std::string_view();
@@ -168,7 +168,7 @@ class OffReader {
   // counts too many of them.
   bool has_face(long long i) {
     if (i == 0 || !ends_with_line_) return true;
-    LineCursor ahead = cursor_;
+    TextCursor ahead = cursor_;
     if (!ahead.at_end_of_line() || ahead.next_line()) return true;
     mesh_.faces_missing = static_cast<Index>(faces_ - i);
     dropped_.add(DroppedPart::Faces, [&] {
@@ -208,7 +208,7 @@ class OffReader {
     cursor_.fail(fmt::format("{} of {} {} found; the file is truncated", found, announced, what));
   }
 
-  LineCursor cursor_;
+  TextCursor cursor_;
   long long size_;
   bool ends_with_line_;
   long long vertices_ = 0, faces_ = 0;

@@ -19,7 +19,7 @@
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/dropped_parts.h"
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
 #include "majorant/io/internal/ply_header.h"
 #include "majorant/mesh/polygon_mesh.h"
@@ -34,7 +34,7 @@ namespace {
 class AsciiPlySource {
  public:
   AsciiPlySource(const std::string& path, std::string_view text, long first_line)
-      : cursor_(path, text, Continuation::None),
+      : cursor_(path, text, TextLines::Plain),
         first_line_(first_line),
         ends_with_line_(text.ends_with('\n')),
         path_(path) {}
@@ -42,7 +42,7 @@ class AsciiPlySource {
   // Returns whether the text ends behind a whole record.
   bool is_at_end() const {
     if (!ends_with_line_) return false;
-    LineCursor ahead = cursor_;
+    TextCursor ahead = cursor_;
     return ahead.at_end_of_line() && !ahead.next_line();
   }
   void begin_record() {
@@ -61,7 +61,7 @@ class AsciiPlySource {
   // One line more than the header announces is dropped.
   void finish(DroppedParts& dropped) {
     if (!cursor_.next_line()) return;
-    LineCursor ahead = cursor_;
+    TextCursor ahead = cursor_;
     if (ahead.next_line()) fail("content after the last record; correct the header's counts");
     dropped.add(DroppedPart::Line, [this] {
       return where("", place(0)) + ": one line more than the header announces";
@@ -78,7 +78,7 @@ class AsciiPlySource {
   }
 
  private:
-  LineCursor cursor_;
+  TextCursor cursor_;
   long first_line_;
   bool ends_with_line_;
   const std::string& path_;

@@ -14,7 +14,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/files/input_file.h"
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
 
 namespace majorant {
@@ -109,7 +109,7 @@ bool equals_ignoring_case(std::string_view a, std::string_view lower) {
 class AsciiStlReader {
  public:
   AsciiStlReader(const std::string& path, std::string_view text, const StopCheck& stop)
-      : cursor_(path, text, Continuation::None, stop), merger_(mesh_.positions) {
+      : cursor_(path, text, TextLines::Plain, stop), merger_(mesh_.positions) {
     mesh_.file = path;
   }
 
@@ -143,7 +143,7 @@ class AsciiStlReader {
     return kFacet;
   }
 
-  LineCursor cursor_;
+  TextCursor cursor_;
   PolygonMesh mesh_;
   VertexMerger merger_;
   std::array<Vector3, 3> corners_;

@@ -16,7 +16,7 @@
 #include "majorant/io/internal/cell_readers.h"
 #include "majorant/io/internal/source_file.h"
 #include "majorant/volumes/node_orders.h"
-#include "majorant/io/internal/token_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 
 namespace majorant {
 namespace {
@@ -219,10 +219,10 @@ class VtkReader {
     if (original_.compare(begin, array.text.size(), array.text) != 0)
       return unwritable("points behind the appended data cannot be written back");
     if (format == "ascii") {
-      TokenCursor words(path_, array.text, 0, stop_);
+      TextCursor words(path_, array.text, TextLines::Space, stop_);
       std::vector<Placed::Place> places;
       for (Index k = 0; k < points.size(); ++k) {
-        const std::size_t size = words.next().size();
+        const std::size_t size = words.next_token().size();
         places.push_back({begin + words.begin(), static_cast<std::uint32_t>(size)});
       }
       return std::make_shared<const Placed>(path_, original_, points, lists_, std::move(places),
@@ -410,9 +410,9 @@ class VtkReader {
     const auto begin = static_cast<std::size_t>(array.text.data() - content_.data());
     if (original_.compare(begin, array.text.size(), array.text) != 0) return lists;
     if (format == "ascii") {
-      TokenCursor words(path_, array.text, 0, stop_);
+      TextCursor words(path_, array.text, TextLines::Space, stop_);
       for (std::size_t k = 0; k < entries; ++k) {
-        words.next();
+        words.next_token();
         entry_words_.push_back(begin + words.begin());
       }
       lists.coding = Coding::Words;

@@ -9,7 +9,7 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/base64.h"
 #include "majorant/io/internal/cell_readers.h"
-#include "majorant/io/internal/token_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/volumes/node_orders.h"
 
 namespace majorant {
@@ -35,7 +35,6 @@ std::string SourceFile::turned_content(const std::vector<CellBlock>& blocks,
                 fmt::format("{}: elements are turned around, and compressed lists of them cannot "
                             "be written back; save the mesh uncompressed",
                             file_));
-  const StopCheck unstoppable;
   std::string bytes;  // that are changed in place, of other codings than words
   if (lists_.coding == Bytes) bytes = content_;
   if (lists_.coding == Base64)
@@ -53,10 +52,10 @@ std::string SourceFile::turned_content(const std::vector<CellBlock>& blocks,
           lists.order.begin()));
     if (lists_.coding == Words) {
       changes.emplace_back(begin, std::vector<std::string_view>());
-      TokenCursor words(file_, content_, lists_.comment, unstoppable);
+      TextCursor words(file_, content_, TextLines::Space, {}, lists_.comments);
       words.go_to(begin);
       std::vector<std::string_view> old;
-      for (std::size_t k = 0; k < from.size(); ++k) old.push_back(words.next());
+      for (std::size_t k = 0; k < from.size(); ++k) old.push_back(words.next_token());
       for (const std::size_t k : from) changes.back().second.push_back(old[k]);
       continue;
     }
@@ -74,11 +73,11 @@ std::string SourceFile::turned_content(const std::vector<CellBlock>& blocks,
   }
   std::sort(changes.begin(), changes.end());
   std::size_t at = 0;
-  TokenCursor words(file_, content_, lists_.comment, unstoppable);
+  TextCursor words(file_, content_, TextLines::Space, {}, lists_.comments);
   for (const auto& [begin, list] : changes) {
     words.go_to(begin);
     for (const std::string_view word : list) {
-      words.next();
+      words.next_token();
       out.append(content_, at, words.begin() - at);
       out += word;
       at = words.place();

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/volumes/mesh_source.h"
 
 namespace majorant {
@@ -22,7 +23,7 @@ struct NodeLists {
     std::vector<int> order;           // of each entry of a list the place in VTK's order
   };
   Coding coding = Coding::Hidden;
-  char comment = 0;                           // of words: what begins one
+  TextComments comments = TextComments::Hash;  // of words
   std::size_t width = 0;                      // of a node, in bytes
   std::size_t text_begin = 0, text_size = 0;  // of the base64 text
   std::vector<OfBlock> blocks;                // in the order of the mesh's

@@ -1,42 +1,41 @@
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <tuple>
 #include <unordered_map>
 
 #include "majorant/framework/error.h"
+#include "majorant/io/atomic_file.h"
 #include "majorant/io/formats.h"
-#include "majorant/io/written_mark.h"
-#include "majorant/io/internal/gmsh_document.h"
+#include "majorant/io/internal/cell_readers.h"
 #include "majorant/io/internal/cell_writers.h"
-#include "majorant/io/internal/source_file.h"
+#include "majorant/io/internal/gmsh_document.h"
+#include "majorant/io/internal/gmsh_types.h"
+#include "majorant/io/internal/text_pieces.h"
+#include "majorant/io/io.h"
+#include "majorant/io/lagrange_cell.h"
+#include "majorant/io/map_check.h"
+#include "majorant/io/written_mark.h"
 
 namespace majorant {
 namespace {
 
-// Numbers one after the other: words, or bytes as memory has them.
-class GmshWriter {
+// Numbers one after the other: words of a line, or bytes as memory has them.
+class GmshLine {
  public:
-  explicit GmshWriter(GmshEncoding encoding) : is_binary_(encoding == GmshEncoding::Binary) {}
-
-  void text(std::string_view words) { out_ += words; }
+  GmshLine(fmt::appender out, GmshEncoding encoding)
+      : out_(out), is_binary_(encoding == GmshEncoding::Binary) {}
   void small(std::int64_t value) { put(static_cast<std::int32_t>(value)); }
   void large(std::int64_t value) { put(static_cast<std::uint64_t>(value)); }
   void real(double value) { put(value); }
-  void end_line() {
-    if (is_binary_) return;
-    if (!out_.empty() && out_.back() == ' ') out_.back() = '\n';
-  }
-  void begin_section(std::string_view name) { out_ += fmt::format("${}\n", name); }
-  void end_section(std::string_view name) {
-    out_ += fmt::format("{}$End{}\n", is_binary_ ? "\n" : "", name);
-  }
   bool is_binary() const { return is_binary_; }
-  std::string take() { return std::move(out_); }
+  void end() {
+    if (!is_binary_) *out_++ = '\n';
+  }
 
  private:
   template <class T>
@@ -44,33 +43,70 @@ class GmshWriter {
     if (is_binary_) {
       char bytes[sizeof(T)];
       std::memcpy(bytes, &value, sizeof(T));
-      out_.append(bytes, sizeof(T));
-    } else {
-      fmt::format_to(std::back_inserter(out_), "{} ", value);
+      out_ = std::copy(bytes, bytes + sizeof(T), out_);
+      return;
     }
+    if (!is_first_) *out_++ = ' ';
+    is_first_ = false;
+    out_ = fmt::format_to(out_, FMT_COMPILE("{}"), value);
   }
 
-  bool is_binary_;
-  std::string out_;
+  fmt::appender out_;
+  bool is_binary_, is_first_ = true;
+};
+
+class GmshWriter {
+ public:
+  explicit GmshWriter(GmshEncoding encoding) : encoding_(encoding) {}
+
+  void text(std::string_view words) { pieces_.add(words); }
+  // write(k, line) of every line, on all threads.
+  template <class Write>
+  void lines(std::size_t count, const Write& write) {
+    pieces_.add_lines(static_cast<Index>(count), [&](Index k, fmt::appender out) {
+      GmshLine line(out, encoding_);
+      write(to_size(k), line);
+      line.end();
+    });
+  }
+  template <class Write>
+  void line(const Write& write) {
+    lines(1, [&](std::size_t, GmshLine& line) { write(line); });
+  }
+  void begin_section(std::string_view name) { text(fmt::format("${}\n", name)); }
+  void end_section(std::string_view name) {
+    text(fmt::format("{}$End{}\n", is_binary() ? "\n" : "", name));
+  }
+  bool is_binary() const { return encoding_ == GmshEncoding::Binary; }
+  std::string take() { return pieces_.take(); }
+
+ private:
+  GmshEncoding encoding_;
+  TextPieces pieces_;
 };
 
 using EntityName = GmshDocument::EntityName;
+using Element = GmshDocument::Element;
 
 // Elements by their entity in 4.1: where elements of one entity of 2.2 are in several physical
 // groups, each further group becomes an entity of its own.
 class Entities {
  public:
   explicit Entities(const GmshDocument& document) : document_(document) {
+    for (const Element& e : document.elements) {
+      if (types_.contains(e.type)) continue;
+      types_[e.type] = {gmsh_dimension(e.type), to_size(gmsh_node_count(e.type))};
+    }
     if (document.format.version == GmshVersion::New) {
       all_ = document.entities;
-      for (const GmshDocument::Element& e : document.elements) all_[name_in_file(e)];
+      for (const Element& e : document.elements) all_[name_in_file(e)];
       return;
     }
-    for (const GmshDocument::Element& e : document.elements) {
-      int& last = last_[gmsh_dimension(e.type)];
+    for (const Element& e : document.elements) {
+      int& last = last_[dimension_of(e)];
       last = std::max(last, tag_in_file(e));
     }
-    for (const GmshDocument::Element& e : document.elements) {
+    for (const Element& e : document.elements) {
       const auto [dim, tag] = name_in_file(e);
       const auto key = std::tuple(dim, tag, e.physical);
       if (split_.contains(key)) continue;
@@ -83,52 +119,54 @@ class Entities {
     find_boxes();
   }
 
-  int tag_of(const GmshDocument::Element& e) const {
+  int tag_of(const Element& e) const {
     if (split_.empty()) return e.entity;
-    return split_.at({gmsh_dimension(e.type), tag_in_file(e), e.physical});
+    return split_.at({dimension_of(e), tag_in_file(e), e.physical});
   }
   const std::map<EntityName, GmshDocument::Entity>& all() const { return all_; }
 
   // Returns the entity of each node: that of the file, else of the element of fewest dimensions
   // that has it.
   std::vector<EntityName> of_nodes() const {
+    std::vector<EntityName> out = document_.node_entities;
+    if (std::all_of(out.begin(), out.end(), [](const EntityName& e) { return e.first >= 0; }))
+      return out;
     std::unordered_map<std::int64_t, EntityName> found;
-    for (const GmshDocument::Element& e : document_.elements) {
-      const EntityName name{gmsh_dimension(e.type), tag_of(e)};
-      for (int k = 0; k < gmsh_node_count(e.type); ++k) {
-        const auto [at, is_new] = found.try_emplace(
-            document_.element_nodes[e.first_node + static_cast<std::size_t>(k)], name);
+    for (const Element& e : document_.elements) {
+      const EntityName name{dimension_of(e), tag_of(e)};
+      for (std::size_t k = 0; k < nodes_of(e); ++k) {
+        const auto [at, is_new] =
+            found.try_emplace(document_.element_nodes[e.first_node + k], name);
         if (!is_new && name.first < at->second.first) at->second = name;
       }
     }
-    std::vector<EntityName> out;
-    for (const GmshDocument::Node& node : document_.nodes) {
-      const auto at = found.find(node.tag);
-      out.push_back(node.entity.first >= 0 ? node.entity
-                    : at != found.end()    ? at->second
-                                           : all_.rbegin()->first);
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      if (out[k].first >= 0) continue;
+      const auto at = found.find(document_.node_tags[k]);
+      out[k] = at != found.end() ? at->second : all_.rbegin()->first;
     }
     return out;
   }
 
  private:
-  static int tag_in_file(const GmshDocument::Element& e) { return std::max(e.entity, 1); }
-  EntityName name_in_file(const GmshDocument::Element& e) const {
+  int dimension_of(const Element& e) const { return types_.at(e.type).first; }
+  std::size_t nodes_of(const Element& e) const { return types_.at(e.type).second; }
+  static int tag_in_file(const Element& e) { return std::max(e.entity, 1); }
+  EntityName name_in_file(const Element& e) const {
     const bool is_new = document_.format.version == GmshVersion::New;
-    return {gmsh_dimension(e.type), is_new ? e.entity : tag_in_file(e)};
+    return {dimension_of(e), is_new ? e.entity : tag_in_file(e)};
   }
 
   void find_boxes() {
     constexpr double kLargest = std::numeric_limits<double>::max();
     for (auto& [name, entity] : all_)
       entity.box = {kLargest, kLargest, kLargest, -kLargest, -kLargest, -kLargest};
-    std::unordered_map<std::int64_t, const GmshDocument::Node*> nodes;
-    for (const GmshDocument::Node& node : document_.nodes) nodes[node.tag] = &node;
-    for (const GmshDocument::Element& e : document_.elements) {
-      auto& box = all_.at({gmsh_dimension(e.type), tag_of(e)}).box;
-      for (int k = 0; k < gmsh_node_count(e.type); ++k) {
-        const auto& at =
-            nodes.at(document_.element_nodes[e.first_node + static_cast<std::size_t>(k)])->at;
+    std::unordered_map<std::int64_t, std::size_t> nodes;
+    for (std::size_t k = 0; k < document_.node_tags.size(); ++k) nodes[document_.node_tags[k]] = k;
+    for (const Element& e : document_.elements) {
+      auto& box = all_.at({dimension_of(e), tag_of(e)}).box;
+      for (std::size_t k = 0; k < nodes_of(e); ++k) {
+        const auto at = document_.node(nodes.at(document_.element_nodes[e.first_node + k]));
         for (std::size_t c = 0; c < 3; ++c) {
           box[c] = std::min(box[c], at[c]);
           box[c + 3] = std::max(box[c + 3], at[c]);
@@ -138,7 +176,8 @@ class Entities {
   }
 
   const GmshDocument& document_;
-  std::map<int, int> last_;  // the largest tag of a dimension
+  std::map<int, std::pair<int, std::size_t>> types_;  // dimension, nodes
+  std::map<int, int> last_;                           // the largest tag of a dimension
   std::map<std::tuple<int, int, int>, int> split_;
   std::map<EntityName, GmshDocument::Entity> all_;
 };
@@ -169,81 +208,84 @@ class NewFormat {
  private:
   void write_entities() {
     out_.begin_section("Entities");
-    for (int dim = 0; dim < 4; ++dim)
-      out_.large(std::count_if(entities_.all().begin(), entities_.all().end(),
-                               [&](const auto& entity) { return entity.first.first == dim; }));
-    out_.end_line();
-    for (const auto& [name, entity] : entities_.all()) {
-      out_.small(name.second);
-      for (std::size_t c = 0; c < (name.first == 0 ? 3u : 6u); ++c) out_.real(entity.box[c]);
-      write_tags(entity.physicals);
-      if (name.first > 0) write_tags(entity.bounding);
-      out_.end_line();
-    }
+    out_.line([&](GmshLine& line) {
+      for (int dim = 0; dim < 4; ++dim)
+        line.large(std::count_if(entities_.all().begin(), entities_.all().end(),
+                                 [&](const auto& entity) { return entity.first.first == dim; }));
+    });
+    for (const auto& [name, entity] : entities_.all())
+      out_.line([&, &name = name, &entity = entity](GmshLine& line) {
+        line.small(name.second);
+        for (std::size_t c = 0; c < (name.first == 0 ? 3u : 6u); ++c) line.real(entity.box[c]);
+        write_tags(entity.physicals, line);
+        if (name.first > 0) write_tags(entity.bounding, line);
+      });
     out_.end_section("Entities");
   }
-  void write_tags(const std::vector<int>& tags) {
-    out_.large(static_cast<std::int64_t>(tags.size()));
-    for (const int tag : tags) out_.small(tag);
+  static void write_tags(const std::vector<int>& tags, GmshLine& line) {
+    line.large(static_cast<std::int64_t>(tags.size()));
+    for (const int tag : tags) line.small(tag);
   }
 
-  template <class Items>
-  void write_counts(std::size_t blocks, const Items& items) {
+  template <class Items, class TagOf>
+  void write_counts(std::size_t blocks, const Items& items, const TagOf& tag_of) {
     std::int64_t least = std::numeric_limits<std::int64_t>::max(), most = 0;
     for (const auto& item : items) {
-      least = std::min(least, item.tag);
-      most = std::max(most, item.tag);
+      least = std::min(least, tag_of(item));
+      most = std::max(most, tag_of(item));
     }
-    out_.large(static_cast<std::int64_t>(blocks));
-    out_.large(static_cast<std::int64_t>(items.size()));
-    out_.large(least);
-    out_.large(most);
-    out_.end_line();
+    out_.line([&](GmshLine& line) {
+      line.large(static_cast<std::int64_t>(blocks));
+      line.large(static_cast<std::int64_t>(items.size()));
+      line.large(least);
+      line.large(most);
+    });
   }
 
   void write_nodes() {
     const std::vector<EntityName> names = entities_.of_nodes();
     const auto runs = runs_of(names);
     out_.begin_section("Nodes");
-    write_counts(runs.size(), document_.nodes);
-    for (const auto& [begin, end] : runs) {
-      out_.small(names[begin].first);
-      out_.small(names[begin].second);
-      out_.small(0);  // no parameters
-      out_.large(static_cast<std::int64_t>(end - begin));
-      out_.end_line();
-      for (std::size_t k = begin; k < end; ++k) {
-        out_.large(document_.nodes[k].tag);
-        out_.end_line();
-      }
-      for (std::size_t k = begin; k < end; ++k) {
-        for (const double x : document_.nodes[k].at) out_.real(x);
-        out_.end_line();
-      }
+    write_counts(runs.size(), document_.node_tags, [](std::int64_t tag) { return tag; });
+    for (const auto& [first, last] : runs) {
+      const std::size_t begin = first, count = last - first;
+      out_.line([&](GmshLine& line) {
+        line.small(names[begin].first);
+        line.small(names[begin].second);
+        line.small(0);  // no parameters
+        line.large(static_cast<std::int64_t>(count));
+      });
+      out_.lines(count, [&](std::size_t k, GmshLine& line) {
+        line.large(document_.node_tags[begin + k]);
+      });
+      out_.lines(count, [&](std::size_t k, GmshLine& line) {
+        for (const double x : document_.node(begin + k)) line.real(x);
+      });
     }
     out_.end_section("Nodes");
   }
 
   void write_elements() {
     std::vector<std::pair<int, int>> names;  // type, entity
-    for (const GmshDocument::Element& e : document_.elements)
-      names.emplace_back(e.type, entities_.tag_of(e));
+    for (const Element& e : document_.elements) names.emplace_back(e.type, entities_.tag_of(e));
     const auto runs = runs_of(names);
     out_.begin_section("Elements");
-    write_counts(runs.size(), document_.elements);
-    for (const auto& [begin, end] : runs) {
-      out_.small(gmsh_dimension(names[begin].first));
-      out_.small(names[begin].second);
-      out_.small(names[begin].first);
-      out_.large(static_cast<std::int64_t>(end - begin));
-      out_.end_line();
-      for (std::size_t k = begin; k < end; ++k) {
-        const GmshDocument::Element& e = document_.elements[k];
-        out_.large(e.tag);
-        for (int i = 0; i < gmsh_node_count(e.type); ++i)
-          out_.large(document_.element_nodes[e.first_node + static_cast<std::size_t>(i)]);
-        out_.end_line();
-      }
+    write_counts(runs.size(), document_.elements, [](const Element& e) { return e.tag; });
+    for (const auto& [first, last] : runs) {
+      const std::size_t begin = first;
+      out_.line([&, count = last - first](GmshLine& line) {
+        line.small(gmsh_dimension(names[begin].first));
+        line.small(names[begin].second);
+        line.small(names[begin].first);
+        line.large(static_cast<std::int64_t>(count));
+      });
+      const std::size_t nodes = to_size(gmsh_node_count(names[begin].first));
+      out_.lines(last - first, [&](std::size_t k, GmshLine& line) {
+        const Element& e = document_.elements[begin + k];
+        line.large(e.tag);
+        for (std::size_t i = 0; i < nodes; ++i)
+          line.large(document_.element_nodes[e.first_node + i]);
+      });
     }
     out_.end_section("Elements");
   }
@@ -261,17 +303,19 @@ class OldFormat {
   bool write() {
     require_small_tags();
     out_.begin_section("Nodes");
-    out_.text(fmt::format("{}\n", document_.nodes.size()));
-    for (const GmshDocument::Node& node : document_.nodes) {
-      out_.small(node.tag);
-      for (const double x : node.at) out_.real(x);
-      out_.end_line();
-    }
+    out_.text(fmt::format("{}\n", document_.node_tags.size()));
+    out_.lines(document_.node_tags.size(), [&](std::size_t k, GmshLine& line) {
+      line.small(document_.node_tags[k]);
+      for (const double x : document_.node(k)) line.real(x);
+    });
     out_.end_section("Nodes");
     out_.begin_section("Elements");
     out_.text(fmt::format("{}\n", document_.elements.size()));
     std::vector<int> types;
-    for (const GmshDocument::Element& e : document_.elements) types.push_back(e.type);
+    for (const Element& e : document_.elements) {
+      types.push_back(e.type);
+      physicals_.push_back(physical_of(e));
+    }
     for (const auto& [begin, end] : runs_of(types)) write_run(begin, end);
     out_.end_section("Elements");
     return has_more_groups_;
@@ -285,11 +329,11 @@ class OldFormat {
         throw Error(ErrorKind::Unsupported,
                     fmt::format("MSH 2.2 has no tags above {}; there is {}", kLargest, tag));
     };
-    for (const GmshDocument::Node& node : document_.nodes) require(node.tag);
-    for (const GmshDocument::Element& e : document_.elements) require(e.tag);
+    for (const std::int64_t tag : document_.node_tags) require(tag);
+    for (const Element& e : document_.elements) require(e.tag);
   }
 
-  int physical_of(const GmshDocument::Element& e) {
+  int physical_of(const Element& e) {
     if (document_.format.version == GmshVersion::Old) return e.physical;
     const auto found = document_.entities.find({gmsh_dimension(e.type), e.entity});
     if (found == document_.entities.end() || found->second.physicals.empty()) return 0;
@@ -299,39 +343,142 @@ class OldFormat {
 
   void write_run(std::size_t begin, std::size_t end) {
     constexpr int kTags = 2;
-    if (out_.is_binary()) {
-      out_.small(document_.elements[begin].type);
-      out_.small(static_cast<std::int64_t>(end - begin));
-      out_.small(kTags);
-    }
-    for (std::size_t k = begin; k < end; ++k) {
-      const GmshDocument::Element& e = document_.elements[k];
-      out_.small(e.tag);
-      if (!out_.is_binary()) {
-        out_.small(e.type);
-        out_.small(kTags);
+    const int type = document_.elements[begin].type;
+    if (out_.is_binary())
+      out_.line([&](GmshLine& line) {
+        line.small(type);
+        line.small(static_cast<std::int64_t>(end - begin));
+        line.small(kTags);
+      });
+    const std::size_t nodes = to_size(gmsh_node_count(type));
+    out_.lines(end - begin, [&](std::size_t k, GmshLine& line) {
+      const Element& e = document_.elements[begin + k];
+      line.small(e.tag);
+      if (!line.is_binary()) {
+        line.small(type);
+        line.small(kTags);
       }
-      out_.small(physical_of(e));
-      out_.small(e.entity);
-      for (int i = 0; i < gmsh_node_count(e.type); ++i)
-        out_.small(document_.element_nodes[e.first_node + static_cast<std::size_t>(i)]);
-      out_.end_line();
-    }
+      line.small(physicals_[begin + k]);
+      line.small(e.entity);
+      for (std::size_t i = 0; i < nodes; ++i)
+        line.small(document_.element_nodes[e.first_node + i]);
+    });
   }
 
   const GmshDocument& document_;
   GmshWriter& out_;
+  std::vector<int> physicals_;  // of each element
   bool has_more_groups_ = false;
 };
 
+// One number per node, shown by gmsh as colours and lines of equal value.
+void write_view(char name, const GmshDocument::Tagged<double>& view, GmshWriter& out) {
+  if (view.tags.empty()) return;
+  out.text(fmt::format("$NodeData\n1\n\"{}\"\n1\n0\n3\n0\n1\n{}\n", name, view.tags.size()));
+  out.lines(view.tags.size(), [&](std::size_t k, GmshLine& line) {
+    line.small(view.tags[k]);
+    line.real(view.numbers[k]);
+  });
+  out.end_section("NodeData");
+}
+
+void write_input_numbers(std::string_view name, const GmshDocument::Tagged<Index>& numbers,
+                         GmshWriter& out) {
+  if (numbers.tags.empty()) return;
+  out.text(fmt::format("${}\n{}\n", name, numbers.tags.size()));
+  out.lines(numbers.tags.size(), [&](std::size_t k, GmshLine& line) {
+    line.small(numbers.tags[k]);
+    line.small(numbers.numbers[k]);
+  });
+  out.end_section(name);
+}
+
+// Tags from 1.
+template <class Number, class Values>
+GmshDocument::Tagged<Number> tagged(const Values& values) {
+  GmshDocument::Tagged<Number> out;
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    out.tags.push_back(k + 1);
+    out.numbers.push_back(values[k]);
+  }
+  return out;
+}
+
+// The triangles of a map with these nodes: every chart is a surface of its own.
+GmshDocument document_of_map(const MapFile& map, const Points3& nodes) {
+  struct Chart {
+    std::vector<Index> cells, nodes;
+  };
+  std::map<Index, Chart> charts;
+  std::vector<char> is_placed(to_size(static_cast<Index>(nodes.rows())), 0);
+  for (Index c = 0; c < map.cells.rows(); ++c) {
+    Chart& chart = charts[map.chart.size() == 0 ? 0 : map.chart[c]];
+    chart.cells.push_back(c);
+    for (const Index p : map.cells.row(c))
+      if (!std::exchange(is_placed[to_size(p)], 1)) chart.nodes.push_back(p);
+  }
+  for (std::size_t p = 0; p < is_placed.size(); ++p)  // those of no cell
+    if (!is_placed[p]) charts.begin()->second.nodes.push_back(static_cast<Index>(p));
+
+  GmshDocument out;
+  out.format.version = GmshVersion::New;
+  const int type = *gmsh_number({CellShape::Triangle, map.degree});
+  if (map.chart.size() > 0) out.physical_names = fmt::format("$PhysicalNames\n{}\n", charts.size());
+  for (const auto& [number, chart] : charts) {
+    const int tag = number + 1;
+    for (const Index p : chart.nodes) {
+      out.node_tags.push_back(std::int64_t{p} + 1);
+      out.node_entities.emplace_back(2, tag);
+      for (const double x : nodes.row(p)) out.coordinates.push_back(x);
+    }
+    for (const Index c : chart.cells) {
+      out.elements.push_back({std::int64_t{c} + 1, type, 0, tag, out.element_nodes.size()});
+      for (const Index p : map.cells.row(c)) out.element_nodes.push_back(std::int64_t{p} + 1);
+    }
+    const Cells cells = map.cells(chart.cells, Eigen::all);
+    const Points3 here = nodes(cells.reshaped(), Eigen::all);
+    const Eigen::RowVector3d low = here.colwise().minCoeff(), high = here.colwise().maxCoeff();
+    GmshDocument::Entity& entity = out.entities[{2, tag}];
+    entity.box = {low[0], low[1], low[2], high[0], high[1], high[2]};
+    if (map.chart.size() == 0) continue;
+    entity.physicals.push_back(tag);
+    out.physical_names += fmt::format("2 {} \"chart {}\"\n", tag, number);
+  }
+  if (map.chart.size() > 0) out.physical_names += "$EndPhysicalNames\n";
+  return out;
+}
+
 }  // namespace
+
+GmshDocument gmsh_document_of(const VolumeMesh& mesh) {
+  GmshDocument out;
+  out.format.version = GmshVersion::Old;  // of which physical groups are the elements'
+  for (Index k = 0; k < mesh.points.rows(); ++k) {
+    out.node_tags.push_back(std::int64_t{k} + 1);
+    out.node_entities.emplace_back(-1, 0);
+    for (const double x : mesh.points.row(k)) out.coordinates.push_back(x);
+  }
+  for (const CellBlock& block : mesh.blocks) {
+    const std::optional<int> number = gmsh_number(block.type);
+    if (!number)
+      refuse_mesh(mesh.file, describe(block.type) + " whose nodes are not those of a lattice");
+    const std::vector<int> order = gmsh_order(block.type);
+    for (Index cell = 0; cell < block.size(); ++cell) {
+      const int region = block.regions[to_size(cell)];
+      out.elements.push_back({static_cast<std::int64_t>(out.elements.size()) + 1, *number, region,
+                              region, out.element_nodes.size()});
+      for (const int k : order) out.element_nodes.push_back(block.nodes(cell, k) + 1);
+    }
+  }
+  return out;
+}
 
 std::string gmsh_content(const GmshDocument& document, const GmshFormat& wanted,
                          std::vector<std::string>* left_out) {
   GmshWriter out(wanted.encoding);
   const bool is_new = wanted.version == GmshVersion::New;
   out.text(fmt::format("$MeshFormat\n{} {} 8\n", is_new ? "4.1" : "2.2", out.is_binary() ? 1 : 0));
-  if (out.is_binary()) out.small(1);
+  if (out.is_binary()) out.line([](GmshLine& line) { line.small(1); });
   out.end_section("MeshFormat");
   out.text(mark_text(MarkStyle::GmshSection));
   out.text(document.physical_names);
@@ -340,6 +487,10 @@ std::string gmsh_content(const GmshDocument& document, const GmshFormat& wanted,
     NewFormat(document, out).write();
   else
     has_more_groups = OldFormat(document, out).write();
+  write_view('u', document.u, out);
+  write_view('v', document.v, out);
+  write_input_numbers(kGmshInputVertex, document.input_vertex, out);
+  write_input_numbers(kGmshInputFace, document.input_face, out);
   if (left_out != nullptr) {
     *left_out = document.others;
     if (has_more_groups) left_out->push_back("physical groups of elements beside their first one");
@@ -361,7 +512,27 @@ std::string gmsh_text_in_version(const VolumeMesh& mesh, const GmshChoice& choic
   const GmshFormat wanted{choice.version.value_or(own.version),
                           choice.encoding.value_or(own.encoding)};
   if (own == wanted) return with_mark(MarkStyle::GmshSection, std::move(content));
-  return gmsh_content(read_gmsh_document(mesh.file, std::move(content), {}), wanted, left_out);
+  const GmshFile file = read_gmsh_file(mesh.file, std::move(content), GmshParts::Volume, {});
+  return gmsh_content(file.document, wanted, left_out);
+}
+
+void write_msh(const std::string& path, const MapFile& map, MshContent content,
+               const FileVerification& verify) {
+  require_sound(path, map);
+  if (content == MshContent::Surface) require_complete(path, map);
+  require_lagrange_degree(path, map);
+  const Points2 uv = lagrange_nodes(map);
+  Points3 nodes = map.points;  // of flat triangles control points are values, too
+  if (content == MshContent::Image) nodes << uv, Vec::Zero(uv.rows());
+  GmshDocument document = document_of_map(map, nodes);
+  if (content == MshContent::Surface) {
+    document.u = tagged<double>(uv.col(0));
+    document.v = tagged<double>(uv.col(1));
+    document.input_vertex = tagged<Index>(map.input_vertex);
+    document.input_face = tagged<Index>(map.input_face);
+  }
+  const GmshFormat format{GmshVersion::New, GmshEncoding::Text};
+  write_file_atomically(path, gmsh_content(document, format, nullptr), verify);
 }
 
 }  // namespace majorant

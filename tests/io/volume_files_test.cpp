@@ -402,7 +402,7 @@ TEST_F(VolumeFiles, RefusalsNameWhatIsWrong) {
       {"a.msh", changed(kOldGmsh, "12 4 2", "12 31 2"), unsupported, "type 31"},
       {"a.msh", changed(kOldGmsh, "10 20 30 4000\n", "10 20 30 4\n"), unreadable, "node 4"},
       {"a.msh", changed(kOldGmsh, "20 1 0 0", "10 1 0 0"), unreadable, "two nodes"},
-      {"a.msh", changed(kOldGmsh, "20 1 0 0", "20 nan 0 0"), unreadable, "no finite number"},
+      {"a.msh", changed(kOldGmsh, "20 1 0 0", "20 nan 0 0"), unreadable, "not finite"},
       {"a.msh", changed(kOldGmsh, "$Nodes\n5", "$Nodes\n500000000"), unreadable,
        "more than the file"},
       {"a.msh", kOldGmsh.substr(0, kOldGmsh.find("$EndElements")), unreadable, "$EndElements"},

@@ -1,7 +1,8 @@
-#include "majorant/io/internal/line_cursor.h"
+#include "majorant/io/internal/text_cursor.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -109,27 +110,29 @@ bool is_exact(std::string_view decimal, double nearest) {
                     : std::fma(std::abs(nearest), scale, -integer) == 0;
 }
 
-LineCursor::LineCursor(const std::string& file, std::string_view text, Continuation continuation,
-                       StopCheck stop)
+TextCursor::TextCursor(const std::string& file, std::string_view text, TextLines lines,
+                       StopCheck stop, TextComments comments)
     : file_(file),
       text_begin_(text.data()),
       text_end_(text.data() + text.size()),
       line_begin_(text.data()),
       line_end_(nullptr),
       cursor_(text.data()),
-      continuation_(continuation),
+      lines_(lines),
+      comment_style_(comments),
+      token_(text.data()),
       stop_(std::move(stop)),
       parsed_(text.size()) {}
 
-void LineCursor::poll() {
+void TextCursor::poll() {
   if (++steps_ % StopCheck::kPeriod != 0) return;
   stop_.poll();
   parsed_.reach(static_cast<std::size_t>(cursor_ - text_begin_));
 }
 
 // A backslash that is followed by the end of the line, or by the end of the text.
-bool LineCursor::is_continuation(const char* at) const {
-  if (continuation_ == Continuation::None || *at != '\\') return false;
+bool TextCursor::is_continuation(const char* at) const {
+  if (lines_ != TextLines::Continued || *at != '\\') return false;
   ++at;
   while (at != text_end_ && is_space(*at)) ++at;
   return at == text_end_ || *at == '\n';
@@ -137,13 +140,13 @@ bool LineCursor::is_continuation(const char* at) const {
 
 // One past the last character of the line that begins here, continuations included, without '\n'.
 // A comment ends with its line: a backslash in it (a Windows folder) continues nothing.
-const char* LineCursor::end_of_line(const char* begin) {
+const char* TextCursor::end_of_line(const char* begin) {
   const auto line_feed = [this](const char* from) {
     const void* found = std::memchr(from, '\n', static_cast<std::size_t>(text_end_ - from));
     return found != nullptr ? static_cast<const char*>(found) : text_end_;
   };
   const char* end = line_feed(begin);
-  if (continuation_ == Continuation::None) return end;
+  if (lines_ != TextLines::Continued) return end;
   while (end != text_end_) {
     const char* last = end;
     while (last != begin && is_space(last[-1])) --last;
@@ -155,7 +158,7 @@ const char* LineCursor::end_of_line(const char* begin) {
   return end;
 }
 
-bool LineCursor::next_line() {
+bool TextCursor::next_line() {
   const char* begin = line_end_ == nullptr ? line_begin_ : line_end_;
   if (line_end_ != nullptr && begin != text_end_) ++begin;
   while (begin != text_end_) {
@@ -172,13 +175,13 @@ bool LineCursor::next_line() {
   return false;
 }
 
-std::string_view LineCursor::ahead() const {
+std::string_view TextCursor::ahead() const {
   const char* begin = line_end_ == nullptr ? line_begin_ : line_end_;
   if (line_end_ != nullptr && begin != text_end_) ++begin;
   return {begin, static_cast<std::size_t>(text_end_ - begin)};
 }
 
-void LineCursor::pass(std::size_t size, long lines) {
+void TextCursor::pass(std::size_t size, long lines) {
   if (lines == 0) return;
   next_line_ += lines;
   line_ = next_line_ - 1;
@@ -186,7 +189,7 @@ void LineCursor::pass(std::size_t size, long lines) {
   line_begin_ = line_end_ = cursor_ = end[-1] == '\n' ? end - 1 : end;  // of the last one
 }
 
-std::string_view LineCursor::whole_line() const {
+std::string_view TextCursor::whole_line() const {
   const char* begin = line_begin_;
   const char* end = line_end_;
   while (begin != end && is_space(*begin)) ++begin;
@@ -194,55 +197,73 @@ std::string_view LineCursor::whole_line() const {
   return {begin, static_cast<std::size_t>(end - begin)};
 }
 
-void LineCursor::skip_space() {
+void TextCursor::skip_space() {
   while (cursor_ != line_end_ && (is_space(*cursor_) || *cursor_ == '\n' ||
                                   (*cursor_ == '\\' && is_continuation(cursor_)))) {
     ++cursor_;
   }
 }
 
-bool LineCursor::at_end_of_line() {
+bool TextCursor::at_end_of_line() {
   skip_space();
-  return cursor_ == line_end_ || *cursor_ == '#';
+  return cursor_ == line_end_ || (*cursor_ == '#' && comment_style_ == TextComments::Hash);
 }
 
-std::string_view LineCursor::next_token() {
+std::string_view TextCursor::next_token() {
+  if (lines_ == TextLines::Space)
+    while ((line_end_ == nullptr || at_end_of_line()) && next_line()) {
+    }
+  token_ = cursor_;
   if (at_end_of_line()) return {};
   poll();
-  const char* begin = cursor_;
+  const char* const begin = token_ = cursor_;
   while (cursor_ != line_end_ &&
          (!may_end_token(*cursor_) || (*cursor_ == '\\' && !is_continuation(cursor_))))
     ++cursor_;
   return {begin, static_cast<std::size_t>(cursor_ - begin)};
 }
 
-bool LineCursor::try_number(double& value) {
+std::string_view TextCursor::rest_of_line() {
+  const char* begin = cursor_;
+  const char* end = cursor_ = line_end_;
+  while (begin != end && is_space(*begin)) ++begin;
+  while (begin != end && is_space(end[-1])) --end;
+  return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+void TextCursor::go_to(std::size_t place) {
+  has_jumped_ = true;
+  line_begin_ = cursor_ = text_begin_ + place;
+  line_end_ = end_of_line(cursor_);
+}
+
+bool TextCursor::try_number(double& value) {
   number_ = next_token();
   status_ = parse_number(number_, value_);
   value = value_;
   return status_ == NumberStatus::Good;
 }
 
-std::string LineCursor::number_problem(std::string_view what) const {
+std::string TextCursor::number_problem(std::string_view what) const {
   if (number_.empty()) return fmt::format("{} is missing", what);
   return fmt::format("{} {} is not {}", what, in_quotes(number_),
                      status_ == NumberStatus::NotFinite ? "finite" : "a number");
 }
 
-double LineCursor::next_number(std::string_view what) {
+double TextCursor::next_number(std::string_view what) {
   double value = 0;
   if (try_number(value)) return value;
   fail(number_problem(what) +
        (number_.empty() ? "; the file may be truncated" : "; correct the file"));
 }
 
-double LineCursor::rounding() const {
-  if (is_exact(number_, value_)) return 0;
-  const double size = std::abs(value_);
+double decimal_rounding(std::string_view decimal, double nearest) {
+  if (is_exact(decimal, nearest)) return 0;
+  const double size = std::abs(nearest);
   return (std::nextafter(size, std::numeric_limits<double>::infinity()) - size) / 2;
 }
 
-long long LineCursor::next_integer(std::string_view what) {
+long long TextCursor::next_integer(std::string_view what) {
   std::string_view token = next_token();
   if (token.empty()) fail(fmt::format("{} is missing; the file may be truncated", what));
   long long value = 0;
@@ -258,15 +279,25 @@ long long LineCursor::next_integer(std::string_view what) {
   return value;
 }
 
-void LineCursor::require_end_of_line() {
+long long TextCursor::next_count(std::string_view what) {
+  const long long value = next_integer(what);
+  if (value < 0 || static_cast<unsigned long long>(value) > remaining())
+    fail(fmt::format("{} is {}, more than the file has; it is damaged or truncated", what, value));
+  return value;
+}
+
+void TextCursor::require_end_of_line() {
   if (at_end_of_line()) return;
   fail(fmt::format("{} is one entry too many on this line; correct the file",
                    in_quotes(next_token())));
 }
 
-void LineCursor::fail(std::string_view problem) const {
-  if (line_ == 0) throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", file_, problem));
-  throw Error(ErrorKind::Unreadable, fmt::format("{}:{}: {}", file_, line_, problem));
+void TextCursor::fail(std::string_view problem) const {
+  if (line_ == 0 && !has_jumped_)
+    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", file_, problem));
+  const long line =
+      has_jumped_ ? 1 + static_cast<long>(std::count(text_begin_, token_, '\n')) : line_;
+  throw Error(ErrorKind::Unreadable, fmt::format("{}:{}: {}", file_, line, problem));
 }
 
 }  // namespace majorant
