@@ -101,8 +101,7 @@ std::vector<std::string> left_out_of(const std::string& path, const MapFile& map
 // Lines about cells that pictures show in magenta, and about those without an area.
 std::vector<std::string> turned_over_in_words(const ConvertRequest& request, const MapFile& map) {
   const auto is_picture = [](const std::string& path) {
-    return is_shown_as(Format::Picture::Drawing, path) ||
-           is_shown_as(Format::Picture::Image, path);
+    return is_shown_as(Format::Picture::Drawing, path) || is_shown_as(Format::Picture::Image, path);
   };
   if (!std::any_of(request.outputs.begin(), request.outputs.end(), is_picture)) return {};
   std::vector<std::string> lines;
@@ -201,10 +200,7 @@ void add_convert(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
   add_options(
       verb, OptionGroup::Files,
-      {{"result",
-        &request->input,
-        result_help(),
-        {.required = true}},
+      {{"result", &request->input, result_help(), {.required = true}},
        {"output", &request->positional_output, "output file, same as -o"},
        {"-o,--output", &request->outputs, output_help(map_extensions()), {.type = "FILE"}}});
   request->formats.add_to(verb);

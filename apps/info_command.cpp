@@ -42,10 +42,7 @@ void add_info(CLI::App& app, Action* run) {
   auto request = std::make_shared<InfoRequest>();
   CLI::App& verb = *app.add_subcommand("info", "describe a mesh, its defects, and what maps it");
   add_options(verb, OptionGroup::Files,
-              {{"input",
-                &request->input,
-                surface_help(),
-                {.required = true}}});
+              {{"input", &request->input, surface_help(), {.required = true}}});
   add_options(verb, OptionGroup::Charts,
               {{"--plan", &request->plan, "what unwrap would do: charts and cuts"}});
   request->common.add_to(verb);

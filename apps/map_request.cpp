@@ -64,10 +64,7 @@ void require_scale(const MapRequest& request, const MapJob& job) {
 void MapRequest::add_to(CLI::App& verb, const char* default_degree) {
   add_options(
       verb, OptionGroup::Map,
-      {{"input",
-        &input,
-        surface_help(),
-        {.required = true}},
+      {{"input", &input, surface_help(), {.required = true}},
        {"--degree",
         &degree,
         fmt::format("polynomial degree ({})", default_degree),

@@ -17,8 +17,8 @@
 #include "apps/within_memory.h"
 #include "majorant/apps/jobs/volume_pictures.h"
 #include "majorant/apps/jobs/volume_report.h"
-#include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/io/volume_files.h"
+#include "majorant/volumes/check_volume_mesh.h"
 
 namespace majorant::app {
 namespace {

@@ -14,9 +14,9 @@
 #include "apps/streams.h"
 #include "majorant/apps/jobs/volume_report.h"
 #include "majorant/energies/solid_energies.h"
+#include "majorant/io/volume_files.h"
 #include "majorant/volumes/optimize_volume_mesh.h"
 #include "majorant/volumes/turned_cells.h"
-#include "majorant/io/volume_files.h"
 
 namespace majorant::app {
 namespace {

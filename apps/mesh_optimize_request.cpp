@@ -45,22 +45,18 @@ void MeshOptimizeRequest::add_to(CLI::App& verb) {
   const std::string versioned = in_words(extensions_for(FormatUse::WriteVersions), "or");
   add_options(
       verb, OptionGroup::Files,
-      {{"input",
-        &input,
-        "mesh of volumes or of the plane: " + cells_help(),
-        {.required = true}},
+      {{"input", &input, "mesh of volumes or of the plane: " + cells_help(), {.required = true}},
        {"-o,--output",
         &output,
-        fmt::format("the mesh with moved nodes, in the format, order and numbers of the input; or {}",
-                    fmt::join(extensions_for(FormatUse::WriteCells), ", ")),
+        fmt::format(
+            "the mesh with moved nodes, in the format, order and numbers of the input; or {}",
+            fmt::join(extensions_for(FormatUse::WriteCells), ", ")),
         {.type = "FILE", .required = true}},
        {"--msh-version",
         &msh_version,
         fmt::format("of a {} that is written (the input's)", versioned),
         {.check = one_of({"2.2", "4.1"})}},
-       {"--binary",
-        &binary,
-        fmt::format("a {} is written as bytes (as the input)", versioned)}});
+       {"--binary", &binary, fmt::format("a {} is written as bytes (as the input)", versioned)}});
   add_options(
       verb, OptionGroup::Map,
       {{"--energy", &energy, "what elements lose by their shape, listed below", {.type = "NAME"}},

@@ -7,8 +7,8 @@
 
 #include "apps/command.h"
 #include "majorant/apps/jobs/report.h"
-#include "majorant/volumes/optimize_volume_mesh.h"
 #include "majorant/io/volume_files.h"
+#include "majorant/volumes/optimize_volume_mesh.h"
 
 namespace majorant::app {
 

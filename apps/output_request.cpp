@@ -38,10 +38,9 @@ std::vector<std::string> exact_formats() {
 void require_holds_seams(const std::vector<std::string>& files) {
   for (const std::string& path : files)
     if (const Format* format = written_format(path); format && format->has_floats)
-      throw Error(
-          ErrorKind::Usage,
-          fmt::format("{}: holds floats, in which the sides of seams do not fit; write {}", path,
-                      in_words(exact_formats(), "or")));
+      throw Error(ErrorKind::Usage,
+                  fmt::format("{}: holds floats, in which the sides of seams do not fit; write {}",
+                              path, in_words(exact_formats(), "or")));
 }
 
 std::vector<OutputNames> OutputRequest::names() const {
@@ -71,15 +70,12 @@ bool OutputRequest::turns(const BezierMap& result, const MapRequest& map) const 
 }
 
 void OutputRequest::require_materials(const PolygonMesh& input) const {
-  if (std::any_of(files.begin(), files.end(),
-                  has_material_files))
-    require_materials_below(input);
+  if (std::any_of(files.begin(), files.end(), has_material_files)) require_materials_below(input);
 }
 
 std::vector<std::string> OutputRequest::stale_pictures(const PolygonMesh& input,
                                                        const std::string& remedy) const {
-  const auto obj = std::find_if(files.begin(), files.end(),
-                                has_material_files);
+  const auto obj = std::find_if(files.begin(), files.end(), has_material_files);
   if (obj == files.end()) return {};
   const std::vector<std::string> pictures = shown_pictures(input);
   if (pictures.empty()) return {};

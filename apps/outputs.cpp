@@ -204,8 +204,7 @@ std::string output_help(const std::vector<std::string>& extensions) {
 }
 
 std::string surface_help() {
-  return fmt::format("mesh: {}, also .gz",
-                     fmt::join(extensions_for(FormatUse::ReadSurface), " "));
+  return fmt::format("mesh: {}, also .gz", fmt::join(extensions_for(FormatUse::ReadSurface), " "));
 }
 
 std::string result_help() {
@@ -218,9 +217,8 @@ std::string cells_help() {
   std::vector<std::string> list;
   for (const Format& format : formats())
     if (serves(format, FormatUse::ReadCells))
-      list.push_back(format.kinds.empty()
-                         ? format.extension
-                         : fmt::format("{} ({})", format.extension, format.kinds));
+      list.push_back(format.kinds.empty() ? format.extension
+                                          : fmt::format("{} ({})", format.extension, format.kinds));
   return fmt::format("{}", fmt::join(list, ", "));
 }
 

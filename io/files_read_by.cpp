@@ -14,8 +14,8 @@
 #include "majorant/io/files_below.h"
 #include "majorant/io/internal/gltf_document.h"
 #include "majorant/io/internal/json_strings.h"
-#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/material_files.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/material_lines.h"
 #include "majorant/io/pvtu.h"
 

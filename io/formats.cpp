@@ -146,9 +146,8 @@ std::vector<Format>& table() {
 
 bool is_extension(std::string_view text) {
   return text.size() > 1 && text[0] == '.' &&
-         std::all_of(text.begin() + 1, text.end(), [](unsigned char c) {
-           return std::islower(c) != 0 || std::isdigit(c) != 0;
-         });
+         std::all_of(text.begin() + 1, text.end(),
+                     [](unsigned char c) { return std::islower(c) != 0 || std::isdigit(c) != 0; });
 }
 
 }  // namespace
@@ -157,9 +156,8 @@ const std::vector<Format>& formats() { return table(); }
 
 const Format* find_format(std::string_view extension) {
   const std::vector<Format>& all = formats();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Format& format) {
-    return format.extension == extension;
-  });
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&](const Format& format) { return format.extension == extension; });
   return found == all.end() ? nullptr : &*found;
 }
 
@@ -220,7 +218,8 @@ std::string in_words(const std::vector<std::string>& extensions, std::string_vie
 }
 
 std::string formats_in_markdown() {
-  std::string text = "| extension | format | read as | written from | limits |\n|---|---|---|---|---|\n";
+  std::string text =
+      "| extension | format | read as | written from | limits |\n|---|---|---|---|---|\n";
   const auto list = [](const std::vector<std::pair<bool, const char*>>& facts) {
     std::vector<const char*> out;
     for (const auto& [holds, words] : facts)
@@ -254,9 +253,8 @@ void write_map_file(const std::string& path, const MapFile& map, const PolygonMe
                     const MapFileOptions& options, const FileVerification& verify) {
   const Format* const format = find_format(format_of(path));
   if (format == nullptr || format->write_map == nullptr)
-    throw Error(ErrorKind::Usage,
-                fmt::format("{}: maps are written as {}", path,
-                            in_words(extensions_for(FormatUse::WriteMap), "or")));
+    throw Error(ErrorKind::Usage, fmt::format("{}: maps are written as {}", path,
+                                              in_words(extensions_for(FormatUse::WriteMap), "or")));
   format->write_map(path, map, input, options, verify);
 }
 

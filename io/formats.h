@@ -42,8 +42,8 @@ enum class MarkStyle {
 };
 
 struct Format {
-  std::string extension;  // lower case, with its dot
-  std::string name;       // of the docs: "Gmsh"
+  std::string extension;   // lower case, with its dot
+  std::string name;        // of the docs: "Gmsh"
   std::string kinds = {};  // of its files of cells, for help: "2.2, 4.1"
 
   // Readers of the file at `path`; null where the format holds no such thing. They throw as
@@ -101,7 +101,7 @@ enum class FormatUse {
   ReadCells,
   WriteMap,  // as data, those that keep claims first
   WriteQuads,
-  WriteCells,  // any mesh; each is written in the format of its own file, too
+  WriteCells,     // any mesh; each is written in the format of its own file, too
   WriteVersions,  // of these, formats with versions and encodings to choose from
   Show,           // pictures and pages
 };

@@ -12,8 +12,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/files_below.h"
-#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/material_files.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/material_lines.h"
 
 namespace majorant {

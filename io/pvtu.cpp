@@ -1,4 +1,3 @@
-#include "majorant/io/formats.h"
 #include "majorant/io/pvtu.h"
 
 #include <fmt/format.h>
@@ -15,6 +14,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/io.h"
 #include "majorant/io/written_mark.h"
 #include "majorant/io/xml_tree.h"

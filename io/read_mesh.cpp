@@ -25,9 +25,7 @@ void require_complete(const PolygonMesh& mesh) {
   }
 }
 
-bool is_mesh_name(const std::string& path) {
-  return is_for(FormatUse::ReadSurface, path);
-}
+bool is_mesh_name(const std::string& path) { return is_for(FormatUse::ReadSurface, path); }
 
 std::string foreign_format(const std::string& path) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kForeign = {{

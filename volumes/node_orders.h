@@ -1,5 +1,5 @@
-// The order of the nodes of a cell, which is VTK's: lists of exponents, as BernsteinElement::lattice
-// has them.
+// The order of the nodes of a cell, which is VTK's: lists of exponents, as
+// BernsteinElement::lattice has them.
 #pragma once
 
 #include <array>

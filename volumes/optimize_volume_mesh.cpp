@@ -23,8 +23,8 @@
 #include "majorant/maps/newton_of_maps.h"
 #include "majorant/volumes/internal/control_net.h"
 #include "majorant/volumes/internal/held_points.h"
-#include "majorant/volumes/node_orders.h"
 #include "majorant/volumes/internal/target_shapes.h"
+#include "majorant/volumes/node_orders.h"
 
 namespace majorant {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "majorant/volumes/determinant_range.h"
-#include "majorant/volumes/node_orders.h"
 #include "majorant/volumes/internal/reference_cell.h"
+#include "majorant/volumes/node_orders.h"
 
 namespace majorant {
 namespace {

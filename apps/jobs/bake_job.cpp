@@ -332,7 +332,8 @@ BakeSurface bake_surface(PolygonMesh polygons, Texcoords texcoords, const StopCh
 
 BakeSurface read_bake_surface(const std::string& path, Texcoords texcoords, const StopCheck& stop,
                               Strictness strictness) {
-  if (!is_for(FormatUse::ReadMap, path)) return bake_surface(read_mesh(path, stop, strictness), texcoords, stop);
+  if (!is_for(FormatUse::ReadMap, path))
+    return bake_surface(read_mesh(path, stop, strictness), texcoords, stop);
   const MapFile file = read_map(path, stop, strictness);
   BakeSurface surface = with_layout(file, path);
   surface.warnings = file.warnings;

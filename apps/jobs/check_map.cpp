@@ -150,8 +150,7 @@ ProofRequest questions(const MapFile& file, const CheckRequest& request, const C
   wanted.overlap =
       is_forbidden ? ProofRequest::Overlap::Forbidden : ProofRequest::Overlap::Reported;
   const Format* const format = written_format(request.name);
-  if (format && format->has_claims)
-    wanted.labels = ProofRequest::FaceLabels::Compared;
+  if (format && format->has_claims) wanted.labels = ProofRequest::FaceLabels::Compared;
   if (!file.is_complete) wanted.coverage = ProofRequest::Coverage::Partial;
   if (request.stacked || claims.stacks) wanted.stacks = ProofRequest::Stacks::Allowed;
   wanted.layers = request.layers;
@@ -173,8 +172,8 @@ Json measured_distortion(const MapFile& file) {
   return section;
 }
 
-// Returns whether the file is what a map makes of the plane, as formats with images of maps have it: the identity of
-// itself.
+// Returns whether the file is what a map makes of the plane, as formats with images of maps have
+// it: the identity of itself.
 bool is_image(const MapFile& file) {
   const auto corners = file.cells.leftCols(3).reshaped();
   return file.points(corners, 2).isZero(0) &&

@@ -16,6 +16,7 @@
 #include "majorant/framework/stopwatch.h"
 #include "majorant/io/atomic_file.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/read_vertex_lists.h"
@@ -23,7 +24,6 @@
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/parametrization/seams/edge_flags.h"
-#include "majorant/io/formats.h"
 
 namespace majorant {
 namespace {

@@ -249,9 +249,9 @@ std::vector<std::string> summary_of(const UnwrapRun& run, const WrittenFiles& wr
   const bool is_stacked = run.job.options.stacking != Stacking::None;
   for (const std::string& path : run.request.outputs.files)
     if (is_map_data(path) && written.has(path) && !is_standard_output(path))
-      list.push_back(fmt::format("proof: majorant check {}{}{}", path,
-                                 atlas.packing ? " --certify" : "",
-                                 is_stacked && !written_format(path)->has_claims ? " --stacked" : ""));
+      list.push_back(
+          fmt::format("proof: majorant check {}{}{}", path, atlas.packing ? " --certify" : "",
+                      is_stacked && !written_format(path)->has_claims ? " --stacked" : ""));
   return list;
 }
 

@@ -1,4 +1,5 @@
-// The readers of cells of single formats, for the table (formats.h). content: the whole file, decompressed.
+// The readers of cells of single formats, for the table (formats.h). content: the whole file,
+// decompressed.
 #pragma once
 
 #include <string>

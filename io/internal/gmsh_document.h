@@ -76,7 +76,7 @@ struct GmshFile {
 
   GmshDocument document;
   std::string path, content;
-  ByteOrder order = ByteOrder::Little;                     // of a binary file
+  ByteOrder order = ByteOrder::Little;                      // of a binary file
   std::vector<PlacedCoordinates::Place> coordinates, u, v;  // of each number
   std::vector<std::size_t> lists;                           // of each element: of its first node
 

@@ -153,13 +153,11 @@ class GmshReader {
     const std::string version(words.next_token());
     const std::int64_t is_binary = words.next_integer("the file type"),
                        size = words.next_integer("the data size");
-    const bool is_old =
-        version == "2.2" || version == "2.1" || version == "2" || version == "2.0";
+    const bool is_old = version == "2.2" || version == "2.1" || version == "2" || version == "2.0";
     if (!is_old && version != "4.1")
-      refuse_mesh(file_.path,
-                  fmt::format("MSH {}; 2.2 and 4.1 are supported, gmsh writes them by "
-                              "-format msh22 and msh41",
-                              version));
+      refuse_mesh(file_.path, fmt::format("MSH {}; 2.2 and 4.1 are supported, gmsh writes them by "
+                                          "-format msh22 and msh41",
+                                          version));
     if (size != 8)
       refuse_mesh(file_.path, fmt::format("numbers of {} bytes; 8 are supported", size));
     document_.format = {is_old ? GmshVersion::Old : GmshVersion::New,
@@ -344,8 +342,7 @@ class GmshReader {
       const std::int64_t is_parametric = in_.small("whether nodes are parametric");
       if (is_parametric != 0) note_other("parameters of nodes");
       const Index count = in_.count(in_.large("the number of nodes"), 7, "nodes");
-      const std::size_t first =
-          add_nodes(count, {static_cast<int>(dim), static_cast<int>(entity)});
+      const std::size_t first = add_nodes(count, {static_cast<int>(dim), static_cast<int>(entity)});
       read_entries(count, [&](GmshNumbers& in, Index k) {
         document_.node_tags[first + to_size(k)] = in.large("a node");
       });
@@ -534,8 +531,7 @@ GmshTags::GmshTags(const GmshFile& file) : file_(file) {
                 fmt::format("{}: two nodes have the tag {}; correct the file", file.path, tag));
   };
   constexpr std::int64_t kSpread = 8;  // entries of the table for a node, at most
-  const bool is_dense =
-      *least >= 0 && *largest <= kSpread * static_cast<std::int64_t>(tags.size());
+  const bool is_dense = *least >= 0 && *largest <= kSpread * static_cast<std::int64_t>(tags.size());
   if (is_dense) row_.assign(static_cast<std::size_t>(*largest) + 1, -1);
   for (std::size_t k = 0; k < tags.size(); ++k) {
     if (!is_dense) {
@@ -602,15 +598,14 @@ VolumeMesh read_gmsh_mesh(const std::string& path, std::string content, const St
     const bool is_old = document.format.version == GmshVersion::Old;
     cells.add(type, order, nodes, e.tag, is_old ? e.physical : e.entity, file.lists[k]);
   }
-  NodeLists lists{.coding = NodeLists::Coding::Words,
-                  .comments = TextComments::None,
-                  .blocks = cells.lists()};
+  NodeLists lists{
+      .coding = NodeLists::Coding::Words, .comments = TextComments::None, .blocks = cells.lists()};
   using Coding = PlacedCoordinates::Coding;
   Coding coding = Coding::Words;
   if (document.format.encoding == GmshEncoding::Binary) {
     lists.coding = NodeLists::Coding::Bytes;
-    lists.width = document.format.version == GmshVersion::Old ? sizeof(std::int32_t)
-                                                              : sizeof(std::uint64_t);
+    lists.width =
+        document.format.version == GmshVersion::Old ? sizeof(std::int32_t) : sizeof(std::uint64_t);
     const bool is_native =
         (file.order == ByteOrder::Little) == (std::endian::native == std::endian::little);
     coding = is_native ? Coding::Doubles : Coding::SwappedDoubles;

@@ -68,10 +68,9 @@ class GmshTriangles {
       const auto& view = axis == 0 ? document().u : document().v;
       const auto& places = axis == 0 ? file_.u : file_.v;
       const std::string name = axis == 0 ? "view u" : "view v";
-      const std::vector<Index> entries =
-          of_nodes(view.tags, "values of " + name, [&](std::int64_t tag) {
-            return fmt::format("{} has no value for node {}", name, tag);
-          });
+      const std::vector<Index> entries = of_nodes(
+          view.tags, "values of " + name,
+          [&](std::int64_t tag) { return fmt::format("{} has no value for node {}", name, tag); });
       for (Index k = 0; k < node_count(); ++k) {
         const std::size_t entry = to_size(entries[to_size(k)]);
         uv(k, axis) = view.numbers[entry];
@@ -99,10 +98,9 @@ class GmshTriangles {
     require_once(tags, order, lines_of(kGmshInputFace));
     for (Index c = 0; c < out.size(); ++c) {
       const std::int64_t tag = document().elements[triangles_[to_size(c)]].tag;
-      const auto found =
-          std::lower_bound(order.begin(), order.end(), tag, [&](Index line, std::int64_t value) {
-            return tags[to_size(line)] < value;
-          });
+      const auto found = std::lower_bound(
+          order.begin(), order.end(), tag,
+          [&](Index line, std::int64_t value) { return tags[to_size(line)] < value; });
       if (found == order.end() || tags[to_size(*found)] != tag)
         refuse(without_line(kGmshInputFace, tag));
       out[c] = numbers[to_size(*found)];
@@ -151,8 +149,8 @@ class GmshTriangles {
       const std::size_t element = triangles_[c] = found[to_size(order[c])];
       const std::size_t first = document().elements[element].first_node;
       for (Index k = 0; k < size; ++k)
-        cells_(static_cast<Index>(c), k) = place_[to_size(
-            tags_.row_in(element, document().element_nodes[first + to_size(k)]))];
+        cells_(static_cast<Index>(c), k) =
+            place_[to_size(tags_.row_in(element, document().element_nodes[first + to_size(k)]))];
     }
   }
 
@@ -176,8 +174,8 @@ class GmshTriangles {
 
   GmshFile file_;
   GmshTags tags_;
-  std::vector<Index> nodes_;  // rows of the file, in the order of their tags
-  std::vector<Index> place_;  // of each row there
+  std::vector<Index> nodes_;            // rows of the file, in the order of their tags
+  std::vector<Index> place_;            // of each row there
   std::vector<std::size_t> triangles_;  // elements, in the order of their tags
   int degree_ = 1;
   Cells cells_;
@@ -224,8 +222,7 @@ MapFile read_msh(const std::string& path, const StopCheck& stop) {
   return map;
 }
 
-PolygonMesh read_gmsh_surface(const std::string& path, std::string content,
-                              const StopCheck& stop) {
+PolygonMesh read_gmsh_surface(const std::string& path, std::string content, const StopCheck& stop) {
   const GmshTriangles file(path, std::move(content), stop);
   Points2 uv, rounding;
   if (file.has_views()) file.read_views(uv, rounding);

@@ -133,7 +133,8 @@ class MeditReader {
         node = static_cast<Index>(vertex - 1);
         if (&node == nodes.data()) place = in_.begin();
       }
-      cells_.add(type, order, nodes, cell, static_cast<int>(in_.next_integer("a reference")), place);
+      cells_.add(type, order, nodes, cell, static_cast<int>(in_.next_integer("a reference")),
+                 place);
     }
   }
 

@@ -15,8 +15,8 @@
 #include "majorant/io/internal/cell_collector.h"
 #include "majorant/io/internal/cell_readers.h"
 #include "majorant/io/internal/source_file.h"
-#include "majorant/volumes/node_orders.h"
 #include "majorant/io/internal/text_cursor.h"
+#include "majorant/volumes/node_orders.h"
 
 namespace majorant {
 namespace {

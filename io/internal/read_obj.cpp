@@ -21,8 +21,8 @@
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/cones_of.h"
 #include "majorant/io/internal/dropped_parts.h"
-#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/written_mark.h"
 
 namespace majorant {

@@ -19,9 +19,9 @@
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/files/input_file.h"
 #include "majorant/io/internal/dropped_parts.h"
-#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
 #include "majorant/io/internal/ply_header.h"
+#include "majorant/io/internal/text_cursor.h"
 #include "majorant/mesh/polygon_mesh.h"
 
 namespace majorant {

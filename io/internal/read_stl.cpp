@@ -14,8 +14,8 @@
 #include "majorant/framework/error.h"
 #include "majorant/io/byte_cursor.h"
 #include "majorant/io/files/input_file.h"
-#include "majorant/io/internal/text_cursor.h"
 #include "majorant/io/internal/mesh_readers.h"
+#include "majorant/io/internal/text_cursor.h"
 
 namespace majorant {
 namespace {

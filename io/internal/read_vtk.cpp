@@ -10,67 +10,15 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/base64.h"
-#include "majorant/io/vtu_arrays.h"
-#include "majorant/io/xml_tree.h"
 #include "majorant/io/internal/cell_collector.h"
 #include "majorant/io/internal/cell_readers.h"
 #include "majorant/io/internal/source_file.h"
-#include "majorant/volumes/node_orders.h"
 #include "majorant/io/internal/text_cursor.h"
+#include "majorant/io/internal/vtk_document.h"
+#include "majorant/io/internal/vtk_types.h"
 
 namespace majorant {
 namespace {
-
-constexpr long long kLinearWedge = 13;
-
-struct VtkType {
-  CellShape shape;
-  int degree;  // 0: what the number of points says
-  NodeKind kind = NodeKind::Uniform;
-  NodeSet set = NodeSet::Full;
-};
-
-// VTK's numbers of cell types (vtkCellType.h).
-std::optional<VtkType> vtk_type(long long number) {
-  using enum CellShape;
-  constexpr auto kControl = NodeKind::ControlPoints;
-  constexpr auto kUniform = NodeKind::Uniform;
-  constexpr auto kCorners = NodeSet::Serendipity;
-  static const std::map<long long, VtkType> kTypes{{1, {Point, 1}},
-                                                   {3, {Segment, 1}},
-                                                   {5, {Triangle, 1}},
-                                                   {9, {Quad, 1}},
-                                                   {10, {Tetrahedron, 1}},
-                                                   {12, {Hexahedron, 1}},
-                                                   {kLinearWedge, {Wedge, 1}},
-                                                   {21, {Segment, 2}},
-                                                   {22, {Triangle, 2}},
-                                                   {24, {Tetrahedron, 2}},
-                                                   {28, {Quad, 2}},
-                                                   {29, {Hexahedron, 2}},
-                                                   {32, {Wedge, 2}},
-                                                   {23, {Quad, 2, kUniform, kCorners}},
-                                                   {25, {Hexahedron, 2, kUniform, kCorners}},
-                                                   {26, {Wedge, 2, kUniform, kCorners}},
-                                                   {68, {Segment, 0}},
-                                                   {69, {Triangle, 0}},
-                                                   {70, {Quad, 0}},
-                                                   {71, {Tetrahedron, 0}},
-                                                   {72, {Hexahedron, 0}},
-                                                   {73, {Wedge, 0}},
-                                                   {75, {Segment, 0, kControl}},
-                                                   {76, {Triangle, 0, kControl}},
-                                                   {77, {Quad, 0, kControl}},
-                                                   {78, {Tetrahedron, 0, kControl}},
-                                                   {79, {Hexahedron, 0, kControl}},
-                                                   {80, {Wedge, 0, kControl}}};
-  const auto found = kTypes.find(number);
-  return found == kTypes.end() ? std::nullopt : std::optional(found->second);
-}
-
-bool is_vtk_pyramid(long long number) {
-  return number == 14 || number == 27 || number == 37 || number == 74 || number == 81;
-}
 
 // Points as one base64 text of a length and doubles.
 class EncodedPoints final : public SourceFile {
@@ -131,77 +79,29 @@ class UnwritablePoints final : public SourceFile {
   std::string why_;
 };
 
-class VtkReader {
+class VtkCellReader {
  public:
-  VtkReader(const std::string& path, std::string content, const StopCheck& stop)
+  VtkCellReader(const std::string& path, std::string content, const StopCheck& stop)
       : path_(path),
         stop_(stop),
         original_(std::move(content)),
-        content_(original_),
-        arrays_(path, content_, stop) {}
+        file_(path, original_, stop),
+        arrays_(file_.arrays()) {}
 
   VolumeMesh read() {
-    const XmlElement root = parse_xml(path_, content_);
-    if (root.name != "VTKFile" || root.attribute("type") != "UnstructuredGrid")
-      fail("not a VTK UnstructuredGrid file");
-    arrays_.configure(root);
-    const XmlElement& grid = child_of(root, "UnstructuredGrid");
-    if (std::count_if(grid.children.begin(), grid.children.end(),
-                      [](const XmlElement& e) { return e.name == "Piece"; }) > 1)
-      fail("more than one Piece; merge the pieces into one");
-    const XmlElement& piece = child_of(grid, "Piece");
     VolumeMesh mesh;
     mesh.file = path_;
-    const XmlElement& points = child_of(child_of(piece, "Points"), "DataArray");
-    read_points(points, mesh);
-    has_old_hexahedra_ = is_before(root.attribute("version", "0.1"), 2, 1);
-    read_cells(piece, mesh);
-    mesh.source = source_of(points, mesh.points);
+    mesh.points = file_.points();
+    if (mesh.points.rows() == 0) file_.fail("no points");
+    if (mesh.points.rows() > std::numeric_limits<Index>::max() / 4)
+      refuse_mesh(path_, "too many points");
+    read_cells(mesh);
+    mesh.source = source_of(file_.points_array(), mesh.points);
     return mesh;
   }
 
  private:
-  [[noreturn]] void fail(std::string_view problem) const {
-    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", path_, problem));
-  }
-
-  const XmlElement& child_of(const XmlElement& parent, std::string_view name) const {
-    const XmlElement* child = parent.child(name);
-    if (child == nullptr) fail(fmt::format("{} without {}; incomplete file", parent.name, name));
-    return *child;
-  }
-
-  static bool is_before(std::string_view version, int major, int minor) {
-    int found[2] = {0, 0};
-    const char* const end = version.data() + version.size();
-    const auto after = std::from_chars(version.data(), end, found[0]);
-    if (after.ptr != end) std::from_chars(after.ptr + 1, end, found[1]);
-    return found[0] < major || (found[0] == major && found[1] < minor);
-  }
-
-  const XmlElement* array_of(const XmlElement& section, std::string_view name) const {
-    for (const XmlElement& array : section.children)
-      if (array.name == "DataArray" && array.attribute("Name") == name) return &array;
-    return nullptr;
-  }
-
-  std::vector<long long> integers(const XmlElement& section, std::string_view name) const {
-    const XmlElement* array = array_of(section, name);
-    if (array == nullptr) fail(fmt::format("Cells without {}; incomplete file", name));
-    return arrays_.integers(*array);
-  }
-
-  void read_points(const XmlElement& array, VolumeMesh& mesh) {
-    if (array.attribute("NumberOfComponents", "3") != "3") fail("points without 3 coordinates");
-    const std::vector<double> values = arrays_.doubles(array);
-    if (values.empty() || values.size() % 3 != 0) fail("no points, or not 3 coordinates each");
-    if (values.size() / 3 > static_cast<std::size_t>(std::numeric_limits<Index>::max() / 4))
-      refuse_mesh(path_, "too many points");
-    mesh.points =
-        Eigen::Map<const Points3>(values.data(), static_cast<Index>(values.size() / 3), 3);
-  }
-
-  // How the points are written back. The place of text in the file is that in content_: what was
+  // How the points are written back. The place of text in the file is that in its XML: what was
   // taken out stands behind.
   std::shared_ptr<const MeshSource> source_of(const XmlElement& array,
                                               const Points3& points) const {
@@ -215,7 +115,7 @@ class VtkReader {
     if (arrays_.is_compressed() && format != "ascii")
       return unwritable("compressed points cannot be written back");
     if (format == "appended") return appended(array, points, unwritable);
-    const auto begin = static_cast<std::size_t>(array.text.data() - content_.data());
+    const auto begin = static_cast<std::size_t>(array.text.data() - file_.xml().data());
     if (original_.compare(begin, array.text.size(), array.text) != 0)
       return unwritable("points behind the appended data cannot be written back");
     if (format == "ascii") {
@@ -291,8 +191,8 @@ class VtkReader {
         refuse_degrees(cell, fmt::format("{} points", points));
     }
     if (to_size(type.node_count()) != points)
-      fail(fmt::format("cell {} has {} points, {} have {}", cell, points, describe(type),
-                       type.node_count()));
+      file_.fail(fmt::format("cell {} has {} points, {} have {}", cell, points, describe(type),
+                             type.node_count()));
     // Straight cells are the same in all kinds of nodes.
     if (type.degree == 1) type.kind = NodeKind::Uniform;
     return type;
@@ -334,7 +234,7 @@ class VtkReader {
     if (number == kLinearWedge && has_outward_wedges_) return {0, 2, 1, 3, 5, 4};
     std::vector<int> order;
     for (int k = 0; k < type.node_count(); ++k) order.push_back(k);
-    if (has_old_hexahedra_ && (number == 72 || number == 79)) {
+    if (is_lattice_hexahedron(number) && file_.is_before(2, 1)) {
       const int inner = type.degree - 1, first = 8 + 10 * inner;
       for (int k = 0; k < inner; ++k)
         std::swap(order[to_size(first + k)], order[to_size(first + inner + k)]);
@@ -342,34 +242,34 @@ class VtkReader {
     return order;
   }
 
-  void read_cells(const XmlElement& piece, VolumeMesh& mesh) {
-    const XmlElement& section = child_of(piece, "Cells");
-    const std::vector<long long> connectivity = integers(section, "connectivity"),
-                                 offsets = integers(section, "offsets"),
-                                 types = integers(section, "types");
-    if (types.empty()) fail("no cells");
-    if (offsets.size() != types.size()) fail("offsets and types disagree; damaged or truncated");
+  void read_cells(VolumeMesh& mesh) {
+    const auto& [connectivity, offsets, types] = file_.cells();
     std::vector<double> regions;
-    if (const XmlElement* data = piece.child("CellData"))
-      if (const XmlElement* array = array_of(*data, "region")) regions = arrays_.doubles(*array);
-    require_polynomials(piece);
-    require_one_degree(piece, types);
+    if (const XmlElement* data = file_.piece().child("CellData"))
+      if (const XmlElement* array = file_.find_array(*data, "region"))
+        regions = arrays_.doubles(*array);
+    // Weights that differ make rational functions of the cells.
+    if (file_.is_rational())
+      refuse_mesh(path_, "rational cells (RationalWeights that differ, or 0) are not supported");
+    require_one_degree(types);
     has_outward_wedges_ = has_outward_wedges(connectivity, offsets, types, mesh.points);
     CellCollector cells;
-    lists_ = lists_of(*array_of(section, "connectivity"), connectivity.size());
+    const XmlElement& section = file_.require_child(file_.piece(), "Cells");
+    lists_ = lists_of(*file_.find_array(section, "connectivity"), connectivity.size());
     std::map<std::pair<long long, std::size_t>, std::pair<CellType, std::vector<int>>> known;
     long long begin = 0;
     std::vector<Index> nodes;
     for (std::size_t c = 0; c < types.size(); ++c) {
       stop_.poll_at(c);
       if (offsets[c] < begin || offsets[c] > static_cast<long long>(connectivity.size()))
-        fail(fmt::format("offset {} of cell {} is out of range", offsets[c], c));
+        file_.fail(fmt::format("offset {} of cell {} is out of range", offsets[c], c));
       nodes.clear();
       const std::size_t place = place_of_entry(static_cast<std::size_t>(begin));
       for (; begin < offsets[c]; ++begin) {
         const long long point = connectivity[static_cast<std::size_t>(begin)];
         if (point < 0 || point >= mesh.points.rows())
-          fail(fmt::format("cell {} has point {}, there are {}", c, point, mesh.points.rows()));
+          file_.fail(
+              fmt::format("cell {} has point {}, there are {}", c, point, mesh.points.rows()));
         nodes.push_back(static_cast<Index>(point));
       }
       const std::pair key(types[c], nodes.size());
@@ -407,7 +307,7 @@ class VtkReader {
       lists.coding = Coding::Bytes;
       return lists;
     }
-    const auto begin = static_cast<std::size_t>(array.text.data() - content_.data());
+    const auto begin = static_cast<std::size_t>(array.text.data() - file_.xml().data());
     if (original_.compare(begin, array.text.size(), array.text) != 0) return lists;
     if (format == "ascii") {
       TextCursor words(path_, array.text, TextLines::Space, stop_);
@@ -449,14 +349,14 @@ class VtkReader {
   }
 
   // Quads, hexahedra and wedges may have a degree for each direction.
-  void require_one_degree(const XmlElement& piece, const std::vector<long long>& types) const {
-    const XmlElement* data = piece.child("CellData");
-    if (data == nullptr) return;
-    const std::string_view name = data->attribute("HigherOrderDegrees", "HigherOrderDegrees");
-    const XmlElement* array = array_of(*data, name);
+  void require_one_degree(const std::vector<long long>& types) const {
+    const XmlElement* data = file_.piece().child("CellData");
+    const XmlElement* array =
+        data == nullptr ? nullptr : file_.find_role(*data, "HigherOrderDegrees");
     if (array == nullptr) return;
     const std::vector<double> degrees = arrays_.doubles(*array);
-    if (degrees.size() != 3 * types.size()) fail(fmt::format("{} are not 3 of each cell", name));
+    if (degrees.size() != 3 * types.size())
+      file_.fail("HigherOrderDegrees is not 3 numbers per cell");
     for (std::size_t c = 0; c < types.size(); ++c) {
       const std::optional<VtkType> type = vtk_type(types[c]);
       if (!type || type->degree != 0 || !has_directions(type->shape)) continue;
@@ -477,24 +377,12 @@ class VtkReader {
                                    cell, what, CellType::kMaxDegree));
   }
 
-  // Weights that differ make rational functions of the cells.
-  void require_polynomials(const XmlElement& piece) const {
-    const XmlElement* data = piece.child("PointData");
-    if (data == nullptr) return;
-    const std::string_view name = data->attribute("RationalWeights", "RationalWeights");
-    const XmlElement* array = array_of(*data, name);
-    if (array == nullptr) return;
-    const std::vector<double> weights = arrays_.doubles(*array);
-    if (std::any_of(weights.begin(), weights.end(),
-                    [&](double w) { return w != weights[0] || w == 0; }))
-      refuse_mesh(path_, "rational cells (RationalWeights that differ, or 0) are not supported");
-  }
-
   const std::string& path_;
   const StopCheck& stop_;
-  std::string original_, content_;
-  VtuArrays arrays_;
-  bool has_old_hexahedra_ = false, has_outward_wedges_ = false;
+  std::string original_;
+  VtkDocument file_;
+  const VtuArrays& arrays_;
+  bool has_outward_wedges_ = false;
   NodeLists lists_;
   std::size_t entry_begin_ = 0;           // of the connectivity, where it is no text
   std::vector<std::size_t> entry_words_;  // of each entry, where it is
@@ -503,7 +391,7 @@ class VtkReader {
 }  // namespace
 
 VolumeMesh read_vtk_mesh(const std::string& path, std::string content, const StopCheck& stop) {
-  return VtkReader(path, std::move(content), stop).read();
+  return VtkCellReader(path, std::move(content), stop).read();
 }
 
 }  // namespace majorant

@@ -42,8 +42,7 @@ std::string SourceFile::turned_content(const std::vector<CellBlock>& blocks,
   std::vector<std::pair<std::size_t, std::vector<std::string_view>>> changes;  // new words
   for (const CellName& name : cells) {
     const NodeLists::OfBlock& lists = lists_.blocks[to_size(name.block)];
-    const std::vector<int>& reflection =
-        reflected_nodes(blocks[to_size(name.block)].type);
+    const std::vector<int>& reflection = reflected_nodes(blocks[to_size(name.block)].type);
     const std::size_t begin = lists.begins[to_size(name.cell)];
     std::vector<std::size_t> from;  // of each entry of the new list, the one in the old
     for (const int place : lists.order)

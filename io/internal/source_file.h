@@ -24,9 +24,9 @@ struct NodeLists {
   };
   Coding coding = Coding::Hidden;
   TextComments comments = TextComments::Hash;  // of words
-  std::size_t width = 0;                      // of a node, in bytes
-  std::size_t text_begin = 0, text_size = 0;  // of the base64 text
-  std::vector<OfBlock> blocks;                // in the order of the mesh's
+  std::size_t width = 0;                       // of a node, in bytes
+  std::size_t text_begin = 0, text_size = 0;   // of the base64 text
+  std::vector<OfBlock> blocks;                 // in the order of the mesh's
 };
 
 class SourceFile : public MeshSource {

@@ -360,8 +360,7 @@ class OldFormat {
       }
       line.small(physicals_[begin + k]);
       line.small(e.entity);
-      for (std::size_t i = 0; i < nodes; ++i)
-        line.small(document_.element_nodes[e.first_node + i]);
+      for (std::size_t i = 0; i < nodes; ++i) line.small(document_.element_nodes[e.first_node + i]);
     });
   }
 
@@ -499,10 +498,10 @@ std::string gmsh_content(const GmshDocument& document, const GmshFormat& wanted,
 }
 
 std::string gmsh_text(const VolumeMesh& mesh, const GmshChoice& choice) {
-  return gmsh_content(gmsh_document_of(mesh),
-                      {choice.version.value_or(GmshVersion::New),
-                       choice.encoding.value_or(GmshEncoding::Text)},
-                      nullptr);
+  return gmsh_content(
+      gmsh_document_of(mesh),
+      {choice.version.value_or(GmshVersion::New), choice.encoding.value_or(GmshEncoding::Text)},
+      nullptr);
 }
 
 std::string gmsh_text_in_version(const VolumeMesh& mesh, const GmshChoice& choice,

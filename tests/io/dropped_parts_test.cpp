@@ -79,7 +79,8 @@ TEST_F(DroppedPartsOf, ObjIndicesOfWhatIsNotThere) {
 TEST_F(DroppedPartsOf, ObjNormalsAndColours) {
   const PolygonMesh mesh = warned("a.obj", "v 0 0 0 0 nan 1\nv 1 0 0 1 0 0\nv 0 1 0 red\nf 1 2 3\n",
                                   {"a.obj:1: colour 'nan' is not finite: left out, as is 1 more"});
-  EXPECT_EQ(obj_text(mesh), mark_text(MarkStyle::FirstLine) + "v 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(obj_text(mesh),
+            mark_text(MarkStyle::FirstLine) + "v 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\nf 1 2 3\n");
   const PolygonMesh turned = read("a.obj", kSquare +
                                                "vn 0 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"
                                                "f 1//2 3//2 4//2\n");

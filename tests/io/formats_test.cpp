@@ -1,5 +1,5 @@
-// The table of formats: what its rows say of files, and a format of one's own, which this file alone
-// adds.
+// The table of formats: what its rows say of files, and a format of one's own, which this file
+// alone adds.
 #include "majorant/io/formats.h"
 
 #include <fmt/format.h>
@@ -91,9 +91,9 @@ TEST(Formats, OneOfOnesOwnIsReadAndWrittenAsAnyOther) {
                                 }),
                   {"b.tri is not written"});
   EXPECT_FALSE(std::filesystem::exists(folder.file("b.tri")));
-  expect_contains(error_message(ErrorKind::Unreadable,
-                                [&] { read_mesh(folder.write("a.bin", "nothing")); }),
-                  {"unknown mesh format", ".vtu or .tri"});
+  expect_contains(
+      error_message(ErrorKind::Unreadable, [&] { read_mesh(folder.write("a.bin", "nothing")); }),
+      {"unknown mesh format", ".vtu or .tri"});
 }
 
 TEST(Formats, RowsAreAddedOnce) {

@@ -1,8 +1,8 @@
 // What real files do and readers take: OFF as a stream, strips of PLY, unknown words of OBJ; and
 // what of an OBJ is kept.
 #include "io_test_helpers.h"
-#include "majorant/io/internal/material_files.h"
 #include "majorant/io/formats.h"
+#include "majorant/io/internal/material_files.h"
 #include "majorant/io/io.h"
 #include "majorant/io/read_mesh.h"
 #include "majorant/io/written_mark.h"

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "majorant/volumes/node_orders.h"
 #include "majorant/volumes/internal/reference_cell.h"
+#include "majorant/volumes/node_orders.h"
 #include "random.h"
 
 namespace majorant {

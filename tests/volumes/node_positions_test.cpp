@@ -12,9 +12,9 @@
 #include <map>
 #include <sstream>
 
+#include "majorant/io/volume_files.h"
 #include "majorant/volumes/check_volume_mesh.h"
 #include "majorant/volumes/node_orders.h"
-#include "majorant/io/volume_files.h"
 
 namespace majorant {
 namespace {

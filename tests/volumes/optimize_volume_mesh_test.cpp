@@ -15,8 +15,8 @@
 #include <sstream>
 
 #include "majorant/framework/error.h"
-#include "majorant/volumes/turned_cells.h"
 #include "majorant/io/volume_files.h"
+#include "majorant/volumes/turned_cells.h"
 #include "support.h"
 
 namespace majorant {

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "majorant/framework/error.h"
-#include "majorant/volumes/optimize_volume_mesh.h"
 #include "majorant/io/volume_files.h"
+#include "majorant/volumes/optimize_volume_mesh.h"
 #include "public_data.h"
 
 namespace majorant {

@@ -1,9 +1,10 @@
 // Meshes of volumes as an installed package sees them: one in, its elements made valid, the report
 // of the command out.
-#include "majorant/io/volume_files.h"
 #include "majorant/volumes/volumes.h"
 
 #include <cstdio>
+
+#include "majorant/io/volume_files.h"
 
 int main(int argc, char** argv) try {
   if (argc != 2) return 1;

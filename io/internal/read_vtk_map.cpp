@@ -1,104 +1,49 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "majorant/framework/error.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/internal/vtk_document.h"
+#include "majorant/io/internal/vtk_types.h"
 #include "majorant/io/io.h"
 #include "majorant/io/lagrange_cell.h"
 #include "majorant/io/map_check.h"
-#include "majorant/io/vtu_arrays.h"
-#include "majorant/io/xml_tree.h"
 #include "majorant/maps/bezier_cell.h"
 
 namespace majorant {
 namespace {
 
-constexpr long long kTriangle = 5;
-constexpr long long kQuadraticTriangle = 22;
-constexpr long long kLagrangeTriangle = 69;
-constexpr long long kBezierTriangle = 76;
-
-bool is_lagrange(long long type) { return type == kLagrangeTriangle || type == kQuadraticTriangle; }
-
-bool same_name(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-    return std::tolower(x) == std::tolower(y);
-  });
-}
-
-class VtuReader {
+class VtkMapReader {
  public:
-  VtuReader(const std::string& path, const StopCheck& stop)
+  VtkMapReader(const std::string& path, const StopCheck& stop)
       : path_(path),
         stop_(stop),
-        content_(read_whole_file(path, stop)),
-        arrays_(path, content_, stop) {}
+        file_(path, read_whole_file(path, stop), stop),
+        arrays_(file_.arrays()) {}
 
   MapFile read() {
-    const XmlElement root = parse_xml(path_, content_);
-    if (root.name != "VTKFile" || root.attribute("type") != "UnstructuredGrid") {
-      fail("not a VTK UnstructuredGrid file");
-    }
-    arrays_.configure(root);
-    const XmlElement& grid = require_child(root, "UnstructuredGrid");
-    if (std::count_if(grid.children.begin(), grid.children.end(),
-                      [](const XmlElement& e) { return e.name == "Piece"; }) > 1) {
-      fail("more than one Piece; merge the pieces into one");
-    }
-    const XmlElement& piece = require_child(grid, "Piece");
-    read_points(piece);
-    read_cells(require_child(piece, "Cells"));
-    if (const XmlElement* data = piece.child("CellData")) read_cell_data(*data);
-    if (const XmlElement* data = grid.child("FieldData")) read_claims(*data);
+    read_points();
+    read_cells();
+    if (const XmlElement* data = file_.piece().child("CellData")) read_cell_data(*data);
+    if (const XmlElement* data = file_.field_data()) read_claims(*data);
     if (const std::string defect = map_defect(map_); !defect.empty()) fail(defect);
     if (is_lagrange_) take_as_lagrange_nodes(map_, path_, stop_);
     return std::move(map_);
   }
 
  private:
-  [[noreturn]] void fail(std::string_view problem) const {
-    throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", path_, problem));
-  }
+  [[noreturn]] void fail(std::string_view problem) const { file_.fail(problem); }
 
-  const XmlElement& require_child(const XmlElement& parent, std::string_view name) const {
-    const XmlElement* child = parent.child(name);
-    if (child == nullptr) fail(fmt::format("{} without {}; incomplete file", parent.name, name));
-    return *child;
-  }
-
-  // The array of a name, upper or lower case; null if there is none. Two are refused: readers would
-  // not agree on which one it is.
   const XmlElement* find_array(const XmlElement& section, std::string_view name) const {
-    const XmlElement* found = nullptr;
-    for (const XmlElement& array : section.children) {
-      if ((array.name != "DataArray" && array.name != "Array") ||
-          !same_name(array.attribute("Name"), name))
-        continue;
-      if (found != nullptr) fail(fmt::format("two arrays are called {}", in_quotes(name)));
-      found = &array;
-    }
-    return found;
-  }
-
-  // The array that plays a role of VTK's: the one that the section's attribute names, else the one
-  // of the role's own name; null if there is none.
-  const XmlElement* find_role(const XmlElement& section, std::string_view role) const {
-    const std::string_view name = section.attribute(role);
-    if (name.empty()) return find_array(section, role);
-    const XmlElement* array = find_array(section, name);
-    if (array == nullptr)
-      fail(fmt::format("{} names array {}, which is not there; incomplete file", role,
-                       in_quotes(name)));
-    return array;
+    return file_.find_array(section, name);
   }
 
   // #rows by `columns` out of an array of `components` per row, the first of which are taken.
@@ -112,15 +57,9 @@ class VtuReader {
     return Eigen::Map<const RowMajor>(values.data(), rows, components).leftCols(columns);
   }
 
-  void read_points(const XmlElement& piece) {
-    const XmlElement& points = require_child(require_child(piece, "Points"), "DataArray");
-    map_.points = matrix<Points3>(points, 3, 3);
-    if (map_.points.rows() > std::numeric_limits<Index>::max()) fail("too many points");
-    if (piece.attribute("NumberOfPoints") != std::to_string(map_.points.rows())) {
-      fail(fmt::format("NumberOfPoints says {}, Points holds {}; damaged or truncated",
-                       in_quotes(piece.attribute("NumberOfPoints")), map_.points.rows()));
-    }
-    const XmlElement* data = piece.child("PointData");
+  void read_points() {
+    map_.points = file_.points();
+    const XmlElement* data = file_.piece().child("PointData");
     const XmlElement* uv = data == nullptr ? nullptr : find_array(*data, "uv");
     if (uv == nullptr) fail("no PointData array 'uv'; not a parametrization");
     const std::string_view components = uv->attribute("NumberOfComponents");
@@ -130,21 +69,8 @@ class VtuReader {
       map_.input_vertex = index_array(*array);
     }
     if (const XmlElement* array = find_array(*data, "cone")) map_.cone = index_array(*array);
-    if (const XmlElement* weights = find_role(*data, "RationalWeights")) {
-      require_polynomial(arrays_.doubles(*weights));
-    }
-    cell_count_ = std::string(piece.attribute("NumberOfCells"));
-  }
-
-  // Equal weights cancel; others make rational functions of the cells.
-  void require_polynomial(const std::vector<double>& weights) const {
-    if (static_cast<Eigen::Index>(weights.size()) != map_.points.rows()) {
-      fail("RationalWeights is not one number per point");
-    }
-    if (std::any_of(weights.begin(), weights.end(),
-                    [&](double w) { return w != weights[0] || w == 0; })) {
+    if (file_.is_rational())
       fail("rational cells (RationalWeights that differ, or 0) are not supported");
-    }
   }
 
   // Three numbers per cell; what VTK makes of the third of a triangle differs between versions.
@@ -159,19 +85,8 @@ class VtuReader {
     }
   }
 
-  void read_cells(const XmlElement& section) {
-    const auto require = [&](std::string_view name) {
-      const XmlElement* array = find_array(section, name);
-      if (array == nullptr) fail(fmt::format("Cells without {}; incomplete file", name));
-      return arrays_.integers(*array);
-    };
-    const std::vector<long long> connectivity = require("connectivity");
-    const std::vector<long long> offsets = require("offsets");
-    const std::vector<long long> types = require("types");
-    if (types.empty()) fail("no cells");
-    if (offsets.size() != types.size() || cell_count_ != std::to_string(types.size())) {
-      fail("NumberOfCells, offsets and types disagree; damaged or truncated");
-    }
+  void read_cells() {
+    const auto& [connectivity, offsets, types] = file_.cells();
     map_.degree = bezier_cell_degree(offsets[0]);
     if (map_.degree == 0) {
       fail(fmt::format("a cell of {} points is no triangle of degree 1..{}", offsets[0],
@@ -179,11 +94,13 @@ class VtuReader {
     }
     const long long size = offsets[0];
     for (std::size_t f = 0; f < types.size(); ++f) {
-      if (!fits(types[f]))
-        fail(fmt::format("cell {} of type {}; only Bezier and Lagrange triangles are supported", f,
-                         types[f]));
-      if (is_lagrange(types[f]) != is_lagrange(types[0]))
-        fail(fmt::format("cell {} is of another type than cell 0", f));
+      if (f == 0 || types[f] != types[f - 1]) {
+        if (!fits(types[f]))
+          fail(fmt::format("cell {} of type {}; only Bezier and Lagrange triangles are supported",
+                           f, types[f]));
+        if (is_lagrange(types[f]) != is_lagrange(types[0]))
+          fail(fmt::format("cell {} is of another type than cell 0", f));
+      }
       if (offsets[f] != size * static_cast<long long>(f + 1)) {
         fail(fmt::format("cell {} has another number of points than cell 0", f));
       }
@@ -197,10 +114,14 @@ class VtuReader {
                    [this](long long id) { return index(id); });
   }
 
-  bool fits(long long type) const {
-    return type == kBezierTriangle || type == kLagrangeTriangle ||
-           (type == kTriangle && map_.degree == 1) ||
-           (type == kQuadraticTriangle && map_.degree == 2);
+  bool fits(long long number) const {
+    const std::optional<VtkType> type = vtk_type(number);
+    return type && type->shape == CellShape::Triangle &&
+           (type->degree == 0 || type->degree == map_.degree);
+  }
+  static bool is_lagrange(long long number) {
+    const std::optional<VtkType> type = vtk_type(number);
+    return type->kind == NodeKind::Uniform && type->degree != 1;
   }
 
   // -1 (none) passes; map_defect refuses it where a point is needed.
@@ -220,7 +141,7 @@ class VtuReader {
   }
 
   void read_cell_data(const XmlElement& section) {
-    if (const XmlElement* degrees = find_role(section, "HigherOrderDegrees")) {
+    if (const XmlElement* degrees = file_.find_role(section, "HigherOrderDegrees")) {
       require_degrees(arrays_.doubles(*degrees));
     }
     if (const XmlElement* array = find_array(section, "input_face")) {
@@ -262,17 +183,16 @@ class VtuReader {
 
   const std::string& path_;
   const StopCheck& stop_;
-  std::string content_;
-  VtuArrays arrays_;
+  VtkDocument file_;
+  const VtuArrays& arrays_;
   MapFile map_;
-  std::string cell_count_;
   bool is_lagrange_ = false;
 };
 
 }  // namespace
 
 MapFile read_vtu(const std::string& path, const StopCheck& stop) {
-  return VtuReader(path, stop).read();
+  return VtkMapReader(path, stop).read();
 }
 
 }  // namespace majorant
