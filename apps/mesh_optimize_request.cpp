@@ -42,7 +42,7 @@ std::vector<double> read_sizes(const std::string& path, int dim, const StopCheck
 }  // namespace
 
 void MeshOptimizeRequest::add_to(CLI::App& verb) {
-  const std::string versioned = in_words(extensions_for(FormatUse::WriteVersions), "or");
+  const std::string versioned = majorant::in_words(extensions_for(FormatUse::WriteVersions), "or");
   add_options(
       verb, OptionGroup::Files,
       {{"input", &input, "mesh of volumes or of the plane: " + cells_help(), {.required = true}},
@@ -103,7 +103,7 @@ void MeshOptimizeRequest::require_usable() const {
   if ((!msh_version.empty() || binary) && !is_for(FormatUse::WriteVersions, output))
     throw Error(ErrorKind::Usage,
                 fmt::format("{}: --msh-version and --binary are of {}", output,
-                            in_words(extensions_for(FormatUse::WriteVersions), "and")));
+                            majorant::in_words(extensions_for(FormatUse::WriteVersions), "and")));
 }
 
 VolumeOptions MeshOptimizeRequest::options(const VolumeMesh& mesh, const StopCheck& stop) const {
