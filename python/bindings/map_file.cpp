@@ -195,6 +195,11 @@ void bind_map_files(py::module_& module) {
   add_array(type, "chart", &MapFile::chart);
   add_array(type, "seam_edges", &MapFile::seam_edges);
   module.def("read_map", &load_map, py::arg("path"));
+  module.def("map_formats", [] {
+    std::vector<std::string> all = extensions_for(FormatUse::WriteMap);
+    for (std::string& picture : extensions_for(FormatUse::Show)) all.push_back(std::move(picture));
+    return all;
+  });
   module.def("save_map", &save, py::arg("path"), py::arg("file"), py::arg("mesh"),
              py::arg("promise"), py::arg("input"), py::arg("refine"), py::arg("lagrange"),
              py::arg("surface"));

@@ -16,7 +16,6 @@ from ._errors import UnsupportedError, UsageError
 from ._types import Doubles, Integers
 
 QUANTITIES = ('density', 'area', 'angle', 'sigma-max', 'sigma-min')
-FORMATS = ('.vtu', '.obj', '.ply', '.glb', '.gltf', '.msh', '.svg', '.png', '.html')
 
 
 class Map:
@@ -205,9 +204,9 @@ class Map:
         from ._options import choice, integer
         name = _arrays.path(path)
         extension = os.fsdecode(os.path.splitext(name)[1]).lower()
-        if extension not in FORMATS:
+        if extension not in _core.map_formats():
             raise UsageError(f'{os.fsdecode(name)}: no file can be written of this name; it ends in one of '
-                             + ' '.join(FORMATS))
+                             + ' '.join(_core.map_formats()))
         cells, content = choice('vtu', vtu, ('bezier', 'lagrange')), choice('msh', msh, ('image', 'surface'))
         _core.save_map(name, self._file, self._mesh, self._promise, self._input,
                        integer('refine', refine, 1, 20), cells == 'lagrange', content == 'surface')
