@@ -6,7 +6,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/claims.h"
-#include "majorant/io/files/input_file.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/io.h"
 #include "majorant/io/mesh_objects.h"
 #include "majorant/io/read_mesh.h"
@@ -88,7 +88,7 @@ FileVerification certification(std::string path, ProofRequest wanted, const MapF
 FileVerification certification_of_objects(std::string path, ProofRequest wanted) {
   return refusing(path, [path, wanted](const std::string& temporary) {
     ProofRequest layered = wanted;
-    if (format_of(path) == ".vtu") {
+    if (is_for(FormatUse::ReadMap, path)) {
       const MapFile file = read_map(temporary);
       layered.layers = claimed_object_of_cells(file, path).value_or(std::vector<Index>());
       if (!file.is_complete) {

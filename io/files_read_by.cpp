@@ -11,6 +11,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/io/files/input_file.h"
+#include "majorant/io/formats.h"
 #include "majorant/io/files_below.h"
 #include "majorant/io/internal/gltf_document.h"
 #include "majorant/io/internal/json_strings.h"
@@ -182,12 +183,13 @@ class FileList {
 
 std::vector<std::string> files_read_by(const std::string& path, const StopCheck& stop) {
   FileList files(stop);
-  const std::string format = format_of(path);
-  if (!is_regular(path)) return {};
+  const Format* const format = find_format(format_of(path));
+  if (format == nullptr || !is_regular(path)) return {};
+  using Materials = Format::Materials;
   try {
-    if (format == ".obj") files.add_materials(path);
-    if (format == ".gltf" || format == ".glb") files.add_gltf(path);
-    if (format == ".pvtu") files.add_pieces(path);
+    if (format->materials == Materials::InFilesBeside) files.add_materials(path);
+    if (format->materials == Materials::Inside) files.add_gltf(path);
+    if (format->has_pieces) files.add_pieces(path);
   } catch (const Error&) {  // who reads the mesh says so
   }
   return files.take();

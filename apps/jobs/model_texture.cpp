@@ -336,6 +336,15 @@ ModelTexture read_texture(const PolygonMesh& polygons, const StopCheck& stop) {
                                         : "an mtllib with a map_Kd"));
 }
 
+namespace {
+
+bool has_files_beside(const std::string& model) {
+  const Format* const format = find_format(format_of(model));
+  return format && format->materials == Format::Materials::InFilesBeside;
+}
+
+}  // namespace
+
 bool may_have_texture(const std::string& model) {
   const Format* const format = find_format(format_of(model));
   return format && format->materials != Format::Materials::None;
@@ -346,7 +355,7 @@ std::string material_file(const std::string& obj) { return beside(obj, ".mtl"); 
 
 std::vector<std::string> layer_files(const std::string& obj, const ModelTexture& texture) {
   std::vector<std::string> files;
-  if (format_of(obj) == ".obj")
+  if (has_files_beside(obj))
     for (const TextureLayer& layer : texture.others) files.push_back(layer_file(obj, layer));
   return files;
 }
@@ -387,7 +396,7 @@ void write_textured(const std::string& path, const LayoutOfModel& layout, const 
           {file, encode_image(file, job->baked->image, {.transfer = transfer, .channels = {}})});
     };
     add(texture_file(path), std::move(texture.color));
-    if (format_of(path) == ".obj")
+    if (has_files_beside(path))
       for (TextureLayer& layer : texture.others) {
         const std::string file = layer_file(path, layer);
         TextureLayer images = layer;
@@ -395,7 +404,7 @@ void write_textured(const std::string& path, const LayoutOfModel& layout, const 
         add(file, std::move(images));
       }
   };
-  if (format_of(path) != ".obj") {
+  if (!has_files_beside(path)) {
     const PendingFile never_there(
         path, gltf_bytes(path, layout.map, &layout.polygons, layout.formats.tessellation), bake);
     return write_base_color(path, job->target.polygons, baked.front().bytes, layout.verify);
