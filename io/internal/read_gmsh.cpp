@@ -217,7 +217,8 @@ class GmshReader {
   }
 
   void read_other(const std::string& name, const std::string& end) {
-    if (name == "$ParametricNodes" || name == "$PartitionedEntities" || name == "$NOD")
+    const bool is_partitioned = name == "$PartitionedEntities" && !is_surface();
+    if (name == "$ParametricNodes" || name == "$NOD" || is_partitioned)
       refuse_mesh(file_.path, fmt::format("a section {}; save the mesh without it", name));
     const std::string_view content = pass_section(end);
     if (name == "$PhysicalNames")
