@@ -1,14 +1,18 @@
 // The table of file formats: what reads, writes, offers and refuses files by their extension, and
 // the table of docs/files.md, come from its rows.
 //
-//   const Format* format = find_format(format_of("part.MSH.gz"));   // null: nobody's
-//   if (format && format->read_map) const MapFile map = format->read_map("part.MSH.gz", {});
-//   in_words(extensions_for(FormatUse::ReadCells), "and");           // ".msh, .mesh and .vtu"
+//   const Format* format = find_format(".msh");              // null: nobody's
+//   if (format && format->read_map) const MapFile map = format->read_map("part.msh", {});
+//   in_words(extensions_for(FormatUse::ReadCells), "and");   // ".msh, .mesh and .vtu"
 //
 // A program's own format is one row more, before the first file is read or written; read_mesh(),
 // read_map(), write_map(), the command and Python then take it as any other:
 //
-//   add_format({.extension = ".tri", .name = "lists of triangles", .read_surface = &read_tri});
+//   add_format({.extension = ".tri",
+//               .name = "lists of triangles",
+//               .read_surface = [](const std::string& path, const StopCheck&, Strictness) {
+//                 return read_mesh(path + ".obj");   // stands for a reader of one's own
+//               }});
 //
 // Not for images as numbers (pictures/images/image_file.h).
 #pragma once

@@ -1,7 +1,7 @@
 // A .msh file as lists of nodes, elements, entities and views, whatever its version and encoding.
 // Meshes, surfaces and maps are views of one; a writer makes one of each.
 //
-//   const GmshFile file = read_gmsh_file(path, content, GmshParts::Volume, stop);
+//   const GmshFile file = read_gmsh_file(path, text, GmshParts::Volume, stop);
 //   text = gmsh_content(file.document, {GmshVersion::New, GmshEncoding::Text}, nullptr);
 #pragma once
 

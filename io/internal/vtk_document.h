@@ -1,7 +1,7 @@
 // A VTK XML UnstructuredGrid of one piece, whatever the encoding of its arrays. Meshes of cells and
 // maps are views of one.
 //
-//   const VtkDocument file(path, content, stop);
+//   const VtkDocument file(path, text, stop);
 //   const Points3 points = file.points();
 //   if (const XmlElement* data = file.piece().child("PointData"))
 //     if (const XmlElement* uv = file.find_array(*data, "uv")) file.arrays().doubles(*uv);
