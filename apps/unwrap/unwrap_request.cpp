@@ -406,7 +406,7 @@ void require_objects(const UnwrapVerb& request) {
       throw Error(ErrorKind::Usage,
                   fmt::format("{}: --objects separate is of formats that have objects, {}; leave "
                               "it, or the option, out",
-                              path, in_words(formats_of_objects(), "and")));
+                              path, majorant::in_words(formats_of_objects(), "and")));
     if (is_gltf(path) && !is_gltf(request.map.input))
       throw Error(ErrorKind::Usage,
                   fmt::format("{}: of an input that is no glTF it holds one mesh, which has no "
