@@ -63,6 +63,7 @@ class DensityTerm final : public EnergyTerm {
                                                      : 0;
   }
   const DensityTraits& traits() const { return traits_; }
+  const RestShapes& rest() const { return *rest_; }  // that maps are measured against
   // f = measure * mean density of each element.
   void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;

@@ -2,14 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <Eigen/OrderingMethods>
 #include <Eigen/QR>
 #include <Eigen/SparseQR>
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <map>
+#include <limits>
+#include <mutex>
 #include <optional>
+#include <random>
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
@@ -28,14 +31,25 @@ constexpr double kPolished = 1e-9;
 // The part of the last one's length that a polishing step has at most: quadratic convergence has
 // less.
 constexpr double kContraction = 0.5;
+// Steps with one factor before the next one is made: two take an error e to e^4.
+constexpr int kStepsOfAFactor = 3;
 // The eigenvalue, of the mean diagonal, below which a matrix counts as singular.
 constexpr double kSingular = 1e-13;
-constexpr int kEigenvalueSteps = 4;  // for an eigenvalue that is right to a factor of 10
-// The step of differences of gradients of four points, as a part of a parameter: their error is
-// about its fourth power, the rounding 1e-16 over it.
-constexpr double kDifference = 1e-3;
+// The first iteration leaves the estimate off by the root of the size, the second by nothing where
+// the matrix is singular.
+constexpr int kEigenvalueSteps = 2;
+// The step of differences of gradients, as a part of a parameter: their error is about its square,
+// the rounding 1e-16 over it.
+constexpr double kDifference = 1e-5;
 // Parameters that all elements see, up to which each of them is tried on all elements.
 constexpr Index kFewParameters = 64;
+// How far, of the mean size of the unknowns, elements are moved to see what they depend on: at a
+// minimum their energies may be 0 whatever the parameters.
+constexpr double kDisplacement = 1e-3;
+// The part of a change's gradient along the null space that is no rounding error.
+constexpr double kAlongNullSpace = 1e-6;
+// Elements that a task treats: some 0.1 ms.
+constexpr Index kElementsOfATask = 4096;
 
 [[noreturn]] void refuse(const std::string& why) {
   throw Error(ErrorKind::Unsupported, "Sensitivity: " + why);
@@ -45,67 +59,78 @@ double weight_of(const TermState& state, Index element) {
   return state.element_weight.size() ? state.weight * state.element_weight[element] : state.weight;
 }
 
-// Visits elements with their local systems at x: visit(e, local, p), p the place in the batch.
-// wanted(e): whether an element is needed at all.
-template <class Wanted, class Visit>
-void visit_elements(const Problem& problem, TermId id, const Vec& x, const TermState& state,
-                    bool with_hessian, const Wanted& wanted, const Visit& visit) {
-  const EnergyTerm& term = problem.term(id);
-  const ColoredBatches& plan = ProblemParts::plan(problem, id);
+// Batches of these elements, by rule.
+class Batches {
+ public:
+  Batches(const TermState& state, std::vector<Index> elements) : elements_(std::move(elements)) {
+    const auto rule = [&](Index e) {
+      return state.element_rule.empty() ? 0 : state.element_rule[to_size(e)];
+    };
+    std::stable_sort(elements_.begin(), elements_.end(),
+                     [&](Index a, Index b) { return rule(a) < rule(b); });
+    for (std::size_t first = 0, last; first < elements_.size(); first = last) {
+      last = first + 1;
+      while (last < elements_.size() && last - first < ElementBatch::kMaxSize &&
+             rule(elements_[last]) == rule(elements_[first]))
+        ++last;
+      batches_.push_back(
+          {rule(elements_[first]), std::span<const Index>(elements_.data() + first, last - first)});
+    }
+  }
+  Index batch_count() const { return static_cast<Index>(batches_.size()); }
+  const ElementBatch& batch(Index c) const { return batches_[to_size(c)]; }
+
+ private:
+  std::vector<Index> elements_;
+  std::vector<ElementBatch> batches_;
+};
+
+// visit(c, e, local, p) for the elements of batches c, on all threads: local is that of the element
+// at place p. What is written must be the element's own, or the batch's.
+template <class Plan, class Visit>
+void visit_elements(const EnergyTerm& term, const Plan& plan, const Vec& x, const TermState& state,
+                    bool with_hessian, const Visit& visit) {
   const auto n = to_size(term.element_dofs().local_size());
   constexpr std::size_t stride = LocalSystem::stride;
-  Workspace kernel, memory;
-  std::vector<Index> needed;
-  for (Index c = 0; c < plan.batch_count(); ++c) {
-    const ElementBatch all = plan.batch(c);
-    needed.clear();
-    for (const Index e : all.elements)
-      if (wanted(e)) needed.push_back(e);
-    if (needed.empty()) continue;
-    const ElementBatch batch{all.rule, needed};
-    const std::size_t packed = with_hessian ? n * (n + 1) / 2 : 0;
+  const std::size_t packed = with_hessian ? n * (n + 1) / 2 : 0;
+  const int threads = ThreadCount::current();
+  std::vector<Workspace> kernels(to_size(threads)), memories(to_size(threads));
+  const auto run = [&](Index c, int thread) {
+    const ElementBatch batch = plan.batch(c);
     LocalSystem local;
-    local.value = memory.reserve((1 + n + packed) * stride);
+    local.value = memories[to_size(thread)].reserve((1 + n + packed) * stride);
     local.gradient = local.value + stride;
     if (with_hessian) local.hessian = local.gradient + n * stride;
-    term.local(x, batch, Curvature::Exact, state, kernel, local);
-    for (std::size_t p = 0; p < needed.size(); ++p) visit(needed[p], local, static_cast<int>(p));
-  }
+    term.local(x, batch, Curvature::Exact, state, kernels[to_size(thread)], local);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p)
+      visit(c, batch.elements[p], local, static_cast<int>(p));
+  };
+  parallel_tasks(plan.batch_count(), run, threads);
 }
 
-// The values of a vector of full unknowns at an element.
-void gather(const ElementDofs& dofs, Index e, const Vec& x, Vec& local) {
-  local.resize(dofs.local_size());
-  for (Index k = 0; k < local.size(); ++k)
-    local[k] = x[dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block];
+Index unknown_of(const ElementDofs& dofs, Index e, Index k) {
+  return dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block;
 }
 
-// Replaces the gradient of the element at place p by its Hessian times v.
-void multiply(LocalSystem& local, int p, const Vec& v) {
-  const auto at = [&](Index k) { return to_size(k) * LocalSystem::stride + to_size(p); };
-  for (Index i = 0; i < v.size(); ++i) {
-    double sum = 0;
-    for (Index j = 0; j < v.size(); ++j) {
-      const Index low = std::max(i, j), high = std::min(i, j);
-      sum += local.hessian[at(low * (low + 1) / 2 + high)] * v[j];
-    }
-    local.gradient[at(i)] = sum;
-  }
+// The gradients of all elements of a term, #E by local_size(), without weights.
+RowMatrix element_gradients(const Problem& problem, TermId id, const Vec& x,
+                            const TermState& state) {
+  const EnergyTerm& term = problem.term(id);
+  const Index n = term.element_dofs().local_size();
+  RowMatrix all(term.element_dofs().element_count(), n);
+  visit_elements(term, ProblemParts::plan(problem, id), x, state, false,
+                 [&](Index, Index e, const LocalSystem& local, int p) {
+                   for (Index k = 0; k < n; ++k)
+                     all(e, k) = local.gradient[to_size(k) * LocalSystem::stride + to_size(p)];
+                 });
+  return all;
 }
-
-double product(const LocalSystem& local, int p, const Vec& v) {
-  double sum = 0;
-  for (Index k = 0; k < v.size(); ++k)
-    sum += local.gradient[to_size(k) * LocalSystem::stride + to_size(p)] * v[k];
-  return sum;
-}
-
-constexpr auto kAll = [](Index) { return true; };
 
 // The least eigenvalue of a factorized matrix, from above.
 double least_eigenvalue(LinearSolver& solver, Index size) {
-  Vec v = Vec::LinSpaced(size, 1, 2), next;
-  for (Index k = 1; k < size; k += 2) v[k] = -v[k];
+  std::minstd_rand random(1);
+  Vec v(size), next;
+  for (double& entry : v) entry = static_cast<double>(random()) / std::minstd_rand::max() - 0.5;
   double eigenvalue = 0;
   for (int k = 0; k < kEigenvalueSteps; ++k) {
     v.normalize();
@@ -125,54 +150,89 @@ class Sensitivity::Parts {
         z_(ProblemParts::elimination(problem_)),
         evaluator_(problem_),
         solver_(make_solver("SensitivityOptions", options.linear_solver)),
-        y_(result.y) {
+        options_(std::move(options)),
+        y_(result.y),
+        motions_(problem_.size(), 0),
+        terms_(problem_.terms().size()) {
     require_usable(result);
-    if (options.null_space) set_gauge(options.null_space(problem_));
     solver_->analyze(problem_.pattern());
-    polish(options.polishing_steps);
+    polish();
     if (problem_.size() > 0 &&
         !(least_eigenvalue(*solver_, problem_.size()) > kSingular * mean_diagonal_))
       refuse(
           "the exact Hessian of the solution is singular: the energy does not see some motion of "
           "the unknowns; hold it by constraints, or name it as null_space");
     x_ = problem_.expand(y_);
+    set_gauge();
+    if (const auto violation = evaluator_.violation(x_))
+      refuse(fmt::format(
+          "the minimum without '{}' violates it: what this checker holds back is no function of "
+          "the data",
+          violation->checker->name()));
   }
 
   Vec forward(const Change& change) {
-    Vec rhs = Vec::Zero(problem_.size()), fixed;
+    const std::lock_guard lock(mutex_);
+    Vec full = Vec::Zero(problem_.full_size()), rhs = Vec::Zero(problem_.size()), fixed;
     if (change.right_hand_sides.size() > 0) {
       fixed = of_right_hand_sides(change.right_hand_sides);
-      add_hessian_times(fixed, rhs);
+      const auto& seen = coupling();
+      full += seen.transpose() * held_of(fixed);
     }
-    for (const auto& [id, change_of] : change.weights) rhs += change_of * term_gradient(id);
+    if (change.gradient.size() > 0) {
+      require_size("Sensitivity: gradient", change.gradient.size(), problem_.full_size());
+      require_finite("Sensitivity: gradient", change.gradient);
+      full += change.gradient;
+    }
+    for (const auto& [id, change_of] : change.weights) {
+      require_finite("Sensitivity: weights", Vec::Constant(1, change_of));
+      full += change_of * of(id).gradient;
+    }
     for (const auto& [id, change_of] : change.element_weights)
-      add_element_weights(id, change_of, rhs);
-    for (const auto& [id, change_of] : change.parameters) add_parameters(id, change_of, rhs);
+      add_element_weights(id, change_of, full);
+    for (const auto& [id, change_of] : change.parameters) add_parameters(id, change_of, full, rhs);
+    Vec reduced;
+    z_.restrict_gradient(full, reduced);
+    rhs += reduced;
+    if (const double along = (motions_.transpose() * rhs).norm();
+        along > kAlongNullSpace * rhs.norm())
+      refuse("the change moves the solution along the null space, where it has no minimum");
     const Vec dy = -solve(rhs);
     Vec dx;
     z_.expand_direction(dy, dx);
     if (fixed.size() > 0) dx += fixed;
+    if (gauge_.size() > 0) dx -= full_motions_ * gauge_of_motions_.solve(gauge_ * dx);
     return dx;
   }
 
-  Derivative adjoint(const Vec& slope) {
+  Derivative adjoint(Vec slope) {
+    const std::lock_guard lock(mutex_);
     require_size("Sensitivity::adjoint: the slope", slope.size(), problem_.full_size());
     require_finite("Sensitivity::adjoint: the slope", slope);
-    Vec reduced, ux;
+    if (gauge_.size() > 0)
+      slope -= gauge_.transpose() * transposed_gauge_.solve(full_motions_.transpose() * slope);
+    Vec reduced;
     z_.restrict_gradient(slope, reduced);
     const Vec u = solve(reduced);
-    z_.expand_direction(u, ux);
     Derivative d;
+    z_.expand_direction(u, d.adjoint_state);
+    const Vec& ux = d.adjoint_state;
     for (const TermId id : problem_.terms()) {
       const TermState& state = problem_.state(id);
-      const Vec by_element = -products(id, state, ux);
-      d.weights.push_back(state.element_weight.size() > 0 ? state.element_weight.dot(by_element)
-                                                          : by_element.sum());
-      d.element_weights.push_back(state.weight * by_element);
-      d.parameters.push_back(parameters(id, ux));
+      const OfTerm& parts = of(id);
+      d.weights.push_back(-parts.gradient.dot(ux));
+      d.element_weights.push_back(-state.weight * products(id, parts.gradients, 1, ux));
+      d.parameters.push_back(parameters(id, u, ux));
     }
     d.right_hand_sides = multipliers(slope, ux);
     return d;
+  }
+
+  double bias(const std::vector<TermId>& barriers) {
+    Change away;
+    for (const TermId id : barriers) away.weights.emplace_back(id, -problem_.state(id).weight);
+    const double distance = forward(away).norm(), size = x_.norm();
+    return size > 0 ? distance / size : distance;
   }
 
   Index row_count() const { return static_cast<Index>(ProblemParts::rows(problem_).size()); }
@@ -181,10 +241,22 @@ class Sensitivity::Parts {
   double error() const { return error_; }
 
  private:
+  // Of a term at x_, made when first needed.
+  struct OfTerm {
+    RowMatrix gradients;           // #E by local_size(), without weights
+    Vec gradient;                  // their sum with the weights of the elements, full unknowns
+    RowMatrix by_parameters;       // #E by local_size() K: of the gradients, by each element's K
+    std::vector<Index> parameter;  // where all see all: the one of each element, -1: none
+    Eigen::MatrixXd by_shared;     // or, size() by count: of the sum, by each of few
+  };
+
   void require_usable(const SolveResult& result) const {
     if (partition_of(problem_).ranks().count() > 1)
       throw InvalidArgument("Sensitivity: the problem is that of several processes");
     require_size("Sensitivity: result.y", y_.size(), problem_.size());
+    require_finite("Sensitivity: result.y", y_);
+    if (options_.polishing_steps < 0)
+      throw InvalidArgument("SensitivityOptions: polishing_steps is negative");
     if (result.status == Status::Failed || result.status == Status::Infeasible)
       refuse("there is no solution: " + result.message);
     if (!result.blocking.empty())
@@ -196,45 +268,109 @@ class Sensitivity::Parts {
         refuse(fmt::format("term '{}' has no exact Hessian", problem_.term(id).name()));
   }
 
-  void set_gauge(const Eigen::MatrixXd& motions) {
+  // The motions at y_, orthonormal, and as many unknowns that hold them.
+  void find_motions() {
+    if (!options_.null_space) return;
+    const Eigen::MatrixXd motions = options_.null_space(problem_, y_);
     require_size("SensitivityOptions: null_space", static_cast<Index>(motions.rows()),
                  problem_.size());
+    if (!motions.allFinite()) throw InvalidArgument("SensitivityOptions: null_space is not finite");
+    motions_.resize(motions.rows(), 0);
+    stopped_.clear();
+    if (motions.size() == 0) return;
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> rows(motions.transpose());
-    for (Index k = 0; k < rows.rank(); ++k) gauge_.push_back(rows.colsPermutation().indices()[k]);
+    for (Index k = 0; k < rows.rank(); ++k) stopped_.push_back(rows.colsPermutation().indices()[k]);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> columns(motions);
     motions_ = columns.householderQ() *
                Eigen::MatrixXd::Identity(motions.rows(), static_cast<Index>(columns.rank()));
   }
 
-  // Factorizes at y_; false where the Hessian is not definite.
-  bool factorize() {
-    Vec values;
-    energy_ = evaluator_.linearize(y_, Curvature::Exact, gradient_, values);
-    mean_diagonal_ = mean_diagonal(problem_.pattern(), values);
-    for (const Index unknown : gauge_)
-      values[problem_.pattern().diagonal_slot(unknown)] += mean_diagonal_;
-    if (!std::isfinite(energy_) || !values.allFinite() || !gradient_.allFinite())
-      refuse("the energy or its derivatives are not finite at the solution");
-    return solver_->factorize(values, 0) == FactorStatus::Ok;
+  void set_gauge() {
+    if (!options_.gauge) return;
+    gauge_ = options_.gauge(problem_, y_);
+    const auto count = static_cast<Index>(motions_.cols());
+    if (gauge_.rows() != count || gauge_.cols() != problem_.full_size() || !gauge_.allFinite())
+      throw InvalidArgument(fmt::format(
+          "SensitivityOptions: the gauge has {} rows of {} numbers, {} of {} finite ones hold the "
+          "null space",
+          gauge_.rows(), gauge_.cols(), count, problem_.full_size()));
+    if (count == 0) return;
+    full_motions_.resize(problem_.full_size(), count);
+    Vec moved;
+    for (Index k = 0; k < count; ++k) {
+      z_.expand_direction(motions_.col(k), moved);
+      full_motions_.col(k) = moved;
+    }
+    gauge_of_motions_.compute(gauge_ * full_motions_);
+    transposed_gauge_.compute((gauge_ * full_motions_).transpose());
+    if (!gauge_of_motions_.isInvertible())
+      throw InvalidArgument("SensitivityOptions: the gauge leaves a motion of the null space free");
   }
 
-  void polish(int steps) {
+  enum class Factor { Definite, Indefinite, NotFinite };
+
+  Factor factorize() {
+    find_motions();
+    Vec values;
+    energy_ = evaluator_.linearize(y_, Curvature::Exact, gradient_, values);
+    if (!std::isfinite(energy_) || !values.allFinite() || !gradient_.allFinite())
+      return Factor::NotFinite;
+    mean_diagonal_ = mean_diagonal(problem_.pattern(), values);
+    for (const Index unknown : stopped_)
+      values[problem_.pattern().diagonal_slot(unknown)] += mean_diagonal_;
+    return solver_->factorize(values, 0) == FactorStatus::Ok ? Factor::Definite
+                                                             : Factor::Indefinite;
+  }
+
+  static void require_definite(Factor factor) {
+    if (factor == Factor::NotFinite)
+      refuse("the energy or its derivatives are not finite at the solution");
+    if (factor == Factor::Indefinite)
+      refuse(
+          "the exact Hessian of the solution is indefinite: it is a saddle, no minimum, or the "
+          "energy does not see some motion of the unknowns (hold it, or name it as null_space)");
+  }
+
+  // Exact Newton steps until the factor at hand is that of the minimum.
+  void polish() {
     if (problem_.size() == 0) {
       energy_ = evaluator_.value(y_);
       return;
     }
+    require_definite(factorize());
     double last = std::numeric_limits<double>::infinity();
     for (int k = 0;; ++k) {
-      if (!factorize())
-        refuse(
-            "the exact Hessian of the solution is indefinite: it is a saddle, no minimum, or the "
-            "energy does not see some motion of the unknowns (hold it, or name it as null_space)");
-      const Vec p = -solve(gradient_);
-      const double length = p.norm(), size = y_.norm();
+      const Vec step = -solve(gradient_);
+      const double length = step.norm(), size = y_.norm();
       error_ = size > 0 ? length / size : length;
-      if (k == steps || error_ <= kPolished || !(length <= kContraction * last)) return;
+      if (k == options_.polishing_steps || error_ <= kPolished || !(length <= kContraction * last))
+        return;
       last = length;
-      y_ += p;
+      const Vec before = y_;
+      const double error_before = error_;
+      descend(step);
+      const Factor found = factorize();
+      if (found == Factor::NotFinite) {  // too far: what is known is the estimate
+        y_ = before;
+        require_definite(factorize());
+        error_ = error_before;
+        return;
+      }
+      require_definite(found);
+    }
+  }
+
+  // Steps with the factor at hand, the first of which is given, as long as they contract.
+  void descend(const Vec& first) {
+    y_ += first;
+    double last = first.norm();
+    for (int k = 1; k < kStepsOfAFactor && last > kPolished * y_.norm(); ++k) {
+      Vec gradient;
+      if (!std::isfinite(evaluator_.gradient(y_, gradient)) || !gradient.allFinite()) return;
+      const Vec step = -solve(gradient);
+      if (!(step.norm() <= kContraction * last)) return;
+      last = step.norm();
+      y_ += step;
     }
   }
 
@@ -245,6 +381,54 @@ class Sensitivity::Parts {
     solver_->solve(r, p);
     if (motions_.cols() > 0) p -= motions_ * (motions_.transpose() * p).eval();
     return p;
+  }
+
+  // The place of a term; throws InvalidArgument for one that is not there.
+  std::size_t place_of(TermId id) const {
+    problem_.term(id);
+    return static_cast<std::size_t>(id);
+  }
+
+  const OfTerm& of(TermId id) {
+    OfTerm& parts = terms_[place_of(id)];
+    if (parts.gradient.size() > 0) return parts;
+    const TermState& state = problem_.state(id);
+    parts.gradients = element_gradients(problem_, id, x_, state);
+    parts.gradient = Vec::Zero(problem_.full_size());
+    add(id, parts.gradients, 1,
+        state.element_weight.size() > 0 ? state.element_weight : Vec::Ones(parts.gradients.rows()),
+        parts.gradient);
+    return parts;
+  }
+
+  // Adds the local gradients by K numbers of each element (rows of #E by local_size() K) times
+  // these numbers, K of each element.
+  void add(TermId id, const RowMatrix& gradients, Index count, const Vec& numbers,
+           Vec& full) const {
+    const ElementDofs& dofs = problem_.term(id).element_dofs();
+    const Index n = dofs.local_size();
+    for (Index e = 0; e < gradients.rows(); ++e)
+      for (Index j = 0; j < count; ++j) {
+        const double number = numbers[count * e + j];
+        if (number == 0) continue;
+        for (Index k = 0; k < n; ++k)
+          full[unknown_of(dofs, e, k)] += number * gradients(e, n * j + k);
+      }
+  }
+
+  // The transpose of it: K numbers of each element.
+  Vec products(TermId id, const RowMatrix& gradients, Index count, const Vec& ux) const {
+    const ElementDofs& dofs = problem_.term(id).element_dofs();
+    const Index n = dofs.local_size();
+    Vec out(count * gradients.rows());
+    parallel_for(static_cast<Index>(gradients.rows()), kElementsOfATask, [&](Index e) {
+      for (Index j = 0; j < count; ++j) {
+        double sum = 0;
+        for (Index k = 0; k < n; ++k) sum += gradients(e, n * j + k) * ux[unknown_of(dofs, e, k)];
+        out[count * e + j] = sum;
+      }
+    });
+    return out;
   }
 
   // x - Z y of these right-hand sides: the same elimination of other numbers, which enter linearly.
@@ -266,77 +450,15 @@ class Sensitivity::Parts {
     return x;
   }
 
-  // Adds Z^T H v.
-  void add_hessian_times(const Vec& v, Vec& sum) {
-    Vec part;
-    for (const TermId id : problem_.terms()) {
-      const ElementDofs& dofs = problem_.term(id).element_dofs();
-      const TermState& state = problem_.state(id);
-      const auto moves = [&](Index e) {
-        gather(dofs, e, v, part);
-        return weight_of(state, e) != 0 && !part.isZero(0);
-      };
-      visit_elements(problem_, id, x_, state, true, moves, [&](Index e, LocalSystem& local, int p) {
-        gather(dofs, e, v, part);
-        multiply(local, p, part);
-        ProblemParts::slots(problem_, id)
-            .add_gradient(e, local, p, weight_of(state, e), sum.data());
-      });
-    }
+  void add_element_weights(TermId id, const Vec& change, Vec& full) {
+    const OfTerm& parts = of(id);
+    require_size("Sensitivity: element_weights", change.size(), parts.gradients.rows());
+    require_finite("Sensitivity: element_weights", change);
+    add(id, parts.gradients, 1, problem_.state(id).weight * change, full);
   }
 
-  // The gradient of a term with weight 1.
-  Vec term_gradient(TermId id) {
-    const Problem alone = problem_.with({{id, {.weight = 1}}});
-    Vec gradient;
-    Evaluator(alone).gradient(id, y_, gradient);
-    return gradient;
-  }
-
-  void add_element_weights(TermId id, const Vec& change, Vec& sum) {
-    const EnergyTerm& term = problem_.term(id);
-    require_size("Sensitivity: element_weights", change.size(),
-                 term.element_dofs().element_count());
-    const TermState& state = problem_.state(id);
-    visit_elements(
-        problem_, id, x_, state, false, [&](Index e) { return change[e] != 0; },
-        [&](Index e, LocalSystem& local, int p) {
-          ProblemParts::slots(problem_, id)
-              .add_gradient(e, local, p, state.weight * change[e], sum.data());
-        });
-  }
-
-  // g_e . u_e of every element e, weights left out.
-  Vec products(TermId id, const TermState& state, const Vec& ux) const {
-    const EnergyTerm& term = problem_.term(id);
-    const ElementDofs& dofs = term.element_dofs();
-    const ColoredBatches& plan = ProblemParts::plan(problem_, id);
-    constexpr std::size_t stride = LocalSystem::stride;
-    const int threads = ThreadCount::current();
-    std::vector<Workspace> kernels(to_size(threads)), memories(to_size(threads));
-    Vec out(dofs.element_count());
-    const auto visit = [&](Index c, int thread) {
-      const ElementBatch batch = plan.batch(c);
-      LocalSystem local;
-      local.value = memories[to_size(thread)].reserve((1 + to_size(dofs.local_size())) * stride);
-      local.gradient = local.value + stride;
-      term.local(x_, batch, Curvature::Exact, state, kernels[to_size(thread)], local);
-      Vec part;
-      for (std::size_t p = 0; p < batch.elements.size(); ++p) {
-        const Index e = batch.elements[p];
-        gather(dofs, e, ux, part);
-        out[e] = product(local, static_cast<int>(p), part);
-      }
-    };
-    parallel_tasks(plan.batch_count(), visit, threads);
-    for (Index e = 0; e < out.size(); ++e)
-      if (!std::isfinite(out[e])) refuse_parameters(id, e);
-    return out;
-  }
-
-  [[noreturn]] void refuse_parameters(TermId id, Index e) const {
-    refuse(fmt::format("term '{}' is not finite beside the parameters of element {}",
-                       problem_.term(id).name(), e));
+  [[noreturn]] void refuse_parameters(TermId id) const {
+    refuse(fmt::format("term '{}' is not finite beside its parameters", problem_.term(id).name()));
   }
 
   // The parameters of a term as numbers: those of its state, or those that it was made with.
@@ -346,10 +468,6 @@ class Sensitivity::Parts {
     return problem_.term(id).parameters();
   }
 
-  // The points of a derivative by differences, as multiples of a step, and their coefficients.
-  static constexpr std::pair<double, double> kStencil[] = {
-      {1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}};
-
   // The size of each parameter, for steps: its own, or the mean of all.
   static Vec sizes(const Vec& parameters) {
     const double mean = parameters.size() > 0 ? parameters.cwiseAbs().mean() : 0;
@@ -357,22 +475,41 @@ class Sensitivity::Parts {
     return parameters.cwiseAbs().cwiseMax(least);
   }
 
-  void add_parameters(TermId id, const Vec& change, Vec& sum) {
-    require_parameters(id, change);
-    const double largest = change.cwiseAbs().maxCoeff();
-    if (largest == 0) return;
-    const Vec base = parameters_of(id);
-    // The change that is, in none of the parameters, more than the step of differences.
+  // The derivative of the reduced gradient along a change of parameters, by differences.
+  Vec along_parameters(TermId id, const Vec& base, const Vec& change) {
     const double h = kDifference / change.cwiseAbs().cwiseQuotient(sizes(base)).maxCoeff();
-    TermState state = problem_.state(id);
-    for (const auto& [multiple, coefficient] : kStencil) {
-      state.parameters = base + multiple * h * change;
-      const double part = coefficient / h;
-      visit_elements(problem_, id, x_, state, false, kAll, [&](Index e, LocalSystem& local, int p) {
-        if (!std::isfinite(local.value[p])) refuse_parameters(id, e);
-        ProblemParts::slots(problem_, id)
-            .add_gradient(e, local, p, weight_of(state, e) * part, sum.data());
-      });
+    Vec up, down;
+    const auto gradient = [&](double step, Vec& out) {
+      TermState state = problem_.state(id);
+      state.parameters = base + step * change;
+      Evaluator of_changed(problem_.with({{id, state}}));
+      const double energy = of_changed.gradient(id, y_, out);
+      if (!std::isfinite(energy) || !out.allFinite()) refuse_parameters(id);
+    };
+    gradient(h, up);
+    gradient(-h, down);
+    return (up - down) / (2 * h);
+  }
+
+  void add_parameters(TermId id, const Vec& change, Vec& full, Vec& rhs) {
+    require_parameters(id, change);
+    if (change.isZero(0)) return;
+    const OfTerm& parts = terms_[place_of(id)];
+    const TermState& state = problem_.state(id);
+    if (parts.by_shared.size() > 0) {
+      rhs += parts.by_shared * change;
+    } else if (parts.by_parameters.size() > 0) {
+      const Index own = std::max(problem_.term(id).parameters_per_element(), 1);
+      const auto elements = static_cast<Index>(parts.by_parameters.rows());
+      Vec numbers(own * elements);
+      for (Index e = 0; e < elements; ++e)
+        for (Index j = 0; j < own; ++j) {
+          const Index k = parts.parameter.empty() ? own * e + j : parts.parameter[to_size(e)];
+          numbers[own * e + j] = k < 0 ? 0 : weight_of(state, e) * change[k];
+        }
+      add(id, parts.by_parameters, own, numbers, full);
+    } else {
+      rhs += along_parameters(id, parameters_of(id), change);
     }
   }
 
@@ -385,75 +522,88 @@ class Sensitivity::Parts {
   }
 
   // dL/dp of all parameters of a term.
-  Vec parameters(TermId id, const Vec& ux) {
+  Vec parameters(TermId id, const Vec& u, const Vec& ux) {
     const EnergyTerm& term = problem_.term(id);
-    const Index count = term.parameter_count(), own = term.parameters_per_element();
+    const Index count = term.parameter_count();
+    if (count == 0) return Vec();
+    OfTerm& parts = terms_[place_of(id)];
+    if (parts.by_parameters.size() == 0 && parts.by_shared.size() == 0)
+      differentiate_by_parameters(id, parts);
+    if (parts.by_shared.size() > 0) return -(parts.by_shared.transpose() * u);
+    const Index own = std::max(term.parameters_per_element(), 1);
+    const Vec slopes = products(id, parts.by_parameters, own, ux);
     Vec out = Vec::Zero(count);
-    if (count == 0) return out;
-    const Vec base = parameters_of(id), size = kDifference * sizes(base);
-    // parameter(e): the one of an element's parameters that a sweep moves, or -1.
-    const auto sweep = [&](const Vec& steps, const auto& parameter) {
-      TermState state = problem_.state(id);
-      Vec slope = Vec::Zero(term.element_dofs().element_count());
-      for (const auto& [multiple, coefficient] : kStencil) {
-        state.parameters = base + multiple * steps;
-        slope += coefficient * products(id, state, ux);
-      }
-      for (Index e = 0; e < slope.size(); ++e)
-        if (const Index k = parameter(e); k >= 0)
-          out[k] -= weight_of(state, e) * slope[e] / size[k];
-    };
-    if (own > 0) {
+    const TermState& state = problem_.state(id);
+    for (Index e = 0; e < parts.by_parameters.rows(); ++e)
       for (Index j = 0; j < own; ++j) {
-        Vec steps = Vec::Zero(count);
-        for (Index k = j; k < count; k += own) steps[k] = size[k];
-        sweep(steps, [&](Index e) { return own * e + j; });
+        const Index k = parts.parameter.empty() ? own * e + j : parts.parameter[to_size(e)];
+        if (k >= 0) out[k] -= weight_of(state, e) * slopes[own * e + j];
       }
-    } else if (count <= kFewParameters) {
-      for (Index k = 0; k < count; ++k) {
-        Vec steps = Vec::Zero(count);
-        steps[k] = size[k];
-        sweep(steps, [&](Index) { return k; });
-      }
-    } else {
-      auto [seen, is_new] = seen_.try_emplace(id);
-      if (is_new) seen->second = parameter_of_elements(id, base, size);
-      sweep(size, [&](Index e) { return seen->second[to_size(e)]; });
-    }
     return out;
   }
 
-  // The one parameter that each element depends on, -1 for none: moved are those whose numbers have
-  // a bit, then those that have it not; the gradients that change spell the number.
-  std::vector<Index> parameter_of_elements(TermId id, const Vec& base, const Vec& size) {
+  void differentiate_by_parameters(TermId id, OfTerm& parts) {
     const EnergyTerm& term = problem_.term(id);
-    const Index elements = term.element_dofs().element_count(),
-                n = term.element_dofs().local_size();
-    const auto gradients = [&](const Vec& parameters) {
-      RowMatrix all(elements, n);
+    const Index count = term.parameter_count(), own = term.parameters_per_element();
+    const Vec base = parameters_of(id);
+    if (own == 0 && count <= kFewParameters) {
+      parts.by_shared.resize(problem_.size(), count);
+      for (Index k = 0; k < count; ++k)
+        parts.by_shared.col(k) = along_parameters(id, base, Vec::Unit(count, k));
+      return;
+    }
+    const Vec size = kDifference * sizes(base);
+    if (own == 0) parts.parameter = parameter_of_elements(id, base, size);
+    const Index n = term.element_dofs().local_size(), steps = std::max(own, 1);
+    parts.by_parameters.resize(term.element_dofs().element_count(), n * steps);
+    TermState state = problem_.state(id);
+    for (Index j = 0; j < steps; ++j) {
+      Vec step = own == 0 ? size : Vec(Vec::Zero(count));
+      for (Index k = j; own > 0 && k < count; k += own) step[k] = size[k];
+      state.parameters = base + step;
+      const RowMatrix up = element_gradients(problem_, id, x_, state);
+      state.parameters = base - step;
+      const RowMatrix down = element_gradients(problem_, id, x_, state);
+      for (Index e = 0; e < up.rows(); ++e) {
+        const Index k = own > 0 ? own * e + j : parts.parameter[to_size(e)];
+        auto to = parts.by_parameters.row(e).segment(n * j, n);
+        if (k < 0)
+          to.setZero();
+        else
+          to = (up.row(e) - down.row(e)) / (2 * size[k]);
+      }
+    }
+    if (!parts.by_parameters.allFinite()) {
+      parts.by_parameters.resize(0, 0);
+      refuse_parameters(id);
+    }
+  }
+
+  // The one parameter that each element depends on, -1 for none: moved are those whose numbers have
+  // a bit, then those that have it not; the energies that change spell the number.
+  std::vector<Index> parameter_of_elements(TermId id, const Vec& base, const Vec& size) {
+    const Index elements = problem_.term(id).element_dofs().element_count();
+    Vec at;
+    const auto energies = [&](const Vec& parameters) {
       TermState state = problem_.state(id);
       state.parameters = parameters;
-      visit_elements(problem_, id, x_, state, false, kAll, [&](Index e, LocalSystem& local, int p) {
-        for (Index k = 0; k < n; ++k)
-          all(e, k) = local.gradient[to_size(k) * LocalSystem::stride + to_size(p)];
-      });
-      return all;
+      return element_values(problem_.with({{id, state}}), id, at);
     };
-    const RowMatrix before = gradients(base);
+    const Vec before = displaced(id, at);
     std::vector<Index> seen(to_size(elements), 0);
     std::vector<char> depends(to_size(elements), 0);
     const int bits = std::bit_width(static_cast<unsigned>(base.size() - 1));
     for (int bit = 0; bit < bits; ++bit) {
       Vec with = base, without = base;
       for (Index k = 0; k < base.size(); ++k) ((k >> bit & 1) ? with : without)[k] += size[k];
-      const RowMatrix set = gradients(with), clear = gradients(without);
+      const Vec set = energies(with), clear = energies(without);
       for (Index e = 0; e < elements; ++e) {
-        const bool by_set = set.row(e) != before.row(e), by_clear = clear.row(e) != before.row(e);
+        const bool by_set = set[e] != before[e], by_clear = clear[e] != before[e];
         if (by_set && by_clear)
           refuse(
               fmt::format("element {} of term '{}' depends on several of {} parameters that all "
                           "elements see; give each element a row of its own",
-                          e, term.name(), base.size()));
+                          e, problem_.term(id).name(), base.size()));
         depends[to_size(e)] = depends[to_size(e)] || by_set || by_clear;
         if (by_set) seen[to_size(e)] |= Index{1} << bit;
       }
@@ -463,52 +613,100 @@ class Sensitivity::Parts {
     return seen;
   }
 
+  // The energies of the elements at a point beside x_, which is in the domain, too.
+  Vec displaced(TermId id, Vec& at) const {
+    std::minstd_rand random(1);
+    Vec by(x_.size());
+    for (double& entry : by) entry = static_cast<double>(random()) / std::minstd_rand::max() - 0.5;
+    const double size = x_.norm() / std::sqrt(static_cast<double>(x_.size()));
+    for (double step = kDisplacement * (size > 0 ? size : 1.0);; step /= 4) {
+      at = x_ + step * by;
+      Vec values = element_values(problem_, id, at);
+      if (values.allFinite()) return values;
+      if (!(step > 0)) refuse_parameters(id);
+    }
+  }
+
   // A^T lambda = dL/dx - H u, which Z^T takes to 0: the rows' multipliers are what L gains.
   Vec multipliers(const Vec& slope, const Vec& ux) {
-    const ConstraintRows& rows = ProblemParts::rows(problem_);
-    const Index count = row_count();
-    if (count == 0) return Vec();
-    if (!factors_) factorize_rows(rows);
+    if (row_count() == 0) return Vec();
+    const auto& k = coupling();
+    if (!factors_) factorize_rows();
     Vec rest = Vec::Zero(held_count_);
-    for (Index i = 0; i < problem_.full_size(); ++i)
-      if (held_[to_size(i)] >= 0) rest[held_[to_size(i)]] = slope[i];
-    Vec part;
-    for (const TermId id : problem_.terms()) {
-      const ElementDofs& dofs = problem_.term(id).element_dofs();
-      const TermState& state = problem_.state(id);
-      const auto place = [&](Index e, Index k) {
-        return held_[to_size(dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block)];
-      };
-      const auto touches = [&](Index e) {
-        for (Index k = 0; k < dofs.local_size(); ++k)
-          if (place(e, k) >= 0) return weight_of(state, e) != 0;
-        return false;
-      };
-      visit_elements(
-          problem_, id, x_, state, true, touches, [&](Index e, LocalSystem& local, int p) {
-            gather(dofs, e, ux, part);
-            multiply(local, p, part);
-            for (Index k = 0; k < part.size(); ++k)
-              if (const Index at = place(e, k); at >= 0)
-                rest[at] -= weight_of(state, e) *
-                            local.gradient[to_size(k) * LocalSystem::stride + to_size(p)];
-          });
-    }
+    rest.head(k.rows()) = held_of(slope) - k * ux;
     return factors_->solve(rest);
   }
 
-  void factorize_rows(const ConstraintRows& rows) {
-    held_.assign(to_size(problem_.full_size()), -1);
-    std::vector<Eigen::Triplet<double>> entries;
-    std::vector<Index> auxiliary(to_size(rows.auxiliary_count()), -1);
-    held_count_ = 0;
-    for (std::size_t row = 0; row < rows.size(); ++row)
-      for (const auto* e = rows.begin(row); e != rows.end(row); ++e) {
-        Index& place =
-            e->unknown >= 0 ? held_[to_size(e->unknown)] : auxiliary[to_size(-1 - e->unknown)];
-        if (place < 0) place = held_count_++;
-        entries.emplace_back(place, static_cast<Index>(row), e->coefficient);
+  // The unknowns that rows have, of a vector of full ones.
+  Vec held_of(const Vec& x) const {
+    Vec out(static_cast<Index>(held_unknowns_.size()));
+    for (std::size_t k = 0; k < held_unknowns_.size(); ++k)
+      out[static_cast<Index>(k)] = x[held_unknowns_[k]];
+    return out;
+  }
+
+  // The rows of the Hessian by full unknowns that belong to unknowns which constraints have: what
+  // these see of the energy beside what they hold.
+  const Eigen::SparseMatrix<double, Eigen::RowMajor>& coupling() {
+    if (coupling_) return *coupling_;
+    number_held();
+    using Entries = std::vector<Eigen::Triplet<double>>;
+    Entries all;
+    for (const TermId id : problem_.terms()) {
+      const EnergyTerm& term = problem_.term(id);
+      const ElementDofs& dofs = term.element_dofs();
+      const TermState& state = problem_.state(id);
+      const Index n = dofs.local_size();
+      std::vector<Index> touching;
+      for (Index e = 0; e < dofs.element_count(); ++e) {
+        bool touches = false;
+        for (Index k = 0; k < n && !touches; ++k) touches = held_[unknown_of(dofs, e, k)] >= 0;
+        if (touches && weight_of(state, e) != 0) touching.push_back(e);
       }
+      const Batches batches(state, std::move(touching));
+      std::vector<Entries> parts(to_size(batches.batch_count()));
+      visit_elements(
+          term, batches, x_, state, true, [&](Index c, Index e, const LocalSystem& local, int p) {
+            for (Index i = 0; i < n; ++i) {
+              const Index row = held_[unknown_of(dofs, e, i)];
+              if (row < 0) continue;
+              for (Index j = 0; j < n; ++j) {
+                const Index low = std::max(i, j), high = std::min(i, j);
+                const auto at = to_size(low * (low + 1) / 2 + high) * LocalSystem::stride;
+                parts[to_size(c)].emplace_back(
+                    row, unknown_of(dofs, e, j),
+                    weight_of(state, e) * local.hessian[at + to_size(p)]);
+              }
+            }
+          });
+      for (const Entries& part : parts) all.insert(all.end(), part.begin(), part.end());
+    }
+    coupling_.emplace(static_cast<Index>(held_unknowns_.size()), problem_.full_size());
+    coupling_->setFromTriplets(all.begin(), all.end());
+    return *coupling_;
+  }
+
+  void number_held() {
+    const ConstraintRows& rows = ProblemParts::rows(problem_);
+    held_.assign(to_size(problem_.full_size()), -1);
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      for (const auto* e = rows.begin(row); e != rows.end(row); ++e)
+        if (e->unknown >= 0 && held_[to_size(e->unknown)] < 0) {
+          held_[to_size(e->unknown)] = static_cast<Index>(held_unknowns_.size());
+          held_unknowns_.push_back(e->unknown);
+        }
+  }
+
+  void factorize_rows() {
+    const ConstraintRows& rows = ProblemParts::rows(problem_);
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto first = static_cast<Index>(held_unknowns_.size());
+    held_count_ = first + rows.auxiliary_count();
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      for (const auto* e = rows.begin(row); e != rows.end(row); ++e)
+        entries.emplace_back(
+            e->unknown >= 0 ? held_[to_size(e->unknown)] : first + (-1 - e->unknown),
+            static_cast<Index>(row), e->coefficient);
     Eigen::SparseMatrix<double> transposed(held_count_, static_cast<Index>(rows.size()));
     transposed.setFromTriplets(entries.begin(), entries.end());
     transposed.makeCompressed();
@@ -517,17 +715,23 @@ class Sensitivity::Parts {
       refuse("the rows of the constraints could not be factorized");
   }
 
+  std::mutex mutex_;
   Problem problem_;
   const Elimination& z_;
   Evaluator evaluator_;
   std::shared_ptr<LinearSolver> solver_;
+  SensitivityOptions options_;
   Vec y_, x_, gradient_;
   double energy_ = 0, error_ = 0, mean_diagonal_ = 0;
-  std::vector<Index> gauge_;
-  Eigen::MatrixXd motions_;                    // orthonormal columns
-  std::map<TermId, std::vector<Index>> seen_;  // parameter_of_elements()
+  std::vector<Index> stopped_;  // unknowns that stop the motions for the factor
+  Eigen::MatrixXd motions_;     // orthonormal columns, by size()
+  Eigen::MatrixXd gauge_, full_motions_;
+  Eigen::FullPivLU<Eigen::MatrixXd> gauge_of_motions_, transposed_gauge_;
+  std::vector<OfTerm> terms_;
   std::vector<Index> held_;  // by full unknown: its place among those that rows have, or -1
-  Index held_count_ = 0;     // with auxiliary ones
+  std::vector<Index> held_unknowns_;  // these
+  Index held_count_ = 0;              // with auxiliary ones
+  std::optional<Eigen::SparseMatrix<double, Eigen::RowMajor>> coupling_;
   std::optional<Eigen::SparseQR<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>>> factors_;
 };
 
@@ -542,6 +746,9 @@ Index Sensitivity::row_count() const { return parts_->row_count(); }
 const Vec& Sensitivity::point() const { return parts_->point(); }
 double Sensitivity::energy() const { return parts_->energy(); }
 double Sensitivity::error() const { return parts_->error(); }
+double Sensitivity::bias(const std::vector<TermId>& barriers) const {
+  return parts_->bias(barriers);
+}
 
 Vec Sensitivity::forward(const Change& change) const { return parts_->forward(change); }
 

@@ -12,16 +12,20 @@
 //   const double slope = d.right_hand_sides.dot(change.right_hand_sides);   // = gradient . dx
 //
 // The exact Hessian at x* is factorized once. A result that stopped at a tolerance is polished
-// first by exact Newton steps; error() estimates what is left.
+// first by exact Newton steps; error() estimates what is left. Derivatives of gradients by data are
+// made when they are first needed, and kept.
 //
 // Barriers of bounds are terms like others: give the problem the weights that the last phase had,
 //     problem.with({{wall, {.weight = result.phases.back().mu}}}),
-// and what comes out is the derivative of that phase's minimum, whose bias is of the size of its
-// gap. What the energy does not see (translations of what nothing holds) is given as null_space:
-// the derivative is the one of least norm then.
+// and what comes out is the derivative of that phase's minimum; bias() estimates how far that lies
+// from the one without barriers. What the energy does not see (translations of what nothing holds)
+// is given as null_space: the derivative is the one of least norm then, or the one that keeps a
+// gauge.
 //
-// Not for results at a saddle, nor where a checker holds them back: neither is a function of the
-// data. Not for maps of parametrize(), which rebuilds its problem.
+// Rest positions of a mesh: RestSensitivity (energies/rest_sensitivity.h). Maps of parametrize()
+// and deform(): MapSensitivity (parametrization/solve/map_sensitivity.h), which builds their
+// problem. Not for results at a saddle, nor where a checker holds them back: neither is a function
+// of the data.
 #pragma once
 
 #include <functional>
@@ -37,9 +41,11 @@ namespace majorant {
 
 struct SensitivityOptions {
   SolverFactory linear_solver = [] { return make_direct_solver(); };
-  // Motions that the energy does not see, a column each, on the unknowns of the problem (as
-  // NewtonOptions::near_null_space); empty: there are none.
-  std::function<Eigen::MatrixXd(const Problem&)> null_space = {};
+  // Motions that the energy does not see at y, a column each, size() rows; empty: there are none.
+  std::function<Eigen::MatrixXd(const Problem&, VecIn y)> null_space = {};
+  // Rows C that hold the motions, as many as there are motions, of full unknowns: C dx = 0. Empty:
+  // dx has the least norm in the unknowns of the problem.
+  std::function<Eigen::MatrixXd(const Problem&, VecIn y)> gauge = {};
   // Exact Newton steps at most, before the factor that serves.
   int polishing_steps = 10;
 };
@@ -49,7 +55,7 @@ class Sensitivity {
   // Throws InvalidArgument for a problem of several processes and a result of another size;
   // Error(Unsupported) naming the reason where the derivative does not exist or cannot be had:
   // the run failed, a checker holds the result, a term has no exact Hessian, the exact Hessian is
-  // indefinite (a saddle) or singular.
+  // indefinite (a saddle) or singular, the minimum that polishing finds is held back by a checker.
   Sensitivity(const Problem& problem, const SolveResult& result, SensitivityOptions options = {});
   ~Sensitivity();
   Sensitivity(Sensitivity&&) noexcept;
@@ -61,6 +67,7 @@ class Sensitivity {
     std::vector<std::pair<TermId, double>> weights = {};
     std::vector<std::pair<TermId, Vec>> element_weights = {};  // #E each
     std::vector<std::pair<TermId, Vec>> parameters = {};       // EnergyTerm::parameter_count() each
+    Vec gradient = {};  // of the energy's gradient by x, full unknowns, that other data make
   };
   // dL/d(data), for a function L of x*.
   struct Derivative {
@@ -68,6 +75,8 @@ class Sensitivity {
     std::vector<double> weights;       // by term, in the order of Problem::terms()
     std::vector<Vec> element_weights;  // by term: #E
     std::vector<Vec> parameters;       // by term: parameter_count()
+    // H^-1 dL/dx, full unknowns: dL/dp = -adjoint_state . d(gradient)/dp of any other datum p.
+    Vec adjoint_state;
   };
 
   Index row_count() const;  // of the constraints
@@ -76,14 +85,16 @@ class Sensitivity {
   double energy() const;
   // An estimate of |x - x*| / |x| after polishing.
   double error() const;
+  // Of |x - x0| / |x|, x0 the minimum without these terms, to first order: what barriers cost.
+  double bias(const std::vector<TermId>& barriers) const;
 
   // dx* along the change, full unknowns; a column for each of several changes. Throws
   // InvalidArgument for sizes that do not fit, Error(Unsupported) where changes of rows that depend
-  // on each other contradict.
+  // on each other contradict, and for a change that moves x* along the null space.
   Vec forward(const Change& change) const;
   Eigen::MatrixXd forward(const std::vector<Change>& changes) const;
   // The derivative of L with this dL/dx at point(), full unknowns; of several, a column each.
-  // Parameters by differences of exact gradients, to about 1e-10 of them. Throws InvalidArgument
+  // Parameters by differences of exact gradients, to about 1e-9 of them. Throws InvalidArgument
   // for another number of unknowns; Error(Unsupported) for elements that depend on more than one of
   // the parameters which all of them see, where there are more than 64 of these.
   Derivative adjoint(const Vec& slope) const;
@@ -91,7 +102,7 @@ class Sensitivity {
 
  private:
   class Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<Parts> parts_;  // calls from several threads wait for each other
 };
 
 // The covariance of chosen unknowns of a least-squares solution: this block of (J^T J)^-1, J the

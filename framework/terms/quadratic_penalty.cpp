@@ -59,28 +59,28 @@ QuadraticPenalty::QuadraticPenalty(const std::vector<LinearExpression>& rows) {
   }
 }
 
-double QuadraticPenalty::residual(VecIn x, Index row) const {
-  double sum = -rhs_[row];
+double QuadraticPenalty::residual(VecIn x, Index row, const TermState& state) const {
+  double sum = -(state.parameters.size() > 0 ? state.parameters : rhs_)[row];
   for (Index k = 0; k < coefficients_.cols(); ++k)
     sum += coefficients_(row, k) * x[element_dofs_.nodes(row, k)];
   return sum;
 }
 
-void QuadraticPenalty::values(VecIn x, const ElementBatch& batch, const TermState&, Workspace&,
-                              std::span<double> f) const {
+void QuadraticPenalty::values(VecIn x, const ElementBatch& batch, const TermState& state,
+                              Workspace&, std::span<double> f) const {
   for (std::size_t p = 0; p < batch.elements.size(); ++p) {
-    const double r = residual(x, batch.elements[p]);
+    const double r = residual(x, batch.elements[p], state);
     f[p] = r * r;
   }
 }
 
-void QuadraticPenalty::local(VecIn x, const ElementBatch& batch, BlendedCurvature, const TermState&,
-                             Workspace&, LocalSystem& out) const {
+void QuadraticPenalty::local(VecIn x, const ElementBatch& batch, BlendedCurvature,
+                             const TermState& state, Workspace&, LocalSystem& out) const {
   constexpr int stride = LocalSystem::stride;
   const auto columns = static_cast<int>(coefficients_.cols());
   for (std::size_t p = 0; p < batch.elements.size(); ++p) {
     const Index row = batch.elements[p];
-    const double r = residual(x, row);
+    const double r = residual(x, row, state);
     out.value[p] = r * r;
     for (int i = 0, k = 0; i < columns; ++i) {
       out.gradient[static_cast<std::size_t>(i * stride) + p] = 2 * r * coefficients_(row, i);

@@ -8,7 +8,8 @@
 // Any Constraint can be given: what it would hold exactly is now pulled at. Row weights are
 // TermState::element_weight. Rows of n unknowns have dense n by n Hessians: for short rows. Not for
 // what must hold: large weights slow the solver down and still leave a residual; eliminate instead
-// (ProblemBuilder::add(constraint)).
+// (ProblemBuilder::add(constraint)). Targets may change between steps: they are
+// TermState::parameters, one a row.
 #pragma once
 
 #include <utility>
@@ -36,13 +37,16 @@ class QuadraticPenalty final : public EnergyTerm {
   std::string_view name() const override { return "quadratic penalty"; }
   const ElementDofs& element_dofs() const override { return element_dofs_; }
   bool supports(Curvature) const override { return true; }  // exact, constant, PSD
+  Index parameter_count() const override { return static_cast<Index>(rhs_.size()); }
+  Vec parameters() const override { return rhs_; }
+  Index parameters_per_element() const override { return 1; }
   void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace& workspace,
               std::span<double> f) const override;
   void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
              Workspace& workspace, LocalSystem& out) const override;
 
  private:
-  double residual(VecIn x, Index row) const;
+  double residual(VecIn x, Index row, const TermState& state) const;
   ElementDofs element_dofs_;      // short rows repeat an unknown of theirs, with coefficient 0
   Eigen::MatrixXd coefficients_;  // #rows by longest row
   Vec rhs_;

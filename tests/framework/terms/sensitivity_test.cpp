@@ -277,7 +277,7 @@ TEST(Sensitivity, OfLeastNormWhereNothingHolds) {
   const SolveResult r = NewtonMinimizer().minimize(problem, Vec::LinSpaced(n, 0, n), nullptr);
   EXPECT_THROW(Sensitivity(problem, r), Error);
   SensitivityOptions options;
-  options.null_space = [](const Problem& p) -> Eigen::MatrixXd {
+  options.null_space = [](const Problem& p, VecIn) -> Eigen::MatrixXd {
     return Eigen::MatrixXd::Ones(p.size(), 1);
   };
   const Sensitivity s(problem, r, options);

@@ -1,0 +1,227 @@
+#include "majorant/energies/rest_sensitivity.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <cmath>
+#include <utility>
+
+#include "majorant/elements/rest_shapes.h"
+#include "majorant/energies/energy_factory.h"
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/parallel.h"
+#include "majorant/framework/problem_parts.h"
+
+namespace majorant {
+namespace {
+
+// The part by which the measures of rest shapes may differ from those of the positions.
+constexpr double kSameMeasure = 1e-9;
+
+// The corner that tangents begin at, and those where they end: as flat_simplices() has it.
+Index first_corner(Index dim) { return dim == 2 ? 2 : 0; }
+Index end_of_tangent(Index dim, Index tangent) { return dim == 2 ? tangent : tangent + 1; }
+
+// T = Q R of the tangents T of an element; Q is the identity where there are as many as
+// coordinates, so that rest shapes may turn with their frame there and nowhere else.
+struct Frame {
+  Eigen::MatrixXd q, r;
+  bool turns;  // with the element
+
+  explicit Frame(const Eigen::MatrixXd& tangents) : turns(tangents.rows() != tangents.cols()) {
+    const auto dim = static_cast<Index>(tangents.cols());
+    q = Eigen::MatrixXd::Identity(tangents.rows(), dim);
+    r = tangents;
+    if (!turns) return;
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(tangents);
+    q = qr.householderQ() * q;
+    r = qr.matrixQR().topRows(dim).triangularView<Eigen::Upper>();
+    for (Index k = 0; k < dim; ++k)
+      if (r(k, k) < 0) {
+        r.row(k) *= -1;
+        q.col(k) *= -1;
+      }
+  }
+
+  // The change of the reference coordinates of the corners, R^-1 dR, for a change of T.
+  Eigen::MatrixXd coordinates(const Eigen::MatrixXd& change) const {
+    const auto lu = r.partialPivLu();
+    if (!turns) return lu.solve(change);
+    // dR = K R with K upper triangular: Q^T dT R^-1 without its skew part, which turns the frame.
+    const Eigen::MatrixXd s = q.transpose() * change * lu.inverse();
+    Eigen::MatrixXd k = s.triangularView<Eigen::Upper>();
+    k += s.triangularView<Eigen::StrictlyLower>().toDenseMatrix().transpose();
+    return lu.solve(k * r);
+  }
+  // The transpose of it.
+  Eigen::MatrixXd slopes(const Eigen::MatrixXd& by_coordinates) const {
+    const Eigen::MatrixXd inverse = r.inverse();
+    const Eigen::MatrixXd by_change = inverse.transpose() * by_coordinates;
+    if (!turns) return by_change;
+    const Eigen::MatrixXd k = by_change * r.transpose();
+    Eigen::MatrixXd s = k.triangularView<Eigen::Upper>();
+    s += k.triangularView<Eigen::StrictlyUpper>().toDenseMatrix().transpose();
+    return q * s * inverse.transpose();
+  }
+};
+
+}  // namespace
+
+RestSensitivity::RestSensitivity(const Problem& problem, const Sensitivity& sensitivity,
+                                 std::vector<TermId> terms, RowMatrix positions, Cells cells)
+    : sensitivity_(sensitivity),
+      positions_(std::move(positions)),
+      cells_(std::move(cells)),
+      dim_(static_cast<Index>(cells_.cols()) - 1) {
+  require_size("RestSensitivity: the sensitivity's point", sensitivity.point().size(),
+               problem.full_size());
+  const RestShapes flat = flat_simplices(positions_, cells_);
+  for (const TermId id : terms) {
+    const auto* density = dynamic_cast<const DensityTerm*>(&problem.term(id));
+    if (!density)
+      throw InvalidArgument(
+          fmt::format("RestSensitivity: term '{}' is no density, it has no rest shapes",
+                      problem.term(id).name()));
+    const RestShapes& rest = density->rest();
+    const ElementDofs& dofs = density->element_dofs();
+    if (rest.curved() || dofs.nodes.cols() != rest.dim + 1)
+      throw Error(ErrorKind::Unsupported,
+                  fmt::format("RestSensitivity: term '{}' has {} nodes an element of dimension {}; "
+                              "rest positions are data of simplices of degree 1",
+                              density->name(), dofs.nodes.cols(), rest.dim));
+    if (rest.dim != dim_ || dofs.element_count() != cells_.rows())
+      throw InvalidArgument(fmt::format(
+          "RestSensitivity: {} cells of {} corners for {} elements of dimension {} of "
+          "term '{}'",
+          cells_.rows(), cells_.cols(), dofs.element_count(), rest.dim, density->name()));
+    for (Index e = 0; e < flat.measure.size(); ++e)
+      if (!(std::abs(flat.measure[e] - rest.measure[e]) <= kSameMeasure * rest.measure[e]))
+        throw InvalidArgument(fmt::format(
+            "RestSensitivity: element {} of term '{}' has measure {:g} at rest, not the "
+            "{:g} of these positions",
+            e, density->name(), rest.measure[e], flat.measure[e]));
+    terms_.push_back(differentiated(problem, id));
+  }
+}
+
+RowMatrix RestSensitivity::tangents(Index element, const RowMatrix& points) const {
+  RowMatrix out(points.cols(), dim_);
+  for (Index k = 0; k < dim_; ++k)
+    out.col(k) = (points.row(cells_(element, end_of_tangent(dim_, k))) -
+                  points.row(cells_(element, first_corner(dim_))))
+                     .transpose();
+  return out;
+}
+
+// A map x of an element has the energy m W(J), J = X M. Moving corner b of the rest shape by N_ab
+// along tangent a changes M by -N M and m by m tr N, so the gradient g by
+//     tr N g - H (X N) - (g N^T as forces at the corners).
+RestSensitivity::Term RestSensitivity::differentiated(const Problem& problem, TermId id) const {
+  const EnergyTerm& term = problem.term(id);
+  const TermState& state = problem.state(id);
+  const Vec& x = sensitivity_.point();
+  Term out{id, Vec::Constant(cells_.rows(), state.weight), {}, term.element_dofs()};
+  if (state.element_weight.size() > 0) out.weights.array() *= state.element_weight.array();
+  const ElementDofs& dofs = out.dofs;
+  const Index n = dofs.local_size(), block = dofs.block, first = first_corner(dim_);
+  out.by_shape.resize(cells_.rows(), n * dim_ * dim_);
+  const ColoredBatches& plan = ProblemParts::plan(problem, id);
+  constexpr std::size_t stride = LocalSystem::stride;
+  const int threads = ThreadCount::current();
+  std::vector<Workspace> kernels(to_size(threads)), memories(to_size(threads));
+  const auto visit = [&](Index c, int thread) {
+    const ElementBatch batch = plan.batch(c);
+    LocalSystem local;
+    local.value = memories[to_size(thread)].reserve(to_size(1 + n + n * (n + 1) / 2) * stride);
+    local.gradient = local.value + stride;
+    local.hessian = local.gradient + to_size(n) * stride;
+    term.local(x, batch, Curvature::Exact, state, kernels[to_size(thread)], local);
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
+      const auto g = [&](Index k) { return local.gradient[to_size(k) * stride + p]; };
+      const auto h = [&](Index i, Index j) {
+        const Index low = std::max(i, j), high = std::min(i, j);
+        return local.hessian[to_size(low * (low + 1) / 2 + high) * stride + p];
+      };
+      for (Index a = 0; a < dim_; ++a)
+        for (Index b = 0; b < dim_; ++b) {
+          auto slope = out.by_shape.row(e).segment(n * (dim_ * a + b), n);
+          const Index to = block * end_of_tangent(dim_, a), at = block * end_of_tangent(dim_, b);
+          for (Index i = 0; i < n; ++i) {
+            slope[i] = a == b ? g(i) : 0;
+            for (Index k = 0; k < block; ++k) {
+              const double tangent = x[block * dofs.nodes(e, end_of_tangent(dim_, a)) + k] -
+                                     x[block * dofs.nodes(e, first) + k];
+              slope[i] -= h(i, at + k) * tangent;
+            }
+          }
+          for (Index k = 0; k < block; ++k) {
+            slope[to + k] -= g(at + k);
+            slope[block * first + k] += g(at + k);
+          }
+        }
+    }
+  };
+  parallel_tasks(plan.batch_count(), visit, threads);
+  return out;
+}
+
+Vec RestSensitivity::gradient(const RowMatrix& change) const {
+  if (change.rows() != positions_.rows() || change.cols() != positions_.cols())
+    throw InvalidArgument(
+        fmt::format("RestSensitivity: a change of {} by {} numbers, the positions "
+                    "have {} by {}",
+                    change.rows(), change.cols(), positions_.rows(), positions_.cols()));
+  require_finite_rows("RestSensitivity: the change", change);
+  Vec sum = Vec::Zero(sensitivity_.point().size());
+  for (Index e = 0; e < cells_.rows(); ++e) {
+    const Eigen::MatrixXd moved = tangents(e, change);
+    if (moved.isZero(0)) continue;
+    const Eigen::MatrixXd by = Frame(tangents(e, positions_)).coordinates(moved);
+    for (const Term& term : terms_) {
+      const Index n = term.dofs.local_size();
+      for (Index k = 0; k < n; ++k) {
+        double entry = 0;
+        for (Index a = 0; a < dim_; ++a)
+          for (Index b = 0; b < dim_; ++b)
+            entry += by(a, b) * term.by_shape(e, n * (dim_ * a + b) + k);
+        sum[term.unknown(e, k)] += term.weights[e] * entry;
+      }
+    }
+  }
+  return sum;
+}
+
+Vec RestSensitivity::forward(const RowMatrix& change) const {
+  return sensitivity_.forward(Sensitivity::Change{.gradient = gradient(change)});
+}
+
+RowMatrix RestSensitivity::adjoint(const Sensitivity::Derivative& derivative) const {
+  const Vec& u = derivative.adjoint_state;
+  require_size("RestSensitivity::adjoint: the adjoint state", u.size(),
+               sensitivity_.point().size());
+  RowMatrix out = RowMatrix::Zero(positions_.rows(), positions_.cols());
+  for (Index e = 0; e < cells_.rows(); ++e) {
+    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(dim_, dim_);
+    for (const Term& term : terms_) {
+      const Index n = term.dofs.local_size();
+      for (Index a = 0; a < dim_; ++a)
+        for (Index b = 0; b < dim_; ++b)
+          for (Index k = 0; k < n; ++k)
+            by(a, b) -=
+                term.weights[e] * term.by_shape(e, n * (dim_ * a + b) + k) * u[term.unknown(e, k)];
+    }
+    const Eigen::MatrixXd slopes = Frame(tangents(e, positions_)).slopes(by);
+    for (Index k = 0; k < dim_; ++k) {
+      out.row(cells_(e, end_of_tangent(dim_, k))) += slopes.col(k).transpose();
+      out.row(cells_(e, first_corner(dim_))) -= slopes.col(k).transpose();
+    }
+  }
+  return out;
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

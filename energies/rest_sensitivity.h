@@ -1,0 +1,65 @@
+// A solution as a function of the rest positions of a mesh, of degree 1: what its densities measure
+// maps against.
+//
+//   const Sensitivity s(problem, result);
+//   const RestSensitivity rest(problem, s, {energy}, positions, cells);   // TermIds; #V by d, #E by D+1
+//   const RowMatrix change = RowMatrix::Ones(positions.rows(), positions.cols());
+//   const Vec dx = rest.forward(change);                      // how x* moves with the positions
+//   const RowMatrix slopes = rest.adjoint(s.adjoint(dx));     // dL/d(positions) of an L
+//
+// The rest shapes are flat_simplices(positions, cells) (elements/rest_shapes.h), maybe turned():
+// then directions of their own stay as they are in the frames of the elements. Exact, no
+// differences: a change of a rest shape is a change of its reference coordinates.
+//
+// Not for curved rest shapes and elements of higher degree, which are refused by name.
+#pragma once
+
+#include <vector>
+
+#include "majorant/framework/problem.h"
+#include "majorant/framework/sensitivity.h"
+
+namespace majorant {
+
+class RestSensitivity {
+ public:
+  // problem, sensitivity: of the same problem; the latter outlives this. terms: all that are
+  // measured against these positions. Throws InvalidArgument for a term that the problem does not
+  // have or that is no density, positions or cells that are not those of its elements, and rest
+  // shapes that have another size; Error(Unsupported) for elements of a degree above 1 and for
+  // quads, hexahedra and other elements that are no simplices.
+  RestSensitivity(const Problem& problem, const Sensitivity& sensitivity, std::vector<TermId> terms,
+                  RowMatrix positions, Cells cells);
+
+  // The change of the energy's gradient, full unknowns, along a change of the positions (#V by d):
+  // Sensitivity::Change::gradient, which may have other changes beside it. Throws InvalidArgument
+  // for another number of positions and for some that are not finite.
+  Vec gradient(const RowMatrix& change) const;
+  Vec forward(const RowMatrix& change) const;
+  // dL/d(positions), #V by d, of what Sensitivity::adjoint() returned.
+  RowMatrix adjoint(const Sensitivity::Derivative& derivative) const;
+
+ private:
+  struct Term {
+    TermId id;
+    Vec weights;         // #E
+    RowMatrix by_shape;  // #E by local_size() D^2: of the local gradient, by the shape's change
+    ElementDofs dofs;
+    Index unknown(Index e, Index k) const {
+      return dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block;
+    }
+  };
+  RowMatrix tangents(Index element, const RowMatrix& points) const;
+  Term differentiated(const Problem& problem, TermId id) const;
+
+  const Sensitivity& sensitivity_;
+  RowMatrix positions_;
+  Cells cells_;
+  Index dim_;
+  std::vector<Term> terms_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
