@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
+#include <Eigen/LU>
 #include <cmath>
 #include <utility>
 
@@ -23,46 +23,42 @@ constexpr double kSameMeasure = 1e-9;
 Index first_corner(Index dim) { return dim == 2 ? 2 : 0; }
 Index end_of_tangent(Index dim, Index tangent) { return dim == 2 ? tangent : tangent + 1; }
 
+using Small = RestSensitivity::Small;
+
 // T = Q R of the tangents T of an element; Q is the identity where there are as many as
 // coordinates, so that rest shapes may turn with their frame there and nowhere else.
 struct Frame {
-  Eigen::MatrixXd q, r;
-  bool turns;  // with the element
+  Small q, r, inverse;  // of r
+  bool turns;           // with the element
 
-  explicit Frame(const Eigen::MatrixXd& tangents) : turns(tangents.rows() != tangents.cols()) {
-    const auto dim = static_cast<Index>(tangents.cols());
-    q = Eigen::MatrixXd::Identity(tangents.rows(), dim);
-    r = tangents;
-    if (!turns) return;
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(tangents);
-    q = qr.householderQ() * q;
-    r = qr.matrixQR().topRows(dim).triangularView<Eigen::Upper>();
-    for (Index k = 0; k < dim; ++k)
-      if (r(k, k) < 0) {
-        r.row(k) *= -1;
-        q.col(k) *= -1;
+  explicit Frame(const Small& tangents)
+      : q(tangents), r(tangents), turns(tangents.rows() != tangents.cols()) {
+    const Eigen::Index dim = tangents.cols();
+    if (turns) {
+      r = Small::Zero(dim, dim);
+      for (Eigen::Index k = 0; k < dim; ++k) {
+        for (Eigen::Index j = 0; j < k; ++j) {
+          r(j, k) = q.col(j).dot(q.col(k));
+          q.col(k) -= r(j, k) * q.col(j);
+        }
+        r(k, k) = q.col(k).norm();
+        q.col(k) /= r(k, k);
       }
+    }
+    inverse = r.inverse();
   }
 
   // The change of the reference coordinates of the corners, R^-1 dR, for a change of T.
-  Eigen::MatrixXd coordinates(const Eigen::MatrixXd& change) const {
-    const auto lu = r.partialPivLu();
-    if (!turns) return lu.solve(change);
+  Small coordinates(const Small& change) const {
+    if (!turns) return inverse * change;
     // dR = K R with K upper triangular: Q^T dT R^-1 without its skew part, which turns the frame.
-    const Eigen::MatrixXd s = q.transpose() * change * lu.inverse();
-    Eigen::MatrixXd k = s.triangularView<Eigen::Upper>();
-    k += s.triangularView<Eigen::StrictlyLower>().toDenseMatrix().transpose();
-    return lu.solve(k * r);
-  }
-  // The transpose of it.
-  Eigen::MatrixXd slopes(const Eigen::MatrixXd& by_coordinates) const {
-    const Eigen::MatrixXd inverse = r.inverse();
-    const Eigen::MatrixXd by_change = inverse.transpose() * by_coordinates;
-    if (!turns) return by_change;
-    const Eigen::MatrixXd k = by_change * r.transpose();
-    Eigen::MatrixXd s = k.triangularView<Eigen::Upper>();
-    s += k.triangularView<Eigen::StrictlyUpper>().toDenseMatrix().transpose();
-    return q * s * inverse.transpose();
+    Small k = q.transpose() * change * inverse;
+    for (Eigen::Index i = 0; i < k.rows(); ++i)
+      for (Eigen::Index j = 0; j < i; ++j) {
+        k(j, i) += k(i, j);
+        k(i, j) = 0;
+      }
+    return inverse * k * r;
   }
 };
 
@@ -76,6 +72,9 @@ RestSensitivity::RestSensitivity(const Problem& problem, const Sensitivity& sens
       dim_(static_cast<Index>(cells_.cols()) - 1) {
   require_size("RestSensitivity: the sensitivity's point", sensitivity.point().size(),
                problem.full_size());
+  if (positions_.cols() > 3)
+    throw InvalidArgument(
+        fmt::format("RestSensitivity: positions of {} coordinates", positions_.cols()));
   const RestShapes flat = flat_simplices(positions_, cells_);
   for (const TermId id : terms) {
     const auto* density = dynamic_cast<const DensityTerm*>(&problem.term(id));
@@ -105,8 +104,8 @@ RestSensitivity::RestSensitivity(const Problem& problem, const Sensitivity& sens
   }
 }
 
-RowMatrix RestSensitivity::tangents(Index element, const RowMatrix& points) const {
-  RowMatrix out(points.cols(), dim_);
+RestSensitivity::Small RestSensitivity::tangents(Index element, const RowMatrix& points) const {
+  Small out(points.cols(), dim_);
   for (Index k = 0; k < dim_; ++k)
     out.col(k) = (points.row(cells_(element, end_of_tangent(dim_, k))) -
                   points.row(cells_(element, first_corner(dim_))))
@@ -125,7 +124,8 @@ RestSensitivity::Term RestSensitivity::differentiated(const Problem& problem, Te
   if (state.element_weight.size() > 0) out.weights.array() *= state.element_weight.array();
   const ElementDofs& dofs = out.dofs;
   const Index n = dofs.local_size(), block = dofs.block, first = first_corner(dim_);
-  out.by_shape.resize(cells_.rows(), n * dim_ * dim_);
+  const auto coordinates = static_cast<Index>(positions_.cols());
+  out.by_tangents.resize(cells_.rows(), n * dim_ * coordinates);
   const ColoredBatches& plan = ProblemParts::plan(problem, id);
   constexpr std::size_t stride = LocalSystem::stride;
   const int threads = ThreadCount::current();
@@ -137,6 +137,7 @@ RestSensitivity::Term RestSensitivity::differentiated(const Problem& problem, Te
     local.gradient = local.value + stride;
     local.hessian = local.gradient + to_size(n) * stride;
     term.local(x, batch, Curvature::Exact, state, kernels[to_size(thread)], local);
+    Eigen::MatrixXd by_coordinates;
     for (std::size_t p = 0; p < batch.elements.size(); ++p) {
       const Index e = batch.elements[p];
       const auto g = [&](Index k) { return local.gradient[to_size(k) * stride + p]; };
@@ -144,9 +145,10 @@ RestSensitivity::Term RestSensitivity::differentiated(const Problem& problem, Te
         const Index low = std::max(i, j), high = std::min(i, j);
         return local.hessian[to_size(low * (low + 1) / 2 + high) * stride + p];
       };
+      by_coordinates.resize(n, dim_ * dim_);
       for (Index a = 0; a < dim_; ++a)
         for (Index b = 0; b < dim_; ++b) {
-          auto slope = out.by_shape.row(e).segment(n * (dim_ * a + b), n);
+          auto slope = by_coordinates.col(dim_ * a + b);
           const Index to = block * end_of_tangent(dim_, a), at = block * end_of_tangent(dim_, b);
           for (Index i = 0; i < n; ++i) {
             slope[i] = a == b ? g(i) : 0;
@@ -160,6 +162,18 @@ RestSensitivity::Term RestSensitivity::differentiated(const Problem& problem, Te
             slope[to + k] -= g(at + k);
             slope[block * first + k] += g(at + k);
           }
+        }
+      const Frame frame(tangents(e, positions_));
+      for (Index a = 0; a < dim_; ++a)
+        for (Index k = 0; k < coordinates; ++k) {
+          Small unit = Small::Zero(coordinates, dim_);
+          unit(k, a) = 1;
+          const Small moved = frame.coordinates(unit);
+          auto slope = out.by_tangents.row(e).segment(n * (coordinates * a + k), n);
+          slope.setZero();
+          for (Index i = 0; i < dim_; ++i)
+            for (Index j = 0; j < dim_; ++j)
+              slope += moved(i, j) * by_coordinates.col(dim_ * i + j).transpose();
         }
     }
   };
@@ -175,21 +189,17 @@ Vec RestSensitivity::gradient(const RowMatrix& change) const {
                     change.rows(), change.cols(), positions_.rows(), positions_.cols()));
   require_finite_rows("RestSensitivity: the change", change);
   Vec sum = Vec::Zero(sensitivity_.point().size());
-  for (Index e = 0; e < cells_.rows(); ++e) {
-    const Eigen::MatrixXd moved = tangents(e, change);
-    if (moved.isZero(0)) continue;
-    const Eigen::MatrixXd by = Frame(tangents(e, positions_)).coordinates(moved);
-    for (const Term& term : terms_) {
+  for (const Term& term : terms_)
+    for (Index e = 0; e < cells_.rows(); ++e) {
+      const Small moved = tangents(e, change);
       const Index n = term.dofs.local_size();
       for (Index k = 0; k < n; ++k) {
         double entry = 0;
-        for (Index a = 0; a < dim_; ++a)
-          for (Index b = 0; b < dim_; ++b)
-            entry += by(a, b) * term.by_shape(e, n * (dim_ * a + b) + k);
+        for (Index t = 0; t < moved.size(); ++t)
+          entry += moved.data()[t] * term.by_tangents(e, n * t + k);
         sum[term.unknown(e, k)] += term.weights[e] * entry;
       }
     }
-  }
   return sum;
 }
 
@@ -202,22 +212,21 @@ RowMatrix RestSensitivity::adjoint(const Sensitivity::Derivative& derivative) co
   require_size("RestSensitivity::adjoint: the adjoint state", u.size(),
                sensitivity_.point().size());
   RowMatrix out = RowMatrix::Zero(positions_.rows(), positions_.cols());
-  for (Index e = 0; e < cells_.rows(); ++e) {
-    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(dim_, dim_);
-    for (const Term& term : terms_) {
+  for (const Term& term : terms_)
+    for (Index e = 0; e < cells_.rows(); ++e) {
       const Index n = term.dofs.local_size();
-      for (Index a = 0; a < dim_; ++a)
-        for (Index b = 0; b < dim_; ++b)
-          for (Index k = 0; k < n; ++k)
-            by(a, b) -=
-                term.weights[e] * term.by_shape(e, n * (dim_ * a + b) + k) * u[term.unknown(e, k)];
+      Small slopes(positions_.cols(), dim_);
+      for (Index t = 0; t < slopes.size(); ++t) {
+        double slope = 0;
+        for (Index k = 0; k < n; ++k)
+          slope -= term.by_tangents(e, n * t + k) * u[term.unknown(e, k)];
+        slopes.data()[t] = term.weights[e] * slope;
+      }
+      for (Index k = 0; k < dim_; ++k) {
+        out.row(cells_(e, end_of_tangent(dim_, k))) += slopes.col(k).transpose();
+        out.row(cells_(e, first_corner(dim_))) -= slopes.col(k).transpose();
+      }
     }
-    const Eigen::MatrixXd slopes = Frame(tangents(e, positions_)).slopes(by);
-    for (Index k = 0; k < dim_; ++k) {
-      out.row(cells_(e, end_of_tangent(dim_, k))) += slopes.col(k).transpose();
-      out.row(cells_(e, first_corner(dim_))) -= slopes.col(k).transpose();
-    }
-  }
   return out;
 }
 

@@ -23,6 +23,9 @@ namespace majorant {
 
 class RestSensitivity {
  public:
+  // Of up to 3 by 3 numbers.
+  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+
   // problem, sensitivity: of the same problem; the latter outlives this. terms: all that are
   // measured against these positions. Throws InvalidArgument for a term that the problem does not
   // have or that is no density, positions or cells that are not those of its elements, and rest
@@ -42,14 +45,14 @@ class RestSensitivity {
  private:
   struct Term {
     TermId id;
-    Vec weights;         // #E
-    RowMatrix by_shape;  // #E by local_size() D^2: of the local gradient, by the shape's change
+    Vec weights;            // #E
+    RowMatrix by_tangents;  // #E by local_size() D d: of the local gradient
     ElementDofs dofs;
     Index unknown(Index e, Index k) const {
       return dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block;
     }
   };
-  RowMatrix tangents(Index element, const RowMatrix& points) const;
+  Small tangents(Index element, const RowMatrix& points) const;
   Term differentiated(const Problem& problem, TermId id) const;
 
   const Sensitivity& sensitivity_;

@@ -35,12 +35,12 @@ constexpr double kContraction = 0.5;
 constexpr int kStepsOfAFactor = 3;
 // The eigenvalue, of the mean diagonal, below which a matrix counts as singular.
 constexpr double kSingular = 1e-13;
-// The first iteration leaves the estimate off by the root of the size, the second by nothing where
-// the matrix is singular.
-constexpr int kEigenvalueSteps = 2;
-// The step of differences of gradients, as a part of a parameter: their error is about its square,
-// the rounding 1e-16 over it.
-constexpr double kDifference = 1e-5;
+// The step of differences of gradients of four points, as a part of a parameter: their error is
+// about its fourth power, the rounding 1e-16 over it.
+constexpr double kDifference = 1e-3;
+// The points, as multiples of the step, and their coefficients.
+constexpr std::pair<double, double> kStencil[] = {
+    {1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}};
 // Parameters that all elements see, up to which each of them is tried on all elements.
 constexpr Index kFewParameters = 64;
 // How far, of the mean size of the unknowns, elements are moved to see what they depend on: at a
@@ -126,19 +126,18 @@ RowMatrix element_gradients(const Problem& problem, TermId id, const Vec& x,
   return all;
 }
 
-// The least eigenvalue of a factorized matrix, from above.
-double least_eigenvalue(LinearSolver& solver, Index size) {
+// Whether a factorized matrix has an eigenvalue below this. A vector of random signs has about 1 of
+// every eigenvector, so that H^-1 makes 1 / eigenvalue of it, and up to sqrt(size) of that where
+// there are many small ones; a second step tells these apart.
+bool is_singular(LinearSolver& solver, Index size, double least) {
   std::minstd_rand random(1);
   Vec v(size), next;
-  for (double& entry : v) entry = static_cast<double>(random()) / std::minstd_rand::max() - 0.5;
-  double eigenvalue = 0;
-  for (int k = 0; k < kEigenvalueSteps; ++k) {
-    v.normalize();
-    solver.solve(v, next);
-    eigenvalue = 1 / next.norm();
-    std::swap(v, next);
-  }
-  return eigenvalue;
+  for (double& entry : v) entry = random() % 2 == 0 ? 1 : -1;
+  solver.solve(v, next);
+  if (next.norm() * least < 1) return false;
+  v = next.normalized();
+  solver.solve(v, next);
+  return !(next.norm() * least < 1);
 }
 
 }  // namespace
@@ -149,16 +148,16 @@ class Sensitivity::Parts {
       : problem_(problem),
         z_(ProblemParts::elimination(problem_)),
         evaluator_(problem_),
-        solver_(make_solver("SensitivityOptions", options.linear_solver)),
+        solver_(options.analysed_solver ? options.analysed_solver
+                                        : make_solver("SensitivityOptions", options.linear_solver)),
         options_(std::move(options)),
         y_(result.y),
         motions_(problem_.size(), 0),
         terms_(problem_.terms().size()) {
     require_usable(result);
-    solver_->analyze(problem_.pattern());
+    if (!options_.analysed_solver) solver_->analyze(problem_.pattern());
     polish();
-    if (problem_.size() > 0 &&
-        !(least_eigenvalue(*solver_, problem_.size()) > kSingular * mean_diagonal_))
+    if (problem_.size() > 0 && is_singular(*solver_, problem_.size(), kSingular * mean_diagonal_))
       refuse(
           "the exact Hessian of the solution is singular: the energy does not see some motion of "
           "the unknowns; hold it by constraints, or name it as null_space");
@@ -478,17 +477,15 @@ class Sensitivity::Parts {
   // The derivative of the reduced gradient along a change of parameters, by differences.
   Vec along_parameters(TermId id, const Vec& base, const Vec& change) {
     const double h = kDifference / change.cwiseAbs().cwiseQuotient(sizes(base)).maxCoeff();
-    Vec up, down;
-    const auto gradient = [&](double step, Vec& out) {
-      TermState state = problem_.state(id);
-      state.parameters = base + step * change;
-      Evaluator of_changed(problem_.with({{id, state}}));
-      const double energy = of_changed.gradient(id, y_, out);
-      if (!std::isfinite(energy) || !out.allFinite()) refuse_parameters(id);
-    };
-    gradient(h, up);
-    gradient(-h, down);
-    return (up - down) / (2 * h);
+    Vec sum = Vec::Zero(problem_.size()), gradient;
+    Evaluator evaluator(problem_);
+    for (const auto& [multiple, coefficient] : kStencil) {
+      evaluator.reset(problem_.with({{id, {.parameters = base + multiple * h * change}}}));
+      const double energy = evaluator.gradient(id, y_, gradient);
+      if (!std::isfinite(energy) || !gradient.allFinite()) refuse_parameters(id);
+      sum += coefficient / h * gradient;
+    }
+    return sum;
   }
 
   void add_parameters(TermId id, const Vec& change, Vec& full, Vec& rhs) {
@@ -560,17 +557,15 @@ class Sensitivity::Parts {
     for (Index j = 0; j < steps; ++j) {
       Vec step = own == 0 ? size : Vec(Vec::Zero(count));
       for (Index k = j; own > 0 && k < count; k += own) step[k] = size[k];
-      state.parameters = base + step;
-      const RowMatrix up = element_gradients(problem_, id, x_, state);
-      state.parameters = base - step;
-      const RowMatrix down = element_gradients(problem_, id, x_, state);
-      for (Index e = 0; e < up.rows(); ++e) {
+      auto slopes = parts.by_parameters.middleCols(n * j, n);
+      slopes.setZero();
+      for (const auto& [multiple, coefficient] : kStencil) {
+        state.parameters = base + multiple * step;
+        slopes += coefficient * element_gradients(problem_, id, x_, state);
+      }
+      for (Index e = 0; e < slopes.rows(); ++e) {
         const Index k = own > 0 ? own * e + j : parts.parameter[to_size(e)];
-        auto to = parts.by_parameters.row(e).segment(n * j, n);
-        if (k < 0)
-          to.setZero();
-        else
-          to = (up.row(e) - down.row(e)) / (2 * size[k]);
+        slopes.row(e) *= k < 0 ? 0 : 1 / size[k];
       }
     }
     if (!parts.by_parameters.allFinite()) {
@@ -793,8 +788,7 @@ Eigen::MatrixXd covariance(const Problem& problem, const SolveResult& result,
   const std::unique_ptr<DirectSolver> solver = make_direct_solver();
   solver->analyze(problem.pattern());
   if (!values.allFinite() || solver->factorize(values, 0) != FactorStatus::Ok ||
-      !(least_eigenvalue(*solver, problem.size()) >
-        kSingular * mean_diagonal(problem.pattern(), values)))
+      is_singular(*solver, problem.size(), kSingular * mean_diagonal(problem.pattern(), values)))
     unsupported(
         "J^T J is singular: the residuals do not determine all unknowns; hold the others by "
         "constraints");

@@ -41,6 +41,10 @@ namespace majorant {
 
 struct SensitivityOptions {
   SolverFactory linear_solver = [] { return make_direct_solver(); };
+  // A solver that has analysed the pattern of the problem, as the one that minimized it has: its
+  // analysis serves. Nobody else factorizes with it as long as derivatives are asked for. Null:
+  // linear_solver makes one.
+  std::shared_ptr<LinearSolver> analysed_solver = {};
   // Motions that the energy does not see at y, a column each, size() rows; empty: there are none.
   std::function<Eigen::MatrixXd(const Problem&, VecIn y)> null_space = {};
   // Rows C that hold the motions, as many as there are motions, of full unknowns: C dx = 0. Empty:
@@ -94,7 +98,7 @@ class Sensitivity {
   Vec forward(const Change& change) const;
   Eigen::MatrixXd forward(const std::vector<Change>& changes) const;
   // The derivative of L with this dL/dx at point(), full unknowns; of several, a column each.
-  // Parameters by differences of exact gradients, to about 1e-9 of them. Throws InvalidArgument
+  // Parameters by differences of exact gradients, to about 1e-10 of them. Throws InvalidArgument
   // for another number of unknowns; Error(Unsupported) for elements that depend on more than one of
   // the parameters which all of them see, where there are more than 64 of these.
   Derivative adjoint(const Vec& slope) const;
