@@ -12,6 +12,8 @@
 #include "majorant/certify/proven_distance.h"
 #include "majorant/energies/energy_factory.h"
 #include "majorant/energies/make_energy.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/minimizer.h"
 #include "majorant/mesh/repair.h"
 #include "majorant/parametrization/atlas/internal/chart_solver.h"
 #include "majorant/parametrization/initialization/area_margin.h"
@@ -326,6 +328,45 @@ TEST(Stacks, OfStripsAreAsCloseAsOfSquares) {
   };
   EXPECT_TRUE(places(0.01 + 0.9e-4)[1]);
   EXPECT_FALSE(places(0.01 + 3e-4)[1]);
+}
+
+// Turns Newton's method into steepest descent, which takes thousands of iterations.
+class SteepestDescent final : public LinearSolver {
+ public:
+  void analyze(const SparsePattern&) override {}
+  FactorStatus factorize(const Vec&, double) override { return FactorStatus::Ok; }
+  Solution solve(const Vec& r, Vec& p, double) override {
+    p = 0.01 * r;
+    return {};
+  }
+  std::string description() const override { return "steepest descent"; }
+};
+
+// A thousand iterations are what a chart is worth, fewer are somebody's wish: the first one is cut
+// where its map stretches too much then, the other one stays, and it is said why.
+TEST(Unwrap, ChartsWithoutAMinimumAfterAThousandIterationsAreCut) {
+  const std::shared_ptr<const SurfaceMesh> surface =
+      repair(transformed(grid(6), [](const Vector3& p) -> Vector3 {
+        return {p.x(), 0.1 * p.y(), 0.4 * p.x() * (1 - p.x()) * p.y() * (1 - p.y())};
+      })).mesh;
+  UnwrapOptions options = of_degree(1);
+  options.packing.reset();  // nothing is divided for the sake of the layout
+  const auto solved = [&](int iterations) {
+    RunRecord record(INFINITY, iterations);
+    return unwrap(surface, options, record);
+  };
+  constexpr int kUsual = StoppingRules().max_iterations;
+  EXPECT_EQ(solved(kUsual).charts.size(), 1U);
+  options.chart.solve.tolerance = 1e-15;
+  options.chart.solve.linear_solver = [](const SparsePattern&, Ordering) {
+    return std::make_shared<SteepestDescent>();
+  };
+  const Atlas cut = solved(kUsual), kept = solved(kUsual - 1);
+  EXPECT_GT(cut.charts.size(), 1U);
+  for (const Chart& chart : cut.charts) EXPECT_EQ(why_stretched(options, chart), "");
+  ASSERT_EQ(kept.charts.size(), 1U);
+  EXPECT_EQ(kept.charts[0].status, Status::MaxIterations);
+  EXPECT_EQ(why_stretched(options, kept.charts[0]), "max_iterations");
 }
 
 // A half ring, flat, which fills little of a square.
