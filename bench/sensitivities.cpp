@@ -146,8 +146,8 @@ void measure(const Subject& subject, int repeat) {
       own->solve(gradient, p);
       evaluator.value(end.y - p);
     }));
-    analysis.push_back(
-        seconds_of([&] { make_direct_solver(Ordering::Amd)->analyze(problem.pattern()); }));
+    analysis.push_back(seconds_of(
+        [&] { make_direct_solver({.ordering = Ordering::Amd})->analyze(problem.pattern()); }));
     std::optional<Sensitivity> s;
     make.push_back(seconds_of([&] { s.emplace(problem, end); }));
     SensitivityOptions same;
