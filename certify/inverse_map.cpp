@@ -42,7 +42,7 @@ constexpr int kMostControlPoints = control_point_count(BezierTriangleSpace::kMax
 // distance |s| from the piece exceeds c |s| / (1 - c) for c < 1/2. Less, for rounding.
 constexpr double kContraction = 0.49;
 // Bisections of a face. Where det J > 0 some are enough; this many leave 2^-15 of each edge.
-constexpr int kDeepest = 30;
+constexpr int kDeepestBisection = 30;
 // Steps of the iteration: Newton's at first, then those that contract at least by kContraction, to
 // the last digit.
 constexpr int kNewtonSteps = 8, kMostSteps = 72;
@@ -84,9 +84,9 @@ Vector2 projected(const Vector2& t) {
 }
 
 // A part of a face: the control points of the map there, less uv.
-class Piece {
+class MapPiece {
  public:
-  Piece(const BezierMap& map, Index face, const Vector2& uv) : degree_(map.degree()) {
+  MapPiece(const BezierMap& map, Index face, const Vector2& uv) : degree_(map.degree()) {
     const TriangleIndices& indices = TriangleIndices::of_degree(degree_);
     const auto points = map.control_uv();
     const auto nodes = map.space().cells().row(face);
@@ -99,8 +99,8 @@ class Piece {
 
   // The two halves, cut from the first edge to the corner opposite; the next cut of each half goes
   // to the new corner (newest vertex bisection), which keeps the shapes.
-  std::array<Piece, 2> halves() const {
-    std::array<Piece, 2> half{Piece(degree_), Piece(degree_)};
+  std::array<MapPiece, 2> halves() const {
+    std::array<MapPiece, 2> half{MapPiece(degree_), MapPiece(degree_)};
     for (int k = 0; k <= degree_; ++k) {
       const int m = degree_ - k;
       std::array<Vector2, BezierTriangleSpace::kMaxDegree + 1> row;  // from corner 0 to corner 1
@@ -176,7 +176,7 @@ class Piece {
   }
 
  private:
-  explicit Piece(int degree) : degree_(degree) {}
+  explicit MapPiece(int degree) : degree_(degree) {}
 
   // Rows of equal i: of degree n the first one has n + 1 points.
   int place(int i, int j) const { return i * (degree_ + 1) - i * (i - 1) / 2 + j; }
@@ -227,16 +227,16 @@ class Piece {
 };
 
 // All preimages of the piece. Two pieces may find the same one on the edge that they share.
-void append_of_piece(const Piece& piece, int depth, std::vector<Found>& found) {
+void append_of_piece(const MapPiece& piece, int depth, std::vector<Found>& found) {
   if (!piece.may_reach_origin()) return;
   Found one;
-  const Piece::Outcome outcome = piece.solve(one);
-  if (outcome == Piece::Outcome::None) return;
-  if (outcome == Piece::Outcome::Cut && depth < kDeepest) {
-    for (const Piece& half : piece.halves()) append_of_piece(half, depth + 1, found);
+  const MapPiece::Outcome outcome = piece.solve(one);
+  if (outcome == MapPiece::Outcome::None) return;
+  if (outcome == MapPiece::Outcome::Cut && depth < kDeepestBisection) {
+    for (const MapPiece& half : piece.halves()) append_of_piece(half, depth + 1, found);
     return;
   }
-  if (outcome == Piece::Outcome::Cut) one = piece.undecided();
+  if (outcome == MapPiece::Outcome::Cut) one = piece.undecided();
   for (const Found& other : found)
     if ((other.preimage.barycentric - one.preimage.barycentric).norm() <= other.radius + one.radius)
       return;
@@ -249,12 +249,12 @@ constexpr double kManyDigits = 0x1p30;
 // The barycentric coordinates of a point in a triangle that has an area, of slivers too: quotients
 // of exact integers, rounded.
 Barycentric exact_coordinates(const std::array<Vector2, 3>& corner, const Vector2& uv) {
-  using Integer = boost::multiprecision::cpp_int;
+  using BigInteger = boost::multiprecision::cpp_int;
   const auto x =
-      to_integers<Integer>(std::array{corner[0].x(), corner[0].y(), corner[1].x(), corner[1].y(),
-                                      corner[2].x(), corner[2].y(), uv.x(), uv.y()});
-  std::array<Integer, 3> weight;
-  Integer sum = 0;
+      to_integers<BigInteger>(std::array{corner[0].x(), corner[0].y(), corner[1].x(), corner[1].y(),
+                                         corner[2].x(), corner[2].y(), uv.x(), uv.y()});
+  std::array<BigInteger, 3> weight;
+  BigInteger sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t a = 2 * ((k + 1) % 3), b = 2 * ((k + 2) % 3);
     weight[k] = (x[a] - x[6]) * (x[b + 1] - x[7]) - (x[a + 1] - x[7]) * (x[b] - x[6]);
@@ -264,7 +264,7 @@ Barycentric exact_coordinates(const std::array<Vector2, 3>& corner, const Vector
   Barycentric coordinates;
   for (std::size_t k = 0; k < 3; ++k)
     coordinates[static_cast<Index>(k)] =
-        std::ldexp(Integer(weight[k] * (Integer(1) << kBits) / sum).convert_to<double>(),
+        std::ldexp(BigInteger(weight[k] * (BigInteger(1) << kBits) / sum).convert_to<double>(),
                    -static_cast<int>(kBits));
   return coordinates / coordinates.sum();
 }
@@ -390,9 +390,9 @@ bool is_on_border(const SurfaceMesh& mesh, const Found& p) {
 }
 
 // The search for the preimages of one point after the other; its memory serves all of them.
-class Search {
+class PreimageSearch {
  public:
-  Search(const BezierMap& map, const PlacesOfFaces& places) : map_(map), places_(places) {}
+  PreimageSearch(const BezierMap& map, const PlacesOfFaces& places) : map_(map), places_(places) {}
 
   // Returns them by ascending faces, shared points once. Valid until the next call.
   const std::vector<Found>& preimages(const Vector2& uv) {
@@ -419,7 +419,7 @@ class Search {
  private:
   void solve(Index face, const Vector2& uv) {
     of_face_.clear();
-    append_of_piece(Piece(map_, face, uv), 0, of_face_);
+    append_of_piece(MapPiece(map_, face, uv), 0, of_face_);
     for (Found& one : of_face_) {
       one.preimage.face = face;
       candidates_.push_back(one);
@@ -491,7 +491,7 @@ void search_all(const BezierMap& map, const PlacesOfFaces& places, const Points2
                 const std::vector<Index>& order, const StopCheck& stop, const Take& take) {
   parallel_tasks(task_count(static_cast<Index>(uv.rows())), [&](Index task, int) {
     stop.poll();
-    Search search(map, places);
+    PreimageSearch search(map, places);
     const std::span<const Index> rows = rows_of_task(order, task);
     const Points2 gathered = rows_of(uv, rows);
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -510,7 +510,7 @@ InverseMap::InverseMap(BezierMap map) : map_(std::move(map)), places_(places_of(
 
 std::vector<Preimage> InverseMap::preimages(const Vector2& uv) const {
   std::vector<Preimage> result;
-  Search search(map_, *places_);
+  PreimageSearch search(map_, *places_);
   for (const Found& one : search.preimages(uv)) result.push_back(one.preimage);
   return result;
 }

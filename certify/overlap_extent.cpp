@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-using Corners = std::array<Vector2, 3>;
+using TriangleCorners = std::array<Vector2, 3>;
 
 // Segments of an edge of a curved face: 16 pieces a face.
 constexpr int kSegments = 4;
@@ -17,10 +17,10 @@ constexpr double kLeastPart = 1e-9;
 // Pairs of pieces whose boxes meet; beyond, how much overlaps is not said. Some four seconds.
 constexpr std::size_t kMostPairs = 100'000'000;
 
-double twice_area(const Corners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
+double twice_area(const TriangleCorners& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
 // The area that two positive triangles share: b clipped by one side of a after the other.
-double shared_area(const Corners& a, const Corners& b) {
+double shared_area(const TriangleCorners& a, const TriangleCorners& b) {
   constexpr std::size_t kMost = 9;  // corners: half as many again by each side, in any rounding
   std::array<Vector2, kMost> polygon, next;
   std::size_t count = 3;
@@ -53,7 +53,7 @@ class ExtentOfOverlap {
 
   std::optional<OverlapExtent> measure(const StopCheck& stop) {
     std::vector<Box2> boxes;
-    for (const Corners& t : pieces_)
+    for (const TriangleCorners& t : pieces_)
       boxes.push_back({t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])});
     covered_.setZero(area_.size());
     std::size_t pairs = 0;
@@ -75,7 +75,7 @@ class ExtentOfOverlap {
     const auto point = [&](int i, int j) {
       return map.evaluate(face, Barycentric(n - i - j, i, j) / n);
     };
-    const auto add = [&](const Corners& piece) {
+    const auto add = [&](const TriangleCorners& piece) {
       const double area = twice_area(piece) / 2;
       if (!(area > 0)) return;
       pieces_.push_back(piece);
@@ -92,7 +92,7 @@ class ExtentOfOverlap {
   void compare(Index i, Index j) {
     const Index f = face_[to_size(i)], g = face_[to_size(j)];
     if (f == g || (!layer_.empty() && layer_[to_size(f)] != layer_[to_size(g)])) return;
-    const Corners &a = pieces_[to_size(i)], &b = pieces_[to_size(j)];
+    const TriangleCorners &a = pieces_[to_size(i)], &b = pieces_[to_size(j)];
     const double shared = shared_area(a, b);
     if (shared <= kLeastPart * std::min(twice_area(a), twice_area(b)) / 2) return;
     covered_[f] += shared;
@@ -100,7 +100,7 @@ class ExtentOfOverlap {
   }
 
   const std::vector<Index>& layer_;
-  std::vector<Corners> pieces_;
+  std::vector<TriangleCorners> pieces_;
   std::vector<Index> face_;  // by piece
   Vec area_, covered_;       // by face, of its pieces; covered: by each other face
 };

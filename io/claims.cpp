@@ -15,7 +15,7 @@
 namespace majorant {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 // The largest distance of a direction from length 1. Origin: rounding of a vector of length 1 and
 // of its digits is far below.
@@ -23,7 +23,7 @@ constexpr double kUnitLength = 1e-12;
 
 // A value and where it is: "bunny.vtu: majorant_claims.pins[3].vertex".
 struct Place {
-  const json& value;
+  const Json& value;
   std::string name;
 
   [[noreturn]] void fail(const std::string& problem) const {
@@ -168,11 +168,11 @@ ClaimedOptions as_options(const Place& p) {
   return options;
 }
 
-json parse(const std::string& text, const std::string& name) {
+Json parse(const std::string& text, const std::string& name) {
   require_shallow_json(name, text);
   try {
-    return json::parse(text);
-  } catch (const json::exception&) {
+    return Json::parse(text);
+  } catch (const Json::exception&) {
     throw Error(ErrorKind::Unreadable,
                 fmt::format("{} is broken JSON, or a number in it is out of the range of "
                             "doubles; damaged file",
@@ -186,7 +186,7 @@ Claims parse_claims(const std::string& text, const std::string& file) {
   Claims claims;
   if (text.empty()) return claims;
   const std::string name = file.empty() ? "majorant_claims" : file + ": majorant_claims";
-  const json document = parse(text, name);
+  const Json document = parse(text, name);
   const Entries entries({document, name});
   entries.read("version", as_string, claims.version);
   entries.read("energy", as_string, claims.energy);

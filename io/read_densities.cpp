@@ -12,25 +12,25 @@
 namespace majorant {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 [[noreturn]] void fail(const std::string& path, const std::string& problem) {
   throw Error(ErrorKind::Unreadable, fmt::format("{}: {}", path, problem));
 }
 
-double density(const std::string& path, const std::string& name, const json& value) {
+double density(const std::string& path, const std::string& name, const Json& value) {
   if (!value.is_number() || !(value.get<double>() > 0) || !std::isfinite(value.get<double>()))
     fail(path, fmt::format("the density of {} is no positive number", name));
   return value.get<double>();
 }
 
-json parse(const std::string& path, const StopCheck& stop) {
+Json parse(const std::string& path, const StopCheck& stop) {
   std::string text = read_whole_file(path, stop);
   require_text(path, text);
   require_shallow_json(path, text);
   try {
-    return json::parse(text);
-  } catch (const json::exception&) {
+    return Json::parse(text);
+  } catch (const Json::exception&) {
     fail(path, "broken JSON, or a number in it is out of the range of doubles");
   }
 }
@@ -38,7 +38,7 @@ json parse(const std::string& path, const StopCheck& stop) {
 }  // namespace
 
 MaterialDensities read_densities(const std::string& path, const StopCheck& stop) {
-  const json document = parse(path, stop);
+  const Json document = parse(path, stop);
   if (!document.is_object() || (!document.contains("materials") && !document.contains("other")))
     fail(path, "needs {\"materials\": {\"NAME\": PIXELS}, \"other\": PIXELS}, or one of the two");
   MaterialDensities out;

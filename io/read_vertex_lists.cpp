@@ -17,7 +17,7 @@
 namespace majorant {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 // {KEY: [entry, ...], "index_base": 0}, entries that name vertices
 class VertexList {
@@ -26,7 +26,7 @@ class VertexList {
   VertexList(const std::string& path, std::string_view key, std::string_view example,
              Index vertex_count, const StopCheck& stop)
       : path_(path), key_(key), vertex_count_(vertex_count) {
-    json document = parse(stop);
+    Json document = parse(stop);
     if (!document.is_object() || !document.contains(key_))
       fail(fmt::format("no list \"{}\"; write {}", key_, example));
     if (!document[key_].is_array()) fail(fmt::format("\"{}\" is not a list", key_));
@@ -39,7 +39,7 @@ class VertexList {
     for (position_ = 0; position_ < list_.size(); ++position_) action(list_[position_]);
   }
   // The number 0-based.
-  Index vertex(const json& number) const {
+  Index vertex(const Json& number) const {
     if (!number.is_number_integer()) fail_here("a vertex is not an integer");
     const bool is_huge = number.is_number_unsigned() &&
                          number.get<std::uint64_t>() > std::numeric_limits<Index>::max();
@@ -55,12 +55,12 @@ class VertexList {
   long long base() const { return base_; }
 
  private:
-  json parse(const StopCheck& stop) const {
+  Json parse(const StopCheck& stop) const {
     const std::string content = read_whole_file(path_, stop);
     require_shallow_json(path_, content);
     try {
-      return json::parse(content);
-    } catch (const json::parse_error& error) {
+      return Json::parse(content);
+    } catch (const Json::parse_error& error) {
       const std::size_t byte = std::min(error.byte, content.size());
       const auto line = 1 + std::count(content.begin(),
                                        content.begin() + static_cast<std::ptrdiff_t>(byte), '\n');
@@ -68,12 +68,12 @@ class VertexList {
                   fmt::format("{}:{}: broken JSON at byte {}; truncated, or a comma or bracket is "
                               "wrong",
                               path_, line, error.byte));
-    } catch (const json::exception&) {
+    } catch (const Json::exception&) {
       fail("a number is out of the range of doubles");
     }
   }
 
-  long long read_base(const json& document) const {
+  long long read_base(const Json& document) const {
     const auto entry = document.find("index_base");
     if (entry == document.end()) return 0;
     if (!entry->is_number_integer() || (*entry != 0 && *entry != 1))
@@ -90,16 +90,16 @@ class VertexList {
   Index vertex_count_;
   long long base_ = 0;
   std::size_t position_ = 0;
-  json list_;
+  Json list_;
 };
 
-// The entries, by vertex, each once; the same again counts once. read(json, vertex) gives an Entry.
+// The entries, by vertex, each once; the same again counts once. read(Json, vertex) gives an Entry.
 template <class Entry, class Read, class Same>
 std::vector<Entry> read_once(VertexList& list, std::string_view what, const Read& read,
                              const Same& same) {
   std::vector<Entry> entries;
   std::unordered_map<Index, std::size_t> known;  // vertex -> place in `entries`
-  list.for_each([&](const json& item) {
+  list.for_each([&](const Json& item) {
     if (!item.is_object() || !item.contains("vertex")) list.fail_here("an entry needs \"vertex\"");
     const Index vertex = list.vertex(item["vertex"]);
     const Entry entry = read(item, vertex);
@@ -112,11 +112,11 @@ std::vector<Entry> read_once(VertexList& list, std::string_view what, const Read
   return entries;
 }
 
-std::optional<Vector2> read_target(const VertexList& list, const json& entry) {
+std::optional<Vector2> read_target(const VertexList& list, const Json& entry) {
   if (!entry.contains("target")) list.fail_here("a handle needs \"vertex\" and \"target\"");
   if (entry.contains("weight"))  // would be taken for more than a comment
     list.fail_here("\"weight\": all handles have one weight; leave it out");
-  const json& target = entry["target"];
+  const Json& target = entry["target"];
   if (target.is_string() && target == "initial") return std::nullopt;
   if (!target.is_array() || target.size() != 2 || !target[0].is_number() || !target[1].is_number())
     list.fail_here("\"target\" must be two numbers or \"initial\"");
@@ -125,13 +125,13 @@ std::optional<Vector2> read_target(const VertexList& list, const json& entry) {
   return point;
 }
 
-int read_quarter_turns(const VertexList& list, const json& entry) {
+int read_quarter_turns(const VertexList& list, const Json& entry) {
   // No vertex has so many faces. Chosen, not tuned.
   constexpr double kMost = 1000;
   const bool turns = entry.contains("quarter_turns");
   if (turns == entry.contains("index"))
     list.fail_here("a cone needs either \"quarter_turns\" or \"index\"");
-  const json& number = turns ? entry["quarter_turns"] : entry["index"];
+  const Json& number = turns ? entry["quarter_turns"] : entry["index"];
   if (!number.is_number()) list.fail_here("\"quarter_turns\" and \"index\" are numbers");
   const double value = turns ? number.get<double>() : 4 - 4 * number.get<double>();
   if (!(value >= 1) || value != std::floor(value) || value > kMost)
@@ -146,7 +146,7 @@ std::vector<Handle> read_handles(const std::string& path, Index vertex_count,
                                  const StopCheck& stop) {
   VertexList list(path, "handles", "{\"handles\": [{\"vertex\": 0, \"target\": [0, 0]}]}",
                   vertex_count, stop);
-  const auto read = [&](const json& item, Index vertex) {
+  const auto read = [&](const Json& item, Index vertex) {
     return Handle{vertex, read_target(list, item)};
   };
   return read_once<Handle>(list, "targets", read,
@@ -156,7 +156,7 @@ std::vector<Handle> read_handles(const std::string& path, Index vertex_count,
 std::vector<Cone> read_cones(const std::string& path, Index vertex_count, const StopCheck& stop) {
   VertexList list(path, "cones", "{\"cones\": [{\"vertex\": 0, \"quarter_turns\": 3}]}",
                   vertex_count, stop);
-  const auto read = [&](const json& item, Index vertex) {
+  const auto read = [&](const Json& item, Index vertex) {
     return Cone{vertex, read_quarter_turns(list, item)};
   };
   return read_once<Cone>(list, "angles", read, [](const Cone& a, const Cone& b) {
@@ -168,7 +168,7 @@ std::vector<std::array<Index, 2>> read_seams(const std::string& path, Index vert
                                              const StopCheck& stop) {
   VertexList list(path, "edges", "{\"edges\": [[0, 1], [1, 2]]}", vertex_count, stop);
   std::vector<std::array<Index, 2>> edges;
-  list.for_each([&](const json& item) {
+  list.for_each([&](const Json& item) {
     if (!item.is_array() || item.size() != 2) list.fail_here("an edge is two vertices");
     edges.push_back({list.vertex(item[0]), list.vertex(item[1])});
     if (edges.back()[0] == edges.back()[1]) list.fail_here("the two vertices are the same");

@@ -58,7 +58,7 @@ constexpr std::array<const char*, 11> kLists = {"accessors", "animations", "buff
                                                 "images",    "materials",  "meshes",  "nodes",
                                                 "scenes",    "skins",      "textures"};
 
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
+[[noreturn]] void refuse_gltf(const std::string& path, const std::string& what) {
   throw Error(ErrorKind::Unsupported, fmt::format("{}: {}", path, what));
 }
 
@@ -152,9 +152,10 @@ std::string name_of_uri(const std::string& uri) {
 std::string file_of_uri(const std::string& path, const std::string& uri) {
   const std::string name = name_of_uri(uri);
   if (name.find('\\') != std::string::npos || !is_below(path, name))
-    refuse(path, fmt::format("it names the file {}, and files are read from its own folder and "
-                             "those below alone; copy it there, or embed it",
-                             in_quotes(name)));
+    refuse_gltf(path,
+                fmt::format("it names the file {}, and files are read from its own folder and "
+                            "those below alone; copy it there, or embed it",
+                            in_quotes(name)));
   return (std::filesystem::path(path).parent_path() / name).string();
 }
 
@@ -186,7 +187,8 @@ void GltfDocument::parse(const std::string& content) {
     };
     if (content.size() < kHeader + kChunkHeader) truncated();
     if (const std::uint32_t version = number_at(content, 4); version != kVersion)
-      refuse(path_, fmt::format("GLB of version {}, read is 2; export it as glTF 2.0", version));
+      refuse_gltf(path_,
+                  fmt::format("GLB of version {}, read is 2; export it as glTF 2.0", version));
     if (number_at(content, 8) > content.size()) truncated();
     for (std::size_t at = kHeader, chunk = 0; at + kChunkHeader <= content.size(); ++chunk) {
       const std::size_t size = number_at(content, at);
@@ -217,8 +219,8 @@ void GltfDocument::require_supported() const {
       !(*asset)["version"].is_string())
     damaged("it has no asset.version; no glTF file");
   if (const auto version = (*asset)["version"].get<std::string>(); !version.starts_with("2."))
-    refuse(path_,
-           fmt::format("glTF of version {}, read is 2; export it as glTF 2.0", in_quotes(version)));
+    refuse_gltf(path_, fmt::format("glTF of version {}, read is 2; export it as glTF 2.0",
+                                   in_quotes(version)));
   for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
     const auto names = json_.find(key);
     if (names == json_.end()) continue;
@@ -228,19 +230,21 @@ void GltfDocument::require_supported() const {
       const auto name = entry.get<std::string>();
       for (const Compression& known : kCompressions)
         if (name == known.extension && !is_decoded(name))
-          refuse(path_, fmt::format("{} ({}) is not read{}; export the model without it",
-                                    known.name, known.extension,
-                                    known.decoding.empty()
-                                        ? ""
-                                        : fmt::format(", since this majorant was built without {}",
-                                                      known.decoding)));
+          refuse_gltf(
+              path_,
+              fmt::format(
+                  "{} ({}) is not read{}; export the model without it", known.name, known.extension,
+                  known.decoding.empty()
+                      ? ""
+                      : fmt::format(", since this majorant was built without {}", known.decoding)));
       const bool is_understood =
           is_decoded(name) || name.starts_with(kMaterials) ||
           std::find(kUnderstood.begin(), kUnderstood.end(), name) != kUnderstood.end();
       if (std::string_view(key) == "extensionsRequired" && !is_understood)
-        refuse(path_, fmt::format("it requires the extension {}, which is not read; export the "
-                                  "model without it",
-                                  in_quotes(name)));
+        refuse_gltf(path_,
+                    fmt::format("it requires the extension {}, which is not read; export the "
+                                "model without it",
+                                in_quotes(name)));
     }
   }
 }
@@ -258,7 +262,7 @@ void GltfDocument::require_sound_lists() const {
                                  ? image["mimeType"].get<std::string>()
                                  : "";
     if (kind == "image/ktx2")
-      refuse(path_, "KTX2 textures are not read; export the model without them");
+      refuse_gltf(path_, "KTX2 textures are not read; export the model without them");
     if (!image.contains("uri")) continue;
     if (!image["uri"].is_string()) damaged("images: uri is no text");
     if (const auto uri = image["uri"].get<std::string>(); !is_data_uri(uri))

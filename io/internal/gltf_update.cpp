@@ -119,9 +119,9 @@ bool is_shown_by(const Gltf& texture, std::size_t set) {
 
 // Materials that show textures by the old coordinates, of this set, and those that show them by
 // another one.
-class Materials {
+class MovedMaterials {
  public:
-  Materials(Gltf& json, std::size_t old_set) : json_(json), old_set_(old_set) {
+  MovedMaterials(Gltf& json, std::size_t old_set) : json_(json), old_set_(old_set) {
     if (json_.contains("materials"))
       for (Gltf& material : json_["materials"]) {
         bool uses = false;
@@ -233,7 +233,7 @@ class Update {
     collect_triangles();
     has_blends_ = std::any_of(new_.begin(), new_.end(),
                               [](const NewVertices& vertices) { return vertices.has_blends(); });
-    Materials materials(out_.json(), set_);
+    MovedMaterials materials(out_.json(), set_);
     for (std::size_t k = 0; k < scene_.vertices.size(); ++k) update(k, materials);
     move_others(materials);
     embed_images();
@@ -317,7 +317,7 @@ class Update {
     return blend;
   }
 
-  void update(std::size_t k, Materials& materials) {
+  void update(std::size_t k, MovedMaterials& materials) {
     const GltfScene::Vertices& vertices = scene_.vertices[k];
     const Gltf& meshes = document_.list("meshes");
     const Gltf& first = meshes[vertices.mesh]["primitives"][vertices.primitives.front()];
@@ -543,7 +543,7 @@ class Update {
   }
 
   // Points and lines whose material shows its textures by another set now have it, too.
-  void move_others(Materials& materials) {
+  void move_others(MovedMaterials& materials) {
     std::set<Primitive> done;
     for (const GltfScene::Vertices& vertices : scene_.vertices)
       for (const std::size_t p : vertices.primitives) done.insert({vertices.mesh, p});

@@ -12,7 +12,7 @@
 namespace majorant {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{
+constexpr std::array<std::pair<std::string_view, PlyType>, 16> kPlyTypes = {{
     {"char", PlyType::Int8},
     {"uchar", PlyType::UInt8},
     {"short", PlyType::Int16},
@@ -33,7 +33,7 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{
 
 PlyType read_type(TextCursor& cursor) {
   const std::string_view token = cursor.next_token();
-  for (const auto& [name, type] : kTypes) {
+  for (const auto& [name, type] : kPlyTypes) {
     if (token == name) return type;
   }
   cursor.fail(fmt::format("{} is no PLY type; correct the header", in_quotes(token)));

@@ -49,7 +49,11 @@ bool is_not_positive_at_corner(const ReferenceCell& reference, const RowMatrix& 
           part *= Fraction(nodes(i, d));
           control += part;
         }
-      for (int a = 0; a < dim; ++a) J[to_size(a)][to_size(d)] += Fraction(rows(a, k)) * control;
+      for (int a = 0; a < dim; ++a) {
+        Fraction part(rows(a, k));
+        part *= control;
+        J[to_size(a)][to_size(d)] += part;
+      }
     }
   if (dim == 2) return J[0][0] * J[1][1] <= J[0][1] * J[1][0];
   Fraction det = 0;

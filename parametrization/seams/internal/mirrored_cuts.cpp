@@ -29,7 +29,7 @@ constexpr double kWanted = 0.05;
 // In mean edges: distances beyond are not told apart.
 constexpr double kFarOff = 3;
 // In mean edges: images as near to something stand for the same.
-constexpr double kSamePlace = 2;
+constexpr double kMirroredPlace = 2;
 // In mean edges: what is as near to the plane lies in it. A band that is narrower has crooked
 // paths, a wider one paths that are not near their images.
 constexpr double kInPlane = 0.7;
@@ -157,7 +157,7 @@ void MirroredCuts::part(const std::vector<char>& border) {
 // The vertex of the border next to one that lies in the plane, or the vertex.
 Index MirroredCuts::snapped(const HalfSurface& half, Index v) const {
   if (half.is_border[v] ||
-      std::abs(plane_.height(half.mesh->positions().row(v))) > kSamePlace / 2 * edge_)
+      std::abs(plane_.height(half.mesh->positions().row(v))) > kMirroredPlace / 2 * edge_)
     return v;
   Index best = v;
   double least = std::numeric_limits<double>::infinity();
@@ -183,7 +183,8 @@ std::vector<Index> MirroredCuts::terminals(const std::vector<Index>& through, Ha
     const Vector3 image = plane_.image(place(v));
     const bool is_same =
         std::any_of(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count), [&](Index w) {
-          return (half.mesh->positions().row(w).transpose() - image).norm() <= kSamePlace * edge_;
+          return (half.mesh->positions().row(w).transpose() - image).norm() <=
+                 kMirroredPlace * edge_;
         });
     if (!is_same) own.push_back(snapped(half, vertices.nearest(image)));
   }
