@@ -104,6 +104,43 @@ FILES = {
 }
 
 
+def gltf_of(obj):
+    """The same mesh with its positions in named.bin, and a picture on it."""
+    lines = [line.split() for line in obj.decode().splitlines()]
+    points = [tuple(map(float, words[1:4])) for words in lines if words[:1] == ['v']]
+    corners = [int(word.split('/')[0]) - 1 for words in lines if words[:1] == ['f'] for word in words[1:]]
+    bounds = {name: [pick(p[c] for p in points) for c in range(3)] for name, pick in (('min', min), ('max', max))}
+    data = struct.pack('<%df' % (3 * len(points)), *(x for p in points for x in p)) + struct.pack('<%dI' % len(corners), *corners)
+    first = 12 * len(points)
+    return json.dumps({
+        'asset': {'version': '2.0'}, 'scenes': [{'nodes': [0]}], 'nodes': [{'mesh': 0}],
+        'meshes': [{'primitives': [{'attributes': {'POSITION': 0}, 'indices': 1, 'material': 0}]}],
+        'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': len(points), 'type': 'VEC3', **bounds},
+                      {'bufferView': 1, 'componentType': 5125, 'count': len(corners), 'type': 'SCALAR'}],
+        'bufferViews': [{'buffer': 0, 'byteLength': first},
+                        {'buffer': 0, 'byteOffset': first, 'byteLength': 4 * len(corners)}],
+        'buffers': [{'uri': 'named.bin', 'byteLength': len(data)}], 'images': [{'uri': 'paint.png'}],
+        'textures': [{'source': 0}], 'materials': [{'pbrMetallicRoughness': {'baseColorTexture': {'index': 0}}}],
+    }).encode(), data
+
+
+def naming_others(name, content):
+    """Inputs that name other files, in place of this one: (its name, files, those it names)."""
+    base, ending = os.path.splitext(name)
+    found = []
+    if ending == '.obj':
+        found.append((name, {name: b'mtllib named.mtl\nusemtl paint\n' + content, 'paint.png': image(),
+                             'named.mtl': b'newmtl paint\nmap_Kd paint.png\n'}, ('named.mtl', 'paint.png')))
+        gltf, data = gltf_of(content)
+        found.append((base + '.gltf', {base + '.gltf': gltf, 'named.bin': data, 'paint.png': image()},
+                      ('named.bin', 'paint.png')))
+    if ending == '.vtu':
+        pieces = b'<?xml version="1.0"?>\n<VTKFile type="PUnstructuredGrid" version="1.0">\n<PUnstructuredGrid>\n' \
+                 b'<Piece Source="piece.vtu"/>\n</PUnstructuredGrid>\n</VTKFile>\n'
+        found.append((base + '.pvtu', {base + '.pvtu': pieces, 'piece.vtu': content}, ('piece.vtu',)))
+    return found
+
+
 class Inputs:
     """A folder of what FILES makes, made when it is asked for, and once."""
     made = {}
@@ -600,22 +637,28 @@ class EveryVerb(CommandTest):
                               if os.path.splitext(name)[1] == os.path.splitext(output)[1]])
 
     def test_output_is_named_by_an_input(self):
-        """A material library and its texture."""
-        def check(example, name, output, target):
+        """A material library and its texture; a buffer and an image of glTF; a piece of a PVTU."""
+        columns, files = [], {}
+        for verb in VERBS:
+            for name in EXAMPLES[verb].inputs:
+                with open(os.path.join(Inputs.of(SMALL).prepare(name), name), 'rb') as f:
+                    for renamed, with_others, targets in naming_others(name, f.read()):
+                        files[renamed] = with_others
+                        columns += [(verb, name, output, renamed, target)
+                                    for output in EXAMPLES[verb].writes() for target in targets]
+
+        def check(example, name, output, renamed, target):
             cell = Cell(self, example)
-            with open(cell.path(name)) as f:
-                mesh = f.read()
-            with open(cell.path(name), 'w') as f:
-                f.write('mtllib named.mtl\nusemtl paint\n' + mesh)
-            with open(cell.path('named.mtl'), 'w') as f:
-                f.write('newmtl paint\nmap_Kd paint.png\n')
-            with open(cell.path('paint.png'), 'wb') as f:
-                f.write(image())
+            os.unlink(cell.path(name))
+            for file, content in files[renamed].items():
+                with open(cell.path(file), 'wb') as f:
+                    f.write(content)
             os.symlink(target, cell.path(output))
+            words = [renamed if word == name else word for word in cell.words()]
+            cell.words = lambda: words
             self.refuse(cell, output, target, target)
-        self.for_each(check, [(verb, name, output, target) for verb in VERBS for name in EXAMPLES[verb].inputs
-                              if name.endswith('.obj') for output in EXAMPLES[verb].writes()
-                              for target in ('named.mtl', 'paint.png')])
+        self.assertEqual({os.path.splitext(column[3])[1] for column in columns}, {'.obj', '.gltf', '.pvtu'})
+        self.for_each(check, columns)
 
 
 if __name__ == '__main__':
