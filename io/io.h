@@ -121,8 +121,8 @@ enum class MshContent {
 // being apart. Triangles of one degree are read, points and lines passed over. input_vertex and
 // input_face are those of the sections above, empty without them; of an image input_vertex numbers
 // its nodes, in the order of their tags. uv_rounding says how far the digits may be from uv. Throws
-// Error(Unreadable) naming file and line for anything else: other elements, views that lack nodes,
-// numbers that are not finite; Error(Unsupported) for other versions than 2.2 and 4.1; Stopped.
+// Error(Unreadable) naming file and line for anything else: versions that are neither 2.2 nor 4.1,
+// other elements, views that lack nodes, numbers that are not finite; Stopped.
 MapFile read_msh(const std::string& path, const StopCheck& stop = {});
 
 // Throws Error(Invalid) if the map is inconsistent or not finite, Error(Unsupported) for degrees

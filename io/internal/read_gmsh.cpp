@@ -142,6 +142,12 @@ class GmshReader {
   bool is_old() const { return document_.format.version == GmshVersion::Old; }
   bool is_surface() const { return parts_ == GmshParts::Surface; }
 
+  // What is understood and not supported: of surfaces by its line.
+  [[noreturn]] void refuse(const std::string& what) {
+    if (is_surface()) in_.words().fail(what);
+    refuse_mesh(file_.path, what);
+  }
+
   void read_format() {
     TextCursor& words = in_.words();
     std::string_view name = words.next_token();
@@ -155,11 +161,11 @@ class GmshReader {
                        size = words.next_integer("the data size");
     const bool is_old = version == "2.2" || version == "2.1" || version == "2" || version == "2.0";
     if (!is_old && version != "4.1")
-      refuse_mesh(file_.path, fmt::format("MSH {}; 2.2 and 4.1 are supported, gmsh writes them by "
-                                          "-format msh22 and msh41",
-                                          version));
-    if (size != 8)
-      refuse_mesh(file_.path, fmt::format("numbers of {} bytes; 8 are supported", size));
+      refuse(
+          fmt::format("MSH {}; 2.2 and 4.1 are supported, gmsh writes them by "
+                      "-format msh22 and msh41",
+                      version));
+    if (size != 8) refuse(fmt::format("numbers of {} bytes; 8 are supported", size));
     document_.format = {is_old ? GmshVersion::Old : GmshVersion::New,
                         is_binary != 0 ? GmshEncoding::Binary : GmshEncoding::Text};
     if (is_binary != 0) {
@@ -219,7 +225,7 @@ class GmshReader {
   void read_other(const std::string& name, const std::string& end) {
     const bool is_partitioned = name == "$PartitionedEntities" && !is_surface();
     if (name == "$ParametricNodes" || name == "$NOD" || is_partitioned)
-      refuse_mesh(file_.path, fmt::format("a section {}; save the mesh without it", name));
+      refuse(fmt::format("a section {}; save the mesh without it", name));
     const std::string_view content = pass_section(end);
     if (name == "$PhysicalNames")
       document_.physical_names = fmt::format("{}{}\n{}\n", name, content, end);
@@ -359,13 +365,12 @@ class GmshReader {
     const std::optional<CellType> type = gmsh_type(number);
     if (is_surface()) require_surface(number, type);
     if (!type || (!is_surface() && type->degree > CellType::kMaxDegree))
-      refuse_mesh(file_.path,
-                  is_gmsh_pyramid(number)
-                      ? "pyramids; tetrahedra, hexahedra, wedges, triangles and quads are "
-                        "supported"
-                      : fmt::format("elements of gmsh's type {}; simplices, quads, hexahedra "
-                                    "and wedges of degrees 1 to 4 are supported",
-                                    number));
+      refuse(is_gmsh_pyramid(number)
+                 ? "pyramids; tetrahedra, hexahedra, wedges, triangles and quads are "
+                   "supported"
+                 : fmt::format("elements of gmsh's type {}; simplices, quads, hexahedra "
+                               "and wedges of degrees 1 to 4 are supported",
+                               number));
     return type->node_count();
   }
 
