@@ -395,7 +395,8 @@ class GmshReader {
       const int entity = static_cast<int>(in_.small("a tag"));
       const std::int64_t number = in_.small("a type");
       const std::size_t nodes = to_size(node_count_of(number));
-      const Index count = in_.count(in_.large("the number of elements"), 3, "elements");
+      const Index count =
+          in_.count(in_.large("the number of elements"), 2 * (nodes + 1), "elements");
       const std::size_t first = document_.elements.size(),
                         first_node = document_.element_nodes.size();
       document_.elements.resize(first + to_size(count));
