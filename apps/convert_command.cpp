@@ -200,7 +200,7 @@ void add_convert(CLI::App& app, Action* run) {
   CLI::App& verb = *app.add_subcommand("convert", "write a finished map in other formats");
   add_options(
       verb, OptionGroup::Files,
-      {{"result", &request->input, result_help(), {.required = true}},
+      {{"result", &request->input, "result: " + result_help(), {.required = true}},
        {"output", &request->positional_output, "output file, same as -o"},
        {"-o,--output", &request->outputs, output_help(map_extensions()), {.type = "FILE"}}});
   request->formats.add_to(verb);

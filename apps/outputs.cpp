@@ -208,7 +208,7 @@ std::string surface_help() {
 }
 
 std::string result_help() {
-  return fmt::format("result: {}, or {} with texture coordinates",
+  return fmt::format("{}, or {} with texture coordinates",
                      fmt::join(extensions_for(FormatUse::ReadMap), ", "),
                      in_words(extensions_for(FormatUse::ReadTexcoords), "or"));
 }

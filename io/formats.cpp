@@ -94,24 +94,6 @@ std::vector<Format> rows() {
            .has_objects = true,
            .materials = Materials::Inside,
            .mark = MarkStyle::GltfGenerator},
-          {.extension = ".msh",
-           .name = "Gmsh",
-           .kinds = "2.2, 4.1",
-           .read_surface = &at_once<read_gmsh_surface>,
-           .read_map = &read_msh,
-           .read_cells = &read_gmsh_mesh,
-           .write_map = &map_to_msh,
-           .cells_text = &gmsh_text,
-           .cells_in_version = &gmsh_text_in_version,
-           .has_curves = true,
-           .has_labels = true,
-           .has_image_of_map = true,
-           .mark = MarkStyle::GmshSection},
-          {.extension = ".mesh",
-           .name = "MFEM v1.0 to v1.3, Medit",
-           .kinds = "MFEM, Medit",
-           .read_cells = &read_mfem_or_medit_mesh,
-           .mark = MarkStyle::BelowVersion},
           {.extension = ".vtu",
            .name = "VTK XML",
            .read_surface = &surface_of_vtu,
@@ -134,6 +116,24 @@ std::vector<Format> rows() {
            .has_claims = true,
            .has_pieces = true,
            .mark = MarkStyle::XmlComment},
+          {.extension = ".msh",
+           .name = "Gmsh",
+           .kinds = "2.2, 4.1",
+           .read_surface = &at_once<read_gmsh_surface>,
+           .read_map = &read_msh,
+           .read_cells = &read_gmsh_mesh,
+           .write_map = &map_to_msh,
+           .cells_text = &gmsh_text,
+           .cells_in_version = &gmsh_text_in_version,
+           .has_curves = true,
+           .has_labels = true,
+           .has_image_of_map = true,
+           .mark = MarkStyle::GmshSection},
+          {.extension = ".mesh",
+           .name = "MFEM v1.0 to v1.3, Medit",
+           .kinds = "MFEM, Medit",
+           .read_cells = &read_mfem_or_medit_mesh,
+           .mark = MarkStyle::BelowVersion},
           {.extension = ".svg", .name = "SVG", .picture = Picture::Drawing},
           {.extension = ".png", .name = "PNG", .picture = Picture::Image},
           {.extension = ".html", .name = "page", .picture = Picture::Page}};
@@ -198,8 +198,10 @@ std::vector<std::string> extensions_for(FormatUse use) {
   std::vector<const Format*> rows;
   for (const Format& format : formats())
     if (serves(format, use)) rows.push_back(&format);
-  if (use == FormatUse::WriteMap || use == FormatUse::ReadMap)
-    std::stable_partition(rows.begin(), rows.end(), [](const Format* f) { return f->has_claims; });
+  const bool is_of_maps = use == FormatUse::WriteMap || use == FormatUse::ReadMap;
+  if (is_of_maps || use == FormatUse::ReadCells || use == FormatUse::WriteCells)
+    std::stable_partition(rows.begin(), rows.end(),
+                          [&](const Format* f) { return f->has_claims == is_of_maps; });
   std::vector<std::string> out;
   for (const Format* format : rows) out.push_back(format->extension);
   return out;

@@ -103,13 +103,14 @@ enum class FormatUse {
   ReadMap,        // formats of maps, not of surfaces whose texture coordinates are one
   ReadTexcoords,  // these
   ReadCells,
-  WriteMap,  // as data, those that keep claims first
+  WriteMap,  // as data
   WriteQuads,
   WriteCells,     // any mesh; each is written in the format of its own file, too
   WriteVersions,  // of these, formats with versions and encodings to choose from
   Show,           // pictures and pages
 };
 bool serves(const Format& format, FormatUse use);
+// In the order of the rows; of maps the formats that keep claims come first, of cells last.
 std::vector<std::string> extensions_for(FormatUse use);
 // Returns whether a file of that name, .gz aside, is of a format of this use.
 bool is_for(FormatUse use, const std::string& path);

@@ -52,8 +52,9 @@ const std::vector<int>& reflected_nodes(const CellType& type) {
   return ReferenceCell::of(type).reflection();
 }
 
-Points3 control_points_of(const CellType& type, const Points3& nodes) {
-  return ReferenceCell::of(type).control_points() * nodes;
+Points3 control_points_of(const CellType& type, Points3 nodes) {
+  nodes = ReferenceCell::of(type).control_points() * nodes;
+  return nodes;
 }
 
 }  // namespace majorant

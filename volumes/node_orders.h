@@ -21,7 +21,7 @@ std::vector<std::array<int, 8>> corner_weights(CellShape shape, int degree);
 // two are of shapes of two or three dimensions.
 const std::vector<int>& reflected_nodes(const CellType& type);
 // The control points of a cell with these nodes, a row each.
-Points3 control_points_of(const CellType& type, const Points3& nodes);
+Points3 control_points_of(const CellType& type, Points3 nodes);
 
 }  // namespace majorant
 

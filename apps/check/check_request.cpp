@@ -18,7 +18,7 @@ void CheckVerb::add_to(CLI::App& verb) {
   constexpr double kHalfTurn = 180;  // degrees
   constexpr double kAnySeconds = std::numeric_limits<double>::infinity();
   add_options(verb, OptionGroup::Files,
-              {{"result", &result, result_help(), {.required = true}},
+              {{"result", &result, "result: " + result_help(), {.required = true}},
                {"--surface", &surface, "the mesh it should be a map of", {.type = "FILE"}},
                {"-o,--output",
                 &outputs,

@@ -259,10 +259,8 @@ class GmshReader {
     constexpr Index kPiece = 4096;  // lines a task: some 0.5 ms
     if (count <= kPiece || in_.is_binary()) return false;
     const std::string_view text = in_.words().text();
-    std::size_t end = in_.words().place();
-    if (!in_.words().rest_of_line().empty()) return false;
-    end = text.find('\n', end);
-    if (end == std::string_view::npos) return false;
+    std::size_t end = text.find_first_not_of(" \t\r", in_.words().place());
+    if (end == std::string_view::npos || text[end] != '\n') return false;
     std::vector<std::size_t> begin{++end};  // of the pieces, and the end
     for (Index k = 0; k < count; ++k) {
       const std::size_t found = text.find('\n', end);
@@ -283,7 +281,7 @@ class GmshReader {
         is_other = true;
       }
     });
-    if (!is_other) in_.words().go_to(end);
+    if (!is_other) in_.words().go_to(end - 1);  // the end of the last line
     return !is_other;
   }
 

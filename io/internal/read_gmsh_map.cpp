@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "majorant/framework/error.h"
@@ -43,6 +44,8 @@ class GmshTriangles {
     for (std::size_t k = 0; k < nodes_.size(); ++k)
       place_[to_size(nodes_[k])] = static_cast<Index>(k);
     find_triangles(stop);
+    entries_[0] = entries_of(document().u, "view u");
+    entries_[1] = entries_of(document().v, "view v");
   }
 
   int degree() const { return degree_; }
@@ -65,16 +68,12 @@ class GmshTriangles {
     uv.resize(node_count(), 2);
     rounding.resize(node_count(), 2);
     for (int axis = 0; axis < 2; ++axis) {
-      const auto& view = axis == 0 ? document().u : document().v;
+      const std::vector<double>& numbers = (axis == 0 ? document().u : document().v).numbers;
       const auto& places = axis == 0 ? file_.u : file_.v;
-      const std::string name = axis == 0 ? "view u" : "view v";
-      const std::vector<Index> entries = of_nodes(
-          view.tags, "values of " + name,
-          [&](std::int64_t tag) { return fmt::format("{} has no value for node {}", name, tag); });
       for (Index k = 0; k < node_count(); ++k) {
-        const std::size_t entry = to_size(entries[to_size(k)]);
-        uv(k, axis) = view.numbers[entry];
-        rounding(k, axis) = rounding_at(places[entry], view.numbers[entry]);
+        const std::size_t entry = to_size(entries_[to_size(axis)][to_size(k)]);
+        uv(k, axis) = numbers[entry];
+        rounding(k, axis) = rounding_at(places[entry], numbers[entry]);
       }
     }
   }
@@ -154,6 +153,14 @@ class GmshTriangles {
     }
   }
 
+  std::vector<Index> entries_of(const GmshDocument::Tagged<double>& view,
+                                const std::string& name) const {
+    if (view.tags.empty()) return {};
+    return of_nodes(view.tags, "values of " + name, [&](std::int64_t tag) {
+      return fmt::format("{} has no value for node {}", name, tag);
+    });
+  }
+
   // The entries of a list by tags that are of the nodes, in their order.
   template <class Missing>
   std::vector<Index> of_nodes(const std::vector<std::int64_t>& tags, const std::string& what,
@@ -174,9 +181,10 @@ class GmshTriangles {
 
   GmshFile file_;
   GmshTags tags_;
-  std::vector<Index> nodes_;            // rows of the file, in the order of their tags
-  std::vector<Index> place_;            // of each row there
-  std::vector<std::size_t> triangles_;  // elements, in the order of their tags
+  std::vector<Index> nodes_;                   // rows of the file, in the order of their tags
+  std::vector<Index> place_;                   // of each row there
+  std::vector<std::size_t> triangles_;         // elements, in the order of their tags
+  std::array<std::vector<Index>, 2> entries_;  // of the views u and v, by node
   int degree_ = 1;
   Cells cells_;
 };

@@ -93,7 +93,7 @@ TEST(Formats, OneOfOnesOwnIsReadAndWrittenAsAnyOther) {
   EXPECT_FALSE(std::filesystem::exists(folder.file("b.tri")));
   expect_contains(
       error_message(ErrorKind::Unreadable, [&] { read_mesh(folder.write("a.bin", "nothing")); }),
-      {"unknown mesh format", ".vtu or .tri"});
+      {"unknown mesh format", ".msh or .tri"});
 }
 
 TEST(Formats, RowsAreAddedOnce) {
@@ -115,7 +115,7 @@ TEST(Formats, UsesNameTheirFormats) {
       EXPECT_TRUE(serves(*find_format(extension), use));
     }
   };
-  expect(FormatUse::ReadSurface, {".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".msh", ".vtu"});
+  expect(FormatUse::ReadSurface, {".obj", ".off", ".ply", ".stl", ".glb", ".gltf", ".vtu", ".msh"});
   expect(FormatUse::ReadMap, {".vtu", ".pvtu", ".msh"});
   expect(FormatUse::ReadTexcoords, {".obj", ".ply", ".glb", ".gltf"});
   expect(FormatUse::ReadCells, {".msh", ".mesh", ".vtu"});
