@@ -1,11 +1,12 @@
 // A solution as a function of the rest positions of a mesh, of degree 1: what its densities measure
 // maps against.
 //
+//   const SolveResult result = NewtonMinimizer().minimize(problem, y0, nullptr);
 //   const Sensitivity s(problem, result);
-//   const RestSensitivity rest(problem, s, {energy}, positions, cells);   // TermIds; #V by d, #E by D+1
-//   const RowMatrix change = RowMatrix::Ones(positions.rows(), positions.cols());
-//   const Vec dx = rest.forward(change);                      // how x* moves with the positions
-//   const RowMatrix slopes = rest.adjoint(s.adjoint(dx));     // dL/d(positions) of an L
+//   const RowMatrix positions = mesh->positions();          // #V by d
+//   const RestSensitivity by(problem, s, {problem.terms().front()}, positions, mesh->faces());
+//   const Vec dx = by.forward(positions);                   // how x* moves where the mesh grows
+//   const RowMatrix slopes = by.adjoint(s.adjoint(dx));     // dL/d(positions) of an L
 //
 // The rest shapes are flat_simplices(positions, cells) (elements/rest_shapes.h), maybe turned():
 // then directions of their own stay as they are in the frames of the elements. Exact, no

@@ -48,6 +48,8 @@ constexpr Index kFewParameters = 64;
 constexpr double kDisplacement = 1e-3;
 // The part of a change's gradient along the null space that is no rounding error.
 constexpr double kAlongNullSpace = 1e-6;
+// Of sums of gradients of elements, relative to these.
+constexpr double kRounding = 1e-10;
 // Elements that a task treats: some 0.1 ms.
 constexpr Index kElementsOfATask = 4096;
 
@@ -173,6 +175,7 @@ class Sensitivity::Parts {
   Vec forward(const Change& change) {
     const std::lock_guard lock(mutex_);
     Vec full = Vec::Zero(problem_.full_size()), rhs = Vec::Zero(problem_.size()), fixed;
+    double rounding = 0;  // of what cancels: a single term's gradient is 0 at the minimum
     if (change.right_hand_sides.size() > 0) {
       fixed = of_right_hand_sides(change.right_hand_sides);
       const auto& seen = coupling();
@@ -186,6 +189,7 @@ class Sensitivity::Parts {
     for (const auto& [id, change_of] : change.weights) {
       require_finite("Sensitivity: weights", Vec::Constant(1, change_of));
       full += change_of * of(id).gradient;
+      rounding += kRounding * std::abs(change_of) * of(id).gradients.norm();
     }
     for (const auto& [id, change_of] : change.element_weights)
       add_element_weights(id, change_of, full);
@@ -194,7 +198,7 @@ class Sensitivity::Parts {
     z_.restrict_gradient(full, reduced);
     rhs += reduced;
     if (const double along = (motions_.transpose() * rhs).norm();
-        along > kAlongNullSpace * rhs.norm())
+        along > kAlongNullSpace * rhs.norm() + rounding)
       refuse("the change moves the solution along the null space, where it has no minimum");
     const Vec dy = -solve(rhs);
     Vec dx;

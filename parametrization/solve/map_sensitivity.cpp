@@ -85,12 +85,18 @@ class MapSensitivity::Parts {
     SolveResult end;
     end.status = Status::Converged;
     end.y = problem_.reduce(start_.map().control_points());
-    sensitivity_.emplace(problem_, end, exact);
-    if (!(sensitivity_->error() <= kLargestError))
+    try {
+      sensitivity_.emplace(problem_, end, exact);
+      if (!(sensitivity_->error() <= kLargestError))
+        refuse_derivative(fmt::format(
+            "exact Newton steps do not converge (the last one is {:.1e} of the map): the run has "
+            "stopped far from a minimum, or injectivity holds the map back",
+            sensitivity_->error()));
+    } catch (const Error& e) {
+      if (e.kind() != ErrorKind::Unsupported || asked_.injectivity == MapInjectivity::Local) throw;
       refuse_derivative(
-          fmt::format("exact Newton steps do not converge (the last one is {:.1e} of the map): the "
-                      "run has stopped far from a minimum, or injectivity holds the map back",
-                      sensitivity_->error()));
+          fmt::format("the scaffold of the map is active (bijective); without it: {}", e.what()));
+    }
     const Vec& x = sensitivity_->point();
     const Vec away = x - start_.map().control_points();
     const auto size = Eigen::Map<const Points2>(x.data(), x.size() / 2, 2);

@@ -3,15 +3,18 @@
 
 #include <pybind11/stl.h>
 
+#include <map>
 #include <optional>
 #include <string>
 
 #include "arrays.h"
 #include "element_functions.h"
 #include "majorant/constraints/local_injectivity.h"
+#include "majorant/energies/rest_sensitivity.h"
 #include "majorant/framework/barrier_minimizer.h"
 #include "majorant/framework/ceres_minimizer.h"
 #include "majorant/framework/energy_term.h"
+#include "majorant/framework/error.h"
 #include "majorant/framework/first_order.h"
 #include "majorant/framework/hessian_factor.h"
 #include "majorant/framework/levenberg_marquardt.h"
@@ -231,7 +234,8 @@ py::dict as_dict(const BarrierPhase& phase) {
 struct Solved {
   Problem problem;
   SolveResult result;
-  Index row_count;  // of the constraints
+  Index row_count;               // of the constraints
+  std::vector<TermId> barriers;  // of bounds
 };
 
 Solved solved(const Problem& problem, const BarrierResult& result,
@@ -240,7 +244,8 @@ Solved solved(const Problem& problem, const BarrierResult& result,
   for (const HeldBound& bound : bounds)
     changes.emplace_back(bound.barrier,
                          TermChange{.weight = result.phases.empty() ? 0 : result.phases.back().mu});
-  Solved kept{problem.with(std::move(changes)), result, row_count};
+  Solved kept{problem.with(std::move(changes)), result, row_count, {}};
+  for (const HeldBound& bound : bounds) kept.barriers.push_back(bound.barrier);
   if (!bounds.empty()) kept.result.blocking.clear();  // a barrier holds them, no checker
   return kept;
 }
@@ -300,10 +305,13 @@ class PythonSensitivity {
     });
   }
 
+  // gradient: what rest_gradient() gave.
   py::array forward(const std::optional<Doubles>& right_hand_sides,
                     const std::vector<std::pair<std::size_t, double>>& weights,
-                    const std::vector<std::pair<std::size_t, Doubles>>& parameters) const {
+                    const std::vector<std::pair<std::size_t, Doubles>>& parameters,
+                    const std::optional<Doubles>& gradient) const {
     Sensitivity::Change change;
+    if (gradient) change.gradient = matrix<Vec>(*gradient);
     if (right_hand_sides) change.right_hand_sides = matrix<Vec>(*right_hand_sides);
     for (const auto& [index, weight] : weights) change.weights.emplace_back(id(index), weight);
     for (const auto& [index, numbers] : parameters)
@@ -312,22 +320,63 @@ class PythonSensitivity {
     return moved(run([&] { return sensitivity_->forward(change); }));
   }
 
-  // (by right-hand sides, by weights, [by parameters of each term]).
+  // (by right-hand sides, by weights, [by parameters of each term], the adjoint state).
   py::tuple adjoint(const Doubles& slope) const {
     const Vec at = matrix<Vec>(slope);
     Run run;
     Sensitivity::Derivative d = run([&] { return sensitivity_->adjoint(at); });
     py::list parameters;
     for (Vec& part : d.parameters) parameters.append(moved(std::move(part)));
-    return py::make_tuple(moved(std::move(d.right_hand_sides)), d.weights, parameters);
+    return py::make_tuple(moved(std::move(d.right_hand_sides)), d.weights, parameters,
+                          moved(std::move(d.adjoint_state)));
   }
   double error() const { return sensitivity_->error(); }
+  double bias() const {
+    Run run;
+    return run([&] { return sensitivity_->bias(solved_->barriers); });
+  }
+
+  // The change of the gradient along one of the vertices of a space, which these terms measure
+  // maps against.
+  py::array rest_gradient(const Space& space, const std::vector<std::size_t>& terms,
+                          const Doubles& change) {
+    const RowMatrix moved_by = matrix<RowMatrix>(change);
+    Run run;
+    return moved(run([&] { return rest(space, terms).gradient(moved_by); }));
+  }
+  // dL by the vertices.
+  py::array rest_slopes(const Space& space, const std::vector<std::size_t>& terms,
+                        const Doubles& adjoint_state) {
+    Sensitivity::Derivative d;
+    d.adjoint_state = matrix<Vec>(adjoint_state);
+    Run run;
+    return moved(run([&] { return rest(space, terms).adjoint(d); }));
+  }
 
  private:
   TermId id(std::size_t index) const { return solved_->problem.terms()[index]; }
 
+  const RestSensitivity& rest(const Space& space, const std::vector<std::size_t>& terms) {
+    if (space.rest.curved() || space.space->degree() > 1)
+      throw Error(ErrorKind::Unsupported,
+                  "derivatives by the vertices of a space are those of triangles and tetrahedra of "
+                  "degree 1, not of " +
+                      std::string(space.rest.curved() ? "quads" : "degree ") +
+                      (space.rest.curved() ? "" : std::to_string(space.space->degree())));
+    const auto found = rest_.find(&space);
+    if (found != rest_.end()) return found->second;
+    std::vector<TermId> ids;
+    for (const std::size_t index : terms) ids.push_back(id(index));
+    const RowMatrix positions =
+        space.mesh ? RowMatrix(space.mesh->positions()) : RowMatrix(space.vertices);
+    return rest_
+        .try_emplace(&space, solved_->problem, *sensitivity_, ids, positions, space.space->cells())
+        .first->second;
+  }
+
   std::shared_ptr<Solved> solved_;
   std::optional<Sensitivity> sensitivity_;
+  std::map<const Space*, RestSensitivity> rest_;
 };
 
 py::array covariance_of(const Solved& solved, const std::vector<Index>& unknowns) {
@@ -410,8 +459,13 @@ void bind_problems(py::module_& module) {
   py::class_<PythonSensitivity>(module, "Sensitivity")
       .def(py::init<std::shared_ptr<Solved>>(), py::arg("solved"))
       .def("forward", &PythonSensitivity::forward, py::arg("right_hand_sides"), py::arg("weights"),
-           py::arg("parameters"))
+           py::arg("parameters"), py::arg("gradient"))
       .def("adjoint", &PythonSensitivity::adjoint, py::arg("slope"))
+      .def("rest_gradient", &PythonSensitivity::rest_gradient, py::arg("space"), py::arg("terms"),
+           py::arg("change"), py::keep_alive<1, 2>())
+      .def("rest_slopes", &PythonSensitivity::rest_slopes, py::arg("space"), py::arg("terms"),
+           py::arg("adjoint_state"), py::keep_alive<1, 2>())
+      .def("bias", &PythonSensitivity::bias)
       .def_property_readonly("error", &PythonSensitivity::error);
   py::class_<HessianFactor, std::shared_ptr<HessianFactor>>(module, "Factor")
       .def(

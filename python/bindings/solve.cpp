@@ -1,13 +1,18 @@
 // The solvers of maps.
 #include <pybind11/stl.h>
 
+#include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "arrays.h"
+#include "majorant/apps/jobs/input_points.h"
 #include "majorant/apps/jobs/map_job.h"
 #include "majorant/apps/jobs/solver_ladder.h"
 #include "majorant/framework/error.h"
 #include "majorant/parametrization/initialization/start.h"
+#include "majorant/parametrization/solve/map_sensitivity.h"
 #include "map_file.h"
 #include "mesh.h"
 #include "module.h"
@@ -47,6 +52,97 @@ void require_result(const MapJob& job) {
                   (result.message.empty() ? "" : ", " + result.message));
 }
 
+// What derivatives of a map need of its run.
+struct SolvedMap {
+  ParametrizationResult result;
+  ParametrizationOptions options;
+};
+
+std::shared_ptr<SolvedMap> solved_map(const MapJob& job) {
+  auto kept = std::make_shared<SolvedMap>();
+  kept->result.status = job.result.status;
+  kept->result.message = job.result.message;
+  kept->result.map = job.result.map;
+  kept->result.handles = job.result.handles;
+  kept->result.other_triangles = job.result.other_triangles;
+  kept->options = job.options;
+  kept->options.map.initial.reset();
+  kept->options.solve.watch = {};
+  kept->options.solve.linear_solver = {};
+  return kept;
+}
+
+// Derivatives of a map by its data.
+class PythonMapSensitivity {
+ public:
+  // gauge: two vertices of the input.
+  PythonMapSensitivity(std::shared_ptr<SolvedMap> solved,
+                       const std::optional<std::array<Index, 2>>& gauge)
+      : solved_(std::move(solved)) {
+    MapSensitivityOptions how;
+    how.gauge = gauge;
+    if (gauge)
+      for (Index& vertex : *how.gauge) vertex = used_vertex("gauge", mesh(), vertex);
+    Run run;
+    run([&] {
+      sensitivity_.emplace(solved_->result, solved_->options, how);
+      return 0;
+    });
+  }
+
+  // Empty arrays: no change. positions: by vertex of the mesh.
+  py::array forward(const Doubles& pins, const Doubles& handles, const Doubles& weights,
+                    double handle_weight, const Doubles& positions) const {
+    MapSensitivity::Change change;
+    change.pins = points(pins);
+    change.handles = points(handles);
+    change.weights = matrix<Vec>(weights);
+    change.handle_weight = handle_weight;
+    change.positions = matrix<RowMatrix>(positions);
+    Run run;
+    return moved(run([&] {
+      const Vec dx = sensitivity_->forward(change);
+      return RowMatrix(Eigen::Map<const RowMatrix>(dx.data(), dx.size() / 2, 2));
+    }));
+  }
+
+  // (pins, handles, weights, handle weight, positions or None).
+  py::tuple adjoint(const Doubles& slope) const {
+    const RowMatrix by_point = matrix<RowMatrix>(slope);
+    const Vec at = Eigen::Map<const Vec>(by_point.data(), by_point.size());
+    Run run;
+    MapSensitivity::Derivative d = run([&] { return sensitivity_->adjoint(at); });
+    py::object positions = py::none();
+    if (d.positions) positions = moved(RowMatrix(*d.positions));
+    return py::make_tuple(array(d.pins), array(d.handles), moved(std::move(d.weights)),
+                          d.handle_weight, positions);
+  }
+  double error() const { return sensitivity_->error(); }
+  Index motions() const { return sensitivity_->motions(); }
+  py::array input_vertices() const {
+    Eigen::VectorXi rows(mesh().vertex_count());
+    for (Index v = 0; v < rows.size(); ++v) rows[v] = mesh().input_vertex(v);
+    return moved(std::move(rows));
+  }
+
+ private:
+  const SurfaceMesh& mesh() const { return solved_->result.map->mesh(); }
+  static std::vector<Vector2> points(const Doubles& rows) {
+    std::vector<Vector2> out;
+    for (py::ssize_t k = 0; k < rows.shape(0); ++k) out.emplace_back(rows.at(k, 0), rows.at(k, 1));
+    return out;
+  }
+  static py::array array(const std::vector<Vector2>& points) {
+    RowMatrix rows(static_cast<Index>(points.size()), 2);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      rows.row(static_cast<Index>(k)) = points[k].transpose();
+    return moved(std::move(rows));
+  }
+
+  std::shared_ptr<SolvedMap> solved_;
+  std::optional<MapSensitivity> sensitivity_;
+};
+
 // make_start: calls one of the job's own, or none.
 template <class MakeStart>
 py::tuple solved(PythonJob& asked, const MakeStart& make_start) {
@@ -76,7 +172,7 @@ py::tuple solved(PythonJob& asked, const MakeStart& make_start) {
   const ParametrizationResult& result = job.result;
   return py::make_tuple(files.file, asked.polygons, promise_from(promise(job, "map.vtu")),
                         !result.other_triangles, status_name(result.status), result.message,
-                        files.report);
+                        files.report, solved_map(job));
 }
 
 py::tuple parametrize_mesh(SharedPolygons polygons, py::dict keywords, const py::object& callback) {
@@ -112,6 +208,22 @@ void bind_solvers(py::module_& module) {
   const auto add = [&](const char* name, auto solver) {
     module.def(name, solver, py::arg("mesh"), py::arg("keywords"), py::arg("callback"));
   };
+  py::class_<SolvedMap, std::shared_ptr<SolvedMap>>(module, "SolvedMap")
+      .def_property_readonly("pin_count",
+                             [](const SolvedMap& s) { return s.options.map.pins.size(); })
+      .def_property_readonly("handle_count",
+                             [](const SolvedMap& s) { return s.options.map.handles.size(); })
+      .def_property_readonly("energy_count",
+                             [](const SolvedMap& s) { return s.options.map.energy.size(); });
+  py::class_<PythonMapSensitivity>(module, "MapSensitivity")
+      .def(py::init<std::shared_ptr<SolvedMap>, const std::optional<std::array<Index, 2>>&>(),
+           py::arg("solved"), py::arg("gauge"))
+      .def("forward", &PythonMapSensitivity::forward, py::arg("pins"), py::arg("handles"),
+           py::arg("weights"), py::arg("handle_weight"), py::arg("positions"))
+      .def("adjoint", &PythonMapSensitivity::adjoint, py::arg("slope"))
+      .def_property_readonly("error", &PythonMapSensitivity::error)
+      .def_property_readonly("motions", &PythonMapSensitivity::motions)
+      .def_property_readonly("input_vertices", &PythonMapSensitivity::input_vertices);
   add("parametrize", &parametrize_mesh);
   add("seamless", &seamless_mesh);
   add("deform", &deform_mesh);

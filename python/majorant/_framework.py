@@ -39,9 +39,12 @@ class Space:
         n = _options.integer('degree', degree, 1,
                              _core.max_tetrahedron_degree if kind == 'tetrahedra' else _core.max_degree)
         if kind == 'triangles':
-            self._core = _core.triangle_space(_arrays.mesh(V, F), n)
+            mesh = _arrays.mesh(V, F)
+            self._core = _core.triangle_space(mesh, n)
+            self._shape = (len(mesh.positions), 3)
         else:
             positions = _vertices(V, kind)
+            self._shape = positions.shape
             corners = _arrays.integers('F', F, (None, 4), len(positions), 'vertices')
             if kind == 'tetrahedra':
                 _require_positive(positions, corners)
@@ -92,7 +95,7 @@ class Space:
         points = _options.integer('quadrature', quadrature, 0, 10000)
         if points and self._kind != 'triangles':
             raise UsageError(f'quadrature is of triangles; {self._kind} have a rule of their own')
-        return Term(_core.energy_terms(self._core, summands, points), self.size)
+        return Term(_core.energy_terms(self._core, summands, points), self.size, space=self)
 
 
 class Solution:
@@ -117,14 +120,28 @@ class Solution:
             self._sensitivity = _core.Sensitivity(self._solved)
         return self._sensitivity
 
+    @property
+    def derivative_error(self) -> float:
+        """An estimate of |x - x*| / |x| of the minimum x* whose derivatives `forward` and `adjoint` give,
+        after the exact Newton steps that come first; 1e-9 or less unless these did not converge."""
+        return self._derivatives().error
+
+    @property
+    def barrier_bias(self) -> float:
+        """How far the barriers of bounds and inequalities hold x from where it would be without them,
+        relative to |x|, to first order: the bias of `forward` and `adjoint`; 0 without any."""
+        return self._derivatives().bias()
+
     def forward(self, *, b: ArrayLike | None = None, weights: Mapping[Term, float] | None = None,
-                parameters: Mapping[Term, ArrayLike] | None = None) -> Doubles:
+                parameters: Mapping[Term, ArrayLike] | None = None,
+                rest: Mapping[Space, ArrayLike] | None = None) -> Doubles:
         """How x moves with the data of the problem: dx along db of all rows of `Problem.constrain` in
-        their order, changes of weights {term: dw}, and of data {term: ddata}, of the term's shape.
+        their order, changes of weights {term: dw}, of data {term: ddata}, of the term's shape, and of the
+        vertices of spaces of degree 1, {space: dV}, which all of its energies measure maps against.
 
         The implicit function theorem at the minimum, with the exact Hessian, which is factorized once
-        for this and `adjoint`. Bounds and inequalities count by the barriers of the last phase.
-        Raises UnsupportedError at a saddle, where the energy does not see some motion of the unknowns,
+        for this and `adjoint`. Bounds and inequalities count by the barriers of the last phase
+        (`barrier_bias`). Raises UnsupportedError at a saddle, where the energy does not see some motion of the unknowns,
         and where a map is held back by `keep_injective`.
         """
         core = self._derivatives()
@@ -137,15 +154,22 @@ class Solution:
                 raise UsageError(f'{term.name} was made without data')
             numbers = _arrays.floats('parameters', change, own_data[0].shape).ravel()
             moved += [(place, numbers) for place, _ in self._parts(term)]
+        gradient = None
+        for space, change in (rest or {}).items():
+            dV = _arrays.floats('rest', change, self._rest_shape(space))
+            along = core.rest_gradient(space._core, self._terms_on(space), dV[space.input_vertices])
+            gradient = along if gradient is None else gradient + along
         return core.forward(None if b is None else _arrays.floats('b', b, (self._solved.row_count,)),
-                            heavier, moved)
+                            heavier, moved, gradient)
 
     def adjoint(self, dL_dx: ArrayLike) -> 'Adjoint':
         """The derivative of a function L of x by the data of the problem, given dL/dx at x: `b`, by the
         right-hand sides of all rows of `Problem.constrain` in their order, `weights`, by term in the
-        order of `Problem.add`, and `parameters[term]`, of the shape of the term's data. As `forward`."""
+        order of `Problem.add`, `parameters[term]`, of the shape of the term's data, and `rest[space]`, by
+        the vertices of a space of degree 1, of the shape of V. As `forward`."""
         slope = _arrays.floats('dL_dx', dL_dx, (len(self.x),))
-        b, weights, parameters = self._derivatives().adjoint(slope)
+        core = self._derivatives()
+        b, weights, parameters, state = core.adjoint(slope)
         by_term: dict[Term, Doubles] = {}
         sums = {}
         for term, added in self._places.items():
@@ -154,7 +178,15 @@ class Solution:
             if term._function is not None and term._function._data:
                 whole = np.sum([parameters[place] for parts in added for place, _ in parts], axis=0)
                 by_term[term] = whole.reshape(term._function._data[0].shape)
-        return Adjoint(b, np.array([sums[place] for place in sorted(sums)]), by_term)
+
+        def by_rest(space: Space) -> Doubles:
+            shape = self._rest_shape(space)
+            slopes = core.rest_slopes(space._core, self._terms_on(space), state)
+            out = np.zeros(shape)
+            out[space.input_vertices] = slopes
+            return out
+
+        return Adjoint(b, np.array([sums[place] for place in sorted(sums)]), by_term, _Rest(by_rest))
 
     def covariance(self, indices: ArrayLike) -> Doubles:
         """The covariance (m, m) of these entries of x: the block of (J^T J)^-1, of `least_squares` terms
@@ -162,6 +194,20 @@ class Solution:
         residuals do not determine all unknowns."""
         unknowns = _arrays.integers('indices', indices, (None,), len(self.x), 'unknowns')
         return self._solved.covariance(unknowns.tolist())
+
+    def _rest_shape(self, space: Space) -> tuple[int, ...]:
+        if not isinstance(space, Space):
+            raise UsageError(f'{space!r} is no Space')
+        if not self._terms_on(space):
+            raise UsageError('no energy of the problem is on this space')
+        if space.degree > 1 or space._kind == 'quads':
+            raise UnsupportedError('rest positions are data of triangles and tetrahedra of degree 1, not of '
+                                   f'{space._kind} of degree {space.degree}')
+        return space._shape
+
+    def _terms_on(self, space: Space) -> list[int]:
+        return [place for term, added in self._places.items() if term._space is space
+                for parts in added for place, _ in parts]
 
     def _parts(self, term: Term) -> list[tuple[int, float]]:
         if term not in self._places:
@@ -173,11 +219,21 @@ class Solution:
                 'iterations>')
 
 
+class _Rest:
+    """The derivative by the vertices of a space, made when it is asked for."""
+
+    def __init__(self, make: Callable[[Space], Doubles]):
+        self._make = make
+
+    def __getitem__(self, space: Space) -> Doubles:
+        return self._make(space)
+
+
 class Adjoint:
     """dL by the data of a problem: `Solution.adjoint`."""
 
-    def __init__(self, b: Doubles, weights: Doubles, parameters: dict[Term, Doubles]):
-        self.b, self.weights, self.parameters = b, weights, parameters
+    def __init__(self, b: Doubles, weights: Doubles, parameters: dict[Term, Doubles], rest: _Rest):
+        self.b, self.weights, self.parameters, self.rest = b, weights, parameters, rest
 
 
 class Factor:

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _arrays, _core
+from . import _arrays, _core, _options
 from ._errors import UnsupportedError, UsageError
 from ._types import Doubles, Integers
 
@@ -31,9 +31,11 @@ class Map:
     """
 
     def __init__(self, file: _core.MapFile, mesh: _core.Mesh, promise: _core.Promise, input: bool, status: str,
-                 message: str, report: str):
+                 message: str, report: str, solved: _core.SolvedMap | None = None):
         self._file, self._mesh, self._promise, self._input = file, mesh, promise, input
         self._report = report
+        self._solved = solved  # of a run of parametrize() or deform() in this process
+        self._sensitivities: dict[tuple[int, int] | None, _core.MapSensitivity] = {}
         self.status = status  #: 'converged', or the limit that ended the run: see `flatten`
         self.message = message  #: why the run ended, one line
 
@@ -187,6 +189,63 @@ class Map:
             raise UsageError(f'face of shape {face.shape} and bary of shape {bary.shape} do not fit') from None
         return np.broadcast_to(face, shape), np.broadcast_to(bary, (*shape, 3))
 
+    # ---- derivatives -----------------------------------------------------------------------------
+    def forward(self, *, pins: ArrayLike | None = None, handles: ArrayLike | None = None,
+                weights: ArrayLike | None = None, soft: float = 0.0, rest: ArrayLike | None = None,
+                gauge: tuple[int, int] | None = None) -> Doubles:
+        """How the map moves with what it was made from: (#N, 2), changes of `control_points` along changes of
+
+          pins, handles   of their targets, (#, 2) each, in the order in which they were given
+          weights         of the summands of the energy, a number each
+          soft            of the weight of handles
+          rest            of V, (#V, 3), at degree 1
+
+        For maps of `parametrize` and `deform`. The implicit function theorem at the minimum, which exact
+        Newton steps reach first. Where nothing holds the map it is unique up to motions only: the
+        derivative is the one of least norm, unless a gauge is given: two vertices, of which the first one
+        stays and the second one goes on to lie in its direction. Raises UnsupportedError, by name, for
+        seamless maps, those of `unwrap`, with `improve_mesh`, read from files or unpickled, maps whose
+        scaffold is active (bijective) or that injectivity holds back, and for rest above degree 1.
+        """
+        core = self._derivatives(gauge)
+        rows = np.zeros((0, 3))
+        if rest is not None:
+            rows = _arrays.floats('rest', rest, (len(self._mesh.positions), 3))[core.input_vertices]
+        empty = np.zeros((0, 2))
+        assert self._solved is not None
+        return core.forward(
+            empty if pins is None else _arrays.floats('pins', pins, (self._solved.pin_count, 2)),
+            empty if handles is None else _arrays.floats('handles', handles, (self._solved.handle_count, 2)),
+            np.zeros(0) if weights is None else _arrays.floats('weights', weights, (self._solved.energy_count,)),
+            _options.number('soft', soft, -_options.LARGEST, _options.LARGEST, zero=True), rows)
+
+    def adjoint(self, dL_duv: ArrayLike, *, gauge: tuple[int, int] | None = None) -> 'MapAdjoint':
+        """The derivative of a function L of the map, given dL/d(control_points), (#N, 2), by what it was made
+        from: `pins`, `handles`, `weights`, `soft`, and at degree 1 `rest` (None above). As `forward`."""
+        core = self._derivatives(gauge)
+        slope = _arrays.floats('dL_duv', dL_duv, (len(self.control_points), 2))
+        pins, handles, weights, soft, positions = core.adjoint(slope)
+        rest = None
+        if positions is not None:
+            rest = np.zeros((len(self._mesh.positions), 3))
+            rest[core.input_vertices] = positions
+        return MapAdjoint(pins, handles, weights, soft, rest, core.error, core.motions)
+
+    def _derivatives(self, gauge: tuple[int, int] | None) -> _core.MapSensitivity:
+        if self._solved is None:
+            raise UnsupportedError('derivatives are those of maps of parametrize() and deform(), in the process that '
+                                   'made them; this one was made by unwrap(), read or unpickled')
+        key = None
+        if gauge is not None:
+            pair = _arrays.integers('gauge', gauge, (2,), len(self._mesh.positions), 'vertices')
+            key = (int(pair[0]), int(pair[1]))
+        if key not in self._sensitivities:
+            self._sensitivities[key] = _core.MapSensitivity(self._solved, key)
+        return self._sensitivities[key]
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, '_solved': None, '_sensitivities': {}}
+
     # ---- files -----------------------------------------------------------------------------------
     def save(self, path: str | os.PathLike, *, refine: int = 1, vtu: str = 'bezier', msh: str = 'image') -> None:
         """Writes the map; the extension says how. Written means certified.
@@ -275,6 +334,18 @@ class Map:
         value = result.get('value')
         energy = f', {result["energy"] or "energy"} {value:.6f}' if value is not None else ''
         return f'<majorant.Map: {len(self.cells)} faces, degree {self.degree}{energy}, {self.status}>'
+
+
+class MapAdjoint:
+    """dL by what a map was made from: `Map.adjoint`.
+
+    error: an estimate of |uv - uv*| / |uv| after the exact Newton steps. motions: how many motions nothing
+    holds; then derivatives are of least norm, or in the gauge that was given."""
+
+    def __init__(self, pins: Doubles, handles: Doubles, weights: Doubles, soft: float, rest: Doubles | None,
+                 error: float, motions: int):
+        self.pins, self.handles, self.weights, self.soft, self.rest = pins, handles, weights, soft, rest
+        self.error, self.motions = error, motions
 
 
 def _bernstein(degree: int, bary: Doubles) -> Doubles:

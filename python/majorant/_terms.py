@@ -74,8 +74,9 @@ class Term:
     `linear_term`, `element_term`, `least_squares`, `Inequality.penalty`."""
 
     def __init__(self, parts: list[tuple[_core.Term, float]], size: int, *, of_all: bool = False,
-                 function: _Function | None = None):
+                 function: _Function | None = None, space: Any = None):
         self._parts, self._size = parts, size
+        self._space = space  # that an energy is on
         self._of_all = of_all  # of a problem with exactly `size` unknowns, not of the first ones
         self._function = function
 

@@ -3,6 +3,7 @@
 // once; forward against adjoint by their products.
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <functional>
 #include <string>
