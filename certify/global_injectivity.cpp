@@ -9,7 +9,7 @@
 #include <set>
 
 #include "majorant/certify/boundary_loops.h"
-#include "majorant/certify/box_pairs.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/certify/internal/curve_contact.h"
 #include "majorant/certify/loop_winding.h"
 #include "majorant/framework/rounding.h"

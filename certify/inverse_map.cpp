@@ -12,11 +12,11 @@
 #include <span>
 #include <utility>
 
-#include "majorant/certify/internal/stabbing_tree.h"
 #include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/mesh/exact_integers.h"
 #include "majorant/mesh/exact_predicates.h"
 
@@ -31,7 +31,7 @@ struct alignas(64) StraightFace {
 
 // The faces by the places of a tree of their boxes.
 struct PlacesOfFaces {
-  StabbingTree tree;
+  BoxTree<2> tree;
   std::vector<StraightFace> straight;  // none of a curved map
 };
 
@@ -345,8 +345,7 @@ std::vector<Box2> boxes_of(const BezierMap& map) {
 }
 
 std::shared_ptr<const PlacesOfFaces> places_of(const BezierMap& map) {
-  const auto places =
-      std::make_shared<PlacesOfFaces>(PlacesOfFaces{StabbingTree(boxes_of(map)), {}});
+  const auto places = std::make_shared<PlacesOfFaces>(PlacesOfFaces{BoxTree<2>(boxes_of(map)), {}});
   if (map.degree() > 1) return places;
   const auto points = map.control_uv();
   places->straight.resize(to_size(places->tree.size()));
@@ -400,11 +399,11 @@ class PreimageSearch {
     found_.clear();
     if (!uv.allFinite()) return found_;
     if (map_.degree() == 1)
-      places_.tree.visit(uv, [&](Index place) {
+      places_.tree.visit_places_meeting({uv, uv}, [&](Index place) {
         append_of_face(places_.straight[to_size(place)], uv, candidates_);
       });
     else
-      places_.tree.visit(uv, [&](Index place) { solve(places_.tree.box_at(place), uv); });
+      places_.tree.visit_meeting({uv, uv}, [&](Index face) { solve(face, uv); });
     if (candidates_.size() < 2) return candidates_;
     std::stable_sort(candidates_.begin(), candidates_.end(), [](const Found& a, const Found& b) {
       return a.preimage.face < b.preimage.face;

@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "majorant/certify/boundary_loops.h"
-#include "majorant/certify/box_pairs.h"
+#include "majorant/mesh/box_tree.h"
 
 namespace majorant {
 
@@ -39,7 +39,7 @@ class LoopWinding {
  private:
   const BoundaryLoops& boundary_;
   std::vector<std::size_t> loop_of_;  // of each curve
-  BoxTree tree_;
+  BoxTree<2> tree_;
 };
 
 }  // namespace majorant

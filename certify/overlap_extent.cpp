@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "majorant/certify/box_pairs.h"
+#include "majorant/mesh/box_tree.h"
 
 namespace majorant {
 namespace {

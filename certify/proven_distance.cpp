@@ -156,8 +156,8 @@ class Layout {
   bool both_fixed(Index a, Index b) const { return !fixed_.empty() && fixed_[a] && fixed_[b]; }
   Index curve_count(Index chart) const { return first_[chart + 1] - first_[chart]; }
 
-  const BoxTree& tree(Index chart) {
-    std::optional<BoxTree>& known = trees_[chart];
+  const BoxTree<2>& tree(Index chart) {
+    std::optional<BoxTree<2>>& known = trees_[chart];
     if (!known) {
       std::vector<Box2> boxes;
       for (Index k = first_[chart]; k < first_[chart + 1]; ++k)
@@ -200,7 +200,7 @@ class Layout {
   BoundaryLoops loops_;
   std::vector<Index> first_;  // #charts + 1: curves of each
   std::vector<Box2> boxes_;   // of each chart
-  std::vector<std::optional<BoxTree>> trees_;
+  std::vector<std::optional<BoxTree<2>>> trees_;
 };
 
 // The border of a chart as polygons.

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -13,13 +14,15 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/parallel.h"
 #include "majorant/mesh/geometry.h"
+#include "majorant/mesh/nearest_point.h"
 #include "majorant/mesh/union_find.h"
-#include "majorant/pictures/baking/nearest_point.h"
 #include "majorant/quads/exact_normals.h"
 #include "majorant/quads/internal/border.h"
 #include "majorant/quads/internal/surface_below.h"
@@ -29,7 +32,8 @@ namespace {
 
 // Shares of judging that are done once corners are measured, and distances to and from the surface.
 constexpr double kCornersShare = 0.1, kToSurfaceShare = 0.5, kFromSurfaceShare = 0.9;
-constexpr std::size_t kNamed = 8;  // places that a sentence names
+constexpr double kThird = 1.0 / 3;  // of a share: middles, vertices and edges of quads
+constexpr std::size_t kNamed = 8;   // places that a sentence names
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
@@ -288,29 +292,58 @@ class QuadJudge {
 
   void compare_positions() {
     const SurfaceBelow below(*surface_);
-    Points3 samples(check_.count + half_edge_count() + static_cast<Index>(quads_.positions.size()),
-                    3);
-    Index rows = 0;
+    Points3 middles(check_.count, 3);
     for (Index q = 0; q < check_.count; ++q) {
       const std::array<Vector3, 4> p = corners_of(q);
-      samples.row(rows++) = (p[0] + p[1] + p[2] + p[3]) / 4;
+      middles.row(q) = (p[0] + p[1] + p[2] + p[3]) / 4;
     }
-    for (Index h = 0; h < half_edge_count(); ++h)
-      if (opposite_[h] < h) samples.row(rows++) = (point(from(h)) + point(to(h))) / 2;
-    for (std::size_t v = 0; v < corners_.size(); ++v)
-      if (corners_[v] > 0) samples.row(rows++) = quads_.positions[v];
-    samples.conservativeResize(rows, 3);
-    const std::vector<NearestPoint> nearest =
-        below.tree().locate(samples, stop_.between(kCornersShare, kToSurfaceShare));
+    const StopCheck told = stop_.between(kCornersShare, kToSurfaceShare);
+    const std::vector<NearestPoint> nearest = below.tree().locate(middles, told.between(0, kThird));
+    const std::vector<NearestFaces> near = faces_near_vertices(below, told);
     for (const NearestPoint& p : nearest)
       check_.hausdorff.to_surface = std::max(check_.hausdorff.to_surface, p.distance);
+    for (const NearestFaces& faces : near)
+      check_.hausdorff.to_surface = std::max(check_.hausdorff.to_surface, faces.distance);
+    Points3 midpoints(half_edge_count(), 3);
+    Index rows = 0;
+    for (Index h = 0; h < half_edge_count(); ++h)
+      if (opposite_[h] < h) midpoints.row(rows++) = (point(from(h)) + point(to(h))) / 2;
+    midpoints.conservativeResize(rows, 3);
+    check_.hausdorff.to_surface = below.tree().largest_distance(
+        midpoints, check_.hausdorff.to_surface, told.between(2 * kThird, 1));
     for (Index q = 0; q < check_.count; ++q) {
       stop_.poll_at(to_size(q));
-      if (below.is_turned(corners_of(q), nearest[q])) check_.turned.push_back(q);
+      const std::span<const Index> v = quads_.polygons[q];
+      if (below.is_turned(corners_of(q), nearest[to_size(q)],
+                          {&near[to_size(v[0])], &near[to_size(v[1])], &near[to_size(v[2])],
+                           &near[to_size(v[3])]}))
+        check_.turned.push_back(q);
     }
     if (!check_.turned.empty())
       blame(listed("quad is turned over", "quads are turned over", check_.turned));
     measure_from_surface(below.positions());
+  }
+
+  // By vertex; those of no quad have none.
+  std::vector<NearestFaces> faces_near_vertices(const SurfaceBelow& below,
+                                                const StopCheck& told) const {
+    constexpr Index kVerticesOfTask = 256;
+    const auto count = static_cast<Index>(corners_.size());
+    std::vector<NearestFaces> near(corners_.size());
+    std::atomic<std::size_t> done = 0;
+    const StopCheck share = told.between(kThird, 2 * kThird);
+    parallel_tasks((count + kVerticesOfTask - 1) / kVerticesOfTask, [&](Index task, int) {
+      share.poll();
+      Index likely = -1;
+      const Index last = std::min(count, (task + 1) * kVerticesOfTask);
+      for (Index v = task * kVerticesOfTask; v < last; ++v) {
+        if (corners_[to_size(v)] == 0) continue;
+        near[to_size(v)] = below.faces_near(quads_.positions[to_size(v)], likely);
+        likely = near[to_size(v)].faces.front();
+      }
+      share.advance(done += to_size(kVerticesOfTask), to_size(count));
+    });
+    return near;
   }
 
   void measure_from_surface(const Points3& positions) {
@@ -333,8 +366,7 @@ class QuadJudge {
       samples.row(vertices + f) = sum / 3;
     }
     const StopCheck told = stop_.between(kToSurfaceShare, kFromSurfaceShare);
-    for (const NearestPoint& p : tree.locate(samples, told))
-      check_.hausdorff.from_surface = std::max(check_.hausdorff.from_surface, p.distance);
+    check_.hausdorff.from_surface = tree.largest_distance(samples, 0, told);
   }
 
   // Borders. A place on the surface's border: the loop, and the vertex of it that comes before,

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/certify/box_pairs.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/union_find.h"

@@ -24,6 +24,7 @@
 #include "majorant/mesh/mesh_messages.h"
 #include "majorant/mesh/mesh_validation.h"
 #include "majorant/mesh/model_unit.h"
+#include "majorant/mesh/nearest_point.h"
 #include "majorant/mesh/refusal.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/texture_borders.h"
@@ -381,7 +382,7 @@ class Cutter {
       length[mesh_.from_vertex(h)] += mesh_.edge_length(h);
     }
     const Vec factor = cost.cwiseQuotient(length);
-    const NearestPoints vertices(mesh_.positions());
+    const VertexTree vertices(mesh_.positions());
     double off = 0, sum = 0;
     for (Index v = 0; v < mesh_.vertex_count(); v += 1 + mesh_.vertex_count() / kLookedAt) {
       const Index image = vertices.nearest(plane.image(mesh_.positions().row(v)));

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "majorant/framework/parallel.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/mesh/geometry.h"
 #include "majorant/mesh/model_unit.h"
 #include "majorant/parametrization/seams/internal/cut_costs.h"
@@ -28,83 +28,23 @@ constexpr int kSmoothings = 2;
 // meshes are the same from a hundredth on, nearly.
 constexpr double kHiddenWeight = 0.02;
 
-// Whether rays meet a surface: a tree of boxes, halved at the median of their middles.
-class Occluders {
+// Whether rays meet a surface.
+class OccludingSurface {
  public:
-  explicit Occluders(const SurfaceMesh& mesh) : mesh_(mesh), order_(to_size(mesh.face_count())) {
-    std::iota(order_.begin(), order_.end(), 0);
-    for (const Index f : order_) boxes_.push_back(box_of(f));
-    if (!order_.empty()) split(0, mesh.face_count());
-  }
+  explicit OccludingSurface(const SurfaceMesh& mesh)
+      : mesh_(mesh), tree_(boxes_of_faces(mesh.positions(), mesh.faces())) {}
 
   bool meets(const Vector3& from, const Vector3& direction) const {
-    std::array<Index, 64> stack;  // deeper than a halved list of 2^32
-    std::size_t size = 0;
-    stack[size++] = 0;
-    while (size > 0) {
-      const Node& node = nodes_[to_size(stack[--size])];
-      if (!passes(node.box, from, direction)) continue;
-      if (node.right < 0) {
-        for (Index i = node.first; i < node.last; ++i)
-          if (meets_face(order_[to_size(i)], from, direction)) return true;
-      } else {
-        stack[size++] = node.right;
-        stack[size++] = node.left;
-      }
-    }
-    return false;
+    bool is_met = false;
+    tree_.visit_along({from, direction}, 0, [&](Index face) {
+      is_met = meets_face(face, from, direction);
+      return !is_met;
+    });
+    return is_met;
   }
 
  private:
-  static constexpr Index kLeaf = 4;
-  using Box = Eigen::AlignedBox3d;
-  struct Node {
-    Box box;
-    Index first, last, left = -1, right = -1;
-  };
-
   Vector3 corner(Index f, Index k) const { return mesh_.positions().row(mesh_.faces()(f, k)); }
-  Box box_of(Index f) const {
-    Box box;
-    for (Index k = 0; k < 3; ++k) box.extend(corner(f, k));
-    return box;
-  }
-
-  Index split(Index first, Index last) {
-    const auto number = static_cast<Index>(nodes_.size());
-    Node node{{}, first, last};
-    for (Index i = first; i < last; ++i) node.box.extend(boxes_[to_size(order_[to_size(i)])]);
-    nodes_.push_back(node);
-    if (last - first <= kLeaf) return number;
-    Index axis = 0;
-    node.box.sizes().maxCoeff(&axis);
-    const Index middle = first + (last - first) / 2;
-    std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                     [&](Index a, Index b) {
-                       const double x = boxes_[to_size(a)].center()[axis],
-                                    y = boxes_[to_size(b)].center()[axis];
-                       return x < y || (x == y && a < b);
-                     });
-    node.left = split(first, middle);
-    node.right = split(middle, last);
-    nodes_[to_size(number)] = node;
-    return number;
-  }
-
-  static bool passes(const Box& box, const Vector3& from, const Vector3& direction) {
-    double enter = 0, leave = INFINITY;
-    for (int k = 0; k < 3; ++k) {
-      if (direction[k] == 0) {
-        if (from[k] < box.min()[k] || from[k] > box.max()[k]) return false;
-        continue;
-      }
-      const double a = (box.min()[k] - from[k]) / direction[k],
-                   b = (box.max()[k] - from[k]) / direction[k];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
-    }
-    return enter <= leave;
-  }
 
   // [MT97], from both sides.
   bool meets_face(Index f, const Vector3& from, const Vector3& direction) const {
@@ -118,9 +58,7 @@ class Occluders {
   }
 
   const SurfaceMesh& mesh_;
-  std::vector<Index> order_;
-  std::vector<Box> boxes_;  // of faces
-  std::vector<Node> nodes_;
+  const BoxTree<3> tree_;
 };
 
 struct Direction {
@@ -229,7 +167,7 @@ class RaysFrom {
 
  private:
   const Points3& positions_;
-  const Occluders occluders_;
+  const OccludingSurface occluders_;
   const Points3 normals_;
   const double height_;
 };

@@ -13,7 +13,7 @@
 #include <span>
 #include <utility>
 
-#include "majorant/certify/box_pairs.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/triangulate_polygon.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <map>
 
-#include "majorant/pictures/baking/nearest_point.h"
+#include "majorant/mesh/nearest_point.h"
 
 namespace majorant {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "majorant/framework/error.h"
 #include "majorant/mesh/exact_predicates.h"
-#include "majorant/pictures/baking/nearest_point.h"
+#include "majorant/mesh/nearest_point.h"
 
 namespace majorant {
 namespace {

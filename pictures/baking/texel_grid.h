@@ -13,7 +13,7 @@
 
 #include <array>
 
-#include "majorant/certify/box_pairs.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/framework/types.h"
 
 namespace majorant {

@@ -6,7 +6,7 @@
 #include "majorant/certify/cut_map.h"
 #include "majorant/certify/inverse_map.h"
 #include "majorant/framework/parallel.h"
-#include "majorant/pictures/baking/nearest_point.h"
+#include "majorant/mesh/nearest_point.h"
 #include "map_file.h"
 #include "module.h"
 #include "run.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/pictures/baking/nearest_point.h"
+#include "majorant/mesh/nearest_point.h"
 #include "majorant/quads/internal/surface_below.h"
 
 namespace majorant {
@@ -118,10 +118,7 @@ class Smoother {
     const double quality = std::min(worst(v), kGood);
     border_[v] = lengths_.point_at(before.half_edge, lengths_.length_at(before) + by);
     mesh_.positions[v] = lengths_.position(border_[v]);
-    if (worst(v) >= quality && turned_around(v) <= known_turned_around(v)) {
-      note_turned(v);
-      return true;
-    }
+    if (worst(v) >= quality && turns_no_more(v)) return true;
     border_[v] = before;
     mesh_.positions[v] = place;
     return false;
@@ -182,6 +179,21 @@ class Smoother {
     return count;
   }
 
+  // Returns whether no more quads around a vertex are turned than are known to be. If so, these are
+  // the ones that are known from then on.
+  bool turns_no_more(std::size_t v) {
+    const int most = known_turned_around(v);
+    int count = 0;
+    turned_now_.clear();
+    for (const Index q : quads_[v]) {
+      turned_now_.push_back(is_turned(q));
+      count += turned_now_.back();
+      if (count > most) return false;
+    }
+    for (std::size_t k = 0; k < turned_now_.size(); ++k) is_turned_[quads_[v][k]] = turned_now_[k];
+    return true;
+  }
+
   void note_turned(std::size_t v) {
     for (const Index q : quads_[v]) is_turned_[q] = is_turned(q);
   }
@@ -224,9 +236,7 @@ class Smoother {
     const double quality = std::min(worst(v), kGood);
     for (const double part : {1.0, 0.5, 0.25}) {
       mesh_.positions[v] = on_surface(v, before + part * (goal - before));
-      if (worst(v) < quality || turned_around(v) > known_turned_around(v)) continue;
-      note_turned(v);
-      return true;
+      if (worst(v) >= quality && turns_no_more(v)) return true;
     }
     mesh_.positions[v] = before;
     return false;
@@ -291,8 +301,8 @@ class Smoother {
     constexpr std::array<int, 2> kRings = {3, 6};
     constexpr int kSweeps = 40, kInVain = 8;
     for (const int rings : kRings) {
+      if (!has_folded()) return;
       const std::vector<Index> bad = bad_quads();
-      if (std::none_of(bad.begin(), bad.end(), [&](Index q) { return is_folded(q); })) return;
       const std::vector<Vector3> positions_before = mesh_.positions;
       const std::vector<BorderPoint> border_before = border_;
       const std::vector<Index> around = quads_around(bad, rings);
@@ -338,6 +348,12 @@ class Smoother {
     const Vector3 n = normal_of(p).stableNormalized();
     for (std::size_t k = 0; k < 4; ++k)
       if (sine_at(p, k, n) < kAlmost) return true;
+    return false;
+  }
+
+  bool has_folded() const {
+    for (Index q = 0; q < static_cast<Index>(mesh_.polygons.size()); ++q)
+      if (is_folded(q)) return true;
     return false;
   }
 
@@ -501,6 +517,7 @@ class Smoother {
   std::vector<std::vector<Index>> quads_;  // by vertex
   std::vector<Index> likely_, below_;      // faces of the surface, by vertex and by quad
   std::vector<char> is_turned_;            // by quad
+  std::vector<char> turned_now_;           // around the vertex that was moved last
   std::vector<Vector3> normals_;           // by quad, of the surface below; where it untangles
 };
 

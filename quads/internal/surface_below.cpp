@@ -1,12 +1,29 @@
 #include "majorant/quads/internal/surface_below.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "majorant/mesh/geometry.h"
 #include "majorant/quads/exact_normals.h"
 
 namespace majorant {
+
+std::vector<Index> faces_at(const SurfaceMesh& mesh, const NearestPoint& point) {
+  constexpr double kOnEdge = 1e-9;
+  std::vector<Index> faces = {point.face}, corners;
+  for (Index k = 0; k < 3; ++k)
+    if (point.barycentric[k] > kOnEdge) corners.push_back(3 * point.face + k);
+  if (corners.size() == 2) {
+    const Index along = next(corners[0]) == corners[1] ? corners[0] : corners[1];
+    if (const Index o = mesh.opposite(along); o >= 0) faces.push_back(face_of(o));
+  } else if (corners.size() == 1) {
+    const auto is_other = [&](Index h) { return h >= 0 && face_of(h) != point.face; };
+    for (Index h = mesh.opposite(corners[0]); is_other(h); h = mesh.opposite(next(h)))
+      faces.push_back(face_of(h));
+    for (Index h = mesh.opposite(previous(corners[0])); is_other(h); h = mesh.opposite(previous(h)))
+      faces.push_back(face_of(h));
+  }
+  return faces;
+}
 
 SurfaceBelow::SurfaceBelow(const SurfaceMesh& surface)
     : surface_(surface),
@@ -21,44 +38,48 @@ int SurfaceBelow::sign_against(const std::array<Vector3, 4>& p, Index face) cons
   return sign_of_normals({p[0], p[2]}, {p[1], p[3]}, {a, b}, {a, c});
 }
 
-std::array<SurfaceBelow::AtCorner, 4> SurfaceBelow::at_corners(
-    const std::array<Vector3, 4>& corners, Index likely) const {
+SurfaceBelow::AtCorner SurfaceBelow::at_corner(const std::array<Vector3, 4>& corners,
+                                               const NearestFaces& near) const {
   const double longest =
       std::max((corners[2] - corners[0]).norm(), (corners[3] - corners[1]).norm());
-  std::array<AtCorner, 4> found{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double distance = tree_.nearest(corners[k], likely).distance;
-    const std::vector<Index> faces = tree_.faces_within(corners[k], distance + close_);
-    AtCorner& at = found[k];
-    at.is_on_surface = distance <= kOnSurface * longest + close_;
-    at.is_away = true;
-    for (const Index f : faces) {
-      const int sign = sign_against(corners, f);
-      at.agrees |= sign > 0;
-      at.is_away &= sign < 0;
-    }
+  AtCorner at;
+  at.is_on_surface = near.distance <= kOnSurface * longest + close_;
+  at.is_away = true;
+  for (const Index f : near.faces) {
+    const int sign = sign_against(corners, f);
+    at.agrees |= sign > 0;
+    at.is_away &= sign < 0;
   }
-  return found;
+  return at;
+}
+
+bool SurfaceBelow::is_away_at_middle(const std::array<Vector3, 4>& corners,
+                                     const NearestPoint& nearest) const {
+  const std::vector<Index> faces = faces_at(surface_, nearest);
+  return std::any_of(faces.begin(), faces.end(),
+                     [&](Index f) { return sign_against(corners, f) < 0; });
 }
 
 bool SurfaceBelow::is_away(const std::array<Vector3, 4>& corners,
                            const NearestPoint& nearest) const {
-  const std::vector<Index> at_centroid = faces_at(surface_, nearest);
-  if (std::all_of(at_centroid.begin(), at_centroid.end(),
-                  [&](Index f) { return sign_against(corners, f) >= 0; }))
-    return false;
-  const auto found = at_corners(corners, nearest.face);
-  return !std::all_of(found.begin(), found.end(),
-                      [](const AtCorner& at) { return at.is_on_surface && at.agrees; });
+  if (!is_away_at_middle(corners, nearest)) return false;
+  return !std::all_of(corners.begin(), corners.end(), [&](const Vector3& p) {
+    const AtCorner at = at_corner(corners, faces_near(p, nearest.face));
+    return at.is_on_surface && at.agrees;
+  });
 }
 
-bool SurfaceBelow::is_turned(const std::array<Vector3, 4>& corners,
-                             const NearestPoint& nearest) const {
-  constexpr std::ptrdiff_t kMost = 2;
-  if (is_away(corners, nearest)) return true;
-  const auto found = at_corners(corners, nearest.face);
-  return std::count_if(found.begin(), found.end(),
-                       [](const AtCorner& at) { return at.is_on_surface && at.is_away; }) > kMost;
+bool SurfaceBelow::is_turned(const std::array<Vector3, 4>& corners, const NearestPoint& nearest,
+                             const std::array<const NearestFaces*, 4>& near) const {
+  constexpr int kMost = 2;
+  bool all_agree = true;
+  int away = 0;
+  for (const NearestFaces* faces : near) {
+    const AtCorner at = at_corner(corners, *faces);
+    all_agree &= at.is_on_surface && at.agrees;
+    away += at.is_on_surface && at.is_away;
+  }
+  return away > kMost || (!all_agree && is_away_at_middle(corners, nearest));
 }
 
 }  // namespace majorant

@@ -12,11 +12,16 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "majorant/mesh/nearest_point.h"
 #include "majorant/mesh/surface_mesh.h"
-#include "majorant/pictures/baking/nearest_point.h"
 
 namespace majorant {
+
+// The faces of the surface that its nearest point lies on, at least one: both of an edge, all
+// around a vertex, where coordinates up to 1e-9 are 0. In no order, some twice.
+std::vector<Index> faces_at(const SurfaceMesh& mesh, const NearestPoint& point);
 
 class SurfaceBelow {
  public:
@@ -38,15 +43,21 @@ class SurfaceBelow {
   // that are as near, or close() farther. Signs are exact.
   bool is_away(const std::array<Vector3, 4>& corners, const NearestPoint& nearest) const;
   // is_away(), or three corners or more on the surface face away: where the middle is nearest to
-  // another side, which agrees by chance.
-  bool is_turned(const std::array<Vector3, 4>& corners, const NearestPoint& nearest) const;
+  // another side, which agrees by chance. near: faces_near() of each corner.
+  bool is_turned(const std::array<Vector3, 4>& corners, const NearestPoint& nearest,
+                 const std::array<const NearestFaces*, 4>& near) const;
+  // The faces nearest to p, or at most close() farther.
+  NearestFaces faces_near(const Vector3& p, Index likely) const {
+    return tree_.nearest_faces(p, close_, likely);
+  }
 
  private:
   // A corner: on the surface or not; n . N > 0 for a face there; n . N < 0 for all of them.
   struct AtCorner {
     bool is_on_surface = false, agrees = false, is_away = false;
   };
-  std::array<AtCorner, 4> at_corners(const std::array<Vector3, 4>& corners, Index likely) const;
+  AtCorner at_corner(const std::array<Vector3, 4>& corners, const NearestFaces& near) const;
+  bool is_away_at_middle(const std::array<Vector3, 4>& corners, const NearestPoint& nearest) const;
   int sign_against(const std::array<Vector3, 4>& corners, Index face) const;
 
   const SurfaceMesh& surface_;

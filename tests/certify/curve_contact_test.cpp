@@ -8,7 +8,6 @@
 #include <random>
 
 #include "certify/exact_curves.h"
-#include "majorant/certify/box_pairs.h"
 
 namespace majorant {
 namespace {
@@ -315,35 +314,6 @@ TEST(CurveContact, UselessNumbersProveNothing) {
   }
   const PlanarCurve tiny = mapped(kArch, [](const Vector2& p) -> Vector2 { return 1e-200 * p; });
   EXPECT_NE(contact_between(tiny, elevated(tiny)).apart, ProofStatus::Proven);
-}
-
-// ---- Pairs of boxes ----
-
-TEST(BoxPairs, AgreeWithAllPairs) {
-  std::mt19937 random(9);
-  std::uniform_int_distribution<int> place(0, 60), size(0, 6);
-  for (const int count : {0, 1, 2, 5, 17, 300}) {
-    std::vector<Box2> boxes;
-    for (int k = 0; k < count; ++k) {
-      const Vector2 low(place(random), count == 17 ? 0 : place(random));
-      boxes.push_back({low, low + Vector2(size(random), size(random))});
-    }
-    std::vector<std::pair<Index, Index>> expected, found;
-    for (Index i = 0; i < count; ++i)
-      for (Index j = i + 1; j < count; ++j)
-        if (boxes[static_cast<std::size_t>(i)].meets(boxes[static_cast<std::size_t>(j)]))
-          expected.emplace_back(i, j);
-    const BoxTree tree(boxes);
-    tree.visit_pairs([&](Index i, Index j) {
-      found.emplace_back(i, j);
-      return true;
-    });
-    std::sort(found.begin(), found.end());
-    EXPECT_EQ(found, expected) << count;
-    std::size_t calls = 0;
-    tree.visit_pairs([&](Index, Index) { return ++calls < 3; });
-    EXPECT_EQ(calls, std::min<std::size_t>(3, expected.size()));
-  }
 }
 
 }  // namespace

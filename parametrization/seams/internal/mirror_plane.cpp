@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "majorant/mesh/nearest_point.h"
 #include "majorant/parametrization/seams/internal/cut_costs.h"
 
 namespace majorant {
@@ -55,58 +56,6 @@ double mean_edge_length(const SurfaceMesh& mesh) {
   return sum / static_cast<double>(mesh.half_edge_count());
 }
 
-NearestPoints::NearestPoints(const Points3& points)
-    : points_(points), order_(static_cast<std::size_t>(points.rows())), axis_(order_.size(), 0) {
-  std::iota(order_.begin(), order_.end(), 0);
-  split(0, static_cast<Index>(order_.size()));
-}
-
-void NearestPoints::split(Index first, Index last) {
-  if (last - first < 2) return;
-  Vector3 low = points_.row(order_[first]), high = low;
-  for (Index i = first; i < last; ++i) {
-    low = low.cwiseMin(points_.row(order_[i]).transpose());
-    high = high.cwiseMax(points_.row(order_[i]).transpose());
-  }
-  Index axis = 0;
-  (high - low).maxCoeff(&axis);
-  const Index middle = first + (last - first) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-                   [&](Index a, Index b) {
-                     const double x = points_(a, axis), y = points_(b, axis);
-                     return x < y || (x == y && a < b);
-                   });
-  axis_[middle] = static_cast<char>(axis);
-  split(first, middle);
-  split(middle + 1, last);
-}
-
-Index NearestPoints::nearest(const Vector3& p) const {
-  Index best = -1;
-  double square = std::numeric_limits<double>::infinity();
-  look(0, static_cast<Index>(order_.size()), p, best, square);
-  return best;
-}
-
-void NearestPoints::look(Index first, Index last, const Vector3& p, Index& best,
-                         double& square) const {
-  if (first >= last) return;
-  const Index middle = first + (last - first) / 2, v = order_[middle];
-  const double d = (points_.row(v).transpose() - p).squaredNorm();
-  if (d < square || (d == square && v < best)) square = d, best = v;
-  const double beyond = p[axis_[middle]] - points_(v, axis_[middle]);
-  const bool is_left = beyond < 0;
-  if (is_left)
-    look(first, middle, p, best, square);
-  else
-    look(middle + 1, last, p, best, square);
-  if (beyond * beyond > square) return;
-  if (is_left)
-    look(middle + 1, last, p, best, square);
-  else
-    look(first, middle, p, best, square);
-}
-
 std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck& stop) {
   const Inertia inertia = inertia_of(mesh);
   const Eigen::Matrix3d axes =
@@ -116,7 +65,7 @@ std::optional<MirrorPlane> mirror_plane(const SurfaceMesh& mesh, const StopCheck
     normals.emplace_back(axes.col(k));
     normals.emplace_back(Vector3::Unit(k));
   }
-  const NearestPoints vertices(mesh.positions());
+  const VertexTree vertices(mesh.positions());
   const double near = mean_edge_length(mesh);
   const Index step = 1 + mesh.vertex_count() / kMostLookedAt;
   std::optional<MirrorPlane> best;

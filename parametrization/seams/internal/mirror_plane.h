@@ -20,22 +20,6 @@ struct MirrorPlane {
   Vector3 image(const Vector3& p) const { return p - 2 * height(p) * normal; }
 };
 
-// The nearest of some points: a tree, halved at medians. The points outlive it.
-class NearestPoints {
- public:
-  explicit NearestPoints(const Points3& points);
-  // Its number; of points as near the one with the smallest. There is one.
-  Index nearest(const Vector3& p) const;
-
- private:
-  void split(Index first, Index last);
-  void look(Index first, Index last, const Vector3& p, Index& best, double& square) const;
-
-  const Points3& points_;
-  std::vector<Index> order_;
-  std::vector<char> axis_;  // by place in the order: of the node that has its middle there
-};
-
 // Of the planes through the centroid across the principal axes and those of the coordinates, the
 // one whose mirror image lies nearest; none where more than one of a hundred vertices has no vertex
 // within a mean edge of its image. Stopped.

@@ -11,6 +11,7 @@
 
 #include "majorant/mesh/cut_graph.h"
 #include "majorant/mesh/cut_shortening.h"
+#include "majorant/mesh/nearest_point.h"
 #include "majorant/parametrization/seams/cut_paths.h"
 #include "majorant/parametrization/seams/internal/pieces.h"
 
@@ -177,7 +178,7 @@ std::vector<Index> MirroredCuts::terminals(const std::vector<Index>& through, Ha
   for (const Index v : through)
     if (half.number[v] >= 0) own.push_back(snapped(half, half.number[v]));
   const std::size_t count = own.size();
-  const NearestPoints vertices(half.mesh->positions());
+  const VertexTree vertices(half.mesh->positions());
   for (const Index v : through) {
     if (half.number[v] >= 0 || (of == Ends::OfHalf && count > 0)) continue;
     const Vector3 image = plane_.image(place(v));
@@ -222,7 +223,7 @@ Vec MirroredCuts::cost_near_images(const HalfSurface& of, const std::vector<char
     distance[v] = d;
     front.push({d, v, k});
   };
-  const NearestPoints vertices(mesh.positions());
+  const VertexTree vertices(mesh.positions());
   for (Index k = 0; k < static_cast<Index>(images.size()); ++k)
     for (const Vector3& p : {images[to_size(k)].first, images[to_size(k)].second})
       reach(vertices.nearest(p), k);
@@ -252,7 +253,7 @@ std::vector<char> MirroredCuts::cut(const std::vector<Index>& through, Half mirr
   const HalfSurface& one = halves_[static_cast<std::size_t>(mirrored)];
   const HalfSurface& other = halves_[1 - static_cast<std::size_t>(mirrored)];
   std::vector<Index> ends, images;  // of the surface; of the other half
-  const NearestPoints vertices(other.mesh->positions());
+  const VertexTree vertices(other.mesh->positions());
   for (const Index v : terminals(through, mirrored, of)) {
     ends.push_back(one.vertex[v]);
     if (!one.is_border[v])

@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "majorant/certify/box_pairs.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/framework/error.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/surface_mesh.h"
