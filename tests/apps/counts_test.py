@@ -21,7 +21,7 @@ from command_helpers import OK, SHARED, SOURCE, generated, majorant, where
 
 FIGURES = os.path.join(SOURCE, 'tests', 'data', 'counts.json')
 DISKS = os.path.join(SHARED, 'data', 'public', 'disks')
-MARGIN = 0.1
+MARGIN = 0.02  # counts are the same on all machines with AVX2 or AVX-512
 OURS = {
     'tube, degree 1': ['tube', '--degree', '1'],
     'tube, degree 3': ['tube', '--degree', '3'],
@@ -106,10 +106,10 @@ class Counts(unittest.TestCase):
         self.assertEqual(starts, ['spot_10000, degree 1', 'scorpion_10000, degree 1'])
 
     def test_a_rise_is_noticed(self):
-        figures = {'run': {'iterations': 20, 'trials': 30}}
-        self.assertEqual(risen(figures, {'run': {'iterations': 22, 'trials': 1}}), [])
-        self.assertEqual(risen(figures, {'run': {'iterations': 23, 'trials': 1}}),
-                         ['run: iterations are 23, were 20'])
+        figures = {'run': {'iterations': 100, 'trials': 30}}
+        self.assertEqual(risen(figures, {'run': {'iterations': 102, 'trials': 1}}), [])
+        self.assertEqual(risen(figures, {'run': {'iterations': 103, 'trials': 1}}),
+                         ['run: iterations are 103, were 100'])
 
 
 def write_figures():
