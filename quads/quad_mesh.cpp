@@ -153,8 +153,9 @@ class QuadPlacer {
         record_(record),
         seconds_(seconds) {}
 
-  // Throws Error(Infeasible) where none are valid.
-  JudgedQuads place(const std::vector<Index>& edges) const {
+  // Throws Error(Infeasible) where none are valid. degree: the highest of the integer-grid map
+  // where the rectangles' quads are valid.
+  JudgedQuads place(const std::vector<Index>& edges, int degree) const {
     std::optional<JudgedQuads> best;
     std::optional<std::string> why;
     const auto consider = [&](const auto& make) {
@@ -172,13 +173,13 @@ class QuadPlacer {
         return smoothed_quads(mesh_, features_, lattice_, t_mesh_, edges, record_, seconds_);
       });
     if (options_.placing != QuadPlacing::Rectangles)
-      consider([&] { return on_integer_grid(edges); });
+      consider([&] { return on_integer_grid(edges, best ? degree : options_.last_degree); });
     if (!best) throw Error(ErrorKind::Infeasible, why.value_or(""));
     return *std::move(best);
   }
 
  private:
-  JudgedQuads on_integer_grid(const std::vector<Index>& edges) const {
+  JudgedQuads on_integer_grid(const std::vector<Index>& edges, int last_degree) const {
     std::optional<AddedSeconds> time(std::in_place, seconds_.place);
     const StopCheck& stop = record_.start_stop();
     const long count = quad_count(t_mesh_, edges);
@@ -189,11 +190,11 @@ class QuadPlacer {
     const double step = std::ldexp(1.0, std::ilogb(length) - 20);
     const GridTranslations grid(map_, lattice_, t_mesh_, edges, step * std::round(length / step));
     const std::optional<BezierMap> whole =
-        integer_grid_map(map_, lattice_, grid, {options_.first_degree, options_.last_degree}, stop);
+        integer_grid_map(map_, lattice_, grid, {options_.first_degree, last_degree}, stop);
     if (!whole)
       throw Error(ErrorKind::Infeasible,
                   fmt::format("no integer-grid map of degree {} to {} was reached",
-                              options_.first_degree, options_.last_degree));
+                              options_.first_degree, last_degree));
     const IntegerGrid found(roomy_, *whole, grid.edge_length(), stop);
     if (quad_count(found.t_mesh(), found.edges()) != count)
       throw Error(ErrorKind::Infeasible, "the integer-grid map has another number of quads");
@@ -335,7 +336,11 @@ QuadMesh quads_with(const SurfaceMesh& mesh, const std::vector<char>& features,
     const auto [known, is_new] = failures.try_emplace(edges);
     if (!is_new) throw Error(ErrorKind::Infeasible, known->second);
     std::optional<JudgedQuads> placed;
-    if (std::optional<std::string> failed = why_infeasible([&] { placed = placer.place(edges); })) {
+    // Where the count is far off, better angles are not worth the time that higher degrees take.
+    const int degree =
+        off <= kCountClose || options.edge_length ? options.last_degree : options.first_degree;
+    if (std::optional<std::string> failed =
+            why_infeasible([&] { placed = placer.place(edges, degree); })) {
       known->second = *std::move(failed);
       throw Error(ErrorKind::Infeasible, known->second);
     }
