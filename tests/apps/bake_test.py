@@ -172,6 +172,12 @@ class Values(BakeTest):
         self.run_ok('bake', flat, '--from', flat, '--attribute', 'distortion', '--size', '8', '-o', self.path('d.npy'))
         np.testing.assert_allclose(np.load(self.path('d.npy')), 1, atol=1e-5)
 
+    def test_the_description_of_an_array_is_an_output(self):
+        """A report does not replace the .json that says what a .npy holds."""
+        self.refused(USAGE, 'bake', self.new, '--from', self.bare, '--attribute', 'position', '--size', '16', '-o',
+                     self.path('p.npy'), '--report', self.path('p.npy.json'), says='same file')
+        self.assertNotIn('p.npy.json', self.files())
+
     def test_padding_and_misses(self):
         points, faces = grid(8)
         half = self.write('half.obj', obj_text(points, [f for f in faces if max(points[v][0] for v in f) <= 0.5]))
