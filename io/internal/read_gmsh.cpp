@@ -155,7 +155,7 @@ class GmshReader {
       pass_section("$EndComments");
       name = words.next_token();
     }
-    if (name != "$MeshFormat") words.fail("no section $MeshFormat at the top; not a gmsh file");
+    if (name != "$MeshFormat") words.fail("no section $MeshFormat; not a gmsh file");
     const std::string version(words.next_token());
     const std::int64_t is_binary = words.next_integer("the file type"),
                        size = words.next_integer("the data size");
