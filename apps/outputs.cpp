@@ -215,10 +215,10 @@ std::string result_help() {
 
 std::string cells_help() {
   std::vector<std::string> list;
-  for (const Format& format : formats())
-    if (serves(format, FormatUse::ReadCells))
-      list.push_back(format.kinds.empty() ? format.extension
-                                          : fmt::format("{} ({})", format.extension, format.kinds));
+  for (const std::string& extension : extensions_for(FormatUse::ReadCells)) {
+    const std::string& kinds = find_format(extension)->kinds;
+    list.push_back(kinds.empty() ? extension : fmt::format("{} ({})", extension, kinds));
+  }
   return fmt::format("{}", fmt::join(list, ", "));
 }
 
