@@ -128,13 +128,14 @@ RowMatrix element_gradients(const Problem& problem, TermId id, const Vec& x,
   return all;
 }
 
-// Whether a factorized matrix has an eigenvalue below this. A vector of random signs has about 1 of
-// every eigenvector, so that H^-1 makes 1 / eigenvalue of it, and up to sqrt(size) of that where
-// there are many small ones; a second step tells these apart.
+// Whether a factorized matrix has an eigenvalue below this. A vector of random numbers of variance
+// 1 has about 1 of every eigenvector, so that H^-1 makes 1 / eigenvalue of it, and up to sqrt(size)
+// of that where there are many small ones; a second step tells these apart.
 bool is_singular(LinearSolver& solver, Index size, double least) {
   std::minstd_rand random(1);
   Vec v(size), next;
-  for (double& entry : v) entry = random() % 2 == 0 ? 1 : -1;
+  for (double& entry : v)
+    entry = std::sqrt(12.0) * (static_cast<double>(random()) / std::minstd_rand::max() - 0.5);
   solver.solve(v, next);
   if (next.norm() * least < 1) return false;
   v = next.normalized();

@@ -120,14 +120,92 @@ def test_bounds_count_by_the_barrier_that_is_left():
     assert free.x == pytest.approx([0.2], abs=1e-4)
 
 
+V4 = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0.4], [0, 1, 0], [0.5, 0.5, 0.5]])
+F4 = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
+
+
+def flattened(V=V4, degree=1):
+    """A pyramid, two of its corners held: the solution and its space."""
+    space = majorant.Space(V, F4, degree)
+    problem = majorant.Problem(space.size).add(space.energy(), 0.7).add(space.energy('arap'), 0.5)
+    problem.constrain(np.eye(4, space.size), [0, 0, 1.1, 0.1])
+    start = space.tutte()
+    turn = start[2:4] - start[:2]
+    a = np.array([[turn[0], turn[1]], [-turn[1], turn[0]]]) / (turn @ turn)
+    a = np.array([[1.1, -0.1], [0.1, 1.1]]) @ a
+    start = ((start.reshape(-1, 2) - start[:2]) @ a.T).ravel()
+    start[:4] = [0, 0, 1.1, 0.1]
+    return problem.minimize(start, tolerance=1e-13), space, problem
+
+
+def test_rest_positions_of_a_space():
+    rng = np.random.default_rng(2)
+    dV = rng.normal(size=V4.shape)
+
+    def at(t):
+        s, _, problem = flattened(V4 + t * dV)
+        y = problem.reduce(s.x)
+        for _ in range(3):
+            y = y - problem.factor(y).solve(problem.gradient(y))
+        return problem.expand(y)
+
+    s, space, _ = flattened()
+    dx, h = s.forward(rest={space: dV}), 1e-3
+    expected = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h)
+    assert np.linalg.norm(dx - expected) < 1e-7 * np.linalg.norm(expected)
+    slope = rng.normal(size=len(s.x))
+    by_rest = s.adjoint(slope).rest[space]
+    assert by_rest.shape == V4.shape
+    assert (by_rest * dV).sum() == pytest.approx(slope @ dx, rel=1e-9)
+
+
+def test_errors_and_biases_are_told():
+    s, _, _ = flattened()
+    assert s.derivative_error < 1e-9 and s.barrier_bias == 0
+    rough = net()[0].minimize(net()[2], max_iterations=8)
+    assert rough.derivative_error < 1e-9          # polished
+    wide = majorant.element_term([[0]], lambda z, e, t: (z[:, 0] - t[0]) ** 2, data=[3.0])
+    held = majorant.Problem(1).add(wide).bound(upper=[1.0]).minimize([0.0], gap=1e-4)
+    assert 1e-7 < held.barrier_bias < 1e-3
+    assert held.barrier_bias == pytest.approx(1 - held.x[0], rel=0.1)
+
+
+SADDLE = majorant.element_term([[0, 1]], lambda z, e: z[:, 0] ** 2 - z[:, 1] ** 2 + z[:, 1] ** 4)
+FREE = majorant.element_term([[0, 1]], lambda z, e: (z[:, 1] - z[:, 0] - 1) ** 2)
+USAGE, UNSUPPORTED = majorant.UsageError, majorant.UnsupportedError
+
+
 @pytest.mark.parametrize('call, kind, message', [
-    (lambda s, t: s.forward(b=np.ones(3)), majorant.UsageError, 'b'),
-    (lambda s, t: s.forward(b=[np.nan] * 12), majorant.UsageError, 'b'),
-    (lambda s, t: s.forward(weights={net()[1]: 1.0}), majorant.UsageError, 'no term'),
-    (lambda s, t: s.forward(parameters={t: np.ones(3)}), majorant.UsageError, 'parameters'),
-    (lambda s, t: s.adjoint(np.ones(3)), majorant.UsageError, 'dL_dx'),
-    (lambda s, t: s.covariance([0]), majorant.UnsupportedError, 'sum of squares'),
-    (lambda s, t: s.covariance([10 ** 6]), majorant.UsageError, 'indices'),
+    (lambda s, t: s.forward(b=np.ones(3)), USAGE, 'b'),
+    (lambda s, t: s.forward(b=[np.nan] * 12), USAGE, 'b'),
+    (lambda s, t: s.forward(b='abc'), USAGE, 'b'),
+    (lambda s, t: s.forward(b=np.ones((12, 1))), USAGE, 'b'),
+    (lambda s, t: s.forward(weights={net()[1]: 1.0}), USAGE, 'no term'),
+    (lambda s, t: s.forward(weights={t: np.nan}), USAGE, 'weights'),
+    (lambda s, t: s.forward(weights={'springs': 1.0}), USAGE, 'no term'),
+    (lambda s, t: s.forward(parameters={t: np.ones(3)}), USAGE, 'parameters'),
+    (lambda s, t: s.forward(parameters={t: np.full(len(EDGES), np.inf)}), USAGE, 'parameters'),
+    (lambda s, t: s.forward(parameters={majorant.linear_term(np.ones(75)): [1.0]}), USAGE, 'without data'),
+    (lambda s, t: s.forward(parameters={net()[1]: LENGTHS}), USAGE, 'no term'),
+    (lambda s, t: s.forward(rest={1: V4}), USAGE, 'no Space'),
+    (lambda s, t: s.forward(rest={majorant.Space(V4, F4): V4}), USAGE, 'no energy of the problem'),
+    (lambda s, t: flattened(degree=2)[0].adjoint(np.ones(26)).rest[1], USAGE, 'no Space'),
+    (lambda s, t: (lambda r: r[0].forward(rest={r[1]: V4}))(flattened(degree=2)), UNSUPPORTED, 'degree 2'),
+    (lambda s, t: (lambda r: r[0].forward(rest={r[1]: V4[:3]}))(flattened()), USAGE, 'rest'),
+    (lambda s, t: (lambda r: r[0].forward(rest={r[1]: np.nan * V4}))(flattened()), USAGE, 'rest'),
+    (lambda s, t: s.adjoint(np.ones(3)), USAGE, 'dL_dx'),
+    (lambda s, t: s.adjoint(np.ones((75, 1))), USAGE, 'dL_dx'),
+    (lambda s, t: s.adjoint(np.full(75, np.nan)), USAGE, 'dL_dx'),
+    (lambda s, t: s.adjoint(None), USAGE, 'dL_dx'),
+    (lambda s, t: s.covariance([0]), UNSUPPORTED, 'sum of squares'),
+    (lambda s, t: s.covariance([10 ** 6]), USAGE, 'indices'),
+    (lambda s, t: s.covariance([-1]), USAGE, 'indices'),
+    (lambda s, t: s.covariance([0.5]), USAGE, 'indices'),
+    (lambda s, t: majorant.Problem(2).add(SADDLE).minimize([1.0, 0.0]).adjoint([1.0, 0.0]), UNSUPPORTED, 'saddle'),
+    (lambda s, t: majorant.Problem(2).add(SADDLE).minimize([1.0, 0.0]).derivative_error, UNSUPPORTED, 'saddle'),
+    (lambda s, t: majorant.Problem(2).add(FREE).minimize([0.0, 0.0]).forward(), UNSUPPORTED, 'motion'),
+    (lambda s, t: majorant.Problem(2).add(FREE).minimize([0.0, 0.0]).barrier_bias, UNSUPPORTED, 'motion'),
+    (lambda s, t: s.adjoint(np.ones(75)).parameters[net()[1]], KeyError, ''),
 ])
 def test_wrong_calls(call, kind, message):
     problem, springs, start = net()
