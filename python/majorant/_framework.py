@@ -41,7 +41,7 @@ class Space:
         if kind == 'triangles':
             mesh = _arrays.mesh(V, F)
             self._core = _core.triangle_space(mesh, n)
-            self._shape = (len(mesh.positions), 3)
+            self._shape: tuple[int, ...] = (len(mesh.positions), 3)
         else:
             positions = _vertices(V, kind)
             self._shape = positions.shape

@@ -2,6 +2,9 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Solutions as functions of PyTorch (python3-torch), by its own check of gradients."""
+import subprocess
+import sys
+
 import helpers
 import numpy as np
 import pytest
@@ -54,6 +57,12 @@ def test_material_that_explains_a_shape():
 
     descent.step(misfit)
     assert abs(lengths.detach().numpy() - truth).max() < 1e-3
+
+
+def test_the_example_finds_its_material():
+    done = subprocess.run([sys.executable, helpers.SOURCE / 'examples/material_by_torch.py'], capture_output=True,
+                          text=True, env=helpers.environment())
+    assert done.returncode == 0, done.stderr
 
 
 def test_other_sizes_are_refused():

@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 
+#include "framework/counting_solver.h"
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/barrier_minimizer.h"
 #include "majorant/framework/hessian_factor.h"
@@ -284,6 +285,96 @@ TEST(Sensitivity, OfLeastNormWhereNothingHolds) {
   const Vec dx = s.forward(Change{.parameters = {{id, Vec::Ones(n - 1)}}});
   const Vec expected = Vec::LinSpaced(n, -(n - 1) / 2.0, (n - 1) / 2.0);
   EXPECT_LE((dx - expected).norm(), 1e-8 * expected.norm());
+}
+
+// A gauge says which of the derivatives it is, whatever the slope.
+TEST(Sensitivity, KeepsAGauge) {
+  const Index n = 6;
+  Cells pairs(n - 1, 2);
+  for (Index e = 0; e < n - 1; ++e) pairs.row(e) << e, e + 1;
+  const auto chain = make_term<2>(
+      "chain", pairs,
+      [](Index e, const auto& z, const auto& l) {
+        const auto d = z[1] - z[0] - l[e];
+        return d * d;
+      },
+      Vec(Vec::Ones(n - 1)));
+  ProblemBuilder builder(n);
+  const TermId id = builder.add(chain, 1);
+  const Problem problem = builder.build();
+  const SolveResult r = NewtonMinimizer().minimize(problem, Vec::LinSpaced(n, 0, n), nullptr);
+  SensitivityOptions options;
+  options.null_space = [](const Problem& p, VecIn) -> Eigen::MatrixXd {
+    return Eigen::MatrixXd::Ones(p.size(), 1);
+  };
+  options.gauge = [](const Problem& p, VecIn) -> Eigen::MatrixXd {
+    return Eigen::MatrixXd::Identity(1, p.full_size());
+  };
+  const Sensitivity s(problem, r, options);
+  const Vec change = Vec::LinSpaced(n - 1, 1, 2);
+  const Vec dx = s.forward(Change{.parameters = {{id, change}}});
+  EXPECT_NEAR(dx[0], 0, 1e-14);
+  for (Index e = 0; e + 1 < n; ++e) EXPECT_NEAR(dx[e + 1] - dx[e], change[e], 1e-9);
+  const Vec slope = Vec::Unit(n, n - 1);
+  EXPECT_NEAR(s.adjoint(slope).parameters[0].dot(change), dx[n - 1], 1e-9);
+  EXPECT_THROW(s.forward(Change{.gradient = Vec::Ones(n)}), Error);  // would push it away
+}
+
+// A run that stopped early is polished; without steps to do so the estimate says how far it is.
+TEST(Sensitivity, PolishesOrTellsTheError) {
+  const Made made = net(6, true)(net_data(6));
+  const SolveResult end = solved(made);
+  SolveResult rough = end;
+  rough.y += 1e-4 * test::Random(2).vector(end.y.size());
+  const double distance = (rough.y - end.y).norm() / end.y.norm();
+  SensitivityOptions none;
+  none.polishing_steps = 0;
+  const Sensitivity as_it_is(made.problem, rough, none), polished(made.problem, rough),
+      exact(made.problem, end);
+  EXPECT_NEAR(as_it_is.error(), distance, 0.1 * distance);
+  EXPECT_LT(polished.error(), 1e-9);
+  EXPECT_LE((polished.point() - exact.point()).norm(), 1e-9 * exact.point().norm());
+  const Change change{.right_hand_sides = Vec::Ones(12)};
+  EXPECT_LE((polished.forward(change) - exact.forward(change)).norm(),
+            1e-8 * exact.forward(change).norm());
+}
+
+// The solver of the run has analysed the pattern; nobody does so again.
+TEST(Sensitivity, TakesTheAnalysisOfTheRun) {
+  const Made made = net(6, true)(net_data(6));
+  const auto counts = std::make_shared<test::SolverCounts>();
+  const auto solver = std::make_shared<test::CountingSolver>(make_direct_solver(), counts);
+  NewtonOptions options;
+  options.linear_solver = [&] { return solver; };
+  const SolveResult usual = NewtonMinimizer(options).minimize(made.problem, made.start, nullptr);
+  EXPECT_EQ(counts->analyses, 1);
+  counts->factorizations = 0;
+  SensitivityOptions same;
+  same.analysed_solver = solver;
+  const Sensitivity s(made.problem, usual, same);
+  EXPECT_EQ(counts->analyses, 1);
+  EXPECT_LE(counts->factorizations, 2);  // at the end of the run, and after steps with that factor
+  const Change change{.right_hand_sides = Vec::Ones(12)};
+  EXPECT_EQ(s.forward(change), Sensitivity(made.problem, usual).forward(change));
+}
+
+// To first order, what a barrier keeps the solution away from.
+TEST(Sensitivity, TellsTheBiasOfBarriers) {
+  const auto pull = make_term<1>("pull", Cells{{0}}, [](Index, const auto& z) {
+    const auto d = z[0] - 3.0;
+    return d * d;
+  });
+  ProblemBuilder builder(1);
+  builder.add(pull, 1);
+  const Bounds bound(Vec::Constant(1, -std::numeric_limits<double>::infinity()), Vec::Ones(1));
+  const TermId wall = builder.add(bound.barrier(), 1e-4);
+  const Problem problem = builder.build();
+  NewtonOptions tight;
+  tight.stopping.relative_decrease = 1e-14;
+  const SolveResult r = NewtonMinimizer(tight).minimize(problem, Vec::Constant(1, 0.5), nullptr);
+  const Sensitivity s(problem, r);
+  EXPECT_NEAR(s.bias({wall}), 1 - r.y[0], 0.01 * (1 - r.y[0]));
+  EXPECT_EQ(s.bias({}), 0);
 }
 
 TEST(Sensitivity, RefusesWhatIsNoFunctionOfTheData) {
