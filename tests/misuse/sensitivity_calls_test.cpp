@@ -156,7 +156,7 @@ const std::vector<Call> kCalls{
      [] { forward(Change{.right_hand_sides = Vec::Ones(2)}); }},
     {"right_hand_side_nan", "InvalidArgument: Sensitivity: right_hand_sides",
      [] { forward(Change{.right_hand_sides = Vec::Constant(1, kNan)}); }},
-    {"weight_of_no_term", "InvalidArgument: Problem: ",
+    {"weight_of_no_term", "InvalidArgument: Problem::term: no term",
      [] {
        forward(Change{.weights = {{TermId(3), 1.0}}});
      }},
@@ -188,7 +188,7 @@ const std::vector<Call> kCalls{
        const Chain c = chain();
        Sensitivity(c.problem, c.result).adjoint(Vec(Vec::Constant(3, kNan)));
      }},
-    {"bias_of_no_term", "InvalidArgument: Problem: ",
+    {"bias_of_no_term", "InvalidArgument: Problem::state: no term",
      [] {
        const Chain c = chain();
        Sensitivity(c.problem, c.result).bias({TermId(7)});
