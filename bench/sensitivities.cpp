@@ -2,6 +2,7 @@
 // Hessian, factorization, solve, energy of the next point. Processor seconds on one thread, medians
 // of --repeat.
 //
+//     analysis      of the pattern alone, on AMD's ordering
 //     make          Sensitivity of a solution to the last digits; its own analysis
 //     with_solver   the same with the solver of the minimization, whose ordering it keeps
 //     polished      of a solution of default options, which is polished first

@@ -358,7 +358,7 @@ TEST(Unwrap, ChartsWithoutAMinimumAfterAThousandIterationsAreCut) {
   constexpr int kUsual = StoppingRules().max_iterations;
   EXPECT_EQ(solved(kUsual).charts.size(), 1U);
   options.chart.solve.tolerance = 1e-15;
-  options.chart.solve.linear_solver = [](const SparsePattern&, Ordering) {
+  options.chart.solve.linear_solver = [](const SparsePattern&, const DirectSolverOptions&) {
     return std::make_shared<SteepestDescent>();
   };
   const Atlas cut = solved(kUsual), kept = solved(kUsual - 1);
