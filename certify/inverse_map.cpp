@@ -17,7 +17,7 @@
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/mesh/box_tree.h"
-#include "majorant/mesh/exact_integers.h"
+#include "majorant/framework/exact_integers.h"
 #include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {

@@ -13,7 +13,6 @@
 
 #include "majorant/certify/boundary_loops.h"
 #include "majorant/certify/cut_map.h"
-#include "majorant/certify/exact_positivity.h"
 #include "majorant/certify/internal/glued_map.h"
 #include "majorant/certify/internal/match_tolerance.h"
 #include "majorant/certify/internal/repaired_match.h"
@@ -21,6 +20,7 @@
 #include "majorant/constraints/sector_angle.h"
 #include "majorant/elements/bernstein.h"
 #include "majorant/elements/element_space.h"
+#include "majorant/elements/exact_determinant.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
@@ -97,14 +97,16 @@ Determinant determinant(const MapFile& file, Index cell, const Barycentric& at) 
 }
 
 // The answer for the digits, from the exact one for the doubles: the same, or Undecided.
-CellPositivity beyond_rounding(const MapFile& file, Index cell, const CellPositivity& exact) {
+DeterminantRange beyond_rounding(const MapFile& file, Index cell, const DeterminantRange& exact) {
   if (rounding_of_determinant(file, cell) == 0) return exact;
-  const bool is_certified = exact.result == ProofStatus::Proven;
+  const bool is_certified = exact.positive == ProofStatus::Proven;
   if (is_certified && file.degree > 1) return {};  // at degree 1 it is the same everywhere
   const Determinant det =
-      determinant(file, cell, is_certified ? Barycentric::Constant(1.0 / 3) : exact.at);
+      determinant(file, cell,
+                  is_certified ? Barycentric::Constant(1.0 / 3)
+                               : Barycentric(exact.at[0], exact.at[1], exact.at[2]));
   const bool holds = is_certified ? det.value > det.error : det.value < -det.error;
-  return holds ? exact : CellPositivity{};
+  return holds ? exact : DeterminantRange{};
 }
 
 // Edges of the input whose two sides may have other uv, told by their vertices.
@@ -268,12 +270,13 @@ class MapProof::Judge {
         break;
       }
       if (is_proven[c]) continue;
-      const CellPositivity exact = beyond_rounding(
-          file_, c, exact_positivity(file_.uv(file_.cells.row(c), Eigen::all), request_.stop));
-      if (exact.result == ProofStatus::Proven) continue;
+      const DeterminantRange exact = beyond_rounding(
+          file_, c,
+          exact_determinant_of_triangle(file_.uv(file_.cells.row(c), Eigen::all), request_.stop));
+      if (exact.positive == ProofStatus::Proven) continue;
       proof_.not_positive.push_back(c);
       if (is_violated) continue;
-      if (exact.result == ProofStatus::Violated) {
+      if (exact.positive == ProofStatus::Violated) {
         is_violated = true;
         worst = fmt::format("cell {}: det J <= 0 at barycentric ({:.6g}, {:.6g}, {:.6g})", c,
                             exact.at[0], exact.at[1], exact.at[2]);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "majorant/certify/exact_positivity.h"
 #include "majorant/certify/global_injectivity.h"
 #include "majorant/certify/proven_distance.h"
 #include "majorant/constraints/local_injectivity.h"
+#include "majorant/elements/exact_determinant.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/maps/rest_shapes_of.h"
 #include "majorant/maps/smallest_rectangle.h"
@@ -85,8 +85,8 @@ bool has_positive_determinants(const BezierMap& map, const StopCheck& stop) {
   const Points2 nodes = rows_of(map);
   for (Index f = 0; f < bounds.size(); ++f)
     if (!(bounds[f] > 0) &&
-        exact_positivity(nodes(map.space().cells().row(f), Eigen::all), stop).result !=
-            ProofStatus::Proven)
+        exact_determinant_of_triangle(nodes(map.space().cells().row(f), Eigen::all), stop)
+                .positive != ProofStatus::Proven)
       return false;
   return true;
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "majorant/mesh/exact_integers.h"
+#include "majorant/framework/exact_integers.h"
 
 namespace majorant {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "majorant/framework/rounding.h"
-#include "majorant/mesh/exact_integers.h"
+#include "majorant/framework/exact_integers.h"
 
 namespace majorant {
 namespace {

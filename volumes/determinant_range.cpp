@@ -9,9 +9,10 @@
 #include <numbers>
 
 #include "majorant/elements/bernstein.h"
+#include "majorant/elements/exact_determinant.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/exact_integers.h"
 #include "majorant/framework/rounding.h"
-#include "majorant/mesh/exact_integers.h"
 #include "majorant/volumes/internal/reference_cell.h"
 
 namespace majorant {
@@ -19,53 +20,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
-
-// The vertices of a piece in every factor of the cell: homogeneous coordinates by slot.
-class PieceFrame {
- public:
-  using Point = std::array<double, 6>;
-
-  explicit PieceFrame(int slots) {
-    for (std::size_t s = 0; s < to_size(slots); ++s) slot_[s][s] = 1;
-  }
-  PieceFrame child(const EdgeBisection& cut, const std::vector<int>& slots) const {
-    PieceFrame out = *this;
-    for (std::size_t s = 0; s < slots.size(); ++s) {
-      if (slots[s] != EdgeBisection::kMidpoint) {
-        out.slot_[s] = slot_[to_size(slots[s])];
-        continue;
-      }
-      for (std::size_t c = 0; c < Point{}.size(); ++c)
-        out.slot_[s][c] = (slot_[to_size(cut.a)][c] + slot_[to_size(cut.b)][c]) / 2;
-    }
-    return out;
-  }
-  // Where the function of a corner has its value.
-  Point corner(const Exponents& e) const {
-    Point sum{};
-    for (std::size_t s = 0; s < e.size(); ++s)
-      if (e[s] != 0)
-        for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += slot_[s][c];
-    return sum;
-  }
-
- private:
-  std::array<Point, 6> slot_{};
-};
-
-// A corner has no exponents in a factor in which det J is constant (degree 0 there).
-PieceFrame::Point corner_point(const ReferenceCell& cell, const PieceFrame& frame,
-                               int coefficient) {
-  PieceFrame::Point point = frame.corner(cell.det().basis().exponents(coefficient));
-  std::size_t c = 0;
-  for (const int corners : cell.element().factors) {
-    double sum = 0;
-    for (int k = 0; k < corners; ++k) sum += point[c + to_size(k)];
-    if (sum == 0) point[c] = 1;
-    c += to_size(corners);
-  }
-  return point;
-}
 
 // Control points, D numbers each, of which coordinate d may be off by error[d].
 struct ControlPoints {
@@ -169,7 +123,7 @@ class RangeSearch {
       const double value = piece.a[to_size(k)] + piece.error;
       if (value < range.high) {
         range.high = value;
-        range.at = corner_point(cell_, piece.frame, k);
+        range.at = corner_point(cell_.element(), cell_.det(), piece.frame, k);
       }
     }
     open_.push_back(std::move(piece));
@@ -226,176 +180,42 @@ class RangeSearch {
 
 // ---- In integers. ----
 
-// An integer that Subdivision halves: there are enough factors of 2.
-struct Halved {
-  ExactInteger value;
-};
-Halved operator+(const Halved& a, const Halved& b) { return {a.value + b.value}; }
-Halved half(const Halved& a) { return {a.value >> 1}; }
-
-// numerator / denominator (> 0) as a double at most, or at least, as large.
-enum class Towards { Below, Above };
-double rounded(const ExactInteger& numerator, const ExactInteger& denominator, Towards towards) {
-  if (numerator == 0) return 0;
-  constexpr int kBits = 60;
-  const bool is_negative = numerator < 0;
-  ExactInteger n = abs(numerator), d = denominator;
-  const int shift = kBits - (static_cast<int>(msb(n)) - static_cast<int>(msb(d)));
-  if (shift > 0)
-    n <<= static_cast<unsigned>(shift);
-  else
-    d <<= static_cast<unsigned>(-shift);
-  const ExactInteger quotient = n / d;  // 60 or 61 bits
-  const double value = std::ldexp(quotient.convert_to<double>(), -shift);
-  const double sign = is_negative ? -1 : 1;
-  return std::nextafter(sign * value, towards == Towards::Below ? -kInfinity : kInfinity);
+IntegerNet<ExactInteger> integer_net(const ReferenceCell& cell, const double* nodes) {
+  const auto dim = to_size(cell.element().dim());
+  const auto size = to_size(cell.basis().count()), stored = to_size(cell.type().node_count());
+  const std::vector<double> all(nodes, nodes + dim * stored);
+  std::vector<ExactInteger> out = to_integers<ExactInteger>(all);
+  int lowest = std::numeric_limits<int>::max();  // as to_integers() counts
+  for (const double x : all)
+    if (x != 0) lowest = std::min(lowest, std::ilogb(x));
+  const bool is_zero = lowest == std::numeric_limits<int>::max();
+  const int shift = is_zero ? 0 : std::numeric_limits<double>::digits - 1 - lowest;
+  ExactInteger denominator = 1;
+  if (!cell.nodes_are_control_points()) {
+    const ReferenceCell::ExactMatrix& matrix = cell.exact_control_points();
+    std::vector<ExactInteger> combined(dim * size);
+    for (std::size_t r = 0; r < size; ++r)
+      for (std::size_t k = 0; k < stored; ++k)
+        for (std::size_t d = 0; d < dim && matrix.numerators[r * stored + k] != 0; ++d)
+          combined[dim * r + d] += matrix.numerators[r * stored + k] * out[dim * k + d];
+    out = std::move(combined);
+    denominator = matrix.denominator;
+  }
+  ExactInteger unit = 1;
+  for (std::size_t d = 0; d < dim; ++d) unit *= denominator;
+  std::size_t c = 0;
+  for (const int corners : cell.element().factors) {
+    int degree = 0;
+    for (int k = 0; k < corners; ++k) degree += cell.det().basis().exponents(0)[c++];
+    for (int k = 2; k <= degree; ++k) unit *= k;
+  }
+  // Coordinates of 2^-shift each: moved to the numerators where they are large.
+  const int total = shift * static_cast<int>(dim);
+  if (total > 0) unit <<= static_cast<unsigned>(total);
+  if (total < 0)
+    for (ExactInteger& x : out) x <<= static_cast<unsigned>(-shift);
+  return {std::move(out), std::move(unit)};
 }
-
-class ExactSearch {
- public:
-  ExactSearch(const ReferenceCell& cell, const StopCheck& stop) : cell_(cell), stop_(stop) {}
-
-  DeterminantRange find(const double* nodes) {
-    const std::vector<ExactInteger> control = control_points(nodes);
-    const std::vector<ExactInteger> scaled = cell_.det().scaled(control);
-    Piece whole{0, 0, PieceFrame(cell_.element().coordinate_count()), {}};
-    for (const ExactInteger& c : scaled) whole.a.push_back({c});
-    DeterminantRange range{ProofStatus::Proven, kInfinity, kInfinity, -kInfinity, -kInfinity, {}};
-    for (const Halved& a : whole.a)
-      range.largest = std::max(range.largest, value(a, 0, Towards::Above));
-    for (const int k : cell_.subdivision().corners())
-      range.largest_low =
-          std::max(range.largest_low, value(whole.a[to_size(k)], 0, Towards::Below));
-    search(std::move(whole), range);
-    return range;
-  }
-
- private:
-  // Cells with a minimum of 1e-12 of their mean take some hundred; without a bound a minimum of
-  // exactly zero at an irrational point would be bisected for ever.
-  static constexpr int kMostPieces = 8000;
-  // Halvings of every edge, beyond which coordinates in doubles say nothing.
-  static constexpr int kHalvings = 52;
-
-  struct Piece {
-    int depth;
-    unsigned bits;  // coefficients are a / 2^bits
-    PieceFrame frame;
-    std::vector<Halved> a;
-  };
-
-  double value(const Halved& a, unsigned bits, Towards towards) const {
-    return rounded(a.value, ExactInteger(unit_ << bits), towards);
-  }
-
-  // Times one integer; unit_: by how much det J's coefficients are larger then.
-  std::vector<ExactInteger> control_points(const double* nodes) {
-    const auto dim = to_size(cell_.element().dim());
-    const auto size = to_size(cell_.basis().count()), stored = to_size(cell_.type().node_count());
-    const std::vector<double> all(nodes, nodes + dim * stored);
-    std::vector<ExactInteger> out = to_integers<ExactInteger>(all);
-    int lowest = std::numeric_limits<int>::max();  // as to_integers() counts
-    for (const double x : all)
-      if (x != 0) lowest = std::min(lowest, std::ilogb(x));
-    const bool is_zero = lowest == std::numeric_limits<int>::max();
-    const int shift = is_zero ? 0 : std::numeric_limits<double>::digits - 1 - lowest;
-    ExactInteger denominator = 1;
-    if (!cell_.nodes_are_control_points()) {
-      const ReferenceCell::ExactMatrix& matrix = cell_.exact_control_points();
-      std::vector<ExactInteger> combined(dim * size);
-      for (std::size_t r = 0; r < size; ++r)
-        for (std::size_t k = 0; k < stored; ++k)
-          for (std::size_t d = 0; d < dim && matrix.numerators[r * stored + k] != 0; ++d)
-            combined[dim * r + d] += matrix.numerators[r * stored + k] * out[dim * k + d];
-      out = std::move(combined);
-      denominator = matrix.denominator;
-    }
-    unit_ = 1;
-    for (std::size_t d = 0; d < dim; ++d) unit_ *= denominator;
-    std::size_t c = 0;
-    for (const int corners : cell_.element().factors) {
-      int degree = 0;
-      for (int k = 0; k < corners; ++k) degree += cell_.det().basis().exponents(0)[c++];
-      for (int k = 2; k <= degree; ++k) unit_ *= k;
-    }
-    // Coordinates of 2^-shift each: moved to the numerators where they are large.
-    const int total = shift * static_cast<int>(dim);
-    if (total > 0) unit_ <<= static_cast<unsigned>(total);
-    if (total < 0)
-      for (ExactInteger& x : out) x <<= static_cast<unsigned>(-shift);
-    return out;
-  }
-
-  void search(Piece whole, DeterminantRange& range) {
-    const int deepest = kHalvings * cell_.element().dim();
-    std::vector<Piece> open;
-    open.push_back(std::move(whole));
-    bool is_left = false;
-    for (int pieces = 0; !open.empty(); ++pieces) {
-      stop_.poll();
-      if (pieces == kMostPieces) {
-        is_left = true;
-        for (const Piece& piece : open) lower(piece, range);
-        break;
-      }
-      const Piece piece = std::move(open.back());
-      open.pop_back();
-      bool has_violation = false;
-      for (const int k : cell_.subdivision().corners()) {
-        const Halved& a = piece.a[to_size(k)];
-        const double at_most = a.value <= 0 ? std::min(0.0, value(a, piece.bits, Towards::Above))
-                                            : value(a, piece.bits, Towards::Above);
-        if (at_most < range.high) {
-          range.high = at_most;
-          range.at = corner_point(cell_, piece.frame, k);
-        }
-        has_violation = has_violation || a.value <= 0;
-      }
-      if (has_violation) {
-        lower(piece, range);
-        for (const Piece& other : open) lower(other, range);
-        range.positive = ProofStatus::Violated;
-        return;
-      }
-      const bool is_positive =
-          std::all_of(piece.a.begin(), piece.a.end(), [](const Halved& a) { return a.value > 0; });
-      if (is_positive || piece.depth == deepest) {
-        lower(piece, range);
-        is_left = is_left || !is_positive;
-        continue;
-      }
-      split(piece, open);
-    }
-    if (is_left) range.positive = ProofStatus::Undecided;
-    // Rounded down, it may be 0: the proof is of the integers.
-    if (range.positive == ProofStatus::Proven) range.low = std::max(range.low, 0.0);
-  }
-
-  void lower(const Piece& piece, DeterminantRange& range) const {
-    const auto least =
-        std::min_element(piece.a.begin(), piece.a.end(),
-                         [](const Halved& a, const Halved& b) { return a.value < b.value; });
-    range.low = std::min(range.low, value(*least, piece.bits, Towards::Below));
-  }
-
-  void split(const Piece& piece, std::vector<Piece>& open) const {
-    const Subdivision& subdivision = cell_.subdivision();
-    const auto levels = static_cast<unsigned>(subdivision.levels(piece.depth));
-    std::vector<Halved> parent = piece.a, first(parent.size()), second(parent.size());
-    for (Halved& a : parent) a.value <<= levels;
-    subdivision.bisect(piece.depth, parent.data(), first.data(), second.data());
-    const std::vector<EdgeBisection>& cuts = cell_.element().bisections;
-    const EdgeBisection& cut = cuts[to_size(piece.depth) % cuts.size()];
-    open.push_back({piece.depth + 1, piece.bits + levels, piece.frame.child(cut, cut.first),
-                    std::move(first)});
-    open.push_back({piece.depth + 1, piece.bits + levels, piece.frame.child(cut, cut.second),
-                    std::move(second)});
-  }
-
-  const ReferenceCell& cell_;
-  const StopCheck& stop_;
-  ExactInteger unit_;
-};
 
 // The product of the lengths of the edges at the corner of a triangle where it is largest.
 double largest_pair(const Vector3& a, const Vector3& b) {
@@ -454,12 +274,8 @@ DeterminantRange determinant_range(const CellType& type, const double* nodes,
   if (!(std::abs(det) > error)) return exact_determinant_range(type, nodes, stop);
   const double low = det - error, high = det + error;
   const PieceFrame frame(cell.element().coordinate_count());
-  return {low > 0 ? ProofStatus::Proven : ProofStatus::Violated,
-          low,
-          high,
-          low,
-          high,
-          corner_point(cell, frame, 0)};
+  return {low > 0 ? ProofStatus::Proven : ProofStatus::Violated, low, high, low, high,
+          corner_point(cell.element(), cell.det(), frame, 0)};
 }
 
 DeterminantRange exact_determinant_range(const CellType& type, const double* nodes,
@@ -469,7 +285,10 @@ DeterminantRange exact_determinant_range(const CellType& type, const double* nod
   const auto size = to_size(cell.element().dim() * type.node_count());
   if (!std::all_of(nodes, nodes + size, [](double x) { return std::isfinite(x); }))
     return {ProofStatus::Undecided, -kInfinity, kInfinity, -kInfinity, kInfinity, {}};
-  return ExactSearch(cell, stop).find(nodes);
+  using Search = ExactDeterminant<ExactInteger>;
+  return Search({cell.element(), cell.det(), cell.subdivision()}, Search::Bounds::OfTheMinimum,
+                stop)
+      .find(integer_net(cell, nodes));
 }
 
 double sampled_scaled_jacobian(const CellType& type, const double* nodes, const Vector3& normal) {

@@ -16,21 +16,11 @@
 
 #include <array>
 
-#include "majorant/elements/element_space.h"
+#include "majorant/elements/determinant_range.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/volumes/volume_mesh.h"
 
 namespace majorant {
-
-struct DeterminantRange {
-  // det J > 0 on all of the cell. Proven is a proof, Violated a point where det J <= 0; Undecided:
-  // a minimum of 0, or nearly, at a point that bisection does not meet, or coordinates that are not
-  // finite.
-  ProofStatus positive = ProofStatus::Undecided;
-  double low = 0, high = 0;             // low <= min det J <= high
-  double largest_low = 0, largest = 0;  // largest_low <= max det J <= largest
-  std::array<double, 6> at{};           // homogeneous coordinates of where det J is `high`
-};
 
 // Bisection ends where high - low is at most this part of the larger of their magnitudes, if it
 // takes few pieces to get there.

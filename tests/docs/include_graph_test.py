@@ -24,7 +24,7 @@ def run(root):
 # That det J > 0 on the digits that are returned is proven in certify/: of layouts that were moved in
 # moved_layout.cpp, of files in map_proof.cpp. Bounds to report, of a map where it was solved, are
 # measured; Triangles::Flipped undoes single faces.
-PROOF = re.compile(r'\bexact_positivity\(|\blower_bounds\(|ProofDepth::kFinal')
+PROOF = re.compile(r'\bexact_determinant_of_triangle\(|\blower_bounds\(|ProofDepth::kFinal')
 MAY_BOUND = {'maps/measure.cpp', 'parametrization/scaffold/improve_mesh.cpp',
              'apps/compare/race.cpp'}
 
@@ -115,7 +115,7 @@ class PlantedFaults(unittest.TestCase):
 
     def test_a_second_proof(self):
         self.assertEqual(proofs_outside(self.root), [])
-        for line in 'if (exact_positivity(points).result', 'bool ok = checker.lower_bounds(x)', 'ProofDepth::kFinal':
+        for line in 'if (exact_determinant_of_triangle(points).positive', 'bool ok = checker.lower_bounds(x)', 'ProofDepth::kFinal':
             self.append('parametrization/atlas/unwrap.cpp', '// %s\n' % line)
             self.assertEqual(proofs_outside(self.root), [])  # a comment proves nothing
             self.append('parametrization/atlas/unwrap.cpp', '  %s;\n' % line)

@@ -1,4 +1,4 @@
-#include "majorant/certify/exact_positivity.h"
+#include "majorant/elements/exact_determinant.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "certify/valley.h"
+#include "elements/valley.h"
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/framework/error.h"
 
@@ -32,7 +32,7 @@ long double det(const Points2& points, const Barycentric& xi) {
   return j.determinant();
 }
 
-TEST(CellPositivity, TrianglesDownToTheLastBit) {
+TEST(ExactDeterminant, TrianglesDownToTheLastBit) {
   for (const double scale : {1.0, 0x1p-500, 0x1p500}) {
     const Vector2 a(0, 0), b(3 * scale, 1 * scale);
     const double y = 7 * scale / 3;  // c = (7, 7/3): beside the line by what 7/3 was rounded
@@ -40,23 +40,24 @@ TEST(CellPositivity, TrianglesDownToTheLastBit) {
       double moved = y;
       for (int k = 0; k < std::abs(ulps); ++k) moved = std::nextafter(moved, ulps * INFINITY);
       const Vector2 c(7 * scale, moved);
-      const ProofStatus result = exact_positivity(flat_triangle(1, a, b, c)).result;
+      const ProofStatus result = exact_determinant_of_triangle(flat_triangle(1, a, b, c)).positive;
       // 3 y > 7 exactly? 3 * fl(7/3) in 106 bits.
       const bool is_left = std::fma(3.0, moved / scale, -7.0) > 0;
       EXPECT_EQ(result == ProofStatus::Proven, is_left) << ulps;
       EXPECT_EQ(result == ProofStatus::Violated, !is_left) << ulps;
     }
-    EXPECT_EQ(exact_positivity(flat_triangle(1, a, b, 2 * b)).result, ProofStatus::Violated);
+    EXPECT_EQ(exact_determinant_of_triangle(flat_triangle(1, a, b, 2 * b)).positive,
+              ProofStatus::Violated);
   }
   // The smallest doubles: one of them squared is no double.
   const double tiny = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(exact_positivity(flat_triangle(1, {0, 0}, {tiny, 0}, {0, tiny})).result,
+  EXPECT_EQ(exact_determinant_of_triangle(flat_triangle(1, {0, 0}, {tiny, 0}, {0, tiny})).positive,
             ProofStatus::Proven);
-  EXPECT_EQ(exact_positivity(flat_triangle(1, {0, 0}, {0, tiny}, {tiny, 0})).result,
+  EXPECT_EQ(exact_determinant_of_triangle(flat_triangle(1, {0, 0}, {0, tiny}, {tiny, 0})).positive,
             ProofStatus::Violated);
 }
 
-TEST(CellPositivity, AgreesWithTheFloatingPointProof) {
+TEST(ExactDeterminant, AgreesWithTheFloatingPointProof) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(-1, 1);
   int certified = 0, violated = 0;
@@ -64,7 +65,7 @@ TEST(CellPositivity, AgreesWithTheFloatingPointProof) {
     for (int trial = 0; trial < 40; ++trial) {
       Points2 points = flat_triangle(degree, {0, 0}, {1, 0}, {0, 1});
       for (double& value : points.reshaped()) value += 0.6 / degree * uniform(random);
-      const CellPositivity exact = exact_positivity(points);
+      const DeterminantRange exact = exact_determinant_of_triangle(points);
       Cells face(1, 3);
       face << 0, 1, 2;
       const BezierTriangleSpace space(face, 3, degree);
@@ -73,14 +74,14 @@ TEST(CellPositivity, AgreesWithTheFloatingPointProof) {
         x.segment<2>(2 * space.cells()(0, k)) = points.row(k);
       const PositivityProof proof = space.certify(0, x, 16);
       if (proof.result == ProofStatus::Proven) {
-        EXPECT_EQ(exact.result, ProofStatus::Proven);
+        EXPECT_EQ(exact.positive, ProofStatus::Proven);
       }
-      if (exact.result == ProofStatus::Violated) {
-        EXPECT_LT(det(points, exact.at), 1e-14L);
+      if (exact.positive == ProofStatus::Violated) {
+        EXPECT_LT(det(points, {exact.at[0], exact.at[1], exact.at[2]}), 1e-14L);
         EXPECT_NE(proof.result, ProofStatus::Proven);
       }
-      certified += exact.result == ProofStatus::Proven;
-      violated += exact.result == ProofStatus::Violated;
+      certified += exact.positive == ProofStatus::Proven;
+      violated += exact.positive == ProofStatus::Violated;
     }
   EXPECT_GT(certified, 60);
   EXPECT_GT(violated, 30);
@@ -88,31 +89,33 @@ TEST(CellPositivity, AgreesWithTheFloatingPointProof) {
 
 using test::valley;
 
-TEST(CellPositivity, Valleys) {
+TEST(ExactDeterminant, Valleys) {
   for (const double e : {0.125, 0x1p-20, 0x1p-40}) {
-    EXPECT_EQ(exact_positivity(valley(0.375, e)).result, ProofStatus::Proven) << e;
-    EXPECT_EQ(exact_positivity(valley(0.375, -e)).result, ProofStatus::Violated) << e;
+    EXPECT_EQ(exact_determinant_of_triangle(valley(0.375, e)).positive, ProofStatus::Proven) << e;
+    EXPECT_EQ(exact_determinant_of_triangle(valley(0.375, -e)).positive, ProofStatus::Violated)
+        << e;
   }
-  const CellPositivity zero = exact_positivity(valley(0.5, 0));
-  EXPECT_EQ(zero.result, ProofStatus::Violated);  // bisection meets u = 1/2
+  const DeterminantRange zero = exact_determinant_of_triangle(valley(0.5, 0));
+  EXPECT_EQ(zero.positive, ProofStatus::Violated);  // bisection meets u = 1/2
   EXPECT_EQ(zero.at[1], 0.5);
   // u = 1/3 is no dyadic number: never met, never proven, and it ends.
-  EXPECT_EQ(exact_positivity(valley(1.0 / 3, 0)).result == ProofStatus::Proven, false);
+  EXPECT_EQ(exact_determinant_of_triangle(valley(1.0 / 3, 0)).positive == ProofStatus::Proven,
+            false);
 }
 
-TEST(CellPositivity, CoordinatesBeyondDoublesAreUndecided) {
+TEST(ExactDeterminant, CoordinatesBeyondDoublesAreUndecided) {
   for (const double beyond : {INFINITY, -INFINITY, NAN}) {
     Points2 points = valley(0.375, 0.01);
-    ASSERT_EQ(exact_positivity(points).result, ProofStatus::Proven);
+    ASSERT_EQ(exact_determinant_of_triangle(points).positive, ProofStatus::Proven);
     points(1, 0) = beyond;
-    EXPECT_EQ(exact_positivity(points).result, ProofStatus::Undecided) << beyond;
+    EXPECT_EQ(exact_determinant_of_triangle(points).positive, ProofStatus::Undecided) << beyond;
   }
 }
 
-TEST(CellPositivity, RefusesOtherCounts) {
-  EXPECT_THROW(exact_positivity(Points2::Zero(5, 2)), InvalidArgument);
-  EXPECT_THROW(exact_positivity(Points2::Zero(1, 2)), InvalidArgument);
-  EXPECT_THROW(exact_positivity(Points2::Zero(55, 2)), InvalidArgument);  // degree 9
+TEST(ExactDeterminant, RefusesOtherCounts) {
+  EXPECT_THROW(exact_determinant_of_triangle(Points2::Zero(5, 2)), InvalidArgument);
+  EXPECT_THROW(exact_determinant_of_triangle(Points2::Zero(1, 2)), InvalidArgument);
+  EXPECT_THROW(exact_determinant_of_triangle(Points2::Zero(55, 2)), InvalidArgument);  // degree 9
 }
 
 }  // namespace

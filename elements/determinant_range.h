@@ -1,0 +1,26 @@
+// What is known of the minimum of det J on an element, and of its sign.
+//
+//   const DeterminantRange range{ProofStatus::Proven, 0.5, 0.6, 1.1, 1.2, {}};
+//   range.low;   // det J >= 0.5 everywhere
+#pragma once
+
+#include <array>
+
+#include "majorant/elements/element_space.h"
+
+namespace majorant {
+
+struct DeterminantRange {
+  // det J > 0 on all of the cell. Proven is a proof, Violated a point where det J <= 0; Undecided:
+  // a minimum of 0, or nearly, at a point that bisection does not meet, or coordinates that are not
+  // finite.
+  ProofStatus positive = ProofStatus::Undecided;
+  double low = 0, high = 0;             // low <= min det J <= high
+  double largest_low = 0, largest = 0;  // largest_low <= max det J <= largest
+  std::array<double, 6> at{};           // homogeneous coordinates of where det J is `high`
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
