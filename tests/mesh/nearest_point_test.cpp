@@ -139,15 +139,15 @@ NearestPoint of_all_faces(const Points3& positions, const Cells& faces, const Ve
   return best;
 }
 
-struct Triangles {
+struct FaceList {
   Points3 positions;
   Cells faces;
 };
 
 // Triangles of random points, some of which have no area, or are one point; copies of one triangle;
 // a grid of right angles, on which queries from a lattice have many faces at one distance.
-Triangles random_triangles(std::mt19937& random, Index count) {
-  Triangles s{Points3(3 * count, 3), Cells(count, 3)};
+FaceList random_triangles(std::mt19937& random, Index count) {
+  FaceList s{Points3(3 * count, 3), Cells(count, 3)};
   for (Index f = 0; f < count; ++f) {
     for (Index k = 0; k < 3; ++k) {
       s.positions.row(3 * f + k) = random_vector(random, 1).transpose();
@@ -159,14 +159,14 @@ Triangles random_triangles(std::mt19937& random, Index count) {
   return s;
 }
 
-Triangles copies(Index count) {
-  Triangles s{(Points3(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(), Cells(count, 3)};
+FaceList copies(Index count) {
+  FaceList s{(Points3(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(), Cells(count, 3)};
   for (Index f = 0; f < count; ++f) s.faces.row(f) << 0, 1, 2;
   return s;
 }
 
-Triangles right_angles(Index n) {
-  Triangles s{Points3((n + 1) * (n + 1), 3), Cells(2 * n * n, 3)};
+FaceList right_angles(Index n) {
+  FaceList s{Points3((n + 1) * (n + 1), 3), Cells(2 * n * n, 3)};
   for (Index i = 0; i <= n; ++i)
     for (Index j = 0; j <= n; ++j) s.positions.row(i * (n + 1) + j) << i, j, 0;
   for (Index i = 0; i < n; ++i)
@@ -179,7 +179,7 @@ Triangles right_angles(Index n) {
 }
 
 // Whatever face is guessed, the same answer: that of all faces, and of ties the first one.
-void expect_nearest(const Triangles& s, const std::vector<Vector3>& points) {
+void expect_nearest(const FaceList& s, const std::vector<Vector3>& points) {
   const SurfaceTree tree(s.positions, s.faces);
   const auto count = static_cast<Index>(s.faces.rows());
   double largest = 0;
@@ -233,7 +233,7 @@ TEST(NearestPoint, OfTrianglesWithoutAnAreaCopiesAndTies) {
 }
 
 TEST(NearestPoint, FarthestOfNoneIsWhatIsKnown) {
-  const Triangles s = copies(1);
+  const FaceList s = copies(1);
   const SurfaceTree tree(s.positions, s.faces);
   EXPECT_EQ(tree.largest_distance(Points3(0, 3)), 0);
   EXPECT_EQ(tree.largest_distance(Points3(0, 3), 2), 2);
