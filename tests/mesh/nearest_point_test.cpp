@@ -219,10 +219,12 @@ TEST(NearestPoint, OfTrianglesWithoutAnAreaCopiesAndTies) {
   std::mt19937 random(11);
   std::vector<Vector3> points;
   for (int k = 0; k < 300; ++k) points.push_back(random_vector(random, 1.5));
-  for (int k = 0; k < 20; ++k) points.push_back(random_vector(random, 1e6));
+  std::vector<Vector3> far;
+  for (int k = 0; k < 20; ++k) far.push_back(random_vector(random, 1e6));
   for (const Index count : {1, 2, 3, 4, 5, 17, 64, 200}) {
     SCOPED_TRACE(count);
     expect_nearest(random_triangles(random, count), points);
+    expect_nearest(random_triangles(random, count), far);
     expect_nearest(copies(count), points);
   }
   std::vector<Vector3> lattice;
