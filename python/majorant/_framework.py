@@ -154,11 +154,11 @@ class Solution:
                 raise UsageError(f'{term.name} was made without data')
             numbers = _arrays.floats('parameters', change, own_data[0].shape).ravel()
             moved += [(place, numbers) for place, _ in self._parts(term)]
-        gradient = None
+        along = []
         for space, change in (rest or {}).items():
             dV = _arrays.floats('rest', change, self._rest_shape(space))
-            along = core.rest_gradient(space._core, self._terms_on(space), dV[space.input_vertices])
-            gradient = along if gradient is None else gradient + along
+            along.append(core.rest_gradient(space._core, self._terms_on(space), dV[space.input_vertices]))
+        gradient: Doubles | None = np.sum(along, axis=0) if along else None
         return core.forward(None if b is None else _arrays.floats('b', b, (self._solved.row_count,)),
                             heavier, moved, gradient)
 
