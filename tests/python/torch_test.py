@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: 2026 the majorant developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Solutions as functions of PyTorch (python3-torch), by its own check of gradients."""
+import os
 import subprocess
 import sys
 
@@ -61,7 +62,7 @@ def test_material_that_explains_a_shape():
 
 def test_the_example_finds_its_material():
     done = subprocess.run([sys.executable, helpers.SOURCE / 'examples/material_by_torch.py'], capture_output=True,
-                          text=True, env=helpers.environment())
+                          text=True, env={**helpers.environment(), 'PYTHONPATH': os.pathsep.join(sys.path)})
     assert done.returncode == 0, done.stderr
 
 
