@@ -272,7 +272,9 @@ void AtlasJob::ask_for_density() {
   Vec density(mesh.face_count());
   for (Index f = 0; f < mesh.face_count(); ++f) density[f] = texel_density[mesh.input_face(f)];
   const Vec area = rest_shapes(mesh).measure;
-  const double mean = std::sqrt(area.dot(density.cwiseAbs2()) / area.sum());
+  // Squares of what users type leave the range of doubles.
+  const double most = density.maxCoeff();
+  const double mean = most * std::sqrt(area.dot((density / most).cwiseAbs2()) / area.sum());
   options.packing->side = options.packing->resolution / mean;
   options.face_scale = Vec();
   if (density.minCoeff() == density.maxCoeff()) return;

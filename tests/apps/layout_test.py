@@ -255,6 +255,21 @@ class TexelDensity(LayoutTest):
         times = float(re.search(r'need ([\d.]+) times', outcome.err).group(1))
         self.run_ok('unwrap', mesh, '-o', self.path('x.obj'), '--texel-density', 0.97 * 1000 / times)
 
+    def test_densities_of_any_size_are_answered(self):
+        """Wrong units: no size that overflows on the way ends in anything but the line above."""
+        mesh = self.mesh(*tetrahedra(9))
+        for density in ('1e9', '1e100', '1e300'):
+            self.refused(UNSUPPORTED, 'unwrap', mesh, '-o', self.path('x.obj'), '--texel-density', density, '--quiet',
+                         says='a lower texel density')
+        points, faces = tetrahedra(2)
+        text = obj_text(points, faces)
+        first, rest = text.split('f ', 1)
+        both = self.write('both.obj', first + 'usemtl a\nf ' + rest.replace('f ', 'usemtl b\nf ', 1))
+        for ratio in ('1e10', '1e12', '1e300'):
+            said = self.write('densities.json', '{"materials": {"a": 1, "b": %s}}' % ratio)
+            self.refused(UNSUPPORTED, 'unwrap', both, '-o', self.path('x.obj'), '--texel-density', said, '--resolution', 64,
+                         '--quiet')
+
     def test_a_number_for_every_material(self):
         points, faces = sphere(4)
         text = obj_text(points, faces)
