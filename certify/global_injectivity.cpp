@@ -9,10 +9,10 @@
 #include <set>
 
 #include "majorant/certify/boundary_loops.h"
-#include "majorant/mesh/box_tree.h"
 #include "majorant/certify/internal/curve_contact.h"
 #include "majorant/certify/loop_winding.h"
 #include "majorant/framework/rounding.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "majorant/framework/rounding.h"
 #include "majorant/framework/exact_integers.h"
+#include "majorant/framework/rounding.h"
 
 namespace majorant {
 namespace {

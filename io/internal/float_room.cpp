@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "majorant/mesh/box_tree.h"
 #include "majorant/framework/rounding.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/union_find.h"
 

@@ -13,8 +13,8 @@
 #include <span>
 #include <utility>
 
-#include "majorant/mesh/box_tree.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/triangulate_polygon.h"
 #include "majorant/parametrization/tessellation/internal/cut_pieces.h"

@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "majorant/certify/inverse_map.h"
-#include "majorant/pictures/baking/chart_continuation.h"
 #include "majorant/mesh/nearest_point.h"
+#include "majorant/pictures/baking/chart_continuation.h"
 #include "majorant/pictures/images/raster.h"
 
 namespace majorant {

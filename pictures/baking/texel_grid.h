@@ -13,8 +13,8 @@
 
 #include <array>
 
-#include "majorant/mesh/box_tree.h"
 #include "majorant/framework/types.h"
+#include "majorant/mesh/box_tree.h"
 
 namespace majorant {
 

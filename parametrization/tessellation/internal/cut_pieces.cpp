@@ -9,8 +9,8 @@
 #include <set>
 #include <tuple>
 
-#include "majorant/mesh/box_tree.h"
 #include "majorant/framework/error.h"
+#include "majorant/mesh/box_tree.h"
 #include "majorant/mesh/exact_predicates.h"
 #include "majorant/mesh/surface_mesh.h"
 #include "majorant/mesh/union_find.h"
