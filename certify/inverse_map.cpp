@@ -14,10 +14,10 @@
 
 #include "majorant/elements/bernstein.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/exact_integers.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/rounding.h"
 #include "majorant/mesh/box_tree.h"
-#include "majorant/framework/exact_integers.h"
 #include "majorant/mesh/exact_predicates.h"
 
 namespace majorant {

@@ -22,7 +22,7 @@
 
 #include "majorant/elements/bernstein_space.h"
 #include "majorant/elements/det_coefficients.h"
-#include "majorant/elements/determinant_range.h"
+#include "majorant/elements/determinant_bounds.h"
 #include "majorant/elements/positivity.h"
 #include "majorant/framework/stop_check.h"
 

@@ -1,7 +1,8 @@
 // The processors that this process may use, and the control groups in which Linux limits it.
 //
 //   const int threads = available_processors();
-//   for (const ControlGroup& group : control_groups("", "memory")) std::cerr << group.folder << "\n";
+//   for (const ControlGroup& group : control_groups("", "memory"))
+//     std::cerr << group.folder << "\n";
 //
 // Containers set their limits by control groups, of version 1 or 2. The limits of a group hold for
 // those inside it, so the groups are listed from that of the process all the way up. root: the

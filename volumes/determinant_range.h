@@ -16,7 +16,7 @@
 
 #include <array>
 
-#include "majorant/elements/determinant_range.h"
+#include "majorant/elements/determinant_bounds.h"
 #include "majorant/framework/stop_check.h"
 #include "majorant/volumes/volume_mesh.h"
 

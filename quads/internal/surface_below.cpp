@@ -55,9 +55,23 @@ SurfaceBelow::AtCorner SurfaceBelow::at_corner(const std::array<Vector3, 4>& cor
 
 bool SurfaceBelow::is_away_at_middle(const std::array<Vector3, 4>& corners,
                                      const NearestPoint& nearest) const {
-  const std::vector<Index> faces = faces_at(surface_, nearest);
-  return std::any_of(faces.begin(), faces.end(),
-                     [&](Index f) { return sign_against(corners, f) < 0; });
+  const auto is_away_at = [&](const NearestPoint& point) {
+    const std::vector<Index> faces = faces_at(surface_, point);
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](Index f) { return sign_against(corners, f) < 0; });
+  };
+  if (!is_away_at(nearest)) return false;
+  // Half way through a plate two sides are equally near, and one of them agrees.
+  const Vector3 middle = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+  const std::vector<Index> faces = faces_near(middle, nearest.face).faces;
+  return std::all_of(faces.begin(), faces.end(), [&](Index f) {
+    const auto corner = [&](Index k) -> Vector3 {
+      return positions_.row(surface_.faces()(f, k)).transpose();
+    };
+    NearestPoint point = nearest_of_triangle(corner(0), corner(1), corner(2), middle);
+    point.face = f;
+    return is_away_at(point);
+  });
 }
 
 bool SurfaceBelow::is_away(const std::array<Vector3, 4>& corners,

@@ -4,7 +4,7 @@
 //   const std::array<Vector3, 4> corners = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
 //   const SurfaceBelow below(*mesh);
 //   const NearestPoint nearest = below.tree().nearest({0.5, 0.5, 0});
-//   if (below.is_turned(corners, nearest)) std::cerr << "turned over\n";
+//   if (below.is_away(corners, nearest)) std::cerr << "turned over\n";
 //
 // The surface nearest to the middle of a quad is not always the one that the quad lies on: in a
 // thin wall, or where another component touches, that may be the other side. Vertices lie on the
@@ -38,7 +38,8 @@ class SurfaceBelow {
 
   // Returns whether a quad faces away from what is below its middle. nearest: the point of the
   // surface nearest to its centroid. With n the normal of the quad, returns false if n . N >= 0
-  // for the normals N of all faces there; and if all corners lie on the surface, up to kOnSurface
+  // for the normals N of all faces there, or of all faces at another point of the surface that is
+  // as near, up to close(); and if all corners lie on the surface, up to kOnSurface
   // of the quad's longer diagonal, and at each of them there is a face with n . N > 0: among all
   // that are as near, or close() farther. Signs are exact.
   bool is_away(const std::array<Vector3, 4>& corners, const NearestPoint& nearest) const;

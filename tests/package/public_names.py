@@ -65,6 +65,8 @@ def function_name(statement):
         if c == '=' and angle == 0:
             return None
         if c == '(' and angle == 0:
+            if statement[k + 1:].lstrip().startswith('*'):  # a pointer to a function
+                return None
             name = re.search(r'~?\w+$', statement[:k].rstrip())
             return name[0] if name else None
     return None

@@ -5,12 +5,16 @@
 import os
 import subprocess
 import sys
+import unittest
 
 import helpers
 import numpy as np
 import pytest
 
-torch = pytest.importorskip('torch')
+try:
+    import torch
+except ImportError as error:
+    raise unittest.SkipTest('no PyTorch (python3-torch)') from error
 import majorant  # noqa: E402
 import majorant.torch  # noqa: E402
 

@@ -28,6 +28,34 @@ TEST(FacesAt, InsideOnEdgesAndAtVertices) {
   EXPECT_EQ(at(4, {0, 1, 0}), (std::set<Index>{4}));
 }
 
+// Two sides of a plate, one unit apart, the upper one facing up.
+SurfaceMesh plate() {
+  PolygonMesh polygons;
+  for (const double z : {0.0, 1.0})
+    for (const auto& [x, y] : {std::pair(-9.0, -9.0), {9.0, -9.0}, {9.0, 9.0}, {-9.0, 9.0}})
+      polygons.positions.emplace_back(x, y, z);
+  polygons.polygons = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}};
+  return SurfaceMesh::from_polygons(polygons);
+}
+
+// Half way through a plate both sides are as near, and what is as near as the other must not decide
+// by its number.
+TEST(SurfaceBelow, HalfWayThroughAPlateEitherSideWillDo) {
+  const SurfaceMesh mesh = plate();
+  const SurfaceBelow below(mesh);
+  const auto is_away = [&](double middle, bool faces_up) {
+    std::array<Vector3, 4> corners{
+        {{0, 1, middle - 0.1}, {1, 1, middle - 0.1}, {1, 3, middle + 0.1}, {0, 3, middle + 0.1}}};
+    if (!faces_up) std::swap(corners[1], corners[3]);
+    return below.is_away(corners, below.tree().nearest({0.5, 2, middle}));
+  };
+  for (const bool faces_up : {false, true}) {
+    EXPECT_FALSE(is_away(0.5, faces_up)) << faces_up;
+    EXPECT_EQ(is_away(0.49, faces_up), faces_up);
+    EXPECT_EQ(is_away(0.51, faces_up), !faces_up);
+  }
+}
+
 }  // namespace
 }  // namespace majorant
 
