@@ -1,0 +1,58 @@
+// Cuts charts of a set and maps what they are cut into.
+//
+//   const UnwrapOptions defaults;
+//   UnwrapRun run(*mesh, defaults, record);
+//   ChartSet set = solve(charts_along(choose_cuts(*mesh, {}), run), run);
+//   const auto halves = [&](const ChartSet& charts, const StopCheck& check) {
+//     const ChartPiece& first = charts.pieces.front();
+//     return std::vector{cut_in_two(*first.mesh, first.preferences, PartsAround::Planes, check)};
+//   };
+//   Recut recut = cut_and_solve(std::move(set), {0}, halves, run);
+//   set = std::move(recut.set);
+#pragma once
+
+#include <functional>
+
+#include "majorant/parametrization/atlas/internal/chart_set.h"
+
+namespace majorant {
+
+struct CutCharts {
+  ChartSet set;
+  std::vector<std::size_t> changed;  // numbers of the charts without a map
+  // The charts that were cut, in the order of their numbers in `which`.
+  std::vector<ChartPiece> parents;
+};
+// Replaces these charts by what they are cut into. The first part takes its parent's number, the
+// others come last. cuts: flags of each.
+CutCharts cut_charts(ChartSet set, const std::vector<std::size_t>& which,
+                     const std::vector<HalfEdgeFlags>& cuts, const UnwrapRun& run);
+
+struct Recut {
+  ChartSet set;
+  bool is_complete = false;  // no limit of the run was reached
+};
+// Returns flags for each of the charts that are to be cut; may throw Stopped.
+using CutChooser =
+    std::function<std::vector<HalfEdgeFlags>(const ChartSet& set, const StopCheck& stop)>;
+// Replaces these charts by what they are cut into, and maps that, as another pass of the run. If a
+// limit of the run is reached on the way, the set is as it was: its maps are better than the starts
+// of their parts. Only the charts that are replaced are kept for that.
+Recut cut_and_solve(ChartSet set, const std::vector<std::size_t>& which, const CutChooser& choose,
+                    UnwrapRun& run);
+
+// Returns flags for each of these charts. Charts that are to be stacked are cut alike, as the first
+// of its kind is.
+std::vector<HalfEdgeFlags> cut_alike(
+    const ChartSet& set, const std::vector<std::size_t>& which, Stacking stacking,
+    const std::function<HalfEdgeFlags(const ChartPiece& piece)>& cut);
+
+// Returns u, v of these vertices of a chart.
+Vec points_of(const Chart& chart, const std::vector<Index>& vertices);
+
+bool is_any(const HalfEdgeFlags& flags);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
