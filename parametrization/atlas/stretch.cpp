@@ -1,3 +1,5 @@
+#include "majorant/parametrization/atlas/stretch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -5,7 +7,6 @@
 #include "majorant/elements/quadrature.h"
 #include "majorant/elements/singular_values.h"
 #include "majorant/maps/rest_shapes_of.h"
-#include "majorant/parametrization/atlas/unwrap.h"
 
 namespace majorant {
 namespace {

@@ -28,7 +28,7 @@
 namespace majorant {
 namespace {
 
-// Returns cuts that keep off pins and handles, found in the seconds that they may take.
+// Returns cuts that keep off pins and handles, as short as UnwrapOptions::cutting_seconds allow.
 SurfaceCuts first_cuts(const UnwrapRun& run) {
   const RunRecord& record = run.record;
   CutOptions cuts = run.options.cuts;
@@ -56,7 +56,7 @@ Atlas atlas_of(ChartSet set, const AtlasSeconds& seconds) {
   return atlas;
 }
 
-// All steps in their order. surface: of usable size.
+// Takes the steps of unwrap() in their order. surface: of usable size.
 Atlas unwrap_usable(const SurfaceMesh& surface, const UnwrapOptions& options, RunRecord& record) {
   const ThreadCount threads(options.chart.solve.threads);
   UnwrapRun run(surface, options, record);

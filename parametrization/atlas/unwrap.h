@@ -33,35 +33,13 @@
 #include "majorant/certify/moved_layout.h"
 #include "majorant/framework/run_record.h"
 #include "majorant/maps/bezier_map.h"
+#include "majorant/parametrization/atlas/stretch.h"
 #include "majorant/parametrization/packing/pack.h"
 #include "majorant/parametrization/seams/choose_cuts.h"
 #include "majorant/parametrization/seams/congruent_surfaces.h"
 #include "majorant/parametrization/solve/parametrize.h"
 
 namespace majorant {
-
-// The stretch of a texture on the surface [SSGH01]: the measure of those who texture.
-//
-//     L2^2(chart) = mean over the surface of (Gamma^2 + gamma^2) / 2,  Linf = max of Gamma,
-//
-// where Gamma >= gamma are the singular values of the map from the plane to the surface, in units
-// in which image and surface have the same area: an isometry has 1, everything else more. [SSGH01]
-
-struct Stretch {
-  double l2 = 1, max = 1;
-  // The parts that both are made of, so that those of several charts can be joined: areas of
-  // surface and image, the integral of (Gamma^2 + gamma^2) / 2, the largest Gamma, in the units of
-  // the map.
-  double surface_area = 0, image_area = 0, square = 0, largest = 0;
-
-  // The stretch of both charts together, at one scale.
-  Stretch joined(const Stretch& other) const;
-};
-
-// By the finest quadrature rule of a triangle, which is exact at degree 1; `max` at its points and
-// some on the edges. Over faces with an area (SurfaceMesh::rest_triangles() have none), all where
-// none has. The map is locally injective.
-Stretch measure_stretch(const BezierMap& map);
 
 // The start that the map of a chart came from. Tutte: tutte_map(). Multiresolution:
 // multiresolution_map(), of large charts. Parent: the map of the chart that it was cut from.

@@ -3,9 +3,11 @@
 //   const UnwrapOptions defaults;
 //   UnwrapRun run(*mesh, defaults, record);
 //   ChartSet set = solve(charts_along(choose_cuts(*mesh, {}), run), run);
-//   const auto halves = [&](const ChartSet& charts, const StopCheck& check) {
+//   const auto halves = [](const ChartSet& charts, const StopCheck& check) {
 //     const ChartPiece& first = charts.pieces.front();
-//     return std::vector{cut_in_two(*first.mesh, first.preferences, PartsAround::Planes, check)};
+//     std::vector<HalfEdgeFlags> cuts;
+//     cuts.push_back(cut_in_two(*first.mesh, first.preferences, PartsAround::Planes, check));
+//     return cuts;
 //   };
 //   Recut recut = cut_and_solve(std::move(set), {0}, halves, run);
 //   set = std::move(recut.set);

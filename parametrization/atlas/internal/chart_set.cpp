@@ -15,9 +15,9 @@
 namespace majorant {
 namespace {
 
-// Square roots of the surface's area: how near parts of a chart's border may come to each other
-// that are no neighbours along it. Single precision, which rounds a square 1.4 such roots wide by
-// up to 4e-8 of it, still tells them apart.
+// Square roots of the surface's area: the smallest distance between parts of a chart's border that
+// are no neighbours along it. Single precision, which rounds a square 1.4 such roots wide by up to
+// 4e-8 of it, still tells them apart.
 constexpr double kClearance = 2.5e-7;
 // Upper bound on passes through cutting and solving, the first one included: a guard against
 // endless cutting.
