@@ -110,7 +110,7 @@ using SolverFactory = std::function<std::shared_ptr<LinearSolver>()>;
 // to find, for one or two.
 enum class Ordering { Automatic, Amd, Metis };
 
-// The ordering of a pattern and the structure of its factor (pattern_analysis.h).
+// The ordering of a pattern and the structure of its factor.
 class PatternAnalysis;
 
 // The bytes of a factor from which on memory that only waits goes back to the system: of a map of

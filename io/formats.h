@@ -14,7 +14,7 @@
 //                 return read_mesh(path + ".obj");   // stands for a reader of one's own
 //               }});
 //
-// Not for images as numbers (pictures/images/image_file.h).
+// Not for images as numbers, whose formats are in pictures/images/.
 #pragma once
 
 #include <string>
@@ -34,7 +34,7 @@ struct MapFileOptions {
   MshContent msh = MshContent::Image;
 };
 
-// The place and the frame of the mark by which majorant knows files of its own (written_mark.h).
+// The place and the frame of the mark by which majorant knows files of its own.
 enum class MarkStyle {
   None,
   FirstLine,      // after "# "
@@ -42,7 +42,7 @@ enum class MarkStyle {
   PlyComment,     // below the format
   GmshSection,    // $Comments
   XmlComment,     // above the root element
-  GltfGenerator,  // in the JSON (internal/gltf_output.h)
+  GltfGenerator,  // in the JSON: asset.generator
 };
 
 struct Format {

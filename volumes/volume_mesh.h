@@ -67,7 +67,7 @@ struct CellBlock {
   }
 };
 
-class MeshSource;  // the bytes of the file and where its coordinates stand (mesh_source.h)
+class MeshSource;  // the bytes of the file and where its coordinates stand
 
 struct VolumeMesh {
   std::string file;

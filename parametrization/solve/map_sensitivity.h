@@ -4,9 +4,9 @@
 //   const ParametrizationResult result = parametrize(mesh, options);
 //   const MapSensitivity s(result, options);
 //   MapSensitivity::Change change;
-//   change.pins = {{0.1, 0}, {0, 0}};                       // both pins of options.map, in order
-//   const Vec duv = s.forward(change);                      // 2 for each control point, model units
-//   const MapSensitivity::Derivative d = s.adjoint(duv);    // of L, duv its slope at the map
+//   change.pins = {{0.1, 0}, {0, 0}};                     // both pins of options.map, in order
+//   const Vec duv = s.forward(change);                    // 2 a control point, in model units
+//   const MapSensitivity::Derivative d = s.adjoint(duv);  // of L, duv its slope at the map
 //
 // The problem is built again on the rule of the degree, and the map is polished by exact Newton
 // steps first: map() is the one that derivatives belong to. Where nothing holds a map, the energy

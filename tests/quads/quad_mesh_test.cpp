@@ -106,16 +106,6 @@ TEST(QuadMesh, TeethAreFollowedWhereFewQuadsAcrossThemAreTurned) {
   EXPECT_TRUE(made.least_count);
 }
 
-// A blade so thin that its sides would have no edge of so few quads, and these are turned over: the
-// first of ever more that are not.
-TEST(QuadMesh, AThinBladeGetsAsManyQuadsAsItNeeds) {
-  const QuadMesh made = solid_in_quads(disk_with_teeth(12, kSawTooth, 0.05), 40);
-  EXPECT_TRUE(made.check.is_valid());
-  EXPECT_EQ(static_cast<Index>(made.relaxed.size()), made.feature_lines);
-  EXPECT_GT(made.check.count, 400);
-  EXPECT_LT(made.check.count, 1600);
-}
-
 // Quads whose number is far off what was asked for have the angles of the rectangles, or of a map
 // of degree 1.
 TEST(QuadMesh, HigherDegreesAreForCountsThatAreClose) {

@@ -28,13 +28,18 @@ TEST(FacesAt, InsideOnEdgesAndAtVertices) {
   EXPECT_EQ(at(4, {0, 1, 0}), (std::set<Index>{4}));
 }
 
-// Two sides of a plate, one unit apart, the upper one facing up.
+// A plate, one unit thick.
 SurfaceMesh plate() {
   PolygonMesh polygons;
   for (const double z : {0.0, 1.0})
     for (const auto& [x, y] : {std::pair(-9.0, -9.0), {9.0, -9.0}, {9.0, 9.0}, {-9.0, 9.0}})
       polygons.positions.emplace_back(x, y, z);
   polygons.polygons = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}};
+  for (Index i = 0; i < 4; ++i) {
+    const Index j = (i + 1) % 4;
+    polygons.polygons.push_back({i, j, 4 + j});
+    polygons.polygons.push_back({i, 4 + j, 4 + i});
+  }
   return SurfaceMesh::from_polygons(polygons);
 }
 
