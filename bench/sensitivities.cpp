@@ -1,6 +1,6 @@
-// What derivatives of solutions cost in Newton steps of the same problem: exact gradient and
-// Hessian, factorization, solve, energy of the next point. Processor seconds on one thread, medians
-// of --repeat.
+// This measures derivatives of solutions in Newton steps of the same problem: exact gradient and
+// Hessian, factorization, solve, energy of the next point. Seconds are the processor's on one
+// thread, medians of --repeat.
 //
 //     analysis      of the pattern alone, on AMD's ordering
 //     make          Sensitivity of a solution to the last digits; its own analysis

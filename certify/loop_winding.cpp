@@ -119,7 +119,7 @@ int sense_of(const BoundaryLoops& boundary, const BoundaryLoop& loop) {
                   [](const PlanarCurve& c) { return c.degree == 1; });
   if (straight) return sense_of_polygon(boundary, loop);
   const int sign = sign_of_area<double>(boundary, loop);
-  return sign != 0 ? sign : sign_of_area<Quad>(boundary, loop);
+  return sign != 0 ? sign : sign_of_area<Float128>(boundary, loop);
 }
 
 LoopWinding::LoopWinding(const BoundaryLoops& boundary)

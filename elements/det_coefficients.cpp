@@ -254,7 +254,7 @@ void DetCoefficients::at_with_error(const double* c, double* out, double* error)
 }
 
 void DetCoefficients::at_with_error_quad(const double* c, double* out, double* error) const {
-  with_error<Quad>(c, kUnitRoundoff<Quad>, out, error);
+  with_error<Float128>(c, kUnitRoundoff<Float128>, out, error);
 }
 
 // The sum that expand_in_plane() makes for one row and column, but for the weight.

@@ -1,4 +1,4 @@
-// What is known of the minimum of det J on an element, and of its sign.
+// Bounds of the minimum of det J on an element, and whether it is positive.
 //
 //   const DeterminantRange range{ProofStatus::Proven, 0.5, 0.6, 1.1, 1.2, {}};
 //   range.low;   // det J >= 0.5 everywhere

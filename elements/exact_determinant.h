@@ -56,7 +56,7 @@ class PieceFrame {
     }
     return out;
   }
-  // Where the function of a corner has its value.
+  // Returns the point at which the function has the coefficient of this corner as its value.
   Point corner(const Exponents& e) const {
     Point sum{};
     for (std::size_t s = 0; s < e.size(); ++s)

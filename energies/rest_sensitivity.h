@@ -24,7 +24,7 @@ namespace majorant {
 
 class RestSensitivity {
  public:
-  // Of up to 3 by 3 numbers.
+  // A matrix of at most 3 by 3 numbers, without memory of its own.
   using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
 
   // problem, sensitivity: of the same problem; the latter outlives this. terms: all that are

@@ -9,14 +9,14 @@
 
 namespace majorant {
 
-__extension__ typedef __float128 Quad;
+__extension__ typedef __float128 Float128;
 
 // The error of an operation, relative to the result's magnitude: half the distance from 1 to the
 // next number.
 template <class Real>
 inline constexpr double kUnitRoundoff = std::numeric_limits<Real>::epsilon() / 2;
 template <>
-inline constexpr double kUnitRoundoff<Quad> =
+inline constexpr double kUnitRoundoff<Float128> =
     0x1p-113;  // numeric_limits does not know it in ISO C++
 
 // Integers up to this are doubles.

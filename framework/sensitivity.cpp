@@ -43,12 +43,12 @@ constexpr std::pair<double, double> kStencil[] = {
     {1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}};
 // Parameters that all elements see, up to which each of them is tried on all elements.
 constexpr Index kFewParameters = 64;
-// How far, of the mean size of the unknowns, elements are moved to see what they depend on: at a
-// minimum their energies may be 0 whatever the parameters.
+// Elements are moved by this part of the unknowns' mean size to see on which parameters they
+// depend: at a minimum their energies may be 0 whatever the parameters are.
 constexpr double kDisplacement = 1e-3;
 // The part of a change's gradient along the null space that is no rounding error.
 constexpr double kAlongNullSpace = 1e-6;
-// Of sums of gradients of elements, relative to these.
+// The rounding error of a sum of elements' gradients, relative to them.
 constexpr double kRounding = 1e-10;
 // Elements that a task treats: some 0.1 ms.
 constexpr Index kElementsOfATask = 4096;
@@ -128,9 +128,9 @@ RowMatrix element_gradients(const Problem& problem, TermId id, const Vec& x,
   return all;
 }
 
-// Whether a factorized matrix has an eigenvalue below this. A vector of random numbers of variance
-// 1 has about 1 of every eigenvector, so that H^-1 makes 1 / eigenvalue of it, and up to sqrt(size)
-// of that where there are many small ones; a second step tells these apart.
+// Returns whether a factorized matrix has an eigenvalue below `least`. A vector of random numbers
+// of variance 1 has about 1 of every eigenvector, so that H^-1 makes 1 / eigenvalue of it, and up
+// to sqrt(size) of that where there are many small ones; a second step tells these apart.
 bool is_singular(LinearSolver& solver, Index size, double least) {
   std::minstd_rand random(1);
   Vec v(size), next;
@@ -245,7 +245,7 @@ class Sensitivity::Parts {
   double error() const { return error_; }
 
  private:
-  // Of a term at x_, made when first needed.
+  // The derivatives of a term at x_, made when they are first needed.
   struct OfTerm {
     RowMatrix gradients;           // #E by local_size(), without weights
     Vec gradient;                  // their sum with the weights of the elements, full unknowns

@@ -89,7 +89,7 @@ class Sensitivity {
   double energy() const;
   // An estimate of |x - x*| / |x| after polishing.
   double error() const;
-  // Of |x - x0| / |x|, x0 the minimum without these terms, to first order: what barriers cost.
+  // Estimates |x - x0| / |x| to first order, where x0 is the minimum without these terms.
   double bias(const std::vector<TermId>& barriers) const;
 
   // dx* along the change, full unknowns; a column for each of several changes. Throws

@@ -53,6 +53,18 @@ void map_to_msh(const std::string& path, const MapFile& map, const PolygonMesh* 
   write_msh(path, map, options.msh, verify);
 }
 
+Format gltf(const char* extension, const char* name) {
+  return {.extension = extension,
+          .name = name,
+          .read_surface = &strictly<read_gltf>,
+          .write_map = &tessellated<write_gltf>,
+          .has_texcoords = true,
+          .has_floats = true,
+          .has_objects = true,
+          .materials = Materials::Inside,
+          .mark = MarkStyle::GltfGenerator};
+}
+
 std::vector<Format> rows() {
   return {{.extension = ".obj",
            .name = "Wavefront OBJ",
@@ -76,24 +88,8 @@ std::vector<Format> rows() {
            .has_quads = true,
            .mark = MarkStyle::PlyComment},
           {.extension = ".stl", .name = "STL", .read_surface = &at_once<read_stl>},
-          {.extension = ".glb",
-           .name = "glTF 2.0, binary",
-           .read_surface = &strictly<read_gltf>,
-           .write_map = &tessellated<write_gltf>,
-           .has_texcoords = true,
-           .has_floats = true,
-           .has_objects = true,
-           .materials = Materials::Inside,
-           .mark = MarkStyle::GltfGenerator},
-          {.extension = ".gltf",
-           .name = "glTF 2.0",
-           .read_surface = &strictly<read_gltf>,
-           .write_map = &tessellated<write_gltf>,
-           .has_texcoords = true,
-           .has_floats = true,
-           .has_objects = true,
-           .materials = Materials::Inside,
-           .mark = MarkStyle::GltfGenerator},
+          gltf(".glb", "glTF 2.0, binary"),
+          gltf(".gltf", "glTF 2.0"),
           {.extension = ".vtu",
            .name = "VTK XML",
            .read_surface = &surface_of_vtu,

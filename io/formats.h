@@ -110,7 +110,7 @@ enum class FormatUse {
   Show,           // pictures and pages
 };
 bool serves(const Format& format, FormatUse use);
-// In the order of the rows; of maps the formats that keep claims come first, of cells last.
+// Returns extensions in the order of the rows; for maps those that keep claims come first.
 std::vector<std::string> extensions_for(FormatUse use);
 // Returns whether a file of that name, .gz aside, is of a format of this use.
 bool is_for(FormatUse use, const std::string& path);

@@ -27,16 +27,18 @@ class CellMatrix {
 
   std::size_t size() const { return indices_.size(); }
   const std::array<int, 3>& index(std::size_t k) const { return indices_[k]; }
-  Quad& weight(std::size_t row, std::size_t column) { return weights_[row * size() + column]; }
-  Quad weight(std::size_t row, std::size_t column) const { return weights_[row * size() + column]; }
+  Float128& weight(std::size_t row, std::size_t column) { return weights_[row * size() + column]; }
+  Float128 weight(std::size_t row, std::size_t column) const {
+    return weights_[row * size() + column];
+  }
 
  private:
   std::vector<std::array<int, 3>> indices_;
-  std::vector<Quad> weights_;
+  std::vector<Float128> weights_;
 };
 
-Quad factorials(const std::array<int, 3>& index) {
-  Quad product = 1;
+Float128 factorials(const std::array<int, 3>& index) {
+  Float128 product = 1;
   for (const int i : index)
     for (int k = 2; k <= i; ++k) product *= k;
   return product;
@@ -45,11 +47,11 @@ Quad factorials(const std::array<int, 3>& index) {
 // Control points to values: n! / (i! j! k!) a^i b^j c^k / n^n. Numerators are whole and exact.
 CellMatrix evaluation(int degree) {
   CellMatrix matrix(degree);
-  Quad scale = 1;
+  Float128 scale = 1;
   for (int k = 0; k < degree; ++k) scale *= degree;
   for (std::size_t row = 0; row < matrix.size(); ++row)
     for (std::size_t column = 0; column < matrix.size(); ++column) {
-      Quad value = factorials({degree, 0, 0}) / factorials(matrix.index(column));
+      Float128 value = factorials({degree, 0, 0}) / factorials(matrix.index(column));
       for (std::size_t c = 0; c < 3; ++c)
         for (int k = 0; k < matrix.index(column)[c]; ++k) value *= matrix.index(row)[c];
       matrix.weight(row, column) = value / scale;
@@ -58,7 +60,7 @@ CellMatrix evaluation(int degree) {
 }
 
 // Coefficients of the monomials of degree n in three variables, by exponents of the first two.
-using Form = std::vector<Quad>;
+using Form = std::vector<Float128>;
 
 std::size_t place(int degree, int i, int j) { return to_size(i * (degree + 1) + j); }
 
@@ -67,7 +69,7 @@ Form times_factor(const Form& form, int degree, int power, int axis, int s) {
   Form product(form.size(), 0);
   for (int i = 0; i <= power; ++i)
     for (int j = 0; i + j <= power; ++j) {
-      const Quad c = form[place(degree, i, j)];
+      const Float128 c = form[place(degree, i, j)];
       product[place(degree, i + 1, j)] += c * ((axis == 0 ? degree : 0) - s);
       product[place(degree, i, j + 1)] += c * ((axis == 1 ? degree : 0) - s);
       product[place(degree, i, j)] += c * ((axis == 2 ? degree : 0) - s);
@@ -129,7 +131,7 @@ class CellTransform {
     Vector2 value;
     for (int axis = 0; axis < 2; ++axis)
       value[axis] = static_cast<double>(
-          sum(map, cell, row, axis, inputs, [](const Quad&, const Quad&, Index) {}));
+          sum(map, cell, row, axis, inputs, [](const Float128&, const Float128&, Index) {}));
     return value;
   }
 
@@ -142,16 +144,18 @@ class CellTransform {
     Rounded result;
     for (int axis = 0; axis < 2; ++axis) {
       double magnitudes = 0, error = 0;
-      const Quad exact =
-          sum(map, cell, row, axis, inputs, [&](const Quad& weight, const Quad& term, Index point) {
-            magnitudes += std::abs(static_cast<double>(term));
-            if (map.uv_rounding.rows() > 0)
-              error += std::abs(static_cast<double>(weight)) * rounding(map, point)[axis];
-          });
+      const Float128 exact =
+          sum(map, cell, row, axis, inputs,
+              [&](const Float128& weight, const Float128& term, Index point) {
+                magnitudes += std::abs(static_cast<double>(term));
+                if (map.uv_rounding.rows() > 0)
+                  error += std::abs(static_cast<double>(weight)) * rounding(map, point)[axis];
+              });
       // Rounding of as many weights, terms and sums, each rounded once.
-      const double own = 3 * static_cast<double>(inputs.size()) * kUnitRoundoff<Quad> * magnitudes;
+      const double own =
+          3 * static_cast<double>(inputs.size()) * kUnitRoundoff<Float128> * magnitudes;
       result.value[axis] = static_cast<double>(exact);
-      const double cut_off = std::abs(static_cast<double>(exact - Quad(result.value[axis])));
+      const double cut_off = std::abs(static_cast<double>(exact - Float128(result.value[axis])));
       result.error[axis] =
           kRoundUp * (cut_off + own + error) + std::numeric_limits<double>::denorm_min();
     }
@@ -227,13 +231,13 @@ class CellTransform {
 
   // visit(weight, term, point): of every input.
   template <class Visit>
-  Quad sum(const MapFile& map, Index cell, int row, int axis, const std::vector<int>& inputs,
-           const Visit& visit) const {
-    Quad sum = 0;
+  Float128 sum(const MapFile& map, Index cell, int row, int axis, const std::vector<int>& inputs,
+               const Visit& visit) const {
+    Float128 sum = 0;
     for (const int k : inputs) {
       const Index point = map.cells(cell, k);
-      const Quad weight = matrix_.weight(to_size(row), to_size(k));
-      const Quad term = weight * map.uv(point, axis);
+      const Float128 weight = matrix_.weight(to_size(row), to_size(k));
+      const Float128 term = weight * map.uv(point, axis);
       sum += term;
       visit(weight, term, point);
     }

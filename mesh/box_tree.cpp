@@ -5,7 +5,7 @@
 namespace majorant {
 namespace {
 
-// What is not a number has no say.
+// Coordinates that are not numbers change nothing.
 template <int D>
 void extend(Box<D>& box, const Box<D>& by) {
   for (int d = 0; d < D; ++d) {

@@ -324,7 +324,7 @@ class QuadJudge {
     measure_from_surface(below.positions());
   }
 
-  // By vertex; those of no quad have none.
+  // Returns the nearest faces of each vertex; vertices without quads have none.
   std::vector<NearestFaces> faces_near_vertices(const SurfaceBelow& below,
                                                 const StopCheck& told) const {
     constexpr Index kVerticesOfTask = 256;

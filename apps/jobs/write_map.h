@@ -65,8 +65,8 @@ std::vector<Index> split_faces(const std::vector<std::string>& paths, const MapF
 // "2 faces of the input are triangles in .obj and .ply (faces 7, 9)", numbers from 1.
 std::string split_in_words(const std::vector<Index>& faces);
 
-// By a row of the table that holds or shows maps; of other names nothing is written. input may be
-// null. verify: of formats that hold data; pictures have nothing to verify.
+// Writes a map in the format of the extension, which holds or shows maps; writes nothing for other
+// extensions. input may be null. verify is called for formats that hold data, not for pictures.
 // Throws as the writers do.
 void write_map(const std::string& path, const MapFile& map, const PolygonMesh* input,
                const MapFormats& formats, const FileVerification& verify = {});

@@ -31,7 +31,7 @@ struct Limits {
   static constexpr long kSteps = 1 << 12, kCost = 1;
 };
 template <>
-struct Limits<Quad> {
+struct Limits<Float128> {
   static constexpr long kSteps = 1 << 8, kCost = 64;
 };
 
@@ -278,8 +278,8 @@ CurveContact decide(const Vector2& origin, SubdivisionBudget& budget, const Run&
   Search<double> quick(origin, budget);
   run(quick, double());
   if (quick.result().apart != ProofStatus::Undecided || budget.stopped()) return quick.result();
-  Search<Quad> search(origin, budget);
-  run(search, Quad());
+  Search<Float128> search(origin, budget);
+  run(search, Float128());
   return search.result();
 }
 

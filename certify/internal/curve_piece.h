@@ -37,7 +37,7 @@ struct Piece {
   static constexpr Real kUnit = kUnitRoundoff<Real>;
   // Bisections of a curve. Origin: 60 and 120, beyond which pieces are below the rounding of their
   // points, of 53 and 113 digits.
-  static constexpr int kDeepest = std::is_same_v<Real, Quad> ? 120 : 60;
+  static constexpr int kDeepest = std::is_same_v<Real, Float128> ? 120 : 60;
   int degree = 1, depth = 0;
   std::array<Real, PlanarCurve::kMaxDegree + 1> x{}, y{}, error{};
 

@@ -52,7 +52,7 @@ struct GmshDocument {
   };
 
   GmshFormat format{};
-  // Of each node, in the order of the file.
+  // The nodes, in the order of the file.
   std::vector<std::int64_t> node_tags;
   std::vector<double> coordinates;        // 3 each
   std::vector<EntityName> node_entities;  // dimension -1: the version does not say
@@ -99,8 +99,8 @@ class GmshTags {
   std::map<std::int64_t, Index> sparse_;
 };
 
-// What is read, but for what is not of it: of surfaces also views of maps and the numbers of the
-// input, and of elements points, segments and complete triangles alone.
+// The kind of content that is read. A surface has points, segments and complete triangles alone;
+// views of maps and the numbers of the input are read with it.
 enum class GmshParts { Volume, Surface };
 
 // The whole file; content: decompressed. Throws Error(Unreadable), Error(Unsupported) as

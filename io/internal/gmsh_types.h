@@ -13,7 +13,7 @@ std::optional<CellType> gmsh_type(std::int64_t number);  // none: without a plac
 std::optional<int> gmsh_number(const CellType& type);    // none: gmsh has no such cells
 bool is_gmsh_pyramid(std::int64_t number);
 
-// Of a number that has a type.
+// Both need the number of a type that gmsh_type() knows.
 int gmsh_node_count(int number);
 int gmsh_dimension(int number);
 

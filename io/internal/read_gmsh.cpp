@@ -142,7 +142,7 @@ class GmshReader {
   bool is_old() const { return document_.format.version == GmshVersion::Old; }
   bool is_surface() const { return parts_ == GmshParts::Surface; }
 
-  // What is understood and not supported: of surfaces by its line.
+  // Refuses what is understood and not supported; the message names the line in files of surfaces.
   [[noreturn]] void refuse(const std::string& what) {
     if (is_surface()) in_.words().fail(what);
     refuse_mesh(file_.path, what);
@@ -239,7 +239,7 @@ class GmshReader {
     return begin != std::string_view::npos && is_written_mark(text.substr(begin));
   }
 
-  // Once each.
+  // Notes each kind once.
   void note_other(const char* what) {
     std::vector<std::string>& others = document_.others;
     if (std::find(others.begin(), others.end(), what) == others.end()) others.push_back(what);

@@ -78,7 +78,7 @@ class GmshTriangles {
     }
   }
 
-  // Of the nodes, of the cells; empty: not there.
+  // The input's vertex of each node and face of each cell; empty where the file does not say.
   Eigen::VectorXi input_vertices() const {
     const auto& [tags, numbers] = document().input_vertex;
     Eigen::VectorXi out(tags.empty() ? 0 : node_count());

@@ -24,7 +24,7 @@
 
 namespace majorant {
 
-// What the end of a line is.
+// The meaning of the end of a line.
 enum class TextLines {
   Plain,      // the end of its tokens
   Continued,  // the same, but behind a backslash (OBJ)

@@ -46,7 +46,7 @@ class VtkDocument {
   // of the role's own name; null if there is none.
   const XmlElement* find_role(const XmlElement& section, std::string_view role) const;
 
-  // As many as the piece says.
+  // Both have as many entries as the piece says.
   Points3 points() const;
   VtkCells cells() const;
   // Returns whether weights make rational functions of the cells: equal ones cancel.

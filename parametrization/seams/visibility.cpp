@@ -28,7 +28,7 @@ constexpr int kSmoothings = 2;
 // meshes are the same from a hundredth on, nearly.
 constexpr double kHiddenWeight = 0.02;
 
-// Whether rays meet a surface.
+// A surface that rays may meet.
 class OccludingSurface {
  public:
   explicit OccludingSurface(const SurfaceMesh& mesh)

@@ -52,7 +52,7 @@ void require_result(const MapJob& job) {
                   (result.message.empty() ? "" : ", " + result.message));
 }
 
-// What derivatives of a map need of its run.
+// The result of a run with all that derivatives of its map need.
 struct SolvedMap {
   ParametrizationResult result;
   ParametrizationOptions options;

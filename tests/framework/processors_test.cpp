@@ -4,28 +4,13 @@
 #include <sched.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
+
+#include "framework/made_up_machine.h"
 
 namespace majorant {
 namespace {
 
-// /proc and /sys of a machine that is made up.
-class Machine : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "majorant_machine_XXXXXX").string();
-    root_ = ::mkdtemp(name.data());
-  }
-  void TearDown() override { std::filesystem::remove_all(root_); }
-
-  void write(const std::string& path, const std::string& text) {
-    std::filesystem::create_directories(std::filesystem::path(root_ + path).parent_path());
-    std::ofstream(root_ + path) << text;
-  }
-  std::string root_;
-};
+using Machine = MadeUpMachine;
 
 TEST_F(Machine, QuotasOfProcessors) {
   const int all = available_processors(root_);

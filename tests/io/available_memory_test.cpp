@@ -3,31 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
+
+#include "framework/made_up_machine.h"
 
 namespace majorant {
 namespace {
 
-// /proc and /sys of a machine that is made up.
-class Machine : public testing::Test {
+class Machine : public MadeUpMachine {
  protected:
   void SetUp() override {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "majorant_machine_XXXXXX").string();
-    root_ = ::mkdtemp(name.data());
+    MadeUpMachine::SetUp();
     write("/proc/meminfo",
           "MemTotal: 64 kB\nMemFree: 10 kB\nMemAvailable: 50 kB\nSwapFree: 7 kB\n");
   }
-  void TearDown() override { std::filesystem::remove_all(root_); }
-
-  void write(const std::string& path, const std::string& text) {
-    std::filesystem::create_directories(std::filesystem::path(root_ + path).parent_path());
-    std::ofstream(root_ + path) << text;
-  }
   std::size_t available() const { return available_memory(root_).value_or(0); }
-
-  std::string root_;
 };
 
 TEST_F(Machine, WithoutLimits) { EXPECT_EQ(available(), 50u * 1024); }

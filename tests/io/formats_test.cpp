@@ -80,7 +80,7 @@ TEST(Formats, OneOfOnesOwnIsReadAndWrittenAsAnyOther) {
   EXPECT_EQ(read.uv, map.uv);
   EXPECT_EQ(read_mesh(path).polygons.size(), 1u);
   write_map_file(folder.file("a.obj"), read, nullptr, {}, certification("a.obj", {}));
-  // What is not valid is not written, and the refusals name the format.
+  // A map that is not valid is not written, and refusals name the format.
   MapFile folded = map;
   folded.uv.row(1).swap(folded.uv.row(2));
   expect_contains(error_message(ErrorKind::Invalid,

@@ -120,7 +120,7 @@ void expect_near(const std::vector<Box<D>>& boxes, const BoxTree<D>& tree, test:
   }
 }
 
-// Whether the ray passes the box, `reach` larger on each side: by the intervals of its parameter.
+// Returns whether the ray passes the box, made larger by `reach` on each side.
 template <int D>
 bool passes(const Ray<D>& ray, const Box<D>& box, double reach, double slack) {
   double enter = 0, leave = ray.last;

@@ -55,7 +55,7 @@ Vec forward(const Sensitivity::Change& change) {
   const Chain c = chain();
   return Sensitivity(c.problem, c.result).forward(change);
 }
-// Of one term of two unknowns.
+// Makes the derivatives of a problem of one term of two unknowns.
 template <class F>
 void of_function(F f, const Vec& y) {
   const Problem problem = ProblemBuilder(2).add(make_term<2>("f", Cells{{0, 1}}, f), 1).build();

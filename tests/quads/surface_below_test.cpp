@@ -8,7 +8,7 @@
 namespace majorant {
 namespace {
 
-// Of a fan of four around (0, 0), and one face that touches its border.
+// The mesh is a fan of four faces around (0, 0), and one face that touches its border.
 TEST(FacesAt, InsideOnEdgesAndAtVertices) {
   PolygonMesh polygons;
   polygons.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {2, 2, 0}};

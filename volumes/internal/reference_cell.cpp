@@ -232,7 +232,7 @@ void ReferenceCell::make_control_points() {
   }
   // In quadruple precision: what is exactly 0 is left with about 1e-32.
   constexpr double kZero = 1e-20;
-  const std::vector<Quad> weights = control_matrix<Quad>(type_, element_);
+  const std::vector<Float128> weights = control_matrix<Float128>(type_, element_);
   control_points_.resize(size, stored);
   for (int k = 0; k < size * stored; ++k) {
     const auto weight = static_cast<double>(weights[to_size(k)]);

@@ -358,7 +358,7 @@ TEST(Sensitivity, TakesTheAnalysisOfTheRun) {
   EXPECT_EQ(s.forward(change), Sensitivity(made.problem, usual).forward(change));
 }
 
-// To first order, what a barrier keeps the solution away from.
+// A barrier keeps the solution away from the minimum without it; the bias is the distance.
 TEST(Sensitivity, TellsTheBiasOfBarriers) {
   const auto pull = make_term<1>("pull", Cells{{0}}, [](Index, const auto& z) {
     const auto d = z[0] - 3.0;

@@ -116,7 +116,7 @@ TEST(MapSensitivity, OfPinnedMaps) {
   }
 }
 
-// What the motions of the plane have of dx.
+// Returns dx without its part along motions of the plane.
 Vec without_motions(const BezierMap& map, Vec dx) {
   const Vec& x = map.control_points();
   Eigen::MatrixXd v = Eigen::MatrixXd::Zero(x.size(), 3);
