@@ -23,13 +23,14 @@ HEADER = ['run', 'faces', 'seconds', 'peak memory, MB', 'exit']
 def main():
     parser = common.parser(__doc__, timeout=3600)
     parser.add_argument('--cuts', type=int, nargs='+', default=[1, 3, 10, 32], help='parts that every edge is cut into')
+    parser.add_argument('--unwrap-cuts', type=int, nargs='+', default=[1, 3, 10], help='the same for unwrap')
     options = parser.parse_args()
     common.require_files(options)
     common.require_idle(options)
     table = common.Table('', *HEADER)
     for verb, name, flags in RUNS:
         vertices, faces = common.read_obj(options.shared / 'data/public' / name)
-        for cuts in options.cuts:
+        for cuts in options.unwrap_cuts if verb == 'unwrap' else options.cuts:
             with tempfile.TemporaryDirectory(prefix='majorant_sizes_') as folder:
                 mesh, report = Path(folder) / 'in.obj', Path(folder) / 'report.json'
                 common.write_obj(mesh, *common.subdivided(vertices, faces, cuts))
