@@ -1,5 +1,7 @@
-// Minimizes a problem while the weight of its barriers falls to 0: inequalities and bounds then end
-// where they hold exactly, to a tolerance. The interior point method of [NW06] Sec. 19.6.
+// Minimizes a problem under constraints: while the weight of its barriers falls to 0, inequalities
+// and bounds end where they hold exactly, to a tolerance (interior points, [NW06] Sec. 19.6); while
+// the multipliers of its equalities settle, these end at 0 (augmented Lagrangian, [NW06]
+// Sec. 17.3).
 //
 //   auto barrier = make_term<1>("x0 > 1", Cells::Zero(1, 1), [](Index, const auto& z) {
 //     using std::log;
@@ -18,12 +20,21 @@
 // with m the sum of the weights of all elements of the barriers, which for convex problems and -log
 // g bounds what E is above its constrained minimum, and as much is left of E by its last decrease:
 // along the path E exceeds its minimum by a multiple of mu. A constraint with multiplier l ends at
-// the distance mu / l from its boundary. Not for equality constraints: eliminate them
-// (constraint.h); nor for starts on the boundary: they must be inside, but for a BarrierChecker's
-// bounds (of_bounds(); feasibility.h has the code). A start that does not meet such bounds is first
+// the distance mu / l from its boundary. Starts must be inside, but for a BarrierChecker's bounds
+// (of_bounds(); feasibility.h has the code). A start that does not meet such bounds is first
 // led inside: by minima of their violation, which is what Bounds and Inequality measure
 // (feasibility.h), else by barriers of bounds relaxed as far as the point needs it, tightened as it
 // comes nearer. Who builds the problem anew between steps brings it as a BarrierProblem.
+//
+// All terms of the problem that are equalities (equality(), framework/terms/equality.h) are held,
+// from any start, by
+//     E + mu B + sum_e l_e g_e + r_e g_e^2 / 2
+// in the same phases: after each one l_e rises by r_e g_e, and r_e by a factor where g_e has hardly
+// fallen. Once the barriers have their last weight, Newton's method on energy and equalities
+// together (the matrix of the augmented Lagrangian is factorized, a few conjugate gradients find
+// the multipliers) ends where both hold to rounding.
+//
+// Not for linear equalities: eliminate them (constraint.h).
 #pragma once
 
 #include <limits>
@@ -50,6 +61,9 @@ struct BarrierOptions {
   double centred = 0.1;
   // Phases at most; a run whose last one still lowers E by more than the tolerance is stalled.
   int most_phases = std::numeric_limits<int>::max();
+  // The largest |g| of an equality at the end, relative to the norm of its derivative where that is
+  // above 1.
+  double equality_tolerance = 1e-10;
   // How relaxed bounds are tightened.
   BoundEntryRules entry = {};
   // The options of every phase; the stopping rules hold in the last one, max_iterations counts the
@@ -60,9 +74,10 @@ struct BarrierOptions {
 // The run at one value of mu.
 struct BarrierPhase {
   double mu = 0;
-  double gap = 0;      // m mu
-  double energy = 0;   // E where it ended
-  double barrier = 0;  // B there
+  double gap = 0;        // m mu
+  double energy = 0;     // E where it ended
+  double barrier = 0;    // B there
+  double violation = 0;  // the largest |g| of equalities there, as equality_tolerance has it
   int iterations = 0;
   Status status = Status::Failed;  // MaxIterations, too, where it was left early on purpose
 };
@@ -84,6 +99,8 @@ struct BarrierStage {
   std::vector<Bound> bounds;  // one for each bound of the problem
   // Factors of the weights of barriers that belong to no bound, and of all other terms.
   double other_barriers = 1, energy = 1;
+  // The multipliers and penalties of equalities.
+  TermChanges equalities = {};
 };
 
 struct BarrierEnergies {
@@ -101,6 +118,8 @@ class BarrierProblem {
   // The problem of the present stage; the barriers' ids there, those of bounds first.
   virtual Evaluator& evaluator() = 0;
   virtual std::vector<TermId> barriers() const = 0;
+  // The terms of it that are equalities to hold; a problem that cannot move() has none.
+  virtual std::vector<TermId> equalities() const { return {}; }
   // Where the run is: in the unknowns of the problem, and in those that bounds and their terms see.
   virtual Vec y() const = 0;
   virtual Vec point() const = 0;
@@ -113,6 +132,8 @@ class BarrierProblem {
                               std::span<const BarrierPhase> phases) const = 0;
 
   virtual void enter(const BarrierStage& stage) = 0;
+  // Goes on from another point, to which `steps` iterations have led that descend() has not seen.
+  virtual void move(Vec /*y*/, int /*steps*/) {}
   // Newton steps from here until the rules say so, of which max_iterations is the caller's.
   virtual SolveResult descend(StoppingRules rules) = 0;
 };
@@ -122,20 +143,29 @@ class BarrierProblem {
 struct BarrierResult : SolveResult {
   std::vector<BarrierPhase> phases;
   PathEnd end = PathEnd::Ended;  // None: after most_phases
+  // l of E + sum_e l_e g_e, by equality in the order of the problem's terms, a number an element;
+  // where equalities depend on each other, one choice.
+  std::vector<Vec> multipliers;
+  double violation = 0;  // BarrierPhase::violation at y
+  // The weights of barriers, multipliers and penalties at the end: y minimizes
+  // problem.with(states), and Sensitivity takes both.
+  TermChanges states;
 };
 
 class BarrierMinimizer final : public Minimizer {
  public:
-  explicit BarrierMinimizer(std::vector<TermId> barriers, BarrierOptions options = {});
+  // No barriers: for equalities alone.
+  explicit BarrierMinimizer(std::vector<TermId> barriers = {}, BarrierOptions options = {});
   // Other barriers than those of bounds: `more`. Throws InvalidArgument for a bound that is null.
   static BarrierMinimizer of_bounds(std::vector<HeldBound> bounds, std::vector<TermId> more = {},
                                     BarrierOptions options = {});
 
-  // y0: strictly inside, but for the bounds. Status::Infeasible names what it violates, or says
-  // that the violation of the bounds has a minimum that is not 0, by how much and where; for bounds
-  // that are convex nothing is feasible then. Status::Stalled where no way inside was found, which
-  // proves nothing. Throws InvalidArgument for ids that the problem does not
-  // have, and for bounds that are none of its checkers.
+  // y0: strictly inside, but for the bounds and equalities. Status::Infeasible names what it
+  // violates, or says that the violation of the bounds has a minimum that is not 0, by how much and
+  // where; for bounds that are convex nothing is feasible then. Status::Stalled where no way inside
+  // was found, which proves nothing. Likewise for equalities: Infeasible where their violation has
+  // a minimum that is not 0. Throws InvalidArgument for ids that the problem does not have, for
+  // bounds that are none of its checkers, and for equalities of another weight than 1.
   BarrierResult run(const Problem& problem, Vec y0, RunObserver* observer = nullptr) const;
   // The same from where a problem of the caller's is; options.newton: its stopping rules alone.
   static BarrierResult run(BarrierProblem& problem, const BarrierOptions& options);

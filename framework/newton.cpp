@@ -217,6 +217,16 @@ void NewtonStepper::newton_step(Vec& y, double& energy, Step& step) {
     move_along(p_, 1.0, y, energy, step);
     learn_shift(step);
   }
+  if (no_shift_helps(step)) {
+    // All eigenvalues are negative, say: what is left of the diagonal has no scale for shifts.
+    const double weight = std::exchange(whole_weight_, kAbsoluteProjection);
+    shift_ = 0;
+    if (solve_whole(y, r)) {
+      hessian_ = Vec();
+      move_along(p_, 1.0, y, energy, step);
+    }
+    whole_weight_ = weight;
+  }
   last_gradient_norm_ = r.gradient_norm;
   if (step.outcome == Outcome::Breakdown) return;
   relative_decrement_ = relative_decrement(before, r);
@@ -402,6 +412,12 @@ void NewtonStepper::learn_shift(Step& step) {
   fall_ = rules.fall;
   const double missing = step.outcome == Outcome::Moved ? least / step.record.step : 0;
   shift_ = std::clamp(std::max(kRaisedShift, missing) * shift_, rules.least, kLargestShift);
+}
+
+bool NewtonStepper::no_shift_helps(const Step& step) const {
+  return (step.outcome == Outcome::Blocked || step.outcome == Outcome::NoDecrease) &&
+         shift_ >= kLargestShift && options_.curvature == Curvature::Projected &&
+         whole_weight_ < kAbsoluteProjection;
 }
 
 double NewtonStepper::first_projection() const {

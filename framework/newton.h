@@ -176,6 +176,7 @@ class NewtonStepper final : public Stepper {
   double first_shift();
   double first_projection() const;
   void learn_shift(Step& step);
+  bool no_shift_helps(const Step& step) const;
   FactorStatus solve_shifted(double shift, IterationRecord& record);
   double tolerance() const;
   double mean_diagonal() const;

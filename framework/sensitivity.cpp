@@ -16,6 +16,7 @@
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
+#include "majorant/framework/internal/element_visits.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/partition.h"
@@ -86,47 +87,6 @@ class Batches {
   std::vector<Index> elements_;
   std::vector<ElementBatch> batches_;
 };
-
-// visit(c, e, local, p) for the elements of batches c, on all threads: local is that of the element
-// at place p. What is written must be the element's own, or the batch's.
-template <class Plan, class Visit>
-void visit_elements(const EnergyTerm& term, const Plan& plan, const Vec& x, const TermState& state,
-                    bool with_hessian, const Visit& visit) {
-  const auto n = to_size(term.element_dofs().local_size());
-  constexpr std::size_t stride = LocalSystem::stride;
-  const std::size_t packed = with_hessian ? n * (n + 1) / 2 : 0;
-  const int threads = ThreadCount::current();
-  std::vector<Workspace> kernels(to_size(threads)), memories(to_size(threads));
-  const auto run = [&](Index c, int thread) {
-    const ElementBatch batch = plan.batch(c);
-    LocalSystem local;
-    local.value = memories[to_size(thread)].reserve((1 + n + packed) * stride);
-    local.gradient = local.value + stride;
-    if (with_hessian) local.hessian = local.gradient + n * stride;
-    term.local(x, batch, Curvature::Exact, state, kernels[to_size(thread)], local);
-    for (std::size_t p = 0; p < batch.elements.size(); ++p)
-      visit(c, batch.elements[p], local, static_cast<int>(p));
-  };
-  parallel_tasks(plan.batch_count(), run, threads);
-}
-
-Index unknown_of(const ElementDofs& dofs, Index e, Index k) {
-  return dofs.block * dofs.nodes(e, k / dofs.block) + k % dofs.block;
-}
-
-// The gradients of all elements of a term, #E by local_size(), without weights.
-RowMatrix element_gradients(const Problem& problem, TermId id, const Vec& x,
-                            const TermState& state) {
-  const EnergyTerm& term = problem.term(id);
-  const Index n = term.element_dofs().local_size();
-  RowMatrix all(term.element_dofs().element_count(), n);
-  visit_elements(term, ProblemParts::plan(problem, id), x, state, false,
-                 [&](Index, Index e, const LocalSystem& local, int p) {
-                   for (Index k = 0; k < n; ++k)
-                     all(e, k) = local.gradient[to_size(k) * LocalSystem::stride + to_size(p)];
-                 });
-  return all;
-}
 
 // Returns whether a factorized matrix has an eigenvalue below `least`. A vector of random numbers
 // of variance 1 has about 1 of every eigenvector, so that H^-1 makes 1 / eigenvalue of it, and up

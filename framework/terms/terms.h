@@ -11,9 +11,11 @@
 //     least_squares.h             residuals, Gauss-Newton; robust losses
 //     parameter_blocks.h          terms of blocks of unknowns of different sizes
 //     quadratic_penalty.h         soft constraints
+//     equality.h                  g(x) = 0 for an element, exactly
 //     inequality.h                g(x) > 0 for an element, and its barrier; bounds of unknowns
 #pragma once
 
+#include "majorant/framework/terms/equality.h"
 #include "majorant/framework/terms/inequality.h"
 #include "majorant/framework/terms/least_squares.h"
 #include "majorant/framework/terms/local_term.h"

@@ -106,6 +106,15 @@ TEST(QuadMesh, TeethAreFollowedWhereFewQuadsAcrossThemAreTurned) {
   EXPECT_TRUE(made.least_count);
 }
 
+// A gear so thin that quads along its edges are far too many, and few quads across them are turned
+// over: the first of ever more that are not.
+TEST(QuadMesh, AThinGearGetsAsManyQuadsAsItNeeds) {
+  const QuadMesh made = solid_in_quads(disk_with_teeth(24, kGearTooth, 0.01), 60);
+  EXPECT_TRUE(made.check.is_valid());
+  EXPECT_EQ(static_cast<Index>(made.relaxed.size()), made.feature_lines);
+  EXPECT_GT(made.check.count, 120);
+}
+
 // Quads whose number is far off what was asked for have the angles of the rectangles, or of a map
 // of degree 1.
 TEST(QuadMesh, HigherDegreesAreForCountsThatAreClose) {

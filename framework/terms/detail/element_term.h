@@ -15,6 +15,7 @@
 
 #include "majorant/framework/dual2.h"
 #include "majorant/framework/energy_term.h"
+#include "majorant/framework/equality_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/residual_term.h"
 
@@ -128,16 +129,24 @@ constexpr bool require_function_of_elements() {
 // also has
 //     visit_residuals(e, z, visit, data...)    z of doubles or Dual1; calls visit(residual)
 //     rho(s)                                   as ResidualTerm::loss()
+//
+// A model of equalities has is_equality, and two numbers an element.
 struct NoResiduals {};
 template <class Model>
 inline constexpr bool has_residuals = requires(const Model& model) {
   model.rho(1.0);
 };
+struct NoEqualities {};
+template <class Model>
+inline constexpr bool has_equalities = requires {
+  Model::is_equality;
+};
 
 template <class Model, class Numbers = NoNumbers>
 class ElementTerm final
     : public EnergyTerm,
-      public std::conditional_t<has_residuals<Model>, ResidualTerm, NoResiduals> {
+      public std::conditional_t<has_residuals<Model>, ResidualTerm, NoResiduals>,
+      public std::conditional_t<has_equalities<Model>, EqualityTerm, NoEqualities> {
  public:
   static constexpr int N = Model::nodes, Block = Model::block, size = N * Block;
 

@@ -1,0 +1,220 @@
+#include "majorant/framework/internal/augmented_lagrangian.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "majorant/framework/internal/option_check.h"
+#include "majorant/framework/problem_parts.h"
+
+namespace majorant {
+namespace {
+
+// The first penalties are stiffer than the energy by this factor: a phase then leaves about a tenth
+// of the violation.
+constexpr double kStiffness = 10;
+// Penalties rise by kRise after a phase that leaves more than kLeft of the violation.
+constexpr double kRise = 10, kLeft = 0.1;
+// Phases in a row that leave more than this part of the violation, after which it is minimized for
+// itself: penalties have risen by 10^6 then.
+constexpr double kIdle = 0.5;
+constexpr int kMostIdle = 6;
+// Weights of the energy beside the violation while that is minimized.
+constexpr double kViolationWeights[] = {1e-3, 1e-6, 1e-9};
+// A violation that is minimized to less, relative to its scale, has the minimum 0.
+constexpr double kNoViolation = 1e-6;
+// Newton steps on the energy and the equalities together: quadratic convergence takes three or
+// four.
+constexpr int kMostNewtonSteps = 12;
+// The part of the last one's length that such a step has at most, and the length, relative to the
+// point, after which the next one would be rounding.
+constexpr double kContraction = 0.5, kLastStep = 1e-9;
+// What the equations of such a step may leave.
+constexpr double kSaddleResidual = 1e-6;
+// The part of multipliers' growth that is allowed at all, against overflow.
+constexpr double kLargestMultiplier = 1e100;
+
+}  // namespace
+
+AugmentedLagrangian::AugmentedLagrangian(BarrierRun& run)
+    : run_(run), ids_(run.problem.equalities()) {
+  if (has_rows()) state_ = equality_state(run.problem.evaluator().problem(), ids_);
+}
+
+void AugmentedLagrangian::begin() {
+  const Vec y = run_.problem.y();
+  const Problem& problem = run_.problem.evaluator().problem();
+  const EqualityRows rows(problem, ids_, problem.expand(y));
+  violation_ = rows.violation();
+  const Vec weights = rows.scales().cwiseAbs2().cwiseInverse();
+  const Vec squares = rows.diagonal_of_squares(weights);
+  // The diagonal of A^T A by the unknowns of the problem.
+  Vec stiffness = Vec::Zero(problem.size());
+  for (Index i = 0; i < problem.full_size(); ++i)
+    for (const auto& entry : ProblemParts::elimination(problem).row(i))
+      stiffness[entry.reduced] += entry.coefficient * entry.coefficient * squares[i];
+  TermChanges alone;
+  for (const TermId id : ids_) alone.emplace_back(id, TermChange{.weight = 0});
+  for (const TermId id : run_.problem.barriers()) alone.emplace_back(id, TermChange{.weight = 0});
+  const Problem energy = problem.with(std::move(alone));
+  Vec gradient, values;
+  Evaluator(energy).linearize(
+      y, energy.supports(Curvature::Exact) ? Curvature::Exact : run_.options.newton.curvature,
+      gradient, values, run_.options.newton.stop);
+  double bend = 0, slope = 0;
+  for (Index k = 0; k < problem.size(); ++k)
+    if (stiffness[k] > 0) {
+      bend += std::abs(values[problem.pattern().diagonal_slot(k)]);
+      slope += gradient[k] * gradient[k];
+    }
+  const double size = stiffness.sum();
+  double penalty = kStiffness * std::max(bend / size, std::sqrt(slope / size));
+  if (!(penalty > 0 && std::isfinite(penalty))) penalty = 1;
+  first_penalties_ = penalty * weights;
+  state_ = {Vec::Zero(rows.count()), first_penalties_};
+}
+
+BarrierStage AugmentedLagrangian::stage(double mu) const {
+  BarrierStage stage = run_.of_bounds(mu);
+  if (has_rows())
+    stage.equalities = equality_changes(run_.problem.evaluator().problem(), ids_, state_);
+  return stage;
+}
+
+void AugmentedLagrangian::raise_penalties() { state_.penalties *= kRise; }
+
+AugmentedLagrangian::Progress AugmentedLagrangian::after_phase(double mu, bool is_last) {
+  if (is_last && polish()) return Progress::Met;
+  const Problem& problem = run_.problem.evaluator().problem();
+  const EqualityRows rows(problem, ids_, problem.expand(run_.problem.y()));
+  move_multipliers(rows);
+  if (is_last && violation_ <= run_.options.equality_tolerance &&
+      run_.result.status == Status::Converged) {
+    run_.result.message += fmt::format("; the equalities hold to {:.1e}", violation_);
+    return Progress::Met;
+  }
+  return idle_ < kMostIdle ? Progress::Going : minimize_violation(mu);
+}
+
+void AugmentedLagrangian::move_multipliers(const EqualityRows& rows) {
+  const double before = violation_;
+  violation_ = rows.violation();
+  state_.multipliers += state_.penalties.cwiseProduct(rows.values());
+  state_.multipliers =
+      state_.multipliers.cwiseMin(kLargestMultiplier).cwiseMax(-kLargestMultiplier);
+  const bool is_met = violation_ <= run_.options.equality_tolerance;
+  idle_ = violation_ > kIdle * before && !is_met ? idle_ + 1 : 0;
+  if (violation_ > kLeft * before && !is_met) raise_penalties();
+}
+
+// Newton's method on the energy and the equalities from where the run is, which moves there only
+// where it converges to a minimum.
+bool AugmentedLagrangian::polish() {
+  const Problem& stage = run_.problem.evaluator().problem();
+  if (!stage.supports(Curvature::Exact) || stage.size() == 0) return false;
+  if (!solver_) solver_ = make_solver("BarrierMinimizer", run_.options.newton.linear_solver);
+  if (!analysed_ || !analysed_->same_structure(stage)) {
+    analysed_ = stage;
+    solver_->analyze(analysed_->pattern());
+  }
+  const StopCheck& stop = run_.options.newton.stop;
+  Vec y = run_.problem.y(), multipliers = state_.multipliers, gradient, values;
+  std::vector<IterationRecord> records;
+  double last = std::numeric_limits<double>::infinity(), size = y.norm();
+  for (int k = 0; k < kMostNewtonSteps; ++k) {
+    const EqualityRows rows(stage, ids_, stage.expand(y));
+    if (k == 0) multipliers += state_.penalties.cwiseProduct(rows.values());
+    // Those with which the augmented Lagrangian has the gradient and the curvature of E + l g.
+    const Vec beside = multipliers - state_.penalties.cwiseProduct(rows.values());
+    Evaluator evaluator(stage.with(equality_changes(stage, ids_, {beside, state_.penalties})));
+    IterationRecord record;
+    const double before = evaluator.linearize(y, Curvature::Exact, gradient, values, stop);
+    if (!std::isfinite(before) || !gradient.allFinite() || !values.allFinite() ||
+        solver_->factorize(values, 0) != FactorStatus::Ok)
+      return false;
+    const SaddlePoint step = solve_with_equalities(*solver_, ProblemParts::elimination(stage), rows,
+                                                   state_.penalties, -gradient, -rows.values());
+    const double length = step.p.norm();
+    if (!(length <= kContraction * last) || !(step.residual <= kSaddleResidual)) break;
+    if (k == 0) size = std::max(size, length);
+    y += step.p;
+    multipliers += step.q;
+    record.energy = evaluator.value(y, stop);
+    if (!std::isfinite(record.energy) || evaluator.violation(evaluator.point())) return false;
+    record.iteration = static_cast<int>(run_.result.iterations.size() + records.size()) + 1;
+    record.relative_decrease = relative_to(before, before - record.energy);
+    record.step = record.step_bound = 1;
+    record.gradient_norm = gradient.norm();
+    record.newton_decrement = std::abs(gradient.dot(step.p));
+    record.direction_norm = length;
+    record.curvature = Curvature::Exact;
+    record.projection_weight = 0;
+    record.factorizations = 1;
+    records.push_back(record);
+    last = length;
+    if (length <= kLastStep * size) break;
+  }
+  const double left = EqualityRows(stage, ids_, stage.expand(y)).violation();
+  if (!(last <= kLastStep * size) || !(left <= run_.options.equality_tolerance)) return false;
+  violation_ = left;
+  state_.multipliers = std::move(multipliers);
+  SolveResult& result = run_.result;
+  result.iterations.insert(result.iterations.end(), records.begin(), records.end());
+  result.y = y;
+  result.status = Status::Converged;
+  result.message = "the equalities hold and the energy is stationary, by Newton's method on both";
+  result.definite = Definite::Yes;
+  result.blocking.clear();
+  run_.problem.move(std::move(y), static_cast<int>(records.size()));
+  return true;
+}
+
+AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation(double mu) {
+  for (const double weight : kViolationWeights) {
+    BarrierStage stage = run_.of_bounds(weight * mu);
+    stage.energy = weight;
+    stage.equalities = equality_changes(
+        run_.problem.evaluator().problem(), ids_,
+        {Vec::Zero(state_.multipliers.size()),
+         Vec::Constant(first_penalties_.size(), first_penalties_.maxCoeff()) / weight});
+    run_.problem.enter(stage);
+    run_.descend({});
+    if (!run_.went_on()) return Progress::Ended;
+  }
+  Index row = 0;
+  const Problem& problem = run_.problem.evaluator().problem();
+  const EqualityRows rows(problem, ids_, problem.expand(run_.problem.y()));
+  violation_ = rows.violation(&row);
+  if (violation_ > kNoViolation) {
+    run_.refuse(Status::Infeasible,
+                fmt::format("no point meets the equalities, or none nearby: where their violation "
+                            "is least, {} is {:.3g}, not 0",
+                            rows.name(row), rows.values()[row]));
+    return Progress::Ended;
+  }
+  if (++restarts_ == 1) {
+    state_.multipliers.setZero();
+    state_.penalties = first_penalties_ * std::pow(kRise, kMostIdle / 2);
+    idle_ = 0;
+    return Progress::Going;
+  }
+  run_.refuse(Status::Stalled,
+              fmt::format("the equalities can be met, but their multipliers grow without limit: at "
+                          "the minimum the derivatives of some vanish or depend on each other, as "
+                          "that of {}",
+                          rows.name(row)));
+  return Progress::Ended;
+}
+
+std::vector<Vec> AugmentedLagrangian::multipliers() const {
+  if (!has_rows()) return {};
+  return by_equality(run_.problem.evaluator().problem(), ids_, state_.multipliers);
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,58 @@
+// The equalities of a run of a barrier method: multipliers l and penalties r of
+//     E + sum_e l_e g_e + r_e g_e^2 / 2
+// that move after each phase, l by r g ([NW06] Sec. 17.3), until Newton's method on E and g
+// together takes over, which converges quadratically.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "majorant/framework/internal/barrier_run.h"
+#include "majorant/framework/internal/equality_rows.h"
+
+namespace majorant {
+
+class AugmentedLagrangian {
+ public:
+  // run outlives it.
+  explicit AugmentedLagrangian(BarrierRun& run);
+
+  // A problem without equalities has none of what follows.
+  bool has_rows() const { return !ids_.empty(); }
+  // Chooses the penalties by the derivatives at the point of the run.
+  void begin();
+  // The bounds themselves, and the equalities as they are weighted now.
+  BarrierStage stage(double mu) const;
+  // A phase has left what the penalties hold: they rise.
+  void raise_penalties();
+
+  // After a phase with a weight mu of the barriers. Met: the point of the run satisfies the
+  // equalities to the tolerance and the energy is stationary; Ended: no way leads there, as the
+  // result of the run says.
+  enum class Progress { Going, Met, Ended };
+  Progress after_phase(double mu, bool is_last);
+  double violation() const { return violation_; }
+  // Multipliers by equality.
+  std::vector<Vec> multipliers() const;
+
+ private:
+  bool polish();
+  void move_multipliers(const EqualityRows& rows);
+  Progress minimize_violation(double mu);
+
+  BarrierRun& run_;
+  const std::vector<TermId> ids_;
+  EqualityState state_;
+  Vec first_penalties_;
+  double violation_ = 0;
+  int idle_ = 0;      // phases in a row that have hardly lessened it
+  int restarts_ = 0;  // from a minimum of the violation
+  std::shared_ptr<LinearSolver> solver_;
+  std::optional<Problem> analysed_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

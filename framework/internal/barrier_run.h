@@ -1,0 +1,39 @@
+// A run of a barrier method: its problem, its rules, and what it has reached.
+#pragma once
+
+#include <limits>
+#include <string>
+
+#include "majorant/framework/barrier_minimizer.h"
+#include "majorant/framework/barrier_path.h"
+
+namespace majorant {
+
+struct BarrierRun {
+  BarrierRun(BarrierProblem& on, const BarrierOptions& rules);
+
+  // What |E| is compared with.
+  double energy_scale() const;
+  // The bounds themselves, with one weight for all barriers.
+  BarrierStage of_bounds(double mu) const;
+  // The first weight of the barriers of a stage; 0: there are none.
+  double first_weight(const BarrierStage& stage);
+  // Enters a stage; whether a descent can begin there.
+  bool starts(const BarrierStage& stage);
+  // Descends from where the run is and returns the number of iterations.
+  int descend(StoppingRules rules);
+  bool went_on() const;
+  // The run ends without what it has looked for.
+  void refuse(Status status, std::string why);
+
+  BarrierProblem& problem;
+  const BarrierOptions& options;
+  HeldBounds bounds;
+  BarrierResult result;
+  double barrier_size = 0;  // m: BarrierProblem::barrier_size()
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

@@ -1,0 +1,81 @@
+// The equalities g = 0 of a problem at a point, and Newton's equations with them.
+//
+//   const EqualityRows rows(problem, equality_terms(problem), x);
+//   const double largest = rows.values().lpNorm<Eigen::Infinity>();
+//
+// One row an element, the terms one after the other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "majorant/framework/elimination.h"
+#include "majorant/framework/linear_solver.h"
+#include "majorant/framework/problem.h"
+
+namespace majorant {
+
+// The terms of a problem that are equalities (EqualityTerm), in their order.
+std::vector<TermId> equality_terms(const Problem& problem);
+
+// Multipliers and penalties of all rows, as states of the terms have them.
+struct EqualityState {
+  Vec multipliers, penalties;
+};
+EqualityState equality_state(const Problem& problem, const std::vector<TermId>& ids);
+TermChanges equality_changes(const Problem& problem, const std::vector<TermId>& ids,
+                             const EqualityState& state);
+// The parts of a vector of all rows that belong to each term.
+std::vector<Vec> by_equality(const Problem& problem, const std::vector<TermId>& ids,
+                             const Vec& rows);
+
+class EqualityRows {
+ public:
+  // x: full unknowns, in the domain of all of them.
+  EqualityRows(const Problem& problem, std::vector<TermId> ids, const Vec& x);
+
+  Index count() const { return static_cast<Index>(values_.size()); }
+  const Vec& values() const { return values_; }  // g
+  // Norms of the derivatives of g by the full unknowns, or 1 where these are less: g divided by
+  // them is about the distance from where it vanishes.
+  const Vec& scales() const { return scales_; }
+  // The largest |g| / scale, 0 without rows; its row.
+  double violation(Index* row = nullptr) const;
+  // Where a row comes from: "'rods' at element 3, which begins with unknown 6".
+  std::string name(Index row) const;
+
+  // With A the derivative of g by the full unknowns: A dx; A^T q.
+  Vec times(const Vec& dx) const;
+  Vec transposed_times(const Vec& q) const;
+  // The diagonal of A^T diag(weights) A.
+  Vec diagonal_of_squares(const Vec& weights) const;
+
+ private:
+  template <class Visit>
+  void visit(const Visit& visit) const;
+
+  const Problem& problem_;
+  std::vector<TermId> ids_;
+  std::vector<RowMatrix> gradients_;  // by term
+  Vec values_, scales_;
+};
+
+// p and q with H p + A^T q = r and A p = s, given a solver that has factorized H + A^T R A, R the
+// diagonal of the penalties: conjugate gradients on q, preconditioned by R, which converge the
+// sooner the larger R is, for rows that depend on each other, too. p, r by the unknowns of the
+// problem. residual: of the second equation, as a part of what it was at q = 0.
+struct SaddlePoint {
+  Vec p, q;
+  double residual = 0;
+};
+SaddlePoint solve_with_equalities(LinearSolver& solver, const Elimination& elimination,
+                                  const EqualityRows& rows, const Vec& penalties, const Vec& r,
+                                  const Vec& s);
+
+// The place of an element, for messages: "unknown 3", "element 2, which begins with unknown 6".
+std::string place_of(const EnergyTerm& term, Index element);
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

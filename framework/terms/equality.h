@@ -1,0 +1,71 @@
+// Nonlinear equalities g(z) = 0 of the unknowns of a few nodes, held exactly.
+//
+//   Cells rods(2, 2);
+//   rods << 0, 1, 1, 2;
+//   builder.add(equality<2, 2>("rods", rods, [](Index, const auto& z) {
+//     return (z.col(1) - z.col(0)).squaredNorm() - 1.0;
+//   }), 1.0);
+//   problem = builder.build();
+//   const BarrierResult result = BarrierMinimizer().run(problem, y0);
+//   const Vec& forces = result.multipliers.front();    // one a rod
+//
+// The start need not satisfy them. Beside them a problem may have linear constraints, which are
+// eliminated, bounds, inequalities (inequality.h) and checkers. Equalities may depend on each
+// other; their multipliers are one choice then. By itself, in any other minimizer, the term is the
+// penalty g^2 / 2. Scale g to size about 1, with derivatives that do not vanish where g = 0.
+//
+// A datum that g depends on and by which derivatives of the solution are to be had (Sensitivity)
+// is an unknown that a linear constraint fixes.
+//
+// Not for linear equalities: constraint.h; nor for what may hold approximately:
+// make_least_squares().
+//
+// The lambda: as in local_term.h.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "majorant/framework/equality_term.h"
+#include "majorant/framework/terms/local_term.h"
+
+namespace majorant {
+
+namespace detail {
+
+// l g + r g^2 / 2, with (l, r) the numbers of the element.
+template <class F>
+struct AugmentedFunction {
+  F g;
+  template <class Z, class Numbers>
+  auto operator()(Index e, const Z& z, const Numbers& numbers) const {
+    const auto value = g(e, z);
+    return value * (numbers[0] + 0.5 * numbers[1] * value);
+  }
+};
+
+template <int N, int Block, class F>
+struct EqualityFunction : LocalFunction<N, Block, AugmentedFunction<F>> {
+  static constexpr bool is_equality = true;
+};
+
+}  // namespace detail
+
+// nodes: #E by N, or, with Block 1, the unknowns themselves. Add it with weight 1. Throws
+// InvalidArgument where `nodes` does not have N columns, and for negative nodes.
+template <int N, int Block = 1, class F>
+std::shared_ptr<const EnergyTerm> equality(std::string name, Cells nodes, F g) {
+  if constexpr (detail::require_function_of_elements<N, Block, F>()) {
+    const RowMatrix penalty = Eigen::RowVector2d(0, 1).replicate(nodes.rows(), 1);
+    return detail::element_term(std::move(name), std::move(nodes),
+                                detail::EqualityFunction<N, Block, F>{{{std::move(g)}}}, penalty);
+  } else {
+    return nullptr;
+  }
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
