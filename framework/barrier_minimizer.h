@@ -154,8 +154,8 @@ struct BarrierResult : SolveResult {
 
 class BarrierMinimizer final : public Minimizer {
  public:
-  // No barriers: for equalities alone.
-  explicit BarrierMinimizer(std::vector<TermId> barriers = {}, BarrierOptions options = {});
+  // BarrierMinimizer({}) is for equalities alone.
+  explicit BarrierMinimizer(std::vector<TermId> barriers, BarrierOptions options = {});
   // Other barriers than those of bounds: `more`. Throws InvalidArgument for a bound that is null.
   static BarrierMinimizer of_bounds(std::vector<HeldBound> bounds, std::vector<TermId> more = {},
                                     BarrierOptions options = {});

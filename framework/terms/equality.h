@@ -6,7 +6,7 @@
 //     return (z.col(1) - z.col(0)).squaredNorm() - 1.0;
 //   }), 1.0);
 //   problem = builder.build();
-//   const BarrierResult result = BarrierMinimizer().run(problem, y0);
+//   const BarrierResult result = BarrierMinimizer({}).run(problem, y0);
 //   const Vec& forces = result.multipliers.front();    // one a rod
 //
 // The start need not satisfy them. Beside them a problem may have linear constraints, which are
