@@ -17,6 +17,7 @@
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/element_visits.h"
+#include "majorant/framework/internal/equality_rows.h"
 #include "majorant/framework/internal/option_check.h"
 #include "majorant/framework/parallel.h"
 #include "majorant/framework/partition.h"
@@ -51,6 +52,8 @@ constexpr double kDisplacement = 1e-3;
 constexpr double kAlongNullSpace = 1e-6;
 // The rounding error of a sum of elements' gradients, relative to them.
 constexpr double kRounding = 1e-10;
+// What the equations of equalities may leave.
+constexpr double kSaddleResidual = 1e-9;
 // Elements that a task treats: some 0.1 ms.
 constexpr Index kElementsOfATask = 4096;
 
@@ -116,8 +119,10 @@ class Sensitivity::Parts {
         options_(std::move(options)),
         y_(result.y),
         motions_(problem_.size(), 0),
-        terms_(problem_.terms().size()) {
+        terms_(problem_.terms().size()),
+        equalities_(equality_terms(problem_)) {
     require_usable(result);
+    if (!equalities_.empty()) estimate_multipliers();
     if (!options_.analysed_solver) solver_->analyze(problem_.pattern());
     polish();
     if (problem_.size() > 0 && is_singular(*solver_, problem_.size(), kSingular * mean_diagonal_))
@@ -158,10 +163,12 @@ class Sensitivity::Parts {
     Vec reduced;
     z_.restrict_gradient(full, reduced);
     rhs += reduced;
+    Vec moved;  // of the equalities, by what the right-hand sides fix
+    if (!equalities_.empty() && fixed.size() > 0) moved = -rows_->times(fixed);
     if (const double along = (motions_.transpose() * rhs).norm();
         along > kAlongNullSpace * rhs.norm() + rounding)
       refuse("the change moves the solution along the null space, where it has no minimum");
-    const Vec dy = -solve(rhs);
+    const Vec dy = solve_held(-rhs, moved).p;
     Vec dx;
     z_.expand_direction(dy, dx);
     if (fixed.size() > 0) dx += fixed;
@@ -177,7 +184,8 @@ class Sensitivity::Parts {
       slope -= gauge_.transpose() * transposed_gauge_.solve(full_motions_.transpose() * slope);
     Vec reduced;
     z_.restrict_gradient(slope, reduced);
-    const Vec u = solve(reduced);
+    const auto [u, q, _] = solve_held(reduced, Vec());
+    if (!equalities_.empty()) slope -= rows_->transposed_times(q);
     Derivative d;
     z_.expand_direction(u, d.adjoint_state);
     const Vec& ux = d.adjoint_state;
@@ -275,6 +283,14 @@ class Sensitivity::Parts {
 
   Factor factorize() {
     find_motions();
+    if (!equalities_.empty()) {
+      // The state with which the augmented Lagrangian has the gradient and, beside A^T R A, the
+      // curvature of E + multipliers g.
+      rows_.emplace(problem_, equalities_, problem_.expand(y_));
+      const Vec beside = multipliers_ - penalties_.cwiseProduct(rows_->values());
+      problem_ = problem_.with(equality_changes(problem_, equalities_, {beside, penalties_}));
+      evaluator_.reset(problem_);
+    }
     Vec values;
     energy_ = evaluator_.linearize(y_, Curvature::Exact, gradient_, values);
     if (!std::isfinite(energy_) || !values.allFinite() || !gradient_.allFinite())
@@ -304,18 +320,25 @@ class Sensitivity::Parts {
     require_definite(factorize());
     double last = std::numeric_limits<double>::infinity();
     for (int k = 0;; ++k) {
-      const Vec step = -solve(gradient_);
+      const auto [step, more, _] =
+          solve_held(-gradient_, equalities_.empty() ? Vec() : Vec(-rows_->values()));
       const double length = step.norm(), size = y_.norm();
       error_ = size > 0 ? length / size : length;
       if (k == options_.polishing_steps || error_ <= kPolished || !(length <= kContraction * last))
         return;
       last = length;
-      const Vec before = y_;
+      const Vec before = y_, multipliers_before = multipliers_;
       const double error_before = error_;
-      descend(step);
+      if (equalities_.empty()) {
+        descend(step);
+      } else {
+        y_ += step;
+        multipliers_ += more;
+      }
       const Factor found = factorize();
       if (found == Factor::NotFinite) {  // too far: what is known is the estimate
         y_ = before;
+        multipliers_ = multipliers_before;
         require_definite(factorize());
         error_ = error_before;
         return;
@@ -345,6 +368,29 @@ class Sensitivity::Parts {
     solver_->solve(r, p);
     if (motions_.cols() > 0) p -= motions_ * (motions_.transpose() * p).eval();
     return p;
+  }
+
+  // p with H p + A^T q = r and A p = s, A the derivative of the equalities, none of which: H p = r;
+  // s empty: 0.
+  SaddlePoint solve_held(const Vec& r, const Vec& s) {
+    if (equalities_.empty()) return {solve(r), Vec(), 0};
+    SaddlePoint at =
+        solve_with_equalities([this](const Vec& b) { return solve(b); }, z_, *rows_, penalties_, r,
+                              s.size() > 0 ? s : Vec(Vec::Zero(rows_->count())));
+    if (!(at.residual <= kSaddleResidual))
+      refuse(
+          fmt::format("the equalities, such as {}, contradict the change, or depend on each "
+                      "other but for rounding",
+                      rows_->name(0)));
+    return at;
+  }
+
+  void estimate_multipliers() {
+    const EqualityState state = equality_state(problem_, equalities_);
+    penalties_ = state.penalties;
+    multipliers_ =
+        state.multipliers +
+        penalties_.cwiseProduct(EqualityRows(problem_, equalities_, problem_.expand(y_)).values());
   }
 
   // The place of a term; throws InvalidArgument for one that is not there.
@@ -688,6 +734,9 @@ class Sensitivity::Parts {
   Eigen::MatrixXd gauge_, full_motions_;
   Eigen::FullPivLU<Eigen::MatrixXd> gauge_of_motions_, transposed_gauge_;
   std::vector<OfTerm> terms_;
+  std::vector<TermId> equalities_;
+  Vec multipliers_, penalties_;       // of all equalities
+  std::optional<EqualityRows> rows_;  // of the factor
   std::vector<Index> held_;  // by full unknown: its place among those that rows have, or -1
   std::vector<Index> held_unknowns_;  // these
   Index held_count_ = 0;              // with auxiliary ones

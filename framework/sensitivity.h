@@ -15,10 +15,12 @@
 // first by exact Newton steps; error() estimates what is left. Derivatives of gradients by data are
 // made when they are first needed, and kept.
 //
-// Barriers of bounds are terms like others: give the problem the weights that the last phase had,
-//     problem.with({{wall, {.weight = result.phases.back().mu}}}),
-// and what comes out is the derivative of that phase's minimum; bias() estimates how far that lies
-// from the one without barriers. What the energy does not see (translations of what nothing holds)
+// Barriers of bounds and equalities are terms like others: give the problem the states that they
+// had in the last phase (BarrierResult::states),
+//     const BarrierResult result = minimizer.run(problem, y0);
+//     const Sensitivity s(problem.with(result.states), result);
+// and what comes out is the derivative of that phase's minimum, on which equalities hold exactly;
+// bias() estimates how far it lies from the one without barriers. What the energy does not see (translations of what nothing holds)
 // is given as null_space: the derivative is the one of least norm then, or the one that keeps a
 // gauge.
 //

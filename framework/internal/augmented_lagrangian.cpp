@@ -122,6 +122,11 @@ bool AugmentedLagrangian::polish() {
   }
   const StopCheck& stop = run_.options.newton.stop;
   Vec y = run_.problem.y(), multipliers = state_.multipliers, gradient, values;
+  const auto solve = [&](const Vec& b) {
+    Vec p;
+    solver_->solve(b, p);
+    return p;
+  };
   std::vector<IterationRecord> records;
   double last = std::numeric_limits<double>::infinity(), size = y.norm();
   for (int k = 0; k < kMostNewtonSteps; ++k) {
@@ -135,7 +140,7 @@ bool AugmentedLagrangian::polish() {
     if (!std::isfinite(before) || !gradient.allFinite() || !values.allFinite() ||
         solver_->factorize(values, 0) != FactorStatus::Ok)
       return false;
-    const SaddlePoint step = solve_with_equalities(*solver_, ProblemParts::elimination(stage), rows,
+    const SaddlePoint step = solve_with_equalities(solve, ProblemParts::elimination(stage), rows,
                                                    state_.penalties, -gradient, -rows.values());
     const double length = step.p.norm();
     if (!(length <= kContraction * last) || !(step.residual <= kSaddleResidual)) break;

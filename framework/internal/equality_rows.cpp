@@ -149,9 +149,9 @@ Vec EqualityRows::diagonal_of_squares(const Vec& weights) const {
   return out;
 }
 
-SaddlePoint solve_with_equalities(LinearSolver& solver, const Elimination& elimination,
-                                  const EqualityRows& rows, const Vec& penalties, const Vec& r,
-                                  const Vec& s) {
+SaddlePoint solve_with_equalities(const std::function<Vec(const Vec& b)>& solve,
+                                  const Elimination& elimination, const EqualityRows& rows,
+                                  const Vec& penalties, const Vec& r, const Vec& s) {
   const auto transposed = [&](const Vec& q) {
     Vec out;
     elimination.restrict_gradient(rows.transposed_times(q), out);
@@ -163,15 +163,15 @@ SaddlePoint solve_with_equalities(LinearSolver& solver, const Elimination& elimi
     return rows.times(dx);
   };
   SaddlePoint at;
-  solver.solve(r + transposed(penalties.cwiseProduct(s)), at.p);
+  at.p = solve(r + transposed(penalties.cwiseProduct(s)));
   at.q = Vec::Zero(rows.count());
   Vec residual = times(at.p) - s;
   const auto size = [&] { return std::sqrt(residual.dot(penalties.cwiseProduct(residual))); };
   const double first = size();
-  Vec scaled = penalties.cwiseProduct(residual), d = scaled, p;
+  Vec scaled = penalties.cwiseProduct(residual), d = scaled;
   double product = residual.dot(scaled);
   for (int k = 0; k < kMostSaddleSteps && size() > kSaddleTolerance * first; ++k) {
-    solver.solve(transposed(d), p);
+    const Vec p = solve(transposed(d));
     const Vec along = times(p);
     const double curvature = d.dot(along);
     if (!(curvature > 0)) break;

@@ -6,11 +6,11 @@
 // One row an element, the terms one after the other.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "majorant/framework/elimination.h"
-#include "majorant/framework/linear_solver.h"
 #include "majorant/framework/problem.h"
 
 namespace majorant {
@@ -60,17 +60,17 @@ class EqualityRows {
   Vec values_, scales_;
 };
 
-// p and q with H p + A^T q = r and A p = s, given a solver that has factorized H + A^T R A, R the
+// p and q with H p + A^T q = r and A p = s, given solve(b), which is (H + A^T R A)^-1 b, R the
 // diagonal of the penalties: conjugate gradients on q, preconditioned by R, which converge the
-// sooner the larger R is, for rows that depend on each other, too. p, r by the unknowns of the
+// sooner the larger R is, for rows that depend on each other, too. p, r, b by the unknowns of the
 // problem. residual: of the second equation, as a part of what it was at q = 0.
 struct SaddlePoint {
   Vec p, q;
   double residual = 0;
 };
-SaddlePoint solve_with_equalities(LinearSolver& solver, const Elimination& elimination,
-                                  const EqualityRows& rows, const Vec& penalties, const Vec& r,
-                                  const Vec& s);
+SaddlePoint solve_with_equalities(const std::function<Vec(const Vec& b)>& solve,
+                                  const Elimination& elimination, const EqualityRows& rows,
+                                  const Vec& penalties, const Vec& r, const Vec& s);
 
 // The place of an element, for messages: "unknown 3", "element 2, which begins with unknown 6".
 std::string place_of(const EnergyTerm& term, Index element);
