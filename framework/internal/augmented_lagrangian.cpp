@@ -32,6 +32,8 @@ constexpr int kMostNewtonSteps = 12;
 // The part of the last one's length that such a step has at most, and the length, relative to the
 // point, after which the next one would be rounding.
 constexpr double kContraction = 0.5, kLastStep = 1e-9;
+// Penalties of a second attempt, as a multiple of the first ones.
+constexpr double kRestart = 1e3;
 // What the equations of such a step may leave.
 constexpr double kSaddleResidual = 1e-6;
 // The part of multipliers' growth that is allowed at all, against overflow.
@@ -45,7 +47,7 @@ AugmentedLagrangian::AugmentedLagrangian(BarrierRun& run)
 }
 
 void AugmentedLagrangian::begin() {
-  const Vec y = run_.problem.y();
+  const Vec y = start_ = run_.problem.y();
   const Problem& problem = run_.problem.evaluator().problem();
   const EqualityRows rows(problem, ids_, problem.expand(y));
   violation_ = rows.violation();
@@ -177,41 +179,68 @@ bool AugmentedLagrangian::polish() {
   return true;
 }
 
-AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation(double mu) {
+// Descends to a minimum of the violation, beside which the energy hardly counts; the status of the
+// run says whether it got there.
+void AugmentedLagrangian::descend_violation(double mu) {
+  const Vec no_multipliers = Vec::Zero(state_.multipliers.size());
+  const Vec same = Vec::Constant(no_multipliers.size(), first_penalties_.maxCoeff());
   for (const double weight : kViolationWeights) {
     BarrierStage stage = run_.of_bounds(weight * mu);
     stage.energy = weight;
-    stage.equalities = equality_changes(
-        run_.problem.evaluator().problem(), ids_,
-        {Vec::Zero(state_.multipliers.size()),
-         Vec::Constant(first_penalties_.size(), first_penalties_.maxCoeff()) / weight});
+    stage.equalities =
+        equality_changes(run_.problem.evaluator().problem(), ids_, {no_multipliers, same / weight});
     run_.problem.enter(stage);
     run_.descend({});
+    if (!run_.went_on()) return;
+  }
+  const Problem& problem = run_.problem.evaluator().problem();
+  violation_ = EqualityRows(problem, ids_, problem.expand(run_.problem.y())).violation();
+}
+
+// From where the violation is 0 the phases begin anew, once, with penalties that keep it small:
+// from where they have led, or from the start, where the energy has led astray.
+AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation(double mu) {
+  descend_violation(mu);
+  if (!run_.went_on()) return Progress::Ended;
+  if (violation_ > kNoViolation && !has_restarted_) {
+    const Vec y = run_.problem.y();
+    const double before = violation_;
+    move_to(start_);
+    descend_violation(mu);
     if (!run_.went_on()) return Progress::Ended;
+    if (violation_ >= before) {
+      violation_ = before;
+      move_to(y);
+    }
+  }
+  if (violation_ <= kNoViolation && !has_restarted_) {
+    has_restarted_ = true;
+    state_ = {Vec::Zero(state_.multipliers.size()), kRestart * first_penalties_};
+    idle_ = 0;
+    return Progress::Going;
   }
   Index row = 0;
   const Problem& problem = run_.problem.evaluator().problem();
   const EqualityRows rows(problem, ids_, problem.expand(run_.problem.y()));
-  violation_ = rows.violation(&row);
-  if (violation_ > kNoViolation) {
+  rows.violation(&row);
+  if (violation_ > kNoViolation)
     run_.refuse(Status::Infeasible,
                 fmt::format("no point meets the equalities, or none nearby: where their violation "
                             "is least, {} is {:.3g}, not 0",
                             rows.name(row), rows.values()[row]));
-    return Progress::Ended;
-  }
-  if (++restarts_ == 1) {
-    state_.multipliers.setZero();
-    state_.penalties = first_penalties_ * std::pow(kRise, kMostIdle / 2);
-    idle_ = 0;
-    return Progress::Going;
-  }
-  run_.refuse(Status::Stalled,
-              fmt::format("the equalities can be met, but their multipliers grow without limit: at "
-                          "the minimum the derivatives of some vanish or depend on each other, as "
-                          "that of {}",
-                          rows.name(row)));
+  else
+    run_.refuse(
+        Status::Stalled,
+        fmt::format("the equalities can be met, but their multipliers grow without limit: "
+                    "at the minimum the derivatives of some vanish or depend on each other, "
+                    "as that of {}",
+                    rows.name(row)));
   return Progress::Ended;
+}
+
+void AugmentedLagrangian::move_to(const Vec& y) {
+  run_.problem.move(y, 0);
+  run_.result.y = y;
 }
 
 std::vector<Vec> AugmentedLagrangian::multipliers() const {

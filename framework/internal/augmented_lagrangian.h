@@ -39,15 +39,18 @@ class AugmentedLagrangian {
  private:
   bool polish();
   void move_multipliers(const EqualityRows& rows);
+  void descend_violation(double mu);
   Progress minimize_violation(double mu);
+  void move_to(const Vec& y);
 
   BarrierRun& run_;
   const std::vector<TermId> ids_;
   EqualityState state_;
   Vec first_penalties_;
   double violation_ = 0;
-  int idle_ = 0;      // phases in a row that have hardly lessened it
-  int restarts_ = 0;  // from a minimum of the violation
+  int idle_ = 0;                // phases in a row that have hardly lessened it
+  bool has_restarted_ = false;  // from a minimum of the violation
+  Vec start_;                   // of the first phase
   std::shared_ptr<LinearSolver> solver_;
   std::optional<Problem> analysed_;
 };

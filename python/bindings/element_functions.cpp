@@ -12,6 +12,7 @@
 #include "arrays.h"
 #include "kept.h"
 #include "majorant/framework/detail/packed_symmetric.h"
+#include "majorant/framework/equality_term.h"
 #include "majorant/framework/feasibility.h"
 #include "majorant/framework/residual_term.h"
 
@@ -139,6 +140,11 @@ class PythonSquares final : public PythonTerm, public ResidualTerm {
   }
 };
 
+class PythonEquality final : public PythonTerm, public EqualityTerm {
+ public:
+  using PythonTerm::PythonTerm;
+};
+
 // g + slack > 0; paths are not certified. As Inequality has it (framework/terms/inequality.h).
 class PythonInequality final : public BarrierChecker, public ViolationMeasure {
  public:
@@ -214,6 +220,14 @@ std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs elem
   return std::make_shared<const PythonTerm>(std::move(name), std::move(element_dofs),
                                             std::move(function), std::move(curvatures),
                                             std::move(data));
+}
+
+std::shared_ptr<const EnergyTerm> python_equality(std::string name, ElementDofs element_dofs,
+                                                  py::object function) {
+  TermData penalty{Eigen::Vector2d(0, 1).replicate(element_dofs.element_count(), 1), 2};
+  return std::make_shared<const PythonEquality>(
+      std::move(name), std::move(element_dofs), std::move(function),
+      std::vector{Curvature::Exact, Curvature::Projected}, std::move(penalty));
 }
 
 std::shared_ptr<const BarrierChecker> python_inequality(std::string name, ElementDofs element_dofs,

@@ -1,4 +1,5 @@
-// Functions of few unknowns, written in Python for many elements at once: terms, and inequalities.
+// Functions of few unknowns, written in Python for many elements at once: terms, inequalities,
+// equalities.
 //
 // A function has
 //     evaluate(z, e, *data) -> (q,)
@@ -41,6 +42,11 @@ std::shared_ptr<const EnergyTerm> python_term(std::string name, ElementDofs elem
 // violation(margin) the function max(0, margin - g)^2.
 std::shared_ptr<const BarrierChecker> python_inequality(std::string name, ElementDofs element_dofs,
                                                         pybind11::object function);
+
+// g = 0 at every element, as a term (majorant/framework/equality_term.h): evaluate(z, e, data) is
+// l g + r g^2 / 2 with a row (l, r) of data for each element.
+std::shared_ptr<const EnergyTerm> python_equality(std::string name, ElementDofs element_dofs,
+                                                  pybind11::object function);
 
 }  // namespace majorant::python
 

@@ -109,8 +109,11 @@ class PythonProblem {
     problem_.reset();
   }
   void hold(std::shared_ptr<const BarrierChecker> bound) { bounds_.push_back(std::move(bound)); }
+  void hold(std::shared_ptr<const EnergyTerm> equality) {
+    equalities_.push_back(std::move(equality));
+  }
 
-  // The terms and constraints, without bounds.
+  // The terms and constraints, without bounds and equalities.
   const Problem& built() {
     if (!problem_) problem_ = with_terms().build();
     return *problem_;
@@ -122,13 +125,14 @@ class PythonProblem {
     return count;
   }
 
-  // With the bounds, and the barriers of these among its terms.
-  struct Bounded {
+  // With the equalities, the bounds, and the barriers of these among its terms.
+  struct Held {
     Problem problem;
     std::vector<HeldBound> bounds;
   };
-  Bounded bounded() const {
+  Held held() const {
     ProblemBuilder builder = with_terms();
+    for (const auto& equality : equalities_) builder.add(equality, 1.0);
     std::vector<HeldBound> held;
     for (const auto& bound : bounds_) {
       held.push_back({builder.add(bound->barrier(), 1.0), bound});
@@ -136,7 +140,7 @@ class PythonProblem {
     }
     return {builder.build(), std::move(held)};
   }
-  bool has_bounds() const { return !bounds_.empty(); }
+  bool holds() const { return !bounds_.empty() || !equalities_.empty(); }
 
  private:
   struct Part {
@@ -156,6 +160,7 @@ class PythonProblem {
   std::vector<Rows> constraints_;
   std::optional<Problem> problem_;
   std::vector<std::shared_ptr<const BarrierChecker>> bounds_;
+  std::vector<std::shared_ptr<const EnergyTerm>> equalities_;
 };
 
 std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& name) {
@@ -227,10 +232,12 @@ py::dict as_dict(const IterationRecord& r) {
 py::dict as_dict(const BarrierPhase& phase) {
   using namespace py::literals;
   return py::dict("mu"_a = phase.mu, "gap"_a = phase.gap, "energy"_a = phase.energy,
-                  "iterations"_a = phase.iterations, "status"_a = status_name(phase.status));
+                  "violation"_a = phase.violation, "iterations"_a = phase.iterations,
+                  "status"_a = status_name(phase.status));
 }
 
-// The problem of a solution as it was solved, with bounds as the last phase had their barriers.
+// The problem of a solution as it was solved, with barriers and equalities as the last phase had
+// them.
 struct Solved {
   Problem problem;
   SolveResult result;
@@ -240,24 +247,23 @@ struct Solved {
 
 Solved solved(const Problem& problem, const BarrierResult& result,
               std::span<const HeldBound> bounds, Index row_count) {
-  TermChanges changes;
-  for (const HeldBound& bound : bounds)
-    changes.emplace_back(bound.barrier,
-                         TermChange{.weight = result.phases.empty() ? 0 : result.phases.back().mu});
-  Solved kept{problem.with(std::move(changes)), result, row_count, {}};
+  TermChanges states = result.states;
+  if (states.empty())  // the run has ended before its first phase
+    for (const HeldBound& bound : bounds)
+      states.emplace_back(bound.barrier, TermChange{.weight = 0});
+  Solved kept{problem.with(std::move(states)), result, row_count, {}};
   for (const HeldBound& bound : bounds) kept.barriers.push_back(bound.barrier);
   if (!bounds.empty()) kept.result.blocking.clear();  // a barrier holds them, no checker
   return kept;
 }
 
-// (x, energy, status, message, [record, ...], [phase, ...], definite, Solved); callback(record, x),
-// as Run has it.
+// (x, energy, status, message, [record, ...], [phase, ...], definite, multipliers of all rows of
+// equalities, Solved); callback(record, x), as Run has it.
 py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords,
                    const py::object& callback) {
   Run run(keyword<double>(keywords, "time_limit"), std::numeric_limits<int>::max(), py::none());
-  PythonProblem::Bounded bounded =
-      p.has_bounds() ? p.bounded() : PythonProblem::Bounded{p.built(), {}};
-  const Problem& problem = bounded.problem;
+  PythonProblem::Held held = p.holds() ? p.held() : PythonProblem::Held{p.built(), {}};
+  const Problem& problem = held.problem;
   const Vec start = matrix<Vec>(x0);
   StepObserver watch([&](const TraceEntry& row, const Vec& y) {
     bool ends = false;
@@ -270,9 +276,9 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
   });
   const int threads = keyword<int>(keywords, "threads");
   BarrierResult result;
-  if (p.has_bounds()) {
+  if (p.holds()) {
     const BarrierMinimizer minimizer =
-        barrier_minimizer(bounded.bounds, keywords, run.record().stop());
+        barrier_minimizer(held.bounds, keywords, run.record().stop());
     result = run([&] {
       const ThreadCount count(threads);
       return minimizer.run(problem, problem.reduce(start), &watch);
@@ -288,10 +294,14 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
   py::list records, phases;
   for (const IterationRecord& record : result.iterations) records.append(as_dict(record));
   for (const BarrierPhase& phase : result.phases) phases.append(as_dict(phase));
+  std::vector<double> multipliers;
+  for (const Vec& part : result.multipliers)
+    multipliers.insert(multipliers.end(), part.begin(), part.end());
   return py::make_tuple(
       moved(problem.expand(result.y)), result.energy, status_name(result.status), result.message,
       records, phases, definite_name(result.definite),
-      std::make_shared<Solved>(solved(problem, result, bounded.bounds, p.row_count())));
+      Doubles(static_cast<py::ssize_t>(multipliers.size()), multipliers.data()),
+      std::make_shared<Solved>(solved(problem, result, held.bounds, p.row_count())));
 }
 
 // The derivatives of a solution; one factorization serves all.
@@ -497,6 +507,13 @@ void bind_problems(py::module_& module) {
           [](PythonProblem& p, const std::string& name, const Integers& nodes, int block,
              const py::object& function) {
             p.hold(python_inequality(name, ElementDofs{matrix<Cells>(nodes), block}, function));
+          },
+          py::arg("name"), py::arg("nodes"), py::arg("block"), py::arg("function"))
+      .def(
+          "hold_equality",
+          [](PythonProblem& p, const std::string& name, const Integers& nodes, int block,
+             const py::object& function) {
+            p.hold(python_equality(name, ElementDofs{matrix<Cells>(nodes), block}, function));
           },
           py::arg("name"), py::arg("nodes"), py::arg("block"), py::arg("function"))
       .def(

@@ -26,12 +26,12 @@ from ._functions import (Verdict, check, deform, energies, flatten, kernels, par
 from ._maps import Map
 from ._places import InverseMap, NearestPoints, Places, Preimages, SurfaceTree
 from ._quads import QuadMesh, quad_mesh
-from ._terms import Inequality, Term, element_term, least_squares, linear_term, parameter_blocks, penalty
+from ._terms import Equality, Inequality, Term, element_term, least_squares, linear_term, parameter_blocks, penalty
 from ._volumes import VolumeMesh, optimize
 
 __version__ = _core.version
 __all__ = [
-    'Adjoint', 'Density', 'Error', 'Factor', 'Inequality', 'InfeasibleError', 'InternalError', 'InvalidError', 'InverseMap', 'Map',
+    'Adjoint', 'Density', 'Equality', 'Error', 'Factor', 'Inequality', 'InfeasibleError', 'InternalError', 'InvalidError', 'InverseMap', 'Map',
     'NearestPoints', 'Places', 'Preimages', 'Problem', 'QuadMesh', 'ReadError', 'Solution', 'Space', 'Step',
     'StoppedError', 'SurfaceTree', 'Term', 'UnsupportedError', 'UsageError', 'Verdict', 'VolumeMesh',
     'check', 'deform', 'element_term', 'energies', 'flatten', 'kernels', 'least_squares', 'linear_term',

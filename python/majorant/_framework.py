@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, _core, _options
 from ._errors import UnsupportedError, UsageError
-from ._terms import Inequality, Term
+from ._terms import Equality, Inequality, Term
 from ._types import Doubles, Energy, Faces, Integers
 
 _METHODS = ('newton', 'levenberg-marquardt', 'lbfgs', 'gradient-flow', 'ceres-lbfgs', 'ceres-nlcg', 'ceres-lm',
@@ -103,15 +103,18 @@ class Solution:
 
     phases: of a problem with bounds, a dictionary for each weight `mu` of their barriers: `gap`, which
     for convex problems bounds what `energy` is above the minimum, `iterations` and `status`.
+    multipliers: of a problem with equalities, l of energy + sum of l . g, one for each element, of all
+    equalities in the order of `Problem.hold`; empty otherwise.
     definite: 'yes' where the exact Hessian is positive definite there, so that x is a minimum, 'no' at a
     saddle, 'not tested' otherwise.
     """
 
     def __init__(self, x: Doubles, energy: float, status: str, message: str,
                  iterations: list[dict[str, Any]], phases: list[dict[str, Any]], definite: str,
-                 solved: _core.SolvedProblem, places: dict[Term, list[list[tuple[int, float]]]]):
+                 multipliers: Doubles, solved: _core.SolvedProblem, places: dict[Term, list[list[tuple[int, float]]]]):
         self.x, self.energy, self.status, self.message = x, energy, status, message
         self.iterations, self.phases, self.definite = iterations, phases, definite
+        self.multipliers = multipliers
         self._solved, self._places = solved, places
         self._sensitivity: _core.Sensitivity | None = None
 
@@ -267,6 +270,7 @@ class Problem:
     def __init__(self, size: int):
         self._core = _core.Problem(_options.integer('size', size, 1, 2**31 - 1))
         self._has_bounds = False
+        self._holds = False  # bounds, inequalities or equalities
         self._places: dict[Term, list[list[tuple[int, float]]]] = {}
 
     @property
@@ -343,14 +347,19 @@ class Problem:
         self._core.keep_injective(space._core)
         return self
 
-    def hold(self, inequality: Inequality) -> 'Problem':
-        """g >= 0 at every element of the inequality, to the gap of `minimize`; it may start outside."""
-        if not isinstance(inequality, Inequality):
-            raise UsageError(f'{inequality!r} is no Inequality')
-        elements = inequality._elements
-        elements.require_within(self.full_size, inequality.name)
-        self._core.hold(inequality.name, elements.cells, elements.block, inequality)
-        self._has_bounds = True
+    def hold(self, condition: Inequality | Equality) -> 'Problem':
+        """g >= 0 at every element of an inequality, to the gap of `minimize`, or g = 0 at every element of an
+        equality, to 1e-10; the start may violate both."""
+        if not isinstance(condition, (Inequality, Equality)):
+            raise UsageError(f'{condition!r} is neither an Inequality nor an Equality')
+        elements = condition._elements
+        elements.require_within(self.full_size, condition.name)
+        if isinstance(condition, Equality):
+            self._core.hold_equality(condition.name, elements.cells, elements.block, condition._augmented)
+        else:
+            self._core.hold(condition.name, elements.cells, elements.block, condition)
+            self._has_bounds = True
+        self._holds = True
         return self
 
     def bound(self, lower: ArrayLike = -math.inf, upper: ArrayLike = math.inf) -> 'Problem':
@@ -363,7 +372,7 @@ class Problem:
         if np.isinf(low).all() and np.isinf(high).all():
             raise UsageError('nothing to hold: all of lower and upper are infinite')
         self._core.bound(low, high)
-        self._has_bounds = True
+        self._has_bounds = self._holds = True
         return self
 
     def reduce(self, x: ArrayLike) -> Doubles:
@@ -435,14 +444,16 @@ class Problem:
         Bounds and inequalities are met along barriers whose weight falls to 0, by 'newton' alone; x0 may
         violate them. gap: what the last barrier may cost, relative to the energy, 1e-8 if None.
         Status 'infeasible' says by how much: the violation has a minimum above 0, so that convex bounds
-        leave nothing; 'stalled' that no point inside was found, which proves nothing.
+        leave nothing; 'stalled' that no point inside was found, which proves nothing. Equalities are met by
+        multipliers (`Solution.multipliers`) that settle in the same phases, to 1e-10 of |g|, and 'infeasible'
+        names the one that is violated most where their violation has a minimum above 0.
         """
-        if self._has_bounds and method != 'newton':
-            raise UsageError(f"bounds and inequalities are for method='newton', not {method!r}")
+        if self._holds and method != 'newton':
+            raise UsageError(f"bounds, inequalities and equalities are for method='newton', not {method!r}")
         if gap is not None and not self._has_bounds:
             raise UsageError('gap is of bounds and inequalities; hold some, or leave it out')
-        if saddles_to_leave and (self._has_bounds or method != 'newton'):
-            raise UsageError("saddles_to_leave is of method='newton' without bounds")
+        if saddles_to_leave and (self._holds or method != 'newton'):
+            raise UsageError("saddles_to_leave is of method='newton' without bounds and equalities")
         limit = math.inf if time_limit is None else _options.number('time_limit', time_limit, 0, zero=True, infinite=True)
         keywords = {
             'method': _options.choice('method', method, _METHODS),

@@ -215,21 +215,11 @@ def parameter_blocks(*blocks: tuple[ArrayLike, int]) -> Integers:
     return np.concatenate(columns, axis=1)
 
 
-class Inequality:
-    """g(the unknowns of e) >= 0 for every element e, with g in numpy, for many elements at once.
+class _Held:
+    """A function g of the unknowns of elements that a problem holds."""
 
-        def gap(z, e):                        # z (q, k), e (q,) -> (q,)
-            return ((z[:, 2:] - z[:, :2]) ** 2).sum(1) - 0.25
-
-        apart = majorant.Inequality(pairs, gap, block=2)
-        problem.hold(apart)                   # exactly
-        problem.add(apart.penalty(), 1e3)     # or softly
-
-    Scale g to size about 1. Derivatives, nodes, block: as for `element_term`.
-    """
-
-    def __init__(self, nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
-                 block: int = 1, name: str = 'inequality'):
+    def __init__(self, nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None,
+                 block: int, name: str):
         self.name = str(name)
         self._elements = Elements(nodes, block)
         self._function = PointFunction(self.name, 'element', value, derivatives)
@@ -244,6 +234,49 @@ class Inequality:
     def check_derivatives(self, x: ArrayLike, tolerance: float = 1e-5) -> None:
         """Raises AssertionError, naming entry and element, where the derivatives at x are not those of g."""
         self._checked.check_derivatives(x, tolerance)
+
+    def __repr__(self) -> str:
+        return f'<majorant.{type(self).__name__} {self.name!r}>'
+
+
+class Equality(_Held):
+    """g(the unknowns of e) = 0 for every element e, with g in numpy, for many elements at once.
+
+        def too_long(z, e):                   # z (q, k), e (q,) -> (q,)
+            return ((z[:, 2:] - z[:, :2]) ** 2).sum(1) - length[e] ** 2
+
+        problem.hold(majorant.Equality(rods, too_long, block=2))
+        solution = problem.minimize(x0)       # x0 need not satisfy it
+        solution.multipliers                  # one a rod: gradient of the energy + l . gradient of g = 0
+
+    Scale g to size about 1, with derivatives that do not vanish where g = 0. Equalities may depend on each
+    other. Linear ones are for `Problem.constrain`, which eliminates them. Derivatives, nodes, block: as for
+    `element_term`. A number that g depends on and by which solutions are differentiated is an unknown that
+    `Problem.constrain` fixes.
+    """
+
+    def __init__(self, nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+                 block: int = 1, name: str = 'equality'):
+        super().__init__(nodes, value, derivatives, block, name)
+        self._augmented = _Outer(self._function, _augmented)
+
+
+class Inequality(_Held):
+    """g(the unknowns of e) >= 0 for every element e, with g in numpy, for many elements at once.
+
+        def gap(z, e):                        # z (q, k), e (q,) -> (q,)
+            return ((z[:, 2:] - z[:, :2]) ** 2).sum(1) - 0.25
+
+        apart = majorant.Inequality(pairs, gap, block=2)
+        problem.hold(apart)                   # exactly
+        problem.add(apart.penalty(), 1e3)     # or softly
+
+    Scale g to size about 1. Derivatives, nodes, block: as for `element_term`.
+    """
+
+    def __init__(self, nodes: ArrayLike, value: Callable[..., Any], derivatives: Callable[..., Any] | None = None, *,
+                 block: int = 1, name: str = 'inequality'):
+        super().__init__(nodes, value, derivatives, block, name)
 
     def penalty(self) -> Term:
         """sum of min(g, 0)^2: starts anywhere, ends outside by about |multiplier| / (2 weight)."""
@@ -260,9 +293,6 @@ class Inequality:
     def violation(self, margin: float) -> '_Outer':
         """max(0, margin - g)^2."""
         return _Outer(self._function, lambda g: _violation(g - margin))
-
-    def __repr__(self) -> str:
-        return f'<majorant.Inequality {self.name!r}>'
 
 
 def _term(name: str, elements: Elements, function: PointFunction, model: Any, curvatures: tuple[str, ...],
@@ -283,18 +313,18 @@ class _Plain:
 
 
 class _Outer:
-    """A function of g: outer(g) -> itself, its slope and its bend."""
+    """A function of g, and of data of the elements: outer(g, *data) -> itself, its slope and its bend."""
 
     def __init__(self, function: PointFunction, outer: Callable[[Doubles], tuple[Doubles, ...]]):
         self._function, self._outer = function, outer
 
-    def evaluate(self, z: Doubles, e: Integers) -> Doubles:
+    def evaluate(self, z: Doubles, e: Integers, *data: Doubles) -> Doubles:
         with np.errstate(all='ignore'):
-            return self._outer(self._function.evaluate(z, e))[0]
+            return self._outer(self._function.evaluate(z, e), *data)[0]
 
-    def differentiate(self, z: Doubles, e: Integers, exact: float) -> tuple[Doubles, Doubles]:
+    def differentiate(self, z: Doubles, e: Integers, exact: float, *data: Doubles) -> tuple[Doubles, Doubles]:
         with np.errstate(all='ignore'):
-            _, slope, bend = self._outer(self._function.evaluate(z, e))
+            _, slope, bend = self._outer(self._function.evaluate(z, e), *data)
             gradient, hessian = self._function.differentiate(z, e)
             return (slope[:, None] * gradient, slope[:, None, None] * hessian
                     + bend[:, None, None] * gradient[:, :, None] * gradient[:, None, :])
@@ -303,6 +333,12 @@ class _Outer:
 def _violation(g: Doubles) -> tuple[Doubles, ...]:
     low = np.minimum(g, 0.0)
     return low * low, 2.0 * low, np.where(g < 0, 2.0, 0.0)
+
+
+def _augmented(g: Doubles, data: Doubles) -> tuple[Doubles, ...]:
+    """l g + r g^2 / 2, of rows (l, r) of data."""
+    multiplier, penalty = data.T
+    return multiplier * g + 0.5 * penalty * g * g, multiplier + penalty * g, penalty
 
 
 def _logarithm(room: Doubles) -> tuple[Doubles, ...]:

@@ -260,6 +260,69 @@ def test_bounds_that_nothing_meets():
     assert solution.status == 'infeasible' and 'never' in solution.message
 
 
+def rods_of(lengths):
+    return majorant.Equality([[k, k + 1] for k in range(len(lengths))],
+                             lambda z, e: ((z[:, 2:] - z[:, :2]) ** 2).sum(1) - np.asarray(lengths)[e] ** 2,
+                             block=2, name='rods')
+
+
+def hanging_chain(lengths, end):
+    """Rods between two pins, pulled down by a weight at every joint."""
+    joints = len(lengths) + 1
+    weight = np.tile([0.0, 1.0], joints)
+    pins = np.zeros((4, 2 * joints))
+    pins[[0, 1, 2, 3], [0, 1, -2, -1]] = 1
+    problem = majorant.Problem(2 * joints).add(majorant.linear_term(weight)).constrain(pins, [0, 0, end, 0])
+    t = np.linspace(0, 1, joints)
+    return problem.hold(rods_of(lengths)), np.stack([end * t, -t * (1 - t)], 1).ravel()
+
+
+def test_rods_that_keep_their_lengths():
+    lengths = np.array([0.4, 0.5, 0.7, 0.3])
+    problem, start = hanging_chain(lengths, 1.4)
+    solution = problem.minimize(start)
+    x = solution.x.reshape(-1, 2)
+    assert solution.status == 'converged' and solution.definite == 'yes'
+    assert np.allclose(np.linalg.norm(np.diff(x, axis=0), axis=1), lengths, atol=1e-14)
+    assert solution.phases[-1]['violation'] <= 1e-14
+    # In balance at each inner joint: its weight against the forces 2 l d of its two rods.
+    forces = 2 * solution.multipliers[:, None] * np.diff(x, axis=0)
+    assert np.allclose(forces[:-1] - forces[1:], [0, -1], atol=1e-12)
+    oracle = scipy.optimize.minimize(
+        lambda z: z[1::2].sum(), start, method='SLSQP', jac=lambda z: np.tile([0.0, 1.0], 5), options={'ftol': 1e-14},
+        constraints=[{'type': 'eq', 'fun': lambda z: ((np.diff(z.reshape(-1, 2), axis=0)) ** 2).sum(1) - lengths ** 2},
+                     {'type': 'eq', 'fun': lambda z: z[[0, 1, 8, 9]] - [0, 0, 1.4, 0]}])
+    assert solution.energy == pytest.approx(oracle.fun, abs=1e-7) and np.allclose(solution.x, oracle.x, atol=1e-4)
+
+
+def test_derivatives_under_equalities():
+    lengths = np.array([0.4, 0.5, 0.7, 0.3])
+    solution = (lambda problem, start: problem.minimize(start))(*hanging_chain(lengths, 1.4))
+    moved = [(lambda problem, start: problem.minimize(start).x)(*hanging_chain(lengths, 1.4 + h)) for h in (1e-4, -1e-4)]
+    db = np.array([0, 0, 1.0, 0])
+    assert np.allclose(solution.forward(b=db), (moved[0] - moved[1]) / 2e-4, atol=1e-6)
+    slope = RNG.normal(size=10)
+    assert solution.adjoint(slope).b @ db == pytest.approx(slope @ solution.forward(b=db), rel=1e-9)
+
+
+def test_equalities_with_bounds():
+    sphere = majorant.Equality([[0, 1, 2]], lambda z, e: (z ** 2).sum(1) - 1)
+    sphere.check_derivatives([0.3, 0.2, -0.4])
+    problem = majorant.Problem(3).add(majorant.linear_term([1, 2, 3])).bound(-0.5).hold(sphere)
+    solution = problem.minimize([1, 0, 0])
+    assert solution.status == 'converged' and abs(np.linalg.norm(solution.x) - 1) < 1e-12
+    # The corner of all three bounds is a minimum of the violation: the run has to come back from there.
+    assert np.allclose(solution.x, [np.sqrt(0.5), -0.5, -0.5], atol=1e-6)
+
+
+def test_equalities_that_nothing_meets():
+    problem = majorant.Problem(1).add(majorant.penalty([[1.0]], [0]))
+    problem.hold(majorant.Equality([[0]], lambda z, e: 1 + z[:, 0] ** 2, name='never'))
+    solution = problem.minimize([0.3])
+    assert solution.status == 'infeasible' and "'never' at unknown 0 is 1, not 0" in solution.message
+    assert len(solution.iterations) < 60
+
+
 def test_a_map_in_a_box():
     V, F = helpers.grid(5)
     space = majorant.Space(V, F)
@@ -288,13 +351,13 @@ def test_a_map_in_a_box():
     (lambda p: majorant.parameter_blocks(([0, 1], 2), ([0], 3)), 'blocks have 2, 1 elements'),
     (lambda p: majorant.parameter_blocks(([0, 1], 0)), 'size=0 is no integer from 1'),
     (lambda p: majorant.parameter_blocks(([0.5], 2)), 'first holds floating-point numbers'),
-    (lambda p: p.hold(majorant.penalty(np.eye(2), [0, 0])), 'is no Inequality'),
+    (lambda p: p.hold(majorant.penalty(np.eye(2), [0, 0])), 'is neither an Inequality nor an Equality'),
     (lambda p: p.hold(majorant.Inequality([[5]], curve)), 'node 0 of element 0 is 5; the problem has 2 unknowns'),
     (lambda p: p.bound(1, 1), 'lower[0] is 1.0, not below upper[0], 1.0'),
     (lambda p: p.bound([0, 1, 2]), 'lower is neither a number nor 2 numbers'),
     (lambda p: p.bound([0, np.nan]), 'lower[1] is nan'),
     (lambda p: p.bound(), 'nothing to hold'),
-    (lambda p: p.bound(0).minimize([1, 1], 'lbfgs'), "bounds and inequalities are for method='newton', not 'lbfgs'"),
+    (lambda p: p.bound(0).minimize([1, 1], 'lbfgs'), "bounds, inequalities and equalities are for method='newton', not 'lbfgs'"),
     (lambda p: p.minimize([1, 1], gap=1e-3), 'gap is of bounds and inequalities'),
     (lambda p: p.bound(0).minimize([1, 1], gap=0), 'gap=0 is no number above 0'),
     (lambda p: p.add(majorant.least_squares([[0, 1]], lambda z, e: np.zeros((len(z), 2, 2)))).value([1, 1]),
