@@ -13,12 +13,14 @@
 //     quadratic_penalty.h         soft constraints
 //     equality.h                  g(x) = 0 for an element, exactly
 //     inequality.h                g(x) > 0 for an element, and its barrier; bounds of unknowns
+//     manifold_problem.h          unknowns on spheres, rotations and manifolds of one's own
 #pragma once
 
 #include "majorant/framework/terms/equality.h"
 #include "majorant/framework/terms/inequality.h"
 #include "majorant/framework/terms/least_squares.h"
 #include "majorant/framework/terms/local_term.h"
+#include "majorant/framework/terms/manifold_problem.h"
 #include "majorant/framework/terms/parameter_blocks.h"
 #include "majorant/framework/terms/quadratic_penalty.h"
 

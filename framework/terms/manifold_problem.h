@@ -1,0 +1,102 @@
+// Problems some of whose unknowns lie on manifolds: directions, rotations, phases.
+//
+//   ManifoldProblemBuilder builder(3 * 20);                  // 20 directions
+//   Cells unknowns(20, 3);
+//   for (Index k = 0; k < 60; ++k) unknowns(k / 3, k % 3) = k;
+//   builder.on(unit_sphere(3), unknowns);
+//   Cells pairs(19, 2);
+//   for (Index k = 0; k < 19; ++k) pairs.row(k) << k, k + 1;
+//   builder.add(make_term<2, 3>("bending", pairs, [](Index, const auto& z) {
+//     return (z.col(1) - z.col(0)).squaredNorm();
+//   }), 1.0);
+//   const ManifoldProblem directions = builder.build();
+//   const ManifoldResult result = directions.minimize(Vec::Random(60));   // result.x
+//
+// Terms see the unknowns x as they are, on no manifold or on one, and are made as always; several
+// manifolds make a product. Newton's method moves coordinates of the tangent spaces at the points
+// where it is: its Hessian has the second derivatives of the retraction, pattern and symbolic
+// factor stay, and after each step the points become the bases of the next one ([AMS08] Ch. 6). x
+// is on the manifolds to rounding.
+//
+// Not for linear constraints on unknowns of a manifold, nor for bounds, inequalities, equalities
+// and checkers beside them: these are refused by name. A manifold without a simple retraction is an
+// equality (equality.h).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "majorant/framework/newton.h"
+#include "majorant/framework/problem.h"
+#include "majorant/framework/terms/manifold.h"
+
+namespace majorant {
+
+class ManifoldPoints;
+class ManifoldTerm;
+
+// y: coordinates, of the chart around x.
+struct ManifoldResult : SolveResult {
+  Vec x;
+};
+
+class ManifoldProblem {
+ public:
+  Index full_size() const;  // of x
+  Index size() const;       // of the coordinates that constraints leave: what is solved for
+
+  // The same problem in the coordinates of the chart around x, whose points are brought onto their
+  // manifolds first; *y, unless null, receives the coordinates of x. For evaluators, factors and
+  // check_derivatives(). Throws InvalidArgument for another number of unknowns, and where a point
+  // has no nearest one on its manifold (0 on a sphere).
+  Problem around(const Vec& x, Vec* y = nullptr) const;
+  // x of coordinates around `base`.
+  Vec expand(const Vec& base, VecIn y) const;
+
+  // A minimum near x0. The options are those of Newton's method on any problem, but for
+  // saddles_to_leave, which is not looked at. The observer gets coordinates y. Throws as around().
+  ManifoldResult minimize(const Vec& x0, const NewtonOptions& options = {},
+                          RunObserver* observer = nullptr) const;
+
+ private:
+  friend class ManifoldProblemBuilder;
+  class Descent;
+  ManifoldProblem(Problem problem, std::shared_ptr<const ManifoldPoints> points)
+      : problem_(std::move(problem)), points_(std::move(points)) {}
+
+  Problem problem_;  // around any point
+  std::shared_ptr<const ManifoldPoints> points_;
+};
+
+class ManifoldProblemBuilder {
+ public:
+  explicit ManifoldProblemBuilder(Index full_size);
+  // Puts the points whose unknowns are these, a row each, on a manifold. Throws InvalidArgument for
+  // rows of another size than its points, unknowns that are not there or on a manifold already, and
+  // after add().
+  ManifoldProblemBuilder& on(std::shared_ptr<const Manifold> manifold, const Cells& unknowns);
+  // As ProblemBuilder::add(). Throws Error(Unsupported), naming row and unknown, for a constraint
+  // on an unknown of a manifold, and naming the term for equalities.
+  TermId add(std::shared_ptr<const EnergyTerm> term, double weight);
+  ManifoldProblemBuilder& add(const Constraint& constraint);
+  ManifoldProblem build() const;
+
+ private:
+  struct Part {
+    std::shared_ptr<const EnergyTerm> term;
+    double weight;
+  };
+  struct Place {
+    std::shared_ptr<const Manifold> manifold;
+    std::vector<Index> unknowns;
+  };
+  Index full_size_;
+  std::vector<Place> places_;
+  std::vector<Part> parts_;
+  ConstraintRows rows_;
+};
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause

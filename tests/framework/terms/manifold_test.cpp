@@ -1,0 +1,348 @@
+// Unknowns on manifolds: their retractions, terms of them, minima against eigenvectors, closed
+// forms and the same problems with equalities.
+#include "majorant/framework/terms/manifold.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "majorant/framework/barrier_minimizer.h"
+#include "majorant/framework/error.h"
+#include "majorant/framework/terms/equality.h"
+#include "majorant/framework/terms/least_squares.h"
+#include "majorant/framework/terms/manifold_problem.h"
+#include "random.h"
+
+namespace majorant {
+namespace {
+
+Vec random_vector(Index size, unsigned seed) { return test::Random(seed).vector(size); }
+
+Eigen::MatrixXd random_matrix(Index rows, Index columns, unsigned seed) {
+  return random_vector(rows * columns, seed).reshaped(rows, columns);
+}
+
+Cells rows_of_unknowns(Index points, Index size) {
+  Cells unknowns(points, size);
+  for (Index p = 0; p < points; ++p)
+    for (Index k = 0; k < size; ++k) unknowns(p, k) = size * p + k;
+  return unknowns;
+}
+
+Cells one_node_each(Index count) {
+  Cells nodes(count, 1);
+  for (Index k = 0; k < count; ++k) nodes(k, 0) = k;
+  return nodes;
+}
+
+// A cylinder about the third axis, as the head of manifold.h has it.
+std::shared_ptr<const Manifold> cylinder() {
+  return make_manifold<3, 2>(
+      "cylinder",
+      [](const Eigen::Vector3d& p) {
+        Eigen::Matrix<double, 3, 2> basis;
+        basis << -p[1], 0, p[0], 0, 0, 1;
+        return basis;
+      },
+      [](const Eigen::Vector3d& p, const auto& v) {
+        using std::sqrt;
+        const auto x = v[0] + p[0], y = v[1] + p[1];
+        const auto r = sqrt(x * x + y * y);
+        std::remove_cvref_t<decltype(v)> q;
+        q << x / r, y / r, v[2] + p[2];
+        return q;
+      });
+}
+
+std::vector<std::shared_ptr<const Manifold>> all_manifolds() {
+  return {unit_sphere(2), unit_sphere(3),      unit_sphere(4),
+          unit_sphere(9), rotation_matrices(), cylinder()};
+}
+
+Vec random_point(const Manifold& manifold, unsigned seed) {
+  Vec x = random_vector(manifold.size(), seed);
+  EXPECT_TRUE(manifold.project(x.data()));
+  return x;
+}
+
+TEST(Manifold, RetractionsStayOnItAndHaveTheirDerivatives) {
+  for (const auto& manifold : all_manifolds()) {
+    const int n = manifold->size(), d = manifold->dimension();
+    const Vec base = random_point(*manifold, 1);
+    for (const double length : {0.0, 0.3, 2.0}) {
+      const Vec t = length * random_vector(d, 2);
+      const auto at = [&](const Vec& s, Vec* slopes = nullptr, Vec* bends = nullptr) {
+        Vec x(n), first(n * d), second(n * d * (d + 1) / 2);
+        manifold->retract(base.data(), s.data(), x.data(), slopes ? first.data() : nullptr,
+                          bends ? second.data() : nullptr);
+        if (slopes) *slopes = first;
+        if (bends) *bends = second;
+        return x;
+      };
+      Vec slopes, bends, again;
+      const Vec x = at(t, &slopes, &bends);
+      EXPECT_EQ(x, at(t, &again));
+      EXPECT_EQ(slopes, again);
+      if (length == 0) {
+        EXPECT_LE((x - base).norm(), 1e-15) << manifold->name();
+      }
+      Vec projected = x;
+      ASSERT_TRUE(manifold->project(projected.data()));
+      EXPECT_LE((projected - x).norm(), 1e-14) << manifold->name();
+      const double h = 1e-5;
+      for (int a = 0; a < d; ++a) {
+        Vec up_slopes, down_slopes;
+        const Vec up = at(t + h * Vec::Unit(d, a), &up_slopes),
+                  down = at(t - h * Vec::Unit(d, a), &down_slopes);
+        for (int i = 0; i < n; ++i) {
+          EXPECT_NEAR(slopes[i * d + a], (up[i] - down[i]) / (2 * h), 1e-9) << manifold->name();
+          for (int b = 0; b <= a; ++b)
+            EXPECT_NEAR(bends[i * d * (d + 1) / 2 + a * (a + 1) / 2 + b],
+                        (up_slopes[i * d + b] - down_slopes[i * d + b]) / (2 * h), 1e-8)
+                << manifold->name();
+        }
+      }
+      if (length == 0) {  // a basis of the tangent space
+        const Eigen::MatrixXd basis = Eigen::Map<const RowMatrix>(slopes.data(), n, d);
+        EXPECT_GT(basis.jacobiSvd().singularValues().minCoeff(), 0.5) << manifold->name();
+      }
+    }
+  }
+}
+
+TEST(Manifold, HasANearestPointOrSaysThatThereIsNone) {
+  Vec zero = Vec::Zero(3), reflection(9);
+  EXPECT_FALSE(unit_sphere(3)->project(zero.data()));
+  reflection << 1, 0, 0, 0, 1, 0, 0, 0, -1;  // as far from many rotations
+  EXPECT_FALSE(rotation_matrices()->project(reflection.data()));
+  Vec near = Vec{{2, 0.1, 0, 0, 1, 0, 0.3, 0, 0.5}};
+  EXPECT_TRUE(rotation_matrices()->project(near.data()));
+  const Eigen::Matrix3d R = Eigen::Map<Eigen::Matrix3d>(near.data());
+  EXPECT_LE((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), 4e-15);
+  EXPECT_NEAR(R.determinant(), 1, 4e-15);
+  EXPECT_THROW(unit_sphere(1), InvalidArgument);
+}
+
+// min x.A x on a sphere is the least eigenvalue; saddles are the others.
+TEST(ManifoldProblem, TheLeastEigenvalueIsAMinimumOnASphere) {
+  constexpr int n = 6;
+  const Eigen::MatrixXd half = random_matrix(n, n, 3);
+  const Eigen::Matrix<double, n, n> A = half + half.transpose();
+  ManifoldProblemBuilder builder(n);
+  builder.on(unit_sphere(n), rows_of_unknowns(1, n));
+  builder.add(
+      make_term<1, n>("form", one_node_each(1),
+                      [A](Index, const auto& z) { return z.col(0).dot((A * z.col(0)).eval()); }),
+      1.0);
+  const ManifoldProblem problem = builder.build();
+  EXPECT_EQ(problem.full_size(), n);
+  EXPECT_EQ(problem.size(), n - 1);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(A);
+  for (const double projection : {0.0, 1.0, 2.0}) {
+    NewtonOptions options;
+    options.projection = projection;
+    const ManifoldResult result = problem.minimize(random_vector(n, 4), options);
+    EXPECT_EQ(result.status, Status::Converged) << result.message;
+    EXPECT_EQ(result.definite, Definite::Yes);
+    EXPECT_NEAR(result.energy, eigen.eigenvalues()[0], 1e-13);
+    EXPECT_NEAR(std::abs(result.x.dot(eigen.eigenvectors().col(0))), 1, 1e-12);
+    EXPECT_NEAR(result.x.norm(), 1, 1e-15);
+    EXPECT_LE(result.iterations.size(), 25u);
+  }
+  const ManifoldResult saddle = problem.minimize(Vec(eigen.eigenvectors().col(2)));
+  EXPECT_EQ(saddle.definite, Definite::No);
+  EXPECT_NE(saddle.message.find("saddle"), std::string::npos);
+}
+
+// Points on three manifolds and one on none, in one term each and in one of all.
+struct Mixture {
+  ManifoldProblem problem;
+  Vec start;
+};
+
+Mixture mixture() {
+  // 0-2 a direction, 3-11 a rotation, 12-15 a quaternion, 16-18 a cylinder's point, 19-21 free
+  ManifoldProblemBuilder builder(22);
+  builder.on(unit_sphere(3), Cells{{0, 1, 2}});
+  builder.on(rotation_matrices(), Cells{{3, 4, 5, 6, 7, 8, 9, 10, 11}});
+  builder.on(unit_sphere(4), Cells{{12, 13, 14, 15}});
+  builder.on(cylinder(), Cells{{16, 17, 18}});
+  Cells turned(1, 15);
+  for (Index k = 0; k < 12; ++k) turned(0, k) = k;
+  for (Index k = 12; k < 15; ++k) turned(0, k) = 7 + k;
+  builder.add(make_term<15>("turned", turned,
+                            [](Index, const auto& z) {
+                              const Eigen::Vector3d to(0.2, -0.5, 1.3);
+                              auto sum = 0.0 * z[0];
+                              for (int i = 0; i < 3; ++i) {
+                                auto r = z[12 + i] - to[i];
+                                for (int k = 0; k < 3; ++k) r = r + z[3 + 3 * i + k] * z[k];
+                                sum = sum + r * r;
+                              }
+                              return sum;
+                            }),
+              1.0);
+  builder.add(make_least_squares<10>("near", Cells{{12, 13, 14, 15, 16, 17, 18, 19, 20, 21}},
+                                     [](Index, const auto& z) {
+                                       using std::sin;
+                                       return std::array{z[0] * z[4] - 0.3,  z[1] - sin(z[5]),
+                                                         z[2] * z[3] + z[6], z[7] - z[0],
+                                                         z[8] - 0.4,         z[9] + z[5] * z[6]};
+                                     }),
+              2.0);
+  const Vec targets = random_vector(22, 9);
+  builder.add(
+      make_least_squares<1>("pull", one_node_each(22),
+                            [targets](Index e, const auto& z) { return z[0] - targets[e]; }),
+      0.3);
+  return {builder.build(), random_vector(22, 5)};
+}
+
+TEST(ManifoldProblem, TermsOfCoordinatesHaveTheirDerivatives) {
+  const Mixture m = mixture();
+  Vec y;
+  const Problem problem = m.problem.around(m.start, &y);
+  for (const double away : {0.0, 0.4}) {  // at the bases, and beside them
+    const Vec at = problem.expand(y + away * random_vector(y.size(), 6));
+    for (const TermId id : problem.terms()) {
+      const DerivativeReport report =
+          check_derivatives(problem.term(id), at, 1e-5, problem.state(id));
+      EXPECT_TRUE(report.ok()) << report.message();
+    }
+  }
+}
+
+TEST(ManifoldProblem, AProductEndsOnAllOfThemWithAllModels) {
+  const Mixture m = mixture();
+  double energies[3];
+  int k = 0;
+  for (const double projection : {1.0, 2.0, 0.0}) {
+    NewtonOptions options;
+    options.projection = projection;
+    options.stopping.relative_decrease = 1e-10;
+    const ManifoldResult result = m.problem.minimize(m.start, options);
+    EXPECT_EQ(result.status, Status::Converged) << result.message;
+    const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix3d>(result.x.data() + 3);
+    EXPECT_NEAR(result.x.head(3).norm(), 1, 1e-15);
+    EXPECT_LE((R.transpose() * R - Eigen::Matrix3d::Identity()).norm(), 4e-15);
+    EXPECT_NEAR(result.x.segment(12, 4).norm(), 1, 1e-15);
+    EXPECT_NEAR(result.x.segment(16, 2).norm(), 1, 1e-15);
+    // The gradient across the manifolds vanishes.
+    Vec y, gradient;
+    const Problem around = m.problem.around(result.x, &y);
+    Evaluator(around).gradient(y, gradient);
+    EXPECT_LE(gradient.norm(), 1e-6);
+    energies[k++] = result.energy;
+  }
+  EXPECT_NEAR(energies[0], energies[1], 1e-8);
+}
+
+// Directions on a graph: the same minimum as with |x|^2 = 1 as equalities.
+TEST(ManifoldProblem, ASphereIsTheEqualityOfItsPoints) {
+  constexpr Index count = 12;
+  const Eigen::MatrixXd targets = random_matrix(count, 3, 7);
+  Cells pairs(count - 1, 2);
+  for (Index k = 0; k + 1 < count; ++k) pairs.row(k) << k, k + 1;
+  const auto bending = make_term<2, 3>(
+      "bending", pairs, [](Index, const auto& z) { return (z.col(1) - z.col(0)).squaredNorm(); });
+  const auto pull =
+      make_term<1, 3>("pull", one_node_each(count), [targets](Index e, const auto& z) {
+        const Eigen::Vector3d to = targets.row(e).transpose();
+        return -z(0, 0) * to[0] - z(1, 0) * to[1] - z(2, 0) * to[2];
+      });
+  const Vec start = random_vector(3 * count, 8);
+
+  ManifoldProblemBuilder builder(3 * count);
+  builder.on(unit_sphere(3), rows_of_unknowns(count, 3));
+  builder.add(bending, 2.0);
+  builder.add(pull, 1.0);
+  const ManifoldResult on_manifold = builder.build().minimize(start);
+  EXPECT_EQ(on_manifold.status, Status::Converged) << on_manifold.message;
+
+  ProblemBuilder held(3 * count);
+  held.add(bending, 2.0);
+  held.add(pull, 1.0);
+  held.add(equality<1, 3>("sphere", one_node_each(count),
+                          [](Index, const auto& z) { return z.squaredNorm() - 1.0; }),
+           1.0);
+  const BarrierResult by_equality = BarrierMinimizer({}).run(held.build(), on_manifold.x);
+  EXPECT_EQ(by_equality.status, Status::Converged) << by_equality.message;
+  EXPECT_NEAR(on_manifold.energy, by_equality.energy, 1e-9);
+  EXPECT_LE((on_manifold.x - by_equality.y).norm(), 1e-5);
+}
+
+TEST(ManifoldProblem, KeepsItsAnalysisAndTakesConstraintsOnOtherUnknowns) {
+  // A point p (0-2) of the sphere, and one q (3-5) off it that a constraint keeps in a plane.
+  ManifoldProblemBuilder builder(6);
+  builder.on(unit_sphere(3), Cells{{0, 1, 2}});
+  builder.add(
+      make_term<2, 3>("apart", Cells{{0, 1}},
+                      [](Index, const auto& z) { return (z.col(1) - z.col(0)).squaredNorm(); }),
+      1.0);
+  builder.add(FixedUnknowns({{3, 2.0}, {4, 1.0}}));
+  const ManifoldProblem problem = builder.build();
+  EXPECT_EQ(problem.size(), 3);
+  const ManifoldResult result = problem.minimize(Vec{{0.1, -0.2, 1, 2, 1, 0.4}});
+  EXPECT_EQ(result.status, Status::Converged) << result.message;
+  EXPECT_LE((result.x - Vec{{2 / std::sqrt(5), 1 / std::sqrt(5), 0, 2, 1, 0}}).norm(), 1e-7);
+  EXPECT_TRUE(problem.around(result.x).same_structure(problem.around(Vec::Ones(6))));
+}
+
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ManifoldProblem, RefusesByName) {
+  ManifoldProblemBuilder builder(7);
+  builder.on(unit_sphere(3), Cells{{0, 1, 2}});
+  builder.add(make_term<1>("free", Cells{{6}}, [](Index, const auto& z) { return z[0] * z[0]; }),
+              1.0);
+  EXPECT_NE(refusal([&] {
+              auto other = builder;
+              other.add(FixedUnknowns({{1, 0.0}}));
+              other.build();
+            }).find("holds unknown 1, which lies on a sphere"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              auto other = builder;
+              other.on(unit_sphere(2), Cells{{2, 3}});
+              other.build();
+            }).find("unknown 2 lies on two manifolds"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              auto other = builder;
+              other.on(unit_sphere(2), Cells{{6, 7}});
+              other.build();
+            }).find("7"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              builder.on(rotation_matrices(), Cells{{3, 4, 5}});
+            }).find("9 are needed"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] {
+              builder.add(equality<1>("e", Cells{{6}}, [](Index, const auto& z) { return z[0]; }),
+                          1.0);
+            }).find("equality 'e' beside manifolds"),
+            std::string::npos);
+  const ManifoldProblem problem = builder.build();
+  EXPECT_NE(refusal([&] {
+              problem.minimize(Vec::Zero(7));
+            }).find("begins with unknown 0 has no nearest one on the sphere"),
+            std::string::npos);
+  EXPECT_NE(refusal([&] { problem.minimize(Vec::Zero(5)); }).find("5 numbers"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
