@@ -78,7 +78,7 @@ class ManifoldProblem::Descent final : public majorant::Descent {
     result.energy = energy;
     if (step.outcome != StepResult::Outcome::Moved) return {};
     enter(points_.moved(chart_, full()));
-    return {observed(observer_, step.record, result.y)};
+    return {observed(observer_, step.record, x())};
   }
   void set_fallback() override {
     majorant::Descent::set_fallback();
@@ -158,12 +158,16 @@ ManifoldProblemBuilder& ManifoldProblemBuilder::on(std::shared_ptr<const Manifol
 }
 
 TermId ManifoldProblemBuilder::add(std::shared_ptr<const EnergyTerm> term, double weight) {
+  return add(std::move(term), TermState{.weight = weight});
+}
+
+TermId ManifoldProblemBuilder::add(std::shared_ptr<const EnergyTerm> term, TermState state) {
   require_given("ManifoldProblemBuilder::add: the term", term);
   if (dynamic_cast<const EqualityTerm*>(term.get()))
     throw Error(ErrorKind::Unsupported,
                 fmt::format("equality '{}' beside manifolds: make the manifolds equalities, too",
                             term->name()));
-  parts_.push_back({std::move(term), weight});
+  parts_.push_back({std::move(term), std::move(state)});
   return static_cast<TermId>(parts_.size() - 1);
 }
 
@@ -180,8 +184,11 @@ ManifoldProblem ManifoldProblemBuilder::build() const {
   const ManifoldPoints::Chart chart = some_chart(*points);
   ProblemBuilder builder(points->coordinate_count());
   for (const Part& part : parts_) {
-    ProblemBuilder(full_size_).add(part.term, part.weight);  // says what is wrong with the term
-    builder.add(std::make_shared<const ManifoldTerm>(part.term, points, chart), part.weight);
+    ProblemBuilder(full_size_).add(part.term, part.state);  // says what is wrong with the term
+    auto term = std::make_shared<const ManifoldTerm>(part.term, points, chart);
+    TermState state = part.state;
+    state.parameters = term->parameters_on(chart, part.state);
+    builder.add(std::move(term), std::move(state));
   }
   builder.add(RowsOfCoordinates(rows_, *points));
   return {builder.build(), std::move(points)};

@@ -54,7 +54,7 @@ class ManifoldProblem {
   Vec expand(const Vec& base, VecIn y) const;
 
   // A minimum near x0. The options are those of Newton's method on any problem, but for
-  // saddles_to_leave, which is not looked at. The observer gets coordinates y. Throws as around().
+  // saddles_to_leave, which is not looked at. The observer gets x for y. Throws as around().
   ManifoldResult minimize(const Vec& x0, const NewtonOptions& options = {},
                           RunObserver* observer = nullptr) const;
 
@@ -78,13 +78,14 @@ class ManifoldProblemBuilder {
   // As ProblemBuilder::add(). Throws Error(Unsupported), naming row and unknown, for a constraint
   // on an unknown of a manifold, and naming the term for equalities.
   TermId add(std::shared_ptr<const EnergyTerm> term, double weight);
+  TermId add(std::shared_ptr<const EnergyTerm> term, TermState state);
   ManifoldProblemBuilder& add(const Constraint& constraint);
   ManifoldProblem build() const;
 
  private:
   struct Part {
     std::shared_ptr<const EnergyTerm> term;
-    double weight;
+    TermState state;
   };
   struct Place {
     std::shared_ptr<const Manifold> manifold;

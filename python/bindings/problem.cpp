@@ -23,6 +23,7 @@
 #include "majorant/framework/residuals.h"
 #include "majorant/framework/sensitivity.h"
 #include "majorant/framework/terms/inequality.h"
+#include "majorant/framework/terms/manifold_problem.h"
 #include "module.h"
 #include "options.h"
 #include "run.h"
@@ -142,11 +143,35 @@ class PythonProblem {
   }
   bool holds() const { return !bounds_.empty() || !equalities_.empty(); }
 
+  void put_on(std::shared_ptr<const Manifold> manifold, Cells unknowns) {
+    auto more = manifolds_;
+    more.push_back({std::move(manifold), std::move(unknowns)});
+    with_manifolds(more, {}).build();  // throws before anything is kept
+    manifolds_ = std::move(more);
+  }
+  bool has_manifolds() const { return !manifolds_.empty(); }
+  ManifoldProblem on_manifolds() const {
+    ManifoldProblemBuilder builder = with_manifolds(manifolds_, terms_);
+    for (const Rows& rows : constraints_) builder.add(rows);
+    return builder.build();
+  }
+
  private:
   struct Part {
     std::shared_ptr<const EnergyTerm> term;
     TermState state;
   };
+  struct Place {
+    std::shared_ptr<const Manifold> manifold;
+    Cells unknowns;
+  };
+  ManifoldProblemBuilder with_manifolds(const std::vector<Place>& manifolds,
+                                        const std::vector<Part>& terms) const {
+    ManifoldProblemBuilder builder(size_);
+    for (const Place& place : manifolds) builder.on(place.manifold, place.unknowns);
+    for (const Part& part : terms) builder.add(part.term, part.state);
+    return builder;
+  }
   ProblemBuilder with_terms() const {
     ProblemBuilder builder = builder_;
     for (const Part& part : terms_) builder.add(part.term, part.state);
@@ -161,6 +186,7 @@ class PythonProblem {
   std::optional<Problem> problem_;
   std::vector<std::shared_ptr<const BarrierChecker>> bounds_;
   std::vector<std::shared_ptr<const EnergyTerm>> equalities_;
+  std::vector<Place> manifolds_;
 };
 
 std::function<std::unique_ptr<LinearSolver>()> solver_named(const std::string& name) {
@@ -243,6 +269,7 @@ struct Solved {
   SolveResult result;
   Index row_count;               // of the constraints
   std::vector<TermId> barriers;  // of bounds
+  bool on_manifolds = false;
 };
 
 Solved solved(const Problem& problem, const BarrierResult& result,
@@ -258,24 +285,56 @@ Solved solved(const Problem& problem, const BarrierResult& result,
 }
 
 // (x, energy, status, message, [record, ...], [phase, ...], definite, multipliers of all rows of
-// equalities, Solved); callback(record, x), as Run has it.
+// equalities, Solved).
+py::tuple as_tuple(Vec x, const BarrierResult& result, Solved solved) {
+  py::list records, phases;
+  for (const IterationRecord& record : result.iterations) records.append(as_dict(record));
+  for (const BarrierPhase& phase : result.phases) phases.append(as_dict(phase));
+  std::vector<double> multipliers;
+  for (const Vec& part : result.multipliers)
+    multipliers.insert(multipliers.end(), part.begin(), part.end());
+  return py::make_tuple(moved(std::move(x)), result.energy, status_name(result.status),
+                        result.message, records, phases, definite_name(result.definite),
+                        Doubles(static_cast<py::ssize_t>(multipliers.size()), multipliers.data()),
+                        std::make_shared<Solved>(std::move(solved)));
+}
+
+// callback(record, x), as Run has it.
 py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords,
                    const py::object& callback) {
   Run run(keyword<double>(keywords, "time_limit"), std::numeric_limits<int>::max(), py::none());
+  const Vec start = matrix<Vec>(x0);
+  const int threads = keyword<int>(keywords, "threads");
+  // An observer whose points are shown by expand(y).
+  const auto watch_by = [&](auto expand) {
+    return StepObserver([&run, &callback, expand](const TraceEntry& row, const Vec& y) {
+      bool ends = false;
+      if (!callback.is_none() && !run.raised().guard([&] {
+            ends = static_cast<bool>(py::bool_(callback(as_dict(row.record), moved(expand(y)))));
+          }))
+        ends = true;
+      return ends ? Directive::Interrupt : run.record().directive();
+    });
+  };
+  BarrierResult result;
+  if (p.has_manifolds()) {
+    const ManifoldProblem problem = p.on_manifolds();
+    auto watch = watch_by([](const Vec& x) { return x; });
+    const NewtonOptions options = filled(NewtonOptions(), keywords, run.record().stop());
+    ManifoldResult found = run([&] {
+      const ThreadCount count(threads);
+      return problem.minimize(start, options, &watch);
+    });
+    Vec y;
+    Problem around = problem.around(found.x, &y);
+    static_cast<SolveResult&>(result) = found;
+    result.y = std::move(y);
+    Solved kept{std::move(around), result, p.row_count(), {}, true};
+    return as_tuple(std::move(found.x), result, std::move(kept));
+  }
   PythonProblem::Held held = p.holds() ? p.held() : PythonProblem::Held{p.built(), {}};
   const Problem& problem = held.problem;
-  const Vec start = matrix<Vec>(x0);
-  StepObserver watch([&](const TraceEntry& row, const Vec& y) {
-    bool ends = false;
-    if (!callback.is_none() && !run.raised().guard([&] {
-          ends =
-              static_cast<bool>(py::bool_(callback(as_dict(row.record), moved(problem.expand(y)))));
-        }))
-      ends = true;
-    return ends ? Directive::Interrupt : run.record().directive();
-  });
-  const int threads = keyword<int>(keywords, "threads");
-  BarrierResult result;
+  auto watch = watch_by([&problem](const Vec& y) { return problem.expand(y); });
   if (p.holds()) {
     const BarrierMinimizer minimizer =
         barrier_minimizer(held.bounds, keywords, run.record().stop());
@@ -291,23 +350,18 @@ py::tuple minimize(PythonProblem& p, const Doubles& x0, const py::dict& keywords
       return minimizer->minimize(problem, problem.reduce(start), &watch);
     });
   }
-  py::list records, phases;
-  for (const IterationRecord& record : result.iterations) records.append(as_dict(record));
-  for (const BarrierPhase& phase : result.phases) phases.append(as_dict(phase));
-  std::vector<double> multipliers;
-  for (const Vec& part : result.multipliers)
-    multipliers.insert(multipliers.end(), part.begin(), part.end());
-  return py::make_tuple(
-      moved(problem.expand(result.y)), result.energy, status_name(result.status), result.message,
-      records, phases, definite_name(result.definite),
-      Doubles(static_cast<py::ssize_t>(multipliers.size()), multipliers.data()),
-      std::make_shared<Solved>(solved(problem, result, held.bounds, p.row_count())));
+  return as_tuple(problem.expand(result.y), result,
+                  solved(problem, result, held.bounds, p.row_count()));
 }
 
 // The derivatives of a solution; one factorization serves all.
 class PythonSensitivity {
  public:
   explicit PythonSensitivity(std::shared_ptr<Solved> solved) : solved_(std::move(solved)) {
+    if (solved_->on_manifolds)
+      throw Error(ErrorKind::Unsupported,
+                  "solutions on manifolds have no derivatives here; hold |x|^2 = 1, say, as an "
+                  "Equality instead");
     Run run;
     run([&] {
       sensitivity_.emplace(solved_->problem, solved_->result);
@@ -390,6 +444,8 @@ class PythonSensitivity {
 };
 
 py::array covariance_of(const Solved& solved, const std::vector<Index>& unknowns) {
+  if (solved.on_manifolds)
+    throw Error(ErrorKind::Unsupported, "covariance: of unknowns on no manifold alone");
   Run run;
   return moved(run([&] { return RowMatrix(covariance(solved.problem, solved.result, unknowns)); }));
 }
@@ -509,6 +565,15 @@ void bind_problems(py::module_& module) {
             p.hold(python_inequality(name, ElementDofs{matrix<Cells>(nodes), block}, function));
           },
           py::arg("name"), py::arg("nodes"), py::arg("block"), py::arg("function"))
+      .def(
+          "on_manifold",
+          [](PythonProblem& p, const std::string& kind, const Integers& unknowns) {
+            const Cells rows = matrix<Cells>(unknowns);
+            const bool is_matrix = kind == "rotation" && rows.cols() == 9;
+            p.put_on(is_matrix ? rotation_matrices() : unit_sphere(static_cast<int>(rows.cols())),
+                     rows);
+          },
+          py::arg("kind"), py::arg("unknowns"))
       .def(
           "hold_equality",
           [](PythonProblem& p, const std::string& name, const Integers& nodes, int block,

@@ -271,6 +271,7 @@ class Problem:
         self._core = _core.Problem(_options.integer('size', size, 1, 2**31 - 1))
         self._has_bounds = False
         self._holds = False  # bounds, inequalities or equalities
+        self._on_manifolds = self._keeps_injective = False
         self._places: dict[Term, list[list[tuple[int, float]]]] = {}
 
     @property
@@ -344,14 +345,21 @@ class Problem:
             raise UsageError(f'{space!r} is no Space')
         if space.size > self.full_size:
             raise UsageError(f'the space has {space.size} unknowns, the problem {self.full_size}')
+        self._require_no_manifold()
         self._core.keep_injective(space._core)
+        self._keeps_injective = True
         return self
+
+    def _require_no_manifold(self) -> None:
+        if self._on_manifolds:
+            raise UsageError('a problem has manifolds, or bounds, inequalities, equalities and injective maps')
 
     def hold(self, condition: Inequality | Equality) -> 'Problem':
         """g >= 0 at every element of an inequality, to the gap of `minimize`, or g = 0 at every element of an
         equality, to 1e-10; the start may violate both."""
         if not isinstance(condition, (Inequality, Equality)):
             raise UsageError(f'{condition!r} is neither an Inequality nor an Equality')
+        self._require_no_manifold()
         elements = condition._elements
         elements.require_within(self.full_size, condition.name)
         if isinstance(condition, Equality):
@@ -362,9 +370,37 @@ class Problem:
         self._holds = True
         return self
 
+    def on_manifold(self, nodes: ArrayLike, kind: str, *, block: int = 1) -> 'Problem':
+        """Puts points on a manifold: x stays there, to rounding, and `minimize` moves along it.
+
+            problem.on_manifold(np.arange(100), 'sphere', block=3)      # 100 directions
+
+        nodes: a row for each point, of the nodes whose `block` unknowns each are its numbers; of one node
+        each a list will do. kind: 'sphere', |x| = 1 in 2 or more dimensions; 'unit-complex', the same of 2
+        numbers; 'rotation', of 4 numbers unit quaternions, of 9 rotation matrices, by rows or by columns.
+        Points of x0 are brought to the nearest one first. Calls add up; terms see x as always. By 'newton'
+        alone, and without bounds, inequalities and equalities (UsageError); constraints on such unknowns
+        raise UnsupportedError.
+        """
+        _options.choice('kind', kind, tuple(_MANIFOLDS))
+        size = _options.integer('block', block, 1, 2**31 - 1)
+        rows = np.asarray(nodes)
+        count = self.full_size // size
+        array = _arrays.integers('nodes', rows[:, None] if rows.ndim == 1 else rows, (None, None), count, 'nodes')
+        unknowns = (size * array[:, :, None] + np.arange(size, dtype=np.int32)).reshape(len(array), -1)
+        if not _MANIFOLDS[kind](unknowns.shape[1]):
+            raise UsageError(f'a point of {unknowns.shape[1]} numbers is on no {kind}: '
+                             f'{_NUMBERS_OF[kind]} are needed')
+        if self._holds or self._keeps_injective:
+            raise UsageError('a problem has manifolds, or bounds, inequalities, equalities and injective maps')
+        self._core.on_manifold(kind, np.ascontiguousarray(unknowns, dtype=np.int32))
+        self._on_manifolds = True
+        return self
+
     def bound(self, lower: ArrayLike = -math.inf, upper: ArrayLike = math.inf) -> 'Problem':
         """lower <= x <= upper, one number for all unknowns or one for each, infinite where there is none;
         to the gap of `minimize`. It may start outside. What is fixed is not for bounds: `constrain`."""
+        self._require_no_manifold()
         low, high = (_limits(name, value, self.full_size) for name, value in (('lower', lower), ('upper', upper)))
         if not (low < high).all():
             k = int(np.argmin(low < high))
@@ -450,6 +486,8 @@ class Problem:
         """
         if self._holds and method != 'newton':
             raise UsageError(f"bounds, inequalities and equalities are for method='newton', not {method!r}")
+        if self._on_manifolds and (method != 'newton' or saddles_to_leave):
+            raise UsageError("unknowns on manifolds are for method='newton', without saddles_to_leave")
         if gap is not None and not self._has_bounds:
             raise UsageError('gap is of bounds and inequalities; hold some, or leave it out')
         if saddles_to_leave and (self._holds or method != 'newton'):
@@ -469,6 +507,11 @@ class Problem:
         return Solution(*self._core.minimize(_arrays.floats('x0', x0, (self.full_size,)), keywords,
                                              _options.callback(callback)),
                         {term: [list(parts) for parts in added] for term, added in self._places.items()})
+
+
+_MANIFOLDS: dict[str, Callable[[int], bool]] = {
+    'sphere': lambda size: size >= 2, 'rotation': lambda size: size in (4, 9), 'unit-complex': lambda size: size == 2}
+_NUMBERS_OF = {'sphere': '2 or more', 'rotation': '4 or 9', 'unit-complex': '2'}
 
 
 def _curvature(name: Any, *more: str) -> str:

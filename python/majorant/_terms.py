@@ -315,7 +315,7 @@ class _Plain:
 class _Outer:
     """A function of g, and of data of the elements: outer(g, *data) -> itself, its slope and its bend."""
 
-    def __init__(self, function: PointFunction, outer: Callable[[Doubles], tuple[Doubles, ...]]):
+    def __init__(self, function: PointFunction, outer: Callable[..., tuple[Doubles, ...]]):
         self._function, self._outer = function, outer
 
     def evaluate(self, z: Doubles, e: Integers, *data: Doubles) -> Doubles:
