@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -129,6 +131,37 @@ inline majorant::FixedUnknowns held(const majorant::RowMatrix& points,
   for (const majorant::Index p : which)
     for (majorant::Index c = 0; c < dims; ++c) unknowns.push_back({dims * p + c, points(p, c)});
   return majorant::FixedUnknowns(unknowns);
+}
+
+// The unit sphere: an octahedron whose faces are cut into four, `levels` times.
+inline ExampleMesh octasphere(int levels) {
+  using majorant::Index, majorant::Vector3;
+  std::vector<Vector3> x{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  std::vector<std::array<Index, 3>> faces;
+  for (const Index a : {0, 3})
+    for (const Index b : {1, 4})
+      for (const Index c : {2, 5})
+        faces.push_back((a + b + c) % 2 ? std::array{a, b, c} : std::array{a, c, b});
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<Index, Index>, Index> middles;
+    const auto middle = [&](Index a, Index b) {
+      const auto [at, is_new] = middles.try_emplace(std::minmax(a, b), x.size());
+      if (is_new) x.push_back((x[a] + x[b]).normalized());
+      return at->second;
+    };
+    std::vector<std::array<Index, 3>> finer;
+    for (const auto& [a, b, c] : faces) {
+      const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    faces = finer;
+  }
+  majorant::RowMatrix points(x.size(), 3);
+  majorant::Cells cells(faces.size(), 3);
+  for (std::size_t i = 0; i < x.size(); ++i) points.row(i) = x[i];
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    cells.row(f) << faces[f][0], faces[f][1], faces[f][2];
+  return {points, cells};
 }
 
 // SPDX-FileCopyrightText: 2026 the majorant developers
