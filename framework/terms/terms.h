@@ -9,6 +9,7 @@
 // Its headers:
 //     local_term.h                make_term(): any function of few unknowns an element; loads
 //     least_squares.h             residuals, Gauss-Newton; robust losses
+//     dual_matrix.h               vectors and matrices of dual numbers; SVD of 2 by 2 and 3 by 3
 //     parameter_blocks.h          terms of blocks of unknowns of different sizes
 //     quadratic_penalty.h         soft constraints
 //     equality.h                  g(x) = 0 for an element, exactly
@@ -16,6 +17,7 @@
 //     manifold_problem.h          unknowns on spheres, rotations and manifolds of one's own
 #pragma once
 
+#include "majorant/framework/terms/dual_matrix.h"
 #include "majorant/framework/terms/equality.h"
 #include "majorant/framework/terms/inequality.h"
 #include "majorant/framework/terms/least_squares.h"
