@@ -107,7 +107,7 @@ ScatterMap::ScatterMap(const ElementDofs& element_dofs, const Elimination& elimi
 
 bool ScatterMap::find_unknowns(Index e, const ElementDofs& s, const Elimination& z) {
   Index* unknown = unknown_.data() + to_size(e) * to_size(nodes_);
-  for (int k = 0; k < nodes_; ++k) {
+  for (int k = 0; k < s.node_count(e); ++k) {
     for (int c = 0; c < block_; ++c) {
       const Index x = block_ * s.nodes(e, k) + c;
       const Elimination::Row row = z.row(x);
@@ -162,7 +162,7 @@ void ScatterMap::build_general(Index e, const ElementDofs& s, const Elimination&
   std::vector<Contribution> contributions;
   std::vector<std::pair<int, Target>> gradient;
   const auto full = [&](int i) { return s.block * s.nodes(e, i / s.block) + i % s.block; };
-  const int local_size = nodes_ * block_;
+  const int local_size = s.node_count(e) * block_;
   for (int i = 0; i < local_size; ++i) {
     for (const auto& p : z.row(full(i))) {
       gradient.push_back({i, {p.reduced, p.coefficient}});

@@ -61,7 +61,7 @@ class ElementProbe {
   ElementProbe(const EnergyTerm& term, const TermState& state, Index element)
       : term_(term), state_(state), element_{element} {
     const ElementDofs& s = term.element_dofs();
-    for (Index k = 0; k < s.nodes.cols(); ++k)
+    for (Index k = 0; k < s.node_count(element); ++k)
       for (int c = 0; c < s.block; ++c) unknowns_.push_back(s.block * s.nodes(element, k) + c);
     batch_.rule = state.element_rule.empty() ? 0 : state.element_rule[element];
     batch_.elements = element_;
@@ -78,8 +78,8 @@ class ElementProbe {
   LocalValues local(VecIn x, BlendedCurvature curvature) {
     const auto n = static_cast<int>(unknowns_.size());
     constexpr int stride = LocalSystem::stride;
-    LocalSystem out = reserve(n);
-    out.hessian = out.gradient + n * stride;
+    LocalSystem out = reserve();
+    out.hessian = out.gradient + term_.element_dofs().local_size() * stride;
     term_.local(x, batch_, curvature, state_, kernel_, out);
     LocalValues v{out.value[0], gradient_of(out), Eigen::MatrixXd(n, n)};
     for (int i = 0, k = 0; i < n; ++i)
@@ -89,15 +89,16 @@ class ElementProbe {
 
   // Asked for no Hessian; that of the result is empty.
   LocalValues first_order(VecIn x) {
-    LocalSystem out = reserve(static_cast<int>(unknowns_.size()));
+    LocalSystem out = reserve();
     term_.local(x, batch_, Curvature::Projected, state_, kernel_, out);
     return {out.value[0], gradient_of(out), {}};
   }
 
  private:
   // Arrays for values, gradients and a Hessian, the latter not passed on.
-  LocalSystem reserve(int n) {
+  LocalSystem reserve() {
     LocalSystem out;
+    const int n = term_.element_dofs().local_size();
     constexpr int stride = LocalSystem::stride;
     out.value = memory_.reserve(to_size((1 + n + n * (n + 1) / 2) * stride));
     out.gradient = out.value + stride;
@@ -330,11 +331,12 @@ class BatchCheck {
       const double g = v.gradient.cwiseAbs().maxCoeff(), h = v.hessian.cwiseAbs().maxCoeff();
       const auto at = static_cast<int>(p);
       compare(f[p], alone.value(x_), std::abs(v.value), [] { return std::string("value"); });
+      const auto own = static_cast<int>(v.gradient.size());  // 0 behind them
       for (int i = 0, k = 0; i < n; ++i) {
-        compare(out.gradient[i * stride + at], v.gradient[i], g,
+        compare(out.gradient[i * stride + at], i < own ? v.gradient[i] : 0.0, g,
                 [&] { return fmt::format("gradient[{}]", i); });
         for (int j = 0; j <= i; ++j, ++k)
-          compare(out.hessian[k * stride + at], v.hessian(i, j), h,
+          compare(out.hessian[k * stride + at], i < own ? v.hessian(i, j) : 0.0, h,
                   [&] { return fmt::format("hessian({}, {})", i, j); });
       }
       if (worst.error > tolerance) mismatches.push_back(worst.mismatch);

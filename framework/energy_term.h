@@ -38,8 +38,14 @@ namespace majorant {
 struct ElementDofs {
   Cells nodes;    // #E by nodes per element
   int block = 1;  // unknowns per node
+  // #E: the nodes that each element has; empty: all. Behind them a row repeats one of its nodes,
+  // and local systems have 0.
+  std::vector<int> node_counts = {};
   Index element_count() const { return static_cast<Index>(nodes.rows()); }
   int local_size() const { return static_cast<int>(nodes.cols()) * block; }
+  int node_count(Index e) const {
+    return node_counts.empty() ? static_cast<int>(nodes.cols()) : node_counts[to_size(e)];
+  }
 };
 
 std::string_view curvature_name(Curvature curvature);  // "projected", "paper-majorizer", ...

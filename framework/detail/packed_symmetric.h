@@ -109,6 +109,10 @@ void make_semidefinite(double projection_weight, double* k) {
     clamp_eigenvalues(N, projection_weight, k);
 }
 
+// The same of a size that is known when it runs.
+bool is_semidefinite(int size, const double* k);
+void make_semidefinite(int size, double projection_weight, double* k);
+
 }  // namespace majorant
 
 // SPDX-FileCopyrightText: 2026 the majorant developers

@@ -7,6 +7,7 @@
 //   });
 //
 // Its headers:
+//     list_term.h                 the same for elements of any size: polygons
 //     local_term.h                make_term(): any function of few unknowns an element; loads
 //     least_squares.h             residuals, Gauss-Newton; robust losses
 //     dual_matrix.h               vectors and matrices of dual numbers; SVD of 2 by 2 and 3 by 3
@@ -21,6 +22,7 @@
 #include "majorant/framework/terms/equality.h"
 #include "majorant/framework/terms/inequality.h"
 #include "majorant/framework/terms/least_squares.h"
+#include "majorant/framework/terms/list_term.h"
 #include "majorant/framework/terms/local_term.h"
 #include "majorant/framework/terms/manifold_problem.h"
 #include "majorant/framework/terms/parameter_blocks.h"

@@ -56,11 +56,12 @@ ManifoldTerm::ManifoldTerm(std::shared_ptr<const EnergyTerm> term,
     most = std::max(most, own.size());
   }
   element_dofs_.nodes.resize(elements, static_cast<Index>(most));
-  for (Index e = 0; e < elements; ++e)
-    for (std::size_t a = 0; a < most; ++a) {
-      const std::vector<Index>& own = coordinates[to_size(e)];
+  for (Index e = 0; e < elements; ++e) {
+    const std::vector<Index>& own = coordinates[to_size(e)];
+    element_dofs_.node_counts.push_back(static_cast<int>(own.size()));
+    for (std::size_t a = 0; a < most; ++a)
       element_dofs_.nodes(e, static_cast<Index>(a)) = own[a < own.size() ? a : 0];
-    }
+  }
   parameters_ = parameters_on(chart, {});
 }
 

@@ -43,7 +43,7 @@ class ManifoldTerm final : public EnergyTerm {
 
   std::shared_ptr<const EnergyTerm> term_;
   std::shared_ptr<const ManifoldPoints> points_;
-  ElementDofs element_dofs_;  // coordinates; elements of fewer repeat one, with derivatives 0
+  ElementDofs element_dofs_;  // coordinates, of as many as each element has
   // By element: where the points of its unknowns begin in `owners_`, and these; for each of its
   // local unknowns the place of its coordinate, or of the first one of its point.
   std::vector<std::size_t> owner_starts_;

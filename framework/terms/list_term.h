@@ -1,0 +1,214 @@
+// Elements of any size in one term, from one lambda: polygons of 3 to 12 corners, stencils, groups.
+//
+//   const NodeLists faces{{0, 1, 2}, {2, 1, 3, 4, 5}};      // a triangle and a pentagon in space
+//   auto round = make_term<3>("round", faces, [](Index, const auto& z) {
+//     const auto center = (z.rowwise().sum() * (1.0 / static_cast<double>(z.cols()))).eval();
+//     return (z.colwise() - center).squaredNorm();
+//   });
+//   builder.add(round, 1.0);
+//
+// As make_term<N, Block> (local_term.h), of which all else holds, but that z has as many columns as
+// the element has nodes: NodeLists may come from any mesh,
+//
+//   NodeLists corners;                                      // of OpenMesh: mesh.faces(), of CGAL:
+//   for (const auto& face : faces) corners.emplace_back(face.begin(), face.end());
+//
+// and elements may have more than 30 unknowns: up to 12 and up to 24 unknowns are differentiated at
+// once, more of them in slices of 12, two at a time. An element of n unknowns then calls the lambda
+// about (n / 12)^2 / 2 times for a Hessian; elements of hundreds of unknowns are slow.
+//
+// Not for elements of one size, for which make_term<N, Block> is faster.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "majorant/framework/argument_check.h"
+#include "majorant/framework/detail/packed_symmetric.h"
+#include "majorant/framework/terms/detail/element_term.h"
+
+namespace majorant {
+
+// The nodes of each element, one or more.
+using NodeLists = std::vector<std::vector<Index>>;
+
+namespace detail {
+
+// Unknowns of a slice: a Hessian of two of them is as large as that of the corners of a hexahedron.
+inline constexpr int kSlice = 12;
+
+template <class T, int Block>
+using ListValues = Eigen::Matrix<T, Block, Eigen::Dynamic>;
+
+template <int Block, class F, class Numbers>
+class ListTerm final : public EnergyTerm {
+ public:
+  ListTerm(std::string name, const NodeLists& lists, F f, Numbers numbers)
+      : name_(std::move(name)), f_(std::move(f)), numbers_(std::move(numbers)) {
+    std::size_t most = 1;
+    for (const auto& list : lists) most = std::max(most, list.size());
+    element_dofs_.block = Block;
+    element_dofs_.nodes.resize(counted("term '" + name_ + "': elements", lists.size(), most),
+                               static_cast<Index>(most));
+    for (std::size_t e = 0; e < lists.size(); ++e) {
+      const auto& list = lists[e];
+      if (list.empty())
+        throw InvalidArgument("term '" + name_ + "': element " + std::to_string(e) +
+                              " has no nodes");
+      for (std::size_t k = 0; k < most; ++k)
+        element_dofs_.nodes(static_cast<Index>(e), static_cast<Index>(k)) =
+            list[k < list.size() ? k : 0];
+      for (const Index node : list)
+        if (node < 0)
+          throw InvalidArgument("term '" + name_ + "': a node of element " + std::to_string(e) +
+                                " is " + std::to_string(node) + ", they are counted from 0");
+      element_dofs_.node_counts.push_back(static_cast<int>(list.size()));
+    }
+  }
+
+  std::string_view name() const override { return name_; }
+  const ElementDofs& element_dofs() const override { return element_dofs_; }
+  bool supports(Curvature c) const override {
+    return c == Curvature::Exact || c == Curvature::Projected;
+  }
+  Index parameter_count() const override { return numbers_.count(); }
+  Vec parameters() const override { return numbers_.all(); }
+  Index parameters_per_element() const override { return numbers_.per_element(); }
+
+  void values(VecIn x, const ElementBatch& batch, const TermState& state, Workspace&,
+              std::span<double> f) const override {
+    ListValues<double, Block> z;
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
+      gather(x, e, z);
+      f[p] = inside_domain(call(e, z, state));
+    }
+  }
+
+  void local(VecIn x, const ElementBatch& batch, BlendedCurvature curvature, const TermState& state,
+             Workspace&, LocalSystem& out) const override {
+    const int size = element_dofs_.local_size();
+    constexpr std::size_t stride = LocalSystem::stride;
+    std::vector<double> gradient(to_size(size)), packed;
+    for (std::size_t p = 0; p < batch.elements.size(); ++p) {
+      const Index e = batch.elements[p];
+      const int n = Block * element_dofs_.node_count(e);
+      if (!out.hessian) {
+        for (int first = 0; first < n; first += 2 * kSlice)
+          differentiate<Dual1<double, 2 * kSlice>>(x, e, state, first, first + kSlice, out.value[p],
+                                                   gradient, nullptr);
+      } else {
+        packed.assign(to_size(n * (n + 1) / 2), 0.0);
+        if (n <= kSlice)
+          differentiate<Dual2<double, kSlice>>(x, e, state, 0, n, out.value[p], gradient, &packed);
+        else
+          for (int second = kSlice; second < n; second += kSlice)
+            for (int first = 0; first < second; first += kSlice)
+              differentiate<Dual2<double, 2 * kSlice>>(x, e, state, first, second, out.value[p],
+                                                       gradient, &packed);
+        if (curvature.projection_weight > 0)
+          make_semidefinite(n, curvature.projection_weight, packed.data());
+        packed.resize(to_size(size * (size + 1) / 2), 0.0);
+        for (std::size_t k = 0; k < packed.size(); ++k) out.hessian[k * stride + p] = packed[k];
+      }
+      for (int k = 0; k < size; ++k)
+        out.gradient[to_size(k) * stride + p] = k < n ? gradient[to_size(k)] : 0.0;
+    }
+  }
+
+ private:
+  template <class T>
+  void gather(VecIn x, Index e, ListValues<T, Block>& z) const {
+    z.resize(Block, element_dofs_.node_count(e));
+    for (Index i = 0; i < z.cols(); ++i)
+      for (int c = 0; c < Block; ++c) z(c, i) = T(x[Block * element_dofs_.nodes(e, i) + c]);
+  }
+
+  // The derivatives by the unknowns from `first` on, up to kSlice, and from `second` on, likewise.
+  template <class Variable>
+  void differentiate(VecIn x, Index e, const TermState& state, int first, int second, double& value,
+                     std::vector<double>& gradient, std::vector<double>* packed) const {
+    const int n = Block * element_dofs_.node_count(e);
+    ListValues<Variable, Block> z;
+    gather(x, e, z);
+    std::vector<int> unknowns;
+    for (const int from : {first, second})
+      for (int k = from; k < std::min(n, from + kSlice); ++k) {
+        z(k % Block, k / Block).d[unknowns.size()] = 1.0;
+        unknowns.push_back(k);
+      }
+    const Variable result = call(e, z, state);
+    value = inside_domain(result.v);
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      gradient[to_size(unknowns[i])] = result.d[i];
+      if constexpr (Variable::order == 2)
+        for (std::size_t j = 0; j <= i; ++j) {
+          const int row = unknowns[i], column = unknowns[j];
+          (*packed)[to_size(row * (row + 1) / 2 + column)] = result.h[i * (i + 1) / 2 + j];
+        }
+    }
+  }
+
+  template <class T>
+  T call(Index e, const ListValues<T, Block>& z, const TermState& state) const {
+    if constexpr (std::is_same_v<Numbers, NoNumbers>)
+      return f_(e, z);
+    else
+      return f_(e, z, numbers_(e, state));
+  }
+  static double inside_domain(double f) {
+    return std::isnan(f) ? std::numeric_limits<double>::infinity() : f;
+  }
+
+  std::string name_;
+  ElementDofs element_dofs_;
+  F f_;
+  Numbers numbers_;
+};
+
+template <int Block, class F, class... Data>
+constexpr bool require_function_of_lists() {
+  using Numbers = ListValues<double, Block>;
+  using Variables = ListValues<Dual1<double, 2 * kSlice>, Block>;
+  constexpr bool fits = std::is_invocable_v<const F&, Index, const Numbers&, const Data&...> &&
+                        std::is_invocable_v<const F&, Index, const Variables&, const Data&...>;
+  static_assert(
+      fits,
+      "the lambda takes (Index element, const auto& z), z being Block by the nodes of the "
+      "element, and with data a third argument, const auto& data");
+  return fits;
+}
+
+}  // namespace detail
+
+// f(Index e, ListValues<T, Block> z) -> T. Throws InvalidArgument for an element without nodes, and
+// for negative nodes.
+template <int Block = 1, class F>
+std::shared_ptr<const EnergyTerm> make_term(std::string name, const NodeLists& nodes, F f) {
+  if constexpr (detail::require_function_of_lists<Block, F>())
+    return std::make_shared<const detail::ListTerm<Block, F, detail::NoNumbers>>(
+        std::move(name), nodes, std::move(f), detail::NoNumbers{});
+  else
+    return nullptr;
+}
+
+// f(Index e, ListValues<T, Block> z, data) -> T, with data as make_term<N, Block> has them.
+template <int Block = 1, class F, class Matrix>
+std::shared_ptr<const EnergyTerm> make_term(std::string name, const NodeLists& nodes, F f,
+                                            const Eigen::MatrixBase<Matrix>& data) {
+  if constexpr (detail::require_function_of_lists<Block, F, detail::ElementNumbers::Row>()) {
+    detail::ElementNumbers numbers(name, data, counted("term '" + name + "'", nodes.size()));
+    return std::make_shared<const detail::ListTerm<Block, F, detail::ElementNumbers>>(
+        std::move(name), nodes, std::move(f), std::move(numbers));
+  } else {
+    return nullptr;
+  }
+}
+
+}  // namespace majorant
+
+// SPDX-FileCopyrightText: 2026 the majorant developers
+// SPDX-License-Identifier: BSD-3-Clause
