@@ -11,6 +11,7 @@
 
 #include "majorant/framework/argument_check.h"
 #include "majorant/framework/barrier_path.h"
+#include "majorant/framework/equality_term.h"
 #include "majorant/framework/error.h"
 #include "majorant/framework/internal/augmented_lagrangian.h"
 #include "majorant/framework/internal/barrier_run.h"
@@ -194,10 +195,14 @@ BarrierMinimizer BarrierMinimizer::of_bounds(std::vector<HeldBound> bounds,
 }
 
 BarrierResult BarrierMinimizer::run(const Problem& problem, Vec y0, RunObserver* observer) const {
-  for (auto id = barriers_.begin(); id != barriers_.end(); ++id)
+  for (auto id = barriers_.begin(); id != barriers_.end(); ++id) {
     if (static_cast<std::size_t>(*id) >= problem.terms().size() ||
         std::find(barriers_.begin(), id, *id) != id)
       throw InvalidArgument("BarrierMinimizer: a barrier is no term of the problem, or twice");
+    if (dynamic_cast<const EqualityTerm*>(&problem.term(*id)))
+      throw InvalidArgument(fmt::format("BarrierMinimizer: '{}' is an equality, no barrier",
+                                        problem.term(*id).name()));
+  }
   for (const HeldBound& b : bounds_) {
     const auto& checkers = problem.checkers();
     if (std::find(checkers.begin(), checkers.end(), b.bound) == checkers.end())

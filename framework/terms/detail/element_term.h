@@ -72,7 +72,8 @@ class ElementNumbers {
   ElementNumbers(const std::string& term, const Eigen::MatrixBase<Matrix>& data, Index elements) {
     constexpr bool is_shared = Matrix::ColsAtCompileTime == 1;
     const RowMatrix rows = data;
-    if (rows.size() == 0) throw InvalidArgument("term '" + term + "': its data are empty");
+    if (is_shared ? rows.size() == 0 : rows.cols() == 0)
+      throw InvalidArgument("term '" + term + "': its data are empty");
     if (!is_shared && rows.rows() != elements)
       throw InvalidArgument("term '" + term + "': " + std::to_string(rows.rows()) +
                             " rows of data for " + std::to_string(elements) + " elements");
