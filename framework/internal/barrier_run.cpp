@@ -32,8 +32,8 @@ bool BarrierRun::starts(const BarrierStage& stage) {
   return check_start(problem.evaluator(), result);
 }
 
-int BarrierRun::descend(StoppingRules rules) {
-  rules.max_iterations = std::numeric_limits<int>::max();
+int BarrierRun::descend(StoppingRules rules, int most_iterations) {
+  rules.max_iterations = most_iterations;
   SolveResult part = problem.descend(rules);
   const auto before = static_cast<int>(result.iterations.size());
   for (IterationRecord& record : part.iterations) record.iteration += before;

@@ -20,8 +20,8 @@ struct BarrierRun {
   double first_weight(const BarrierStage& stage);
   // Enters a stage; whether a descent can begin there.
   bool starts(const BarrierStage& stage);
-  // Descends from where the run is and returns the number of iterations.
-  int descend(StoppingRules rules);
+  // Descends from where the run is, by so many iterations at most, and returns their number.
+  int descend(StoppingRules rules, int most_iterations = std::numeric_limits<int>::max());
   bool went_on() const;
   // The run ends without what it has looked for.
   void refuse(Status status, std::string why);

@@ -30,6 +30,13 @@ constexpr double kUnchanged = 0.01;
 // The relative difference of two Hessians that is rounding.
 constexpr double kHessianRounding = 1e-9;
 
+// Steps of a round, in which the pieces of a violation change as often at most, after which relaxed
+// bounds are tried, from the start and from where the steps have led; the factor of the steps from
+// one trial to the next, and trials at most before a round may take any number of steps.
+constexpr int kFirstSteps = 50;
+constexpr int kStepsRise = 2;
+constexpr int kMostTrials = 4;
+
 constexpr const char* kNoProof = "; that is no proof that there is none, start inside";
 
 // The bound that a point violates most, by how much, and where.
@@ -138,9 +145,12 @@ BarrierStage relaxed(const BarrierRun& run, double mu) {
   return stage;
 }
 
+enum class Way { Inside, Outside, Slow };
+
 // Leads inside by minima of the violation of all bounds that have a measure, met ones too: a
-// barrier of little weight lets a point creep along its bound. Others hold on the way.
-bool minimize_violation(BarrierRun& run) {
+// barrier of little weight lets a point creep along its bound. Others hold on the way. Slow: a
+// round has taken most_steps, as where a point zigzags along an edge of the violation.
+Way minimize_violation(BarrierRun& run, int most_steps) {
   const double scale = run.energy_scale();
   const double mu = run.first_weight(with_violations(run, kFirstMargin, {1, 1}));
   double before = std::numeric_limits<double>::infinity();
@@ -152,9 +162,10 @@ bool minimize_violation(BarrierRun& run) {
     // bound, which is less than the margin from some round on.
     const double weight = margin * margin / kFirstMargin / scale;
     const BarrierStage stage = with_violations(run, margin, {weight, mu});
-    if (k == 0 && !run.starts(stage)) return false;
+    if (k == 0 && !run.starts(stage)) return Way::Outside;
     if (k > 0) run.problem.enter(stage);
-    run.descend({});
+    if (run.descend({}, most_steps) >= most_steps && run.result.status == Status::MaxIterations)
+      return Way::Slow;
     left = largest_violation(run);
     if (left.bound && run.went_on()) {
       no_room = run.result.status == Status::Converged && margin <= kUnchanged * left.amount &&
@@ -164,7 +175,7 @@ bool minimize_violation(BarrierRun& run) {
     }
     run.result.energy = run.problem.energies().energy;
     if (left.bound) run.result.message += "; the point violates " + words_of(left);
-    return !left.bound && run.went_on();
+    return !left.bound && run.went_on() ? Way::Inside : Way::Outside;
   }
   const std::string where = words_of(left) + held_back_by(run, *left.bound);
   if (no_room)
@@ -175,7 +186,7 @@ bool minimize_violation(BarrierRun& run) {
   else
     refuse(run, *left.bound, Status::Stalled,
            "no point was found that meets the bounds: the last one violates " + where + kNoProof);
-  return false;
+  return Way::Outside;
 }
 
 // Leads inside by relaxed bounds that are tightened, which needs no measure; the weight of the last
@@ -215,7 +226,23 @@ std::optional<double> lead_inside(BarrierRun& run) {
   if (!run.bounds.violated(start)) return 0.0;
   run.result.energy = run.problem.energies().energy;
   if (!measures_all(run, start)) return tighten(run);
-  return minimize_violation(run) ? std::optional<double>(0.0) : std::nullopt;
+  const Vec y0 = run.problem.y();
+  int most_steps = kFirstSteps;
+  for (int k = 0; k < kMostTrials; ++k, most_steps *= kStepsRise) {
+    const Way way = minimize_violation(run, most_steps);
+    if (way == Way::Inside) return 0.0;
+    if (way == Way::Outside) return {};
+    std::vector<Vec> starts{run.problem.y()};
+    if (k == 0) starts.insert(starts.begin(), y0);
+    for (const Vec& y : starts) {
+      run.problem.move(y, 0);
+      run.result.energy = run.problem.energies().energy;
+      if (const std::optional<double> weight = tighten(run)) return weight;
+      if (run.result.status != Status::Stalled) return {};
+    }
+  }
+  if (minimize_violation(run, std::numeric_limits<int>::max()) == Way::Inside) return 0.0;
+  return {};
 }
 
 }  // namespace majorant

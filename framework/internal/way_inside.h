@@ -2,7 +2,8 @@
 //
 // Bounds that measure their violation (ViolationMeasure) are met by minima of it; with it whatever
 // else the problem has is minimized, of a weight that falls with the margin: the penalty method of
-// [NW06] Sec. 17.1. Other bounds are relaxed and tightened (enter_bounds()).
+// [NW06] Sec. 17.1. Other bounds are relaxed and tightened (enter_bounds()), and so are all where
+// the minima take many steps.
 #pragma once
 
 #include <optional>
