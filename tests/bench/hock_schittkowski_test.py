@@ -1,0 +1,56 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 the majorant developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""bench/hock_schittkowski: BarrierMinimizer solves the collection from the published starts."""
+import os
+import subprocess
+import unittest
+from pathlib import Path
+
+PROGRAM = Path(os.environ['MAJORANT_BUILD_DIR']) / 'bench/hock_schittkowski'
+
+# Problems that are not solved, and what becomes of them instead.
+NOT_SOLVED = {9: '**failed**: no direction', 57: '**failed**: unbounded below', 114: '**max_iterations**',
+              116: '**max_iterations**'}
+# Other local minima than the published ones.
+ELSEWHERE = {16, 20, 59, 97, 109}
+# Iterations at most, of problems that take more than MOST.
+MOST = 110
+ITERATIONS = {43: 430, 65: 150, 95: 320, 96: 200, 97: 270, 98: 220, 101: 370, 102: 240, 103: 330, 106: 500, 108: 190,
+              109: 160}
+
+
+@unittest.skipUnless(PROGRAM.exists(), 'no bench/hock_schittkowski')
+class Collection(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        done = subprocess.run([PROGRAM], capture_output=True, text=True)
+        cls.code = done.returncode
+        rows = [[cell.strip() for cell in line.strip('|\n').split(' |')]
+                for line in done.stdout.splitlines() if line.startswith('| ')][1:]
+        cls.rows = {int(row[0]): row for row in rows}
+
+    def test_minima_are_the_published_ones(self):
+        self.assertEqual(len(self.rows), 94)
+        self.assertEqual(self.code, 1 if NOT_SOLVED else 0)
+        for number, row in self.rows.items():
+            with self.subTest(number):
+                expected = 'another local minimum' if number in ELSEWHERE else 'solved'
+                self.assertIn(NOT_SOLVED.get(number, expected), row[13])
+
+    def test_constraints_hold(self):
+        for number, row in self.rows.items():
+            if number not in NOT_SOLVED:
+                with self.subTest(number):
+                    self.assertLessEqual(float(row[8]), 1e-10)
+                    self.assertGreater(float(row[9]), 0)
+
+    def test_iterations_are_few(self):
+        for number, row in self.rows.items():
+            if number not in NOT_SOLVED:
+                with self.subTest(number):
+                    self.assertLessEqual(int(row[10]), ITERATIONS.get(number, MOST))
+
+
+if __name__ == '__main__':
+    unittest.main()
