@@ -223,7 +223,12 @@ AugmentedLagrangian::Progress AugmentedLagrangian::minimize_violation(double mu)
   const Problem& problem = run_.problem.evaluator().problem();
   const EqualityRows rows(problem, ids_, problem.expand(run_.problem.y()));
   rows.violation(&row);
-  if (violation_ > kNoViolation)
+  if (violation_ > kNoViolation && run_.result.status != Status::Converged)
+    run_.refuse(Status::Stalled,
+                fmt::format("no point was found that meets the equalities: at the last one {} is "
+                            "{:.3g}, not 0; that is no proof that there is none",
+                            rows.name(row), rows.values()[row]));
+  else if (violation_ > kNoViolation)
     run_.refuse(Status::Infeasible,
                 fmt::format("no point meets the equalities, or none nearby: where their violation "
                             "is least, {} is {:.3g}, not 0",
